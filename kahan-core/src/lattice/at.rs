@@ -60,7 +60,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let constants = |eps| map.constants(eps, T::clone).ok_or(LatticeError::Undefined);
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
         let promise = Promise::new(&map, &eps, sites * M::Shape::BLOCK);
-        // What is only beyond the range of these numbers is not beyond that of a step with a promise.
+        // What is beyond the range of these numbers alone does not hinder a step with a promise.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }

@@ -95,8 +95,8 @@ impl Long {
     pub(crate) fn new(number: Wide, room: Room) -> Self {
         Self::of(match room {
             Room::Few => number.into(),
-            Room::More => number.with_digits::<64, 134>().into(),
-            Room::Most => number.with_digits::<256, 518>().into(),
+            Room::More => Number::More(Box::new(number.with_digits())),
+            Room::Most => Number::Most(Box::new(number.with_digits())),
         })
     }
 
@@ -202,7 +202,7 @@ impl One for Long {
 
 impl Scalar for Long {
     fn constant(c: &Constant<'_>) -> Self {
-        Self::of(c.to_digits::<256, 518>().into())
+        Self::of(Number::Most(Box::new(c.to_digits())))
     }
 
     /// Without the reciprocal, which would be a second division.

@@ -47,8 +47,8 @@ pub(crate) type Wide = Digits<17, 40>;
 /// Where the leading digit may be.
 const FARTHEST: u64 = 1 << 40;
 
-/// A number of at most D digits of 64 bits, and how far it may be from what it stands for; M = 2D +
-/// 6 is how many digits its sums and products have before the lowest are cut off.
+/// A number of at most D digits of 64 bits, and how far it may be from what it stands for. Its sums
+/// and products have M = 2D + 6 digits before the lowest are cut off.
 ///
 /// It is the sum of digit·2^(64·(place − below)), over the denominator. Beside what its operands'
 /// radii grow to, the radius of a sum, difference, product or quotient is at most
