@@ -12,6 +12,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
+use std::time::Instant;
 use std::{env, fs};
 
 use kahan_algebra::check::{check, check_family};
@@ -157,11 +158,11 @@ impl Output {
 }
 
 fn main() {
-    let [input, output] = [1, 2].map(|k| std::env::args().nth(k).unwrap());
+    let [field, input, output] = [1, 2, 3].map(|k| std::env::args().nth(k).unwrap());
     let words = std::fs::read(input).unwrap();
     let words = words.chunks(8).map(|word| u64::from_le_bytes(word.try_into().unwrap())).collect();
     let (mut from, mut to) = (Input { words, at: 0 }, Output(Vec::new()));
-    every(&mut from, &mut to);
+    tries(&field, &mut from, &mut to);
     assert_eq!(from.at, from.words.len());
     std::fs::write(output, to.0.into_iter().flat_map(u64::to_le_bytes).collect::<Vec<u8>>()).unwrap();
 }
@@ -169,15 +170,18 @@ fn main() {
 
 fn program(fields: &[Tried]) -> String {
     let mut text = FRAME.to_owned();
-    let mut calls = String::new();
+    let mut arms = String::new();
     for tried in fields {
         text += &tried.module();
-        for (_, number, _) in NUMBERS {
-            let module = tried.field.name.to_lowercase();
-            writeln!(calls, "    {module}::tries::<{number}>(from, to);").expect("a text takes more");
-        }
+        let (name, module) = (&tried.field.name, tried.field.name.to_lowercase());
+        let calls = NUMBERS.map(|(_, number, _)| format!("{module}::tries::<{number}>(from, to);"));
+        writeln!(arms, "        {name:?} => {{ {} }}", calls.concat()).expect("a text takes more");
     }
-    text + &format!("fn every(from: &mut Input, to: &mut Output) {{\n{calls}}}\n")
+    text + &format!(
+        "fn tries(field: &str, from: &mut Input, to: &mut Output) {{
+            match field {{\n{arms}        _ => panic!(\"no field is named {{field}}\") }}
+        }}\n"
+    )
 }
 
 /// The workspace.
@@ -185,14 +189,15 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace").to_owned()
 }
 
-/// Builds the crate of these fields as a user does, but for the level of optimisation, which
+/// Builds the crate of these fields as a user does, but for its own level of optimisation, which
 /// changes no bits: at the highest sixty fields take minutes more. Its program.
 fn build(fields: &[Tried]) -> PathBuf {
     let folder = root().join("target").join("compiled_extremes");
     fs::create_dir_all(folder.join("src")).expect("a folder can be made");
     let manifest = format!(
         "[package]\nname = \"odd-fields\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\nkahan-core = {{ path = {:?} }}\n\n\
-         [workspace]\n\n[profile.release]\nopt-level = 1\n",
+         [workspace]\n\n[profile.release]\nopt-level = 1\n\n\
+         [profile.release.package.\"*\"]\nopt-level = 3\n",
         root().join("kahan-core")
     );
     fs::write(folder.join("Cargo.toml"), manifest).expect("a file can be written");
@@ -205,60 +210,52 @@ fn build(fields: &[Tried]) -> PathBuf {
     folder.join("target/release/odd-fields")
 }
 
-/// The words of every trial, field by field, number by number.
-fn inputs(fields: &[Tried]) -> Vec<u8> {
-    let of_fields: Vec<Mutex<Vec<u8>>> = fields.iter().map(|_| Mutex::default()).collect();
-    for_each(fields.len(), None, &|k| {
-        let Tried { judged, trials, .. } = &fields[k];
-        let numbers = NUMBERS.iter().flat_map(|(number, ..)| {
-            (0..fields[k].count()).flat_map(|index| judged.inputs(*number, *trials, SEED, index))
-        });
-        let words = numbers.flat_map(u64::to_le_bytes).collect();
-        *of_fields[k].lock().expect("no thread panics in here") = words;
-    });
-    of_fields.into_iter().flat_map(|words| words.into_inner().expect("no thread panics in here")).collect()
-}
-
-/// Judges the words that the program wrote.
-fn judge(fields: &[Tried], results: &[u64]) -> Tally {
-    // Where the trials of a field begin.
-    let mut starts = Vec::new();
-    let mut at = 0;
-    for tried in fields {
-        starts.push(at);
-        for (_, _, words) in NUMBERS {
-            for _ in 0..tried.count() {
-                at += 1 + results[at] as usize * tried.state() * words;
-            }
-        }
+impl Tried {
+    /// The words of every trial, number by number.
+    fn inputs(&self) -> Vec<u8> {
+        let each = |number| move |index| self.judged.inputs(number, self.trials, SEED, index);
+        let words = NUMBERS.iter().flat_map(|(number, ..)| (0..self.count()).flat_map(each(*number)));
+        words.flat_map(u64::to_le_bytes).collect()
     }
-    assert_eq!(at, results.len(), "the program wrote a result for each trial");
-    let all = Mutex::new(Tally::default());
-    for_each(fields.len(), None, &|k| {
-        let (tried, mut at, mut tally) = (&fields[k], starts[k], Tally::default());
+
+    /// Judges the words that the program wrote.
+    fn judge(&self, results: &[u64]) -> Tally {
+        let (mut at, mut tally) = (0, Tally::default());
         for (number, _, words) in NUMBERS {
-            for index in 0..tried.count() {
-                let size = results[at] as usize * tried.state() * words;
+            for index in 0..self.count() {
+                let size = results[at] as usize * self.state() * words;
                 let next = (results[at] == 1).then(|| &results[at + 1..at + 1 + size]);
-                tried.judged.judge(number, tried.trials, SEED, index, next, &mut tally);
+                self.judged.judge(number, self.trials, SEED, index, next, &mut tally);
                 at += 1 + size;
             }
         }
-        all.lock().expect("no thread panics in here").add(tally);
-    });
-    all.into_inner().expect("no thread panics in here")
+        assert_eq!(at, results.len(), "the program wrote a result for each trial");
+        tally
+    }
+
+    /// Has the program try the steps of this field, and judges them.
+    fn tally(&self, program: &Path) -> Tally {
+        let name = &self.field.name;
+        let [from, to] = ["inputs", "results"].map(|end| program.with_file_name(format!("{name}.{end}")));
+        fs::write(&from, self.inputs()).expect("a file can be written");
+        let status = Command::new(program).arg(name).args([&from, &to]).status().expect("the program runs");
+        assert!(status.success(), "a step that promises panics: {}", self.field.block());
+        let results = fs::read(&to).expect("the program wrote its results");
+        [from, to].into_iter().for_each(|file| fs::remove_file(file).expect("what was written can go"));
+        let word = |bytes: &[u8]| u64::from_le_bytes(bytes.try_into().expect("eight bytes"));
+        self.judge(&results.chunks(8).map(word).collect::<Vec<u64>>())
+    }
 }
 
 fn try_all(fields: &[Tried]) -> Tally {
     let program = build(fields);
-    let [from, to] = ["inputs", "results"].map(|name| program.with_file_name(name));
-    fs::write(&from, inputs(fields)).expect("a file can be written");
-    let status = Command::new(&program).args([&from, &to]).status().expect("the program runs");
-    assert!(status.success(), "a step that promises panics");
-    let results = fs::read(&to).expect("the program wrote its results");
-    let word = |bytes: &[u8]| u64::from_le_bytes(bytes.try_into().expect("eight bytes"));
-    let results: Vec<u64> = results.chunks(8).map(word).collect();
-    judge(fields, &results)
+    let all = Mutex::new(Tally::default());
+    for_each(fields.len(), None, &|k| {
+        let (before, tally) = (Instant::now(), fields[k].tally(&program));
+        println!("{} in {:.0} s", fields[k].field.name, before.elapsed().as_secs_f64());
+        all.lock().expect("no thread panics in here").add(tally);
+    });
+    all.into_inner().expect("no thread panics in here")
 }
 
 #[test]

@@ -199,9 +199,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
         for room in Room::ALL {
             let eliminated = T::eliminated(&self.map, &self.eps, &self.promise.before, room);
-            let Some(Eliminated { next, is_settled }) = eliminated else { continue };
+            let Some(Eliminated { next, is_promised, is_settled }) = eliminated else { continue };
             if next.iter().all(T::is_finite_number) {
                 state.clone_from_slice(&next);
+                if is_promised {
+                    return Ok(());
+                }
                 let bound = self.promise.bound(&self.map, state);
                 if bound <= 1.0 {
                     return Ok(());

@@ -78,6 +78,8 @@ pub(super) trait Solved: Sized {
 pub(super) struct Eliminated<T> {
     /// Rounded.
     pub(super) next: Vec<T>,
+    /// Whether each component is known to 8u, and the promise kept with that.
+    pub(super) is_promised: bool,
     /// Whether more room would tell nothing new.
     pub(super) is_settled: bool,
 }
@@ -153,8 +155,13 @@ macro_rules! implement_for_float {
             ) -> Option<Eliminated<Self>> {
                 let exact = eliminated(map, eps, x, |number| Long::new(number.widen(), room))?;
                 let next: Vec<Self> = exact.iter().map(|number| Self::narrow(number.leading())).collect();
+                let is_near = |(exact, next): (&Long, &Self)| {
+                    exact.is_within(8.0 * <Self as Number>::UNIT, next.widen())
+                };
+                let is_promised = exact.iter().zip(&next).all(is_near);
                 let in_range = next.iter().map(|number| number.is_finite());
-                Some(Eliminated { is_settled: Long::are_settled(exact.iter().zip(in_range)), next })
+                let is_settled = Long::are_settled(exact.iter().zip(in_range));
+                Some(Eliminated { next, is_promised, is_settled })
             }
 
             $($in_parts)*

@@ -116,6 +116,15 @@ impl Long {
         self.0.as_ref().map_or_else(Wide::zero, Number::digits)
     }
 
+    /// Whether the value of the formula is no farther from `rounded` than so many times |rounded|.
+    ///
+    /// Where that is so of each component of x̃, |A·x̃ − b|ᵢ is no more than so many times
+    /// (|A|·|x̃|)ᵢ, as A times the true ones is b.
+    pub(crate) fn is_within(&self, relative: f64, rounded: Wide) -> bool {
+        let off = self.leading() - rounded;
+        off.size() + off.radius() <= rounded.size() * Size::from(relative)
+    }
+
     /// Whether more digits are known than any scalar has.
     fn is_known(&self) -> bool {
         self.leading().radius() * Size::from(1e40) <= self.at_most()

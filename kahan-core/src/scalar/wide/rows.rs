@@ -21,6 +21,10 @@ pub(super) struct Row<const M: usize> {
     cut: Size,
 }
 
+/// The digits of short rows, and how many of a longer one a short one takes.
+const SHORT: usize = 40;
+const LEADING: usize = 18;
+
 /// More than a digit and all that may stand below it.
 fn from_here_on((place, digit): (i64, i64)) -> Size {
     // The second factor is more than what the conversion of the digit loses.
@@ -28,9 +32,16 @@ fn from_here_on((place, digit): (i64, i64)) -> Size {
 }
 
 impl<const M: usize> Row<M> {
-    /// Each round of a division leaves less than 2⁻⁴⁸ of the remainder; so many leave less than the
-    /// unit of a number, which has half of the digits of a row.
-    const ROUNDS: usize = 64 * (M / 2 - 2) / 48 + 1;
+    /// Whether the digits of a quotient are guessed by dividing short rows, not floats.
+    const IS_LONG: bool = M > SHORT;
+
+    /// So many bits of a guess are right, at least. What short rows leave out of two numbers is less
+    /// than a unit of the last digit that they take, and a leading digit may be as small as 1/2.
+    const GUESSED: usize = if Self::IS_LONG { 64 * (LEADING - 2) } else { 48 };
+
+    /// Each round of a division leaves less than 2^−GUESSED of the remainder; so many leave less
+    /// than the unit of a number, which has half of the digits of a row.
+    const ROUNDS: usize = 64 * (M / 2 - 2) / Self::GUESSED + 1;
 
     pub(super) const EMPTY: Self =
         Self { digits: [(0, 0); M], start: M, cut: Size { exponent: 0, mantissa: 0.0 } };
@@ -223,22 +234,34 @@ impl<const M: usize> Row<M> {
     /// q and r with self = q·divisor + r, for a divisor other than zero; r is zero, or below a unit
     /// of a number beside self.
     ///
-    /// Each digit is guessed from the leading ones; what it leaves is exact, so a guess need not be
+    /// Digits are guessed from the leading ones; what they leave is exact, so a guess need not be
     /// right.
     pub(super) fn divided(&self, divisor: &Self) -> (Self, Self) {
-        let (below, down) = divisor.leading();
         let (mut quotient, mut rest) = (Self::EMPTY, *self);
         for _ in 0..Self::ROUNDS {
             if rest.sign() == 0 {
                 break;
             }
-            let (above, up) = rest.leading();
-            let (significand, exponent) = significand(above / below);
-            let digits = Self::of_significand(significand, exponent + up - down);
+            let digits = rest.guessed_quotient(divisor);
             rest = rest.plus(&divisor.times(&digits), -1);
             quotient = quotient.plus(&digits, 1);
         }
         (quotient, rest)
+    }
+
+    /// The leading digits of self/divisor.
+    fn guessed_quotient(&self, divisor: &Self) -> Self {
+        if Self::IS_LONG {
+            let (quotient, _) = self.leading_digits().divided(&divisor.leading_digits());
+            return Self::of_digits(quotient.digits().iter().copied());
+        }
+        let ((above, up), (below, down)) = (self.leading(), divisor.leading());
+        let (significand, exponent) = significand(above / below);
+        Self::of_significand(significand, exponent + up - down)
+    }
+
+    fn leading_digits(&self) -> Row<SHORT> {
+        Row::of_digits(self.digits().iter().take(LEADING).copied())
     }
 }
 
