@@ -171,6 +171,23 @@ fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     assert!(exact.residual(&before, &next) <= BigRational::new((5 + 8).into(), (1_i64 << 24).into()));
 }
 
+/// At this site f and f′x are 350 powers of ten above what they add up to, and no residual made of
+/// them is known; the digits of x̃ are.
+#[test]
+fn a_step_whose_digits_are_known_needs_no_residual() {
+    kahan! {
+        struct Crowd { q, r }
+        for i in periodic { x[i]dot = x[i]/(r[i]*r[i]) - q[i]/(r[i]*r[i])*x[i]*x[i]; }
+    }
+    let (q, r) = (-3.908_316_416_036_196_4e254, 8.843_222_868_544_905e-194);
+    let crowd = Crowd { q: vec![q, 0.25], r: vec![r, 2.0] };
+    let mut state = vec![8.803_863_726_421_91e96, 1.0];
+    crowd.at(-2.5e-99, 2).expect("a map").try_step(&mut state).expect("a step");
+    // With a = 1/r² and b = q/r² it is x(1 + εa)/(1 − εa + 2εbx), near a/(2b) for the first one; the
+    // other one hardly moves.
+    assert_eq!(state, [0.5 / q, 1.0]);
+}
+
 /// The largest difference of two states.
 fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))

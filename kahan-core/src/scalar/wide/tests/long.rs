@@ -96,3 +96,23 @@ fn more_room_is_asked_for_until_a_step_is_settled() {
     assert!(are_settled(&[(known, false), (lost.clone(), true)]));
     assert!(!are_settled(&[(long(1.0), true), (lost, false)]));
 }
+
+/// A rounded number is near a value that is known, no nearer than a rounding; near one that is not,
+/// none is.
+#[test]
+fn a_rounding_is_within_half_a_unit() {
+    let third = Long::one() / long(3.0);
+    let unit = f64::EPSILON / 2.0;
+    let is_within =
+        |number: &Long, relative| number.is_within(relative, Wide::from(number.leading().to_f64()));
+    assert!(is_within(&third, unit) && !is_within(&third, unit / 4.0));
+    assert!(is_within(&long(1.5), 0.0) && is_within(&Long::zero(), 0.0));
+    // Three quarters of the least float are rounded to the least float.
+    let few = long(f64::from_bits(1)) * long(0.75);
+    assert!(is_within(&few, 0.25) && !is_within(&few, 0.24));
+    // 0 or what was cut off.
+    let divisor = long(1e300) + long(3e-300);
+    let lost = Long::one() / divisor.clone() * divisor - Long::one();
+    assert!(!is_within(&lost, 1e300));
+    assert!(!is_within(&(Long::one() / Long::zero()), 1e300));
+}
