@@ -1,5 +1,4 @@
 //! The flow itself, against closed solutions, and at the ends of what it can do.
-#![cfg(feature = "std")]
 
 use kahan_core::prelude::*;
 use kahan_core::{Flow, FlowScalar, NoFlow, QuadraticField};

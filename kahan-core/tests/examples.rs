@@ -3,10 +3,8 @@
 // Their `main` is for cargo; here `run` is called, which gives what they print.
 #![allow(dead_code)]
 
-#[cfg(feature = "std")]
 #[path = "../examples/ensemble.rs"]
 mod ensemble;
-#[cfg(feature = "exact")]
 #[path = "../examples/exact.rs"]
 mod exact;
 #[path = "../examples/near_pole.rs"]
@@ -15,7 +13,6 @@ mod near_pole;
 mod orbit;
 #[path = "../examples/own_scalar/main.rs"]
 mod own_scalar;
-#[cfg(feature = "std")]
 #[path = "../examples/trade.rs"]
 mod trade;
 
@@ -26,7 +23,6 @@ fn an_orbit_keeps_its_integrals_to_roundings() {
     assert!(change < 1e-12, "{change:e}");
 }
 
-#[cfg(feature = "exact")]
 #[test]
 fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
     let [confined, free] = exact::run();
@@ -36,7 +32,6 @@ fn digits_grow_like_a_square_where_integrals_are_kept_and_double_elsewhere() {
     assert!((50.0..80.0).contains(&growth(&free)), "{free:?}");
 }
 
-#[cfg(feature = "std")]
 #[test]
 fn springs_lose_their_common_phase_and_keep_their_energies() {
     let (mean, change) = ensemble::run();
@@ -65,7 +60,6 @@ fn an_orbit_through_complex_time_comes_out_behind_the_pole() {
     assert!((end - expected).norm_sqr() < 1e-8, "{end}");
 }
 
-#[cfg(feature = "std")]
 #[test]
 fn a_smaller_tolerance_is_kept_by_a_higher_order() {
     let choices = trade::run();

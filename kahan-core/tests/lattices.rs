@@ -1,6 +1,5 @@
 //! Families as the macro writes them: their steps against plain blocks and against the defining
 //! equation, and what they keep.
-#![cfg(feature = "std")]
 
 use kahan_core::LatticeError;
 use kahan_core::prelude::*;
@@ -145,7 +144,6 @@ fn a_divisor_of_zero_is_an_error() {
     assert_eq!(Kdv { h: 0.0_f64 }.at(0.1, 9).unwrap_err(), LatticeError::Undefined);
     assert_eq!(Kdv { h: f32::NAN }.at(0.1, 9).unwrap_err(), LatticeError::Undefined);
     assert!(Kdv { h: 1e-20 }.at(0.1, 9).is_ok());
-    #[cfg(feature = "exact")]
     {
         let [zero, one] = [0, 1].map(|p| BigRational::from_integer(p.into()));
         assert_eq!(Kdv { h: zero.clone() }.at(one.clone(), 9).unwrap_err(), LatticeError::Undefined);
@@ -154,7 +152,6 @@ fn a_divisor_of_zero_is_an_error() {
 }
 
 /// 1/h³ is beyond the range of f32, and the step is not.
-#[cfg(feature = "exact")]
 #[test]
 fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     let (h, eps, sites) = (1e-20_f32, 1e-30_f32, 9);

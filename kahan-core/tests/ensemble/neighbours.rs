@@ -3,8 +3,8 @@
 use kahan_core::prelude::*;
 use kahan_core::{Ensemble, Reciprocal};
 
-use crate::in_lanes::{E3, LotkaVolterra};
-use crate::{assert_same, levels, points};
+use crate::ensemble::in_lanes::{E3, LotkaVolterra};
+use crate::ensemble::{assert_same, levels, points};
 
 const STEPS: usize = if cfg!(miri) { 1 } else { 10 };
 

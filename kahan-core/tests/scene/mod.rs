@@ -9,7 +9,6 @@
 //! 3. `counted`: what it costs.
 //!
 //! No clock: costs are the model's, and every run gives the same numbers.
-#![cfg(feature = "std")]
 
 mod answers;
 mod choices;

@@ -10,11 +10,10 @@
 //!
 //! ```text
 //! RUSTFLAGS="-C target-cpu=x86-64-v4" cargo +nightly miri test -p kahan-core --lib ensemble
-//! RUSTFLAGS="-C target-cpu=x86-64-v4" cargo +nightly miri test -p kahan-core --test ensemble
+//! RUSTFLAGS="-C target-cpu=x86-64-v4" cargo +nightly miri test -p kahan-core-tests ensemble
 //! ```
 //!
 //! where the levels are those of the processor that the flags name, and nothing is estimated.
-#![cfg(feature = "std")]
 
 mod contents;
 mod fused;

@@ -1,0 +1,9 @@
+//! kahan-core as its users write it. One program, so that what its modules share is compiled and
+//! linked once.
+
+mod closed_solutions;
+mod ensemble;
+mod examples;
+mod lattices;
+mod observe;
+mod scene;
