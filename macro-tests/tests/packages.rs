@@ -37,7 +37,8 @@ fn unpacked(workspace: &Path, folder: &Path) -> Vec<PathBuf> {
     let target = folder.join("packing");
     run(Command::new(env!("CARGO"))
         .args(["package", "--offline", "--no-verify", "--allow-dirty", "--workspace"])
-        .args(["--exclude", "kahan-tests", "--exclude", "kahan-macro-tests", "--target-dir"])
+        .args(["kahan-tests", "kahan-macro-tests", "kahan-core-tests"].map(|name| format!("--exclude={name}")))
+        .arg("--target-dir")
         .arg(&target)
         .current_dir(workspace));
     let crates = folder.join("crates");

@@ -8,7 +8,7 @@ const PROOFS: &str = "-p kahan-runtime --lib -- periodic";
 const POLES: &str = "-p kahan-core --features exact --lib -- projective";
 const TANGENTS: &str = "-p kahan-tests --test main -- long_tangents";
 const REMOVABLE: &str = "-p kahan-tests --test removable_poles";
-const EXPONENTS: &str = "-p kahan-core --test observe -- exponents";
+const EXPONENTS: &str = "-p kahan-core-tests -- exponents";
 
 const fn of(
     tests: &'static str,
