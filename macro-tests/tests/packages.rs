@@ -37,7 +37,9 @@ fn unpacked(workspace: &Path, folder: &Path) -> Vec<PathBuf> {
     let target = folder.join("packing");
     run(Command::new(env!("CARGO"))
         .args(["package", "--offline", "--no-verify", "--allow-dirty", "--workspace"])
-        .args(["kahan-tests", "kahan-macro-tests", "kahan-core-tests"].map(|name| format!("--exclude={name}")))
+        .args(
+            ["kahan-tests", "kahan-macro-tests", "kahan-core-tests"].map(|name| format!("--exclude={name}")),
+        )
         .arg("--target-dir")
         .arg(&target)
         .current_dir(workspace));
