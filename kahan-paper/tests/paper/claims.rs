@@ -5,13 +5,15 @@ use std::collections::BTreeSet;
 use kahan_paper::formula::mutations;
 use kahan_paper::{Claim, Erratum, OPEN, Outcome, Paper, Section};
 
+use crate::paper;
+
 fn ids(paper: &Paper) -> BTreeSet<String> {
     paper.claims().iter().map(|claim| claim.id.to_string()).collect()
 }
 
 #[test]
 fn every_claim_is_established_and_fails_under_a_mutation() {
-    let paper = Paper::new();
+    let paper = paper();
     let claims: Vec<&Claim> = paper.claims().iter().collect();
     let failed: Vec<String> = claims
         .iter()
@@ -36,9 +38,9 @@ fn every_claim_is_established_and_fails_under_a_mutation() {
 
 #[test]
 fn every_claim_has_a_name_of_its_own_a_place_and_a_statement() {
-    let paper = Paper::new();
+    let paper = paper();
     assert!(paper.claims().len() >= 200);
-    assert_eq!(ids(&paper).len(), paper.claims().len());
+    assert_eq!(ids(paper).len(), paper.claims().len());
     for claim in paper.claims() {
         assert!(!claim.source().is_empty() && !claim.statement.is_empty(), "{}", claim.id);
         assert!(!paper.latex(claim).is_empty(), "{} has no formula to show", claim.id);
@@ -48,8 +50,8 @@ fn every_claim_has_a_name_of_its_own_a_place_and_a_statement() {
 
 #[test]
 fn no_cell_of_a_table_is_missing() {
-    let paper = Paper::new();
-    let ids = ids(&paper);
+    let paper = paper();
+    let ids = ids(paper);
     let has = |id: String| assert!(ids.contains(&id), "{id} is missing");
     for i in 1..=9 {
         for cell in ["P", "Q", "H", "K", "c"] {
@@ -82,7 +84,7 @@ fn no_cell_of_a_table_is_missing() {
 
 #[test]
 fn every_erratum_of_a_formula_is_refuted_as_printed() {
-    let paper = Paper::new();
+    let paper = paper();
     for number in (1..=10).map(Erratum::A).chain([Erratum::B(1), Erratum::B(2)]) {
         let about = paper.claims().iter().filter(|claim| claim.erratum == Some(number));
         let corrected: Vec<&Claim> = about.filter(|claim| claim.printed().is_some()).collect();
@@ -96,7 +98,7 @@ fn every_erratum_of_a_formula_is_refuted_as_printed() {
 /// The printed item and the one in its place, of the first claim that corrects an erratum.
 #[test]
 fn a_correction_sets_what_is_printed_beside_what_is_right() {
-    let paper = Paper::new();
+    let paper = paper();
     let correction = |number| {
         let corrects = |claim: &&Claim| claim.erratum == Some(number) && claim.printed().is_some();
         paper.claims().iter().find(corrects).and_then(Claim::correction).expect("a correction")
@@ -114,7 +116,7 @@ fn a_correction_sets_what_is_printed_beside_what_is_right() {
 
 #[test]
 fn no_section_is_without_claims() {
-    let paper = Paper::new();
+    let paper = paper();
     for section in Section::ALL {
         assert!(paper.claims().iter().any(|claim| claim.section == section), "{section:?}");
     }
@@ -122,7 +124,7 @@ fn no_section_is_without_claims() {
 
 #[test]
 fn what_is_false_fails() {
-    let paper = Paper::new();
+    let paper = paper();
     let claim = |id: &str| {
         paper
             .claims()
