@@ -13,6 +13,10 @@ const OF_THE_COMMAND: [&str; 5] = ["clap", "maud", "indicatif", "tempfile", "pul
 /// The most lines that `cargo tree` may print of the catalog.
 const CATALOG_TREE: usize = 45;
 
+/// The crates whose code is timed: by `kahan trade`, by sweeps of settings, and by the benchmarks,
+/// whose own crates the word of their names tells.
+const TIMED: [&str; 5] = ["kahan-core", "kahan-jit", "kahan-measure", "kahan-runtime", "kahan-bench"];
+
 /// Crates, each with those that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
@@ -99,5 +103,41 @@ fn the_catalog_is_a_light_dependency() {
     assert!(lines.len() <= CATALOG_TREE, "{} lines:\n{text}", lines.len());
     for name in OF_THE_COMMAND {
         assert!(!lines.iter().any(|line| line.split(' ').next() == Some(name)), "{name}:\n{text}");
+    }
+}
+
+/// The crates that the release profile of a manifest does not optimise fully; `*` for all.
+fn not_optimised(manifest: &str) -> Vec<String> {
+    let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
+    let mut section = "";
+    let mut found = Vec::new();
+    for line in text.lines() {
+        if let Some(name) = line.strip_prefix('[') {
+            section = name.trim_end_matches(']');
+        }
+        let Some((key, value)) = line.split_once('=').filter(|_| section.starts_with("profile.release"))
+        else {
+            continue;
+        };
+        if let Some(key) = key.trim().strip_suffix("opt-level")
+            && value.trim() != "3"
+        {
+            let of_section = section.trim_start_matches("profile.release.package").trim_matches(['.', '"']);
+            let name = if key.is_empty() { of_section } else { key.trim_end_matches('.') };
+            found.push(if name.starts_with("profile") { "*" } else { name }.to_owned());
+        }
+    }
+    found
+}
+
+#[test]
+fn what_is_timed_is_optimised() {
+    // The command is not: it reads and prints.
+    assert!(not_optimised("Cargo.toml").contains(&"kahan-cli".to_owned()));
+    for manifest in ["Cargo.toml", "benches/Cargo.toml", "kahan-sweep/Cargo.toml"] {
+        for name in not_optimised(manifest) {
+            let is_timed = name == "*" || TIMED.iter().any(|timed| name.starts_with(timed));
+            assert!(!is_timed, "{manifest} builds {name} without optimisation, which is timed");
+        }
     }
 }
