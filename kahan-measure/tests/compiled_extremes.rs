@@ -19,7 +19,7 @@ use kahan_algebra::check::{check, check_family};
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::parse::parse;
-use kahan_measure::extremes::{Cell, Compiled, Number, Tally};
+use kahan_measure::extremes::{Broken, Cell, Compiled, Number, Tally};
 use kahan_measure::random_fields::{OddField, odd, odd_chain, odd_of_many};
 use kahan_runtime::threads::for_each;
 
@@ -251,8 +251,16 @@ fn try_all(fields: &[Tried]) -> Tally {
     let program = build(fields);
     let all = Mutex::new(Tally::default());
     for_each(fields.len(), None, &|k| {
-        let (before, tally) = (Instant::now(), fields[k].tally(&program));
-        println!("{} in {:.0} s", fields[k].field.name, before.elapsed().as_secs_f64());
+        let (before, field) = (Instant::now(), &fields[k].field);
+        let tally = fields[k].tally(&program);
+        println!("{} in {:.0} s", field.name, before.elapsed().as_secs_f64());
+        for Broken { silently_wrong, unjustified, first } in tally.broken.values() {
+            println!(
+                "  {silently_wrong} silently wrong, {unjustified} flagged without right: {}",
+                field.block()
+            );
+            println!("  {}", first.text);
+        }
         all.lock().expect("no thread panics in here").add(tally);
     });
     all.into_inner().expect("no thread panics in here")
@@ -280,16 +288,5 @@ fn compiled_fields_of_odd_tempers_keep_their_promise() {
     let (wrong, unjustified) = (sum(|cell| cell.silently_wrong), sum(|cell| cell.unjustified));
     println!("{} fields, {drawn} trials drawn, {judged} judged, {flagged} flagged", fields.len());
     println!("{wrong} silently wrong, {unjustified} flagged without right");
-    for (name, broken) in &tally.broken {
-        let field =
-            fields.iter().find(|tried| tried.field.name == *name).expect("its name is that of a field");
-        println!(
-            "{name}, {} silently wrong, {} flagged without right: {}",
-            broken.silently_wrong,
-            broken.unjustified,
-            field.field.block()
-        );
-        println!("  {}", broken.first.text);
-    }
     assert_eq!((drawn, wrong, unjustified), (judged, 0, 0));
 }
