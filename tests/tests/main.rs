@@ -5,6 +5,7 @@ mod blocks {
     //! Blocks of `kahan!`: wherever they stand, whatever is in them, and from what is found.
 
     mod discovered;
+    mod same_text;
     mod surroundings;
     mod token_soup;
 }

@@ -8,28 +8,23 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Where the cases stand, relative to the package.
-pub const FOLDER: &str = "tests/compile_errors";
+/// Where the cases stand, relative to this package.
+const FOLDER: &str = "../macro-tests/tests/compile_errors";
 
 /// One case.
-#[derive(Clone, Debug)]
-pub struct CompileCase {
+pub(super) struct CompileCase {
     /// `topic/name`.
-    pub name: String,
+    pub(super) name: String,
     /// The Rust source.
-    pub source: String,
+    pub(super) source: String,
     /// The byte range between the brackets of each `kahan!`, in order.
-    pub blocks: Vec<Range<usize>>,
+    pub(super) blocks: Vec<Range<usize>>,
     /// The expected output of rustc.
-    pub expected: String,
+    pub(super) expected: String,
 }
 
 /// All cases, by topic and name.
-///
-/// # Panics
-/// If a case cannot be read or lacks its expected output.
-#[must_use]
-pub fn compile_cases() -> Vec<CompileCase> {
+pub(super) fn compile_cases() -> Vec<CompileCase> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(FOLDER);
     let topics = entries(&root);
     let sources = topics.iter().flat_map(|topic| entries(topic));
@@ -49,8 +44,7 @@ pub fn compile_cases() -> Vec<CompileCase> {
 
 impl CompileCase {
     /// The line and column, from 1, of a byte of the source.
-    #[must_use]
-    pub fn line_and_column(&self, byte: usize) -> (usize, usize) {
+    pub(super) fn line_and_column(&self, byte: usize) -> (usize, usize) {
         let before = &self.source[..byte];
         let line = before.rsplit('\n').next().unwrap_or_default();
         (before.matches('\n').count() + 1, line.chars().count() + 1)

@@ -3,9 +3,12 @@
 //! The blocks of the compile-error cases go through the front end as text, as `kahan show --field`
 //! reads them; each mistake it finds must stand in rustc's output, and rustc must print no other.
 
+mod cases;
+
 use kahan_algebra::lexer::lex;
 use kahan_algebra::render::report;
-use kahan_macro_tests::{CompileCase, compile_cases};
+
+use cases::{CompileCase, compile_cases};
 
 /// `<line>:<column>` as rustc prints it, with the lines of the message, for each mistake.
 fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
