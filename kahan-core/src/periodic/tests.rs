@@ -406,16 +406,55 @@ fn multipliers_that_meet_outside_the_circle_go_through_nothing() {
 
 #[test]
 fn a_fold_hides_no_other_change() {
-    // The last one has both in one stride.
-    for (from, to, steps) in [(1.0, -1.0, 2), (1.0, -1.0, 5), (1.0, -1.0, 40), (0.25, -3.75, 1)] {
-        let start = periodic_point(&Turning(from), &[0.9, 0.0], 1).unwrap();
-        let mut seen = 0;
-        let branch = branch(Turning, &start, [from, to], steps, |_| seen += 1);
-        let expected = [(Change::ThroughMinusOne, 1.0 / 16.0), (Change::Fold, 0.0)];
+    let both = [(Change::ThroughMinusOne, 1.0 / 16.0), (Change::Fold, 0.0)];
+    for (from, to, steps) in
+        [(1.0, -1.0, 2), (1.0, -1.0, 5), (1.0, -1.0, 40), (0.25, -3.75, 1), (16.0, -16.0, 1)]
+    {
+        let start = periodic_point(&Turning(from), &[from.sqrt(), 0.0], 1).unwrap();
+        let mut seen = Vec::new();
+        let branch = branch(Turning, &start, [from, to], steps, |point| seen.push(point.cycle.points[0][0]));
+        // From far away 1 − 2x goes through −1 before.
+        let first = [(Change::ThroughMinusOne, 1.0)];
+        let expected = if from > 1.0 { [&first[..], &both].concat() } else { both.to_vec() };
         // A fold is known to the root of what a direction is known to.
-        assert!(has_turns(&branch, &expected, 1e-9), "{steps}: {:?}", branch.turns);
-        assert_eq!(seen, branch.points.len());
+        assert!(has_turns(&branch, &expected, 1e-9 * from.max(1.0)), "{steps}: {:?}", branch.turns);
+        assert_eq!(seen.len(), branch.points.len());
+        // The last one has both in one stride.
+        let is_over_both = |pair: &[f64]| pair[0] > 0.25 && pair[1] < 0.0;
+        assert_eq!(seen.windows(2).any(is_over_both), from > 1.0, "{seen:?}");
     }
+}
+
+/// x ↦ (x + 1 − px)/2, whose fixed point 1/(1 + p) goes to infinity as p goes to −1.
+struct Far(f64);
+
+impl Differentiable for Far {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        vec![(x[0] + 1.0 - self.0 * x[0]) / 2.0]
+    }
+
+    fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_element(1, 1, (1.0 - self.0) / 2.0)
+    }
+}
+
+impl Parametric for Far {
+    fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
+        vec![-x[0] / 2.0]
+    }
+}
+
+/// Strides are parts of how far away a point is: a thousand times as far is a few times as many.
+#[test]
+fn a_branch_goes_far_in_few_strides() {
+    let start = periodic_point(&Far(0.0), &[0.9], 1).unwrap();
+    let branch = branch(Far, &start, [0.0, -0.999], 10, |_| ());
+    let last = branch.points.last().unwrap();
+    assert!(!branch.is_cut && last.cycle.points[0][0] > 990.0 && branch.points.len() < 150);
 }
 
 #[test]

@@ -51,7 +51,7 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(CYCLES, "a derivative by the parameter in other units", "kahan-core/src/periodic/branch.rs",
         "*entry = rate * self.length;",
         "*entry = rate;"),
-    of(PROOFS, "strides that are short where points are large", "kahan-core/src/periodic/branch.rs",
+    of(CYCLES, "strides that are short where points are large", "kahan-core/src/periodic/branch.rs",
         "place.norm().max(1.0) / steps as f64",
         "1.0 / steps as f64"),
     of(CYCLES, "changes beyond the range", "kahan-core/src/periodic/branch.rs",
