@@ -161,6 +161,28 @@ fn the_catalog_by_code_is_the_catalog_compiled() {
     agree("e9", &["0.1"], &E9 { xi: big("0.1") });
 }
 
+/// A sum that rounds to the largest float goes beyond it with its lower parts: code sees it, too.
+#[test]
+fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
+    let map = Field::parse("xdot = y; ydot = 0;").expect("a field").map().expect("no parameters");
+    let exact = |value: f64| Rational::from_f64(value).expect("finite");
+    let half = 2_f64.powi(969);
+    // Half a unit of the largest float, in two parts that it does not show by itself.
+    for share in [0.5, 1.0, 1.0 + f64::EPSILON, 1.5] {
+        let start = [&exact(f64::MAX) + &exact(half), exact(half * share)];
+        for scheme in Scheme::all().into_iter().filter(|scheme| scheme.precision == Precision::DoubleDouble) {
+            let eps = q("1/2");
+            let mut orbit = map.orbit(scheme, &eps, &start).expect("two variables");
+            let mut interpreted = Asked { map: &map, scheme, eps: &eps, start: &start }.begin().0;
+            let mut expected = vec![Dd::default(); 2];
+            orbit.advance(1);
+            interpreted.advance(1);
+            interpreted.point(&mut expected);
+            assert!(same(orbit.point(), &expected), "{scheme}: {:?}, not {expected:?}", orbit.point());
+        }
+    }
+}
+
 /// The end of an orbit in one stretch is where single steps come to it, in every scheme.
 #[test]
 fn an_orbit_ends_after_its_last_finite_point() {

@@ -128,6 +128,18 @@ mod premises {
     }
 
     #[test]
+    fn inputs_are_below_the_smaller_one_of_two_limits() {
+        let (low, high) = (Limit::below(3), Limit::below(9));
+        for (a, b) in [(low, high), (high, low), (low, Limit::ANY), (Limit::ANY, low)] {
+            assert_eq!(a.and(b), low);
+        }
+        assert!(low.allows(7.99) && !low.allows(8.0) && !low.allows(f64::NAN));
+        assert!(Limit::ANY.allows(f64::MAX) && !Limit::ANY.allows(f64::NAN));
+        assert_eq!((low.and(Limit::NONE), Limit::NONE.and(low)), (Limit::NONE, Limit::NONE));
+        assert!(!Limit::NONE.allows(0.0));
+    }
+
+    #[test]
     fn no_product_is_larger_than_all_products_may_be() {
         let bits = Worst::<FINEST>::RANGE.bits_of_products;
         // The literal 2 is below 2², and each doubling adds a bit.
