@@ -170,7 +170,7 @@ fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     // Half a unit of the largest float, in two parts that it does not show by itself.
     for share in [0.5, 1.0, 1.0 + f64::EPSILON, 1.5] {
         let start = [&exact(f64::MAX) + &exact(half), exact(half * share)];
-        for scheme in Scheme::all().into_iter().filter(|scheme| scheme.precision == Precision::DoubleDouble) {
+        for scheme in Scheme::all().filter(|scheme| scheme.precision == Precision::DoubleDouble) {
             let eps = q("1/2");
             let mut orbit = map.orbit(scheme, &eps, &start).expect("two variables");
             let mut interpreted = Asked { map: &map, scheme, eps: &eps, start: &start }.begin().0;
