@@ -164,3 +164,15 @@ fn what_once_went_wrong_stays_mended() {
     let message = &reading("xdot = @x;").diagnostics[0].message;
     assert!(message.contains('@') && !message.contains("empty"), "{message}");
 }
+
+/// A number to a power is a number, in a claim as in an equation; what it is a power of has limits.
+#[test]
+fn claims_take_powers_of_numbers_as_equations_do() {
+    let claim = |text: &str| reading(&format!("xdot = y; ydot = -x; integral E = {text};")).diagnostics;
+    for text in ["2^1000*x^2 + 2^1000*y^2", "2^-70*(x^2 + y^2)", "(x^2 + y^2)/10^300"] {
+        assert_eq!(claim(text), [], "{text}");
+    }
+    for text in ["x^70", "(x + y)^65", "2^1000000*x^2"] {
+        assert!(claim(text).iter().any(|wrong| wrong.kind == Kind::Exponent), "{text}");
+    }
+}

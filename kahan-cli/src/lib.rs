@@ -124,7 +124,8 @@ fn command() -> clap::Command {
     names.iter().fold(on_a_screen(Cli::command()), |command, name| {
         command.mut_subcommand(name, |one| {
             let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();
-            found(one).after_help(format!("{examples}\n\n`kahan help {name}` says more."))
+            let more = format!("{examples}\n\n`kahan help {name}` says more.");
+            found(one).after_help(more).after_long_help(examples)
         })
     })
 }

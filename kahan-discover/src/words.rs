@@ -207,7 +207,7 @@ fn formulas(report: &Report) -> Vec<String> {
             false => "seen modulo primes",
         };
         sentences.push(format!(
-            "{} no short formula, but a Hirota-Kimura basis: along every orbit {} satisfy one linear relation, whose coefficients are constant there, {proof}.",
+            "{} no short formula with coefficients of at most 200 digits, but a Hirota-Kimura basis: along every orbit {} satisfy one linear relation, whose coefficients are constant there, {proof}.",
             match in_bases {
                 1 => "One more integral has".to_owned(),
                 count => format!("{count} more integrals have"),

@@ -12,7 +12,7 @@ use crate::token::Span;
 
 use super::conditions;
 use super::entries::entry_places;
-use super::expand::sum_out_of_place;
+use super::expand::{MOST_BITS, sum_out_of_place};
 use super::names::{Meaning, Scope, expressions};
 
 /// The largest exponent in a claim.
@@ -170,7 +170,11 @@ impl Compiler {
     }
 
     fn power(&mut self, base: &Expr, exponent: i64, span: Span, scope: &Scope) -> Result<Node, Diagnostic> {
-        if !(-HIGHEST_POWER..=HIGHEST_POWER).contains(&exponent) {
+        let is_short_number = match &base.kind {
+            ExprKind::Number(value) => value.bits().saturating_mul(exponent.unsigned_abs()) <= MOST_BITS,
+            _ => false,
+        };
+        if !is_short_number && !(-HIGHEST_POWER..=HIGHEST_POWER).contains(&exponent) {
             return Err(Diagnostic::new(
                 Kind::Exponent,
                 span,

@@ -22,7 +22,7 @@ const HIGHEST_DEGREE: u64 = 64;
 /// The largest exponent of something that depends on parameters.
 const HIGHEST_PARAMETER_POWER: i64 = 64;
 /// The largest size of a number, in bits.
-const MOST_BITS: u64 = 1 << 16;
+pub(super) const MOST_BITS: u64 = 1 << 16;
 
 /// p/q
 #[derive(Clone, Debug)]

@@ -55,7 +55,9 @@ fn flow(report: &Report) -> String {
                 _ => format!("{linear} linear and {quadratic} quadratic independent integrals"),
             };
             let kept = match structure.kept {
+                0 if found == 1 => "which the map does not keep as it stands".to_owned(),
                 0 => "which the map does not keep as they stand".to_owned(),
+                1 if found == 1 => "which the map keeps as it stands".to_owned(),
                 kept if kept == found => "which the map keeps as they stand".to_owned(),
                 kept => format!("of which the map keeps {kept} as they stand"),
             };
