@@ -31,7 +31,11 @@ const PROMISES: [(&str, &str, &str); 6] = [
     ("fast", "`step`, `orbit`", "a few u in short steps away from poles; nothing is looked at"),
     ("compensated", "`orbit(..).compensated()`", "the same, and the rounding of a step falls to O(ε)·u"),
     ("stable", "`try_step`", "within 64 u of the exact step, established for this very call, or an error"),
-    ("accurate", "any of them with `Dd`", "half an ulp of `f64` from ordinary points, down to 1e-9 from a pole"),
+    (
+        "accurate",
+        "any of them with `Dd`",
+        "half an ulp of `f64` from ordinary points, down to 1e-9 from a pole",
+    ),
     ("f32 through f64", "`ThroughF64(map)`", "`f32`, rounded once"),
     ("f32", "`f32`", "the fast tier with u = 2⁻²⁴"),
 ];

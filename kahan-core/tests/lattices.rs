@@ -144,11 +144,9 @@ fn a_divisor_of_zero_is_an_error() {
     assert_eq!(Kdv { h: 0.0_f64 }.at(0.1, 9).unwrap_err(), LatticeError::Undefined);
     assert_eq!(Kdv { h: f32::NAN }.at(0.1, 9).unwrap_err(), LatticeError::Undefined);
     assert!(Kdv { h: 1e-20 }.at(0.1, 9).is_ok());
-    {
-        let [zero, one] = [0, 1].map(|p| BigRational::from_integer(p.into()));
-        assert_eq!(Kdv { h: zero.clone() }.at(one.clone(), 9).unwrap_err(), LatticeError::Undefined);
-        assert!(Kdv { h: one }.at(zero, 9).is_ok());
-    }
+    let [zero, one] = [0, 1].map(|p| BigRational::from_integer(p.into()));
+    assert_eq!(Kdv { h: zero.clone() }.at(one.clone(), 9).unwrap_err(), LatticeError::Undefined);
+    assert!(Kdv { h: one }.at(zero, 9).is_ok());
 }
 
 /// 1/h³ is beyond the range of f32, and the step is not.
@@ -168,7 +166,7 @@ fn constants_beyond_the_range_are_no_hindrance_to_a_promise() {
     assert!(exact.residual(&before, &next) <= BigRational::new((5 + 8).into(), (1_i64 << 24).into()));
 }
 
-/// At this site f and f′x are 350 powers of ten above what they add up to, and no residual made of
+/// At this site f and f′x are 350 powers of ten above what they add up to, so no residual made of
 /// them is known; the digits of x̃ are.
 #[test]
 fn a_step_whose_digits_are_known_needs_no_residual() {

@@ -7,3 +7,4 @@ mod examples;
 mod lattices;
 mod observe;
 mod scene;
+mod systems;

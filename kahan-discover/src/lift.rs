@@ -25,8 +25,11 @@ pub type Oracle<'a> = dyn FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Vec<
 /// The most points on a line; degrees up to some twenty in one unknown.
 const MOST_ON_LINE: usize = 48;
 
-/// The most primes that are joined: enough for coefficients of some 200 digits above and below.
+/// The most primes that are joined.
 const MOST_PRIMES: usize = 24;
+
+/// The most digits, above and below, of coefficients that so many primes of 61 bits tell.
+pub(crate) const MOST_DIGITS: usize = MOST_PRIMES * 60 * 301 / 2000;
 
 /// How often a point is drawn again where the oracle has no value.
 const MOST_DRAWS: usize = 8;

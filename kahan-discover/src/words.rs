@@ -6,6 +6,7 @@ use kahan_algebra::render::Notation;
 
 use crate::basis::Basis;
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL};
+use crate::lift::MOST_DIGITS;
 use crate::report::{Bound, ModifiedPlace, Report};
 
 use structure::structure;
@@ -207,7 +208,7 @@ fn formulas(report: &Report) -> Vec<String> {
             false => "seen modulo primes",
         };
         sentences.push(format!(
-            "{} no short formula with coefficients of at most 200 digits, but a Hirota-Kimura basis: along every orbit {} satisfy one linear relation, whose coefficients are constant there, {proof}.",
+            "{} no short formula with coefficients of at most {MOST_DIGITS} digits, but a Hirota-Kimura basis: along every orbit {} satisfy one linear relation, whose coefficients are constant there, {proof}.",
             match in_bases {
                 1 => "One more integral has".to_owned(),
                 count => format!("{count} more integrals have"),

@@ -13,8 +13,8 @@ const OF_THE_COMMAND: [&str; 5] = ["clap", "maud", "indicatif", "tempfile", "pul
 /// The most lines that `cargo tree` may print of the catalog.
 const CATALOG_TREE: usize = 45;
 
-/// The crates whose code is timed: by `kahan trade`, by sweeps of settings, and by the benchmarks,
-/// whose own crates the word of their names tells.
+/// How the names of crates begin whose code is timed: by `kahan trade`, by sweeps of settings, and
+/// by the benchmarks, the last of these.
 const TIMED: [&str; 5] = ["kahan-core", "kahan-jit", "kahan-measure", "kahan-runtime", "kahan-bench"];
 
 /// Crates, each with those that it uses.

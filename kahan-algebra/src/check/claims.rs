@@ -170,10 +170,10 @@ impl Compiler {
     }
 
     fn power(&mut self, base: &Expr, exponent: i64, span: Span, scope: &Scope) -> Result<Node, Diagnostic> {
-        let is_short_number = match &base.kind {
-            ExprKind::Number(value) => value.bits().saturating_mul(exponent.unsigned_abs()) <= MOST_BITS,
-            _ => false,
-        };
+        let node = self.node(base, scope)?;
+        let bits = self.builder.constant_size(node).map(|value| value.bits().max(1));
+        let is_short_number =
+            bits.is_some_and(|bits| bits.saturating_mul(exponent.unsigned_abs()) <= MOST_BITS);
         if !is_short_number && !(-HIGHEST_POWER..=HIGHEST_POWER).contains(&exponent) {
             return Err(Diagnostic::new(
                 Kind::Exponent,
@@ -182,7 +182,6 @@ impl Compiler {
                 "write the claim with smaller powers",
             ));
         }
-        let node = self.node(base, scope)?;
         let power = self.builder.power(node, exponent.unsigned_abs() as u32);
         if exponent >= 0 {
             return Ok(power);

@@ -94,6 +94,14 @@ impl PlanBuilder {
         }
     }
 
+    /// |a| of a constant.
+    pub(crate) fn constant_size(&self, a: Node) -> Option<&Rational> {
+        match *self.operation(a) {
+            Operation::Negate(size) => self.value(size),
+            _ => self.value(a),
+        }
+    }
+
     fn is_constant(&self, node: Node, value: i64) -> bool {
         self.value(node).is_some_and(|constant| constant.as_i64() == Some(value))
     }

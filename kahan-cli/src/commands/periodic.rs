@@ -26,8 +26,8 @@ use crate::reading::{Range, Request, Start, whole};
 ///
 /// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
 /// multipliers go through the unit circle; there --eps or --param gives the value where the range
-/// begins, and may be left out. The table has a row a step: STEPS of them where the curve is nearly
-/// straight, more round a fold, and the last may lie beyond the range. --out writes it as CSV, or
+/// begins, and may be left out. The table has a row a step: about STEPS of them, more round a fold,
+/// fewer where points move far, and the last one may lie beyond the range. --out writes it as CSV, or
 /// draws it. The exit status is 1 where no cycle is found.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]

@@ -78,7 +78,7 @@ pub(super) trait Solved: Sized {
 pub(super) struct Eliminated<T> {
     /// Rounded.
     pub(super) next: Vec<T>,
-    /// Whether each component is known to 8u, and the promise kept with that.
+    /// Whether each component is within 8u of the true one, which keeps the promise.
     pub(super) is_promised: bool,
     /// Whether more room would tell nothing new.
     pub(super) is_settled: bool,

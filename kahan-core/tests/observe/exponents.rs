@@ -4,7 +4,8 @@ use kahan_core::observe::{Lyapunov, MeanLogDet, Sali, Spectrum};
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Ensemble};
 
-use super::{E6, LORENZ};
+use super::LORENZ;
+use crate::systems::E6;
 
 /// Within twice what the exponents say of their own convergence, and O(ε²): at ε = 0.01 the sum of
 /// all is off by 0.13, so here by less than 0.02.

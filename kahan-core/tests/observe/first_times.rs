@@ -3,7 +3,7 @@
 use kahan_core::observe::{Escape, Extrema, Period, Residence};
 use kahan_core::prelude::*;
 
-use super::E6;
+use crate::systems::E6;
 
 #[test]
 fn step_0_is_the_first_point_and_the_orbit_goes_on_where_it_was_left() {

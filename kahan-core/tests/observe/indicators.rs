@@ -3,7 +3,8 @@
 use kahan_core::observe::{Drift, Fli, Megno, Sali};
 use kahan_core::prelude::*;
 
-use super::{E6, HenonHeiles};
+use super::HenonHeiles;
+use crate::systems::E6;
 
 const EPS: f64 = 0.05;
 

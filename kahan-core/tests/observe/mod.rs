@@ -25,15 +25,5 @@ kahan! {
     qdot = -y - x^2 + y^2;
 }
 
-kahan! {
-    /// An integrable field, E6 of the paper.
-    pub(crate) struct E6;
-    xdot = y*(2*z - x);
-    ydot = x^2 - z^2;
-    zdot = y*(z - 2*x);
-    integral H = (x*z + y^2)/(1 - 3*eps^2*x*z);
-    integral K = 1/2*(x^2 + y^2 + z^2)/(1 - 3*eps^2*x*z);
-}
-
 /// With the usual parameters.
 pub(crate) const LORENZ: Lorenz<f64> = Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0 };

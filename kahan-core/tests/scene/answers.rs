@@ -3,7 +3,7 @@
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Flow, NoSetting, Precision, Scene};
 
-use crate::scene::settled::{Burst, E6, EulerTop, Lorenz, LotkaVolterra};
+use crate::systems::{Burst, E6, EulerTop, Lorenz, LotkaVolterra};
 
 const START: [f64; 3] = [0.25, -0.5, 1.0];
 

@@ -3,8 +3,8 @@
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Lift, PreparedStep, Scene, Scheme};
 
-use crate::scene::settled::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 use crate::scene::trajectory::Trajectory;
+use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
 
 /// Of the library's choice to the cheapest setting there is.
 const RATIO: f64 = 3.0;

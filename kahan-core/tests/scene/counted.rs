@@ -6,7 +6,7 @@ use kahan_core::nalgebra::SMatrix;
 use kahan_core::prelude::*;
 use kahan_core::{Lift, NoSetting, PreparedStep, QuadraticField, Quotients, Scene, StepCost};
 
-use crate::scene::settled::{Burst, E6, Lorenz, LotkaVolterra, Relaxation};
+use crate::systems::{Burst, E6, Lorenz, LotkaVolterra, Relaxation};
 
 thread_local! {
     static STEPS: Cell<u64> = const { Cell::new(0) };

@@ -13,5 +13,4 @@
 mod answers;
 mod choices;
 mod counted;
-mod settled;
 mod trajectory;

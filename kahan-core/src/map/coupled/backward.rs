@@ -127,7 +127,7 @@ where
             let Some(exact) = self.eliminated(room) else { continue };
             let next: [T; N] = from_fn(|i| T::narrow(exact[i].leading()));
             if next.iter().all(T::is_finite_number) {
-                let is_near = |(exact, next): (&Long, &T)| exact.is_within(Self::promise(), next.widen());
+                let is_near = |(exact, next): (&Long, &T)| exact.is_within(8.0 * T::UNIT, next.widen());
                 if exact.iter().zip(&next).all(is_near) {
                     return Ok(vector(next));
                 }

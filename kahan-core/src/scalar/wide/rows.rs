@@ -35,8 +35,8 @@ impl<const M: usize> Row<M> {
     /// Whether the digits of a quotient are guessed by dividing short rows, not floats.
     const IS_LONG: bool = M > SHORT;
 
-    /// So many bits of a guess are right, at least. What short rows leave out of two numbers is less
-    /// than a unit of the last digit that they take, and a leading digit may be as small as 1/2.
+    /// So many bits of a guess are right, at least. A short row leaves out less than a unit of its
+    /// last digit, and is worth at least half a unit of its first one.
     const GUESSED: usize = if Self::IS_LONG { 64 * (LEADING - 2) } else { 48 };
 
     /// Each round of a division leaves less than 2^−GUESSED of the remainder; so many leave less

@@ -1,8 +1,9 @@
-//! The systems of the scenes.
+//! Systems that several modules look at.
 
 use kahan_core::prelude::*;
 
 kahan! {
+    /// An integrable field, E6 of the paper.
     pub(crate) struct E6;
     xdot = y*(2*z - x);
     ydot = x^2 - z^2;
