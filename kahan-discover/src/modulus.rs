@@ -87,10 +87,34 @@ impl Modulus {
     #[inline]
     #[must_use]
     pub fn times(&self, a: u64, b: u64) -> u64 {
-        let product = u128::from(a) * u128::from(b);
-        let quotient = (product as u64).wrapping_mul(self.negated_inverse);
-        let reduced = ((product + u128::from(quotient) * u128::from(self.prime)) >> 64) as u64;
-        if reduced >= self.prime { reduced - self.prime } else { reduced }
+        let quotient = self.quotient(u128::from(a) * u128::from(b));
+        if quotient >= self.prime { quotient - self.prime } else { quotient }
+    }
+
+    /// What is s/2⁶⁴ modulo p, below s/2⁶⁴ + p; s ≤ 2¹²⁸ − 2⁶⁴p.
+    #[inline]
+    fn quotient(&self, sum: u128) -> u64 {
+        let multiple = (sum as u64).wrapping_mul(self.negated_inverse);
+        ((sum + u128::from(multiple) * u128::from(self.prime)) >> 64) as u64
+    }
+
+    /// So many products may be added to [`unreduced`](Self::unreduced) before the sum is reduced:
+    /// p < 2⁶², so that a·2⁶⁴ and eight products are below 3·2¹²⁶ together.
+    pub(crate) const PRODUCTS: usize = 8;
+
+    /// A number as a sum of products of elements, each as it comes.
+    #[inline]
+    pub(crate) fn unreduced(a: u64) -> u128 {
+        u128::from(a) << 64
+    }
+
+    /// The number that is such a sum.
+    #[inline]
+    pub(crate) fn reduced(&self, sum: u128) -> u64 {
+        // s/2⁶⁴ is below p + 8p²/2⁶⁴ < 3p, hence the quotient below 4p.
+        let quotient = self.quotient(sum);
+        let quotient = if quotient >= 2 * self.prime { quotient - 2 * self.prime } else { quotient };
+        if quotient >= self.prime { quotient - self.prime } else { quotient }
     }
 
     /// −a
@@ -143,7 +167,10 @@ impl Modulus {
     /// Σ aᵢ bᵢ
     #[must_use]
     pub fn dot(&self, a: &[u64], b: &[u64]) -> u64 {
-        a.iter().zip(b).fold(0, |sum, (a, b)| self.plus(sum, self.times(*a, *b)))
+        a.chunks(Self::PRODUCTS).zip(b.chunks(Self::PRODUCTS)).fold(0, |sum, (a, b)| {
+            let products = a.iter().zip(b).map(|(a, b)| u128::from(*a) * u128::from(*b));
+            self.reduced(products.fold(Self::unreduced(sum), |sum, product| sum + product))
+        })
     }
 
     /// ∏ xᵢ^eᵢ

@@ -106,8 +106,9 @@ fn the_catalog_is_a_light_dependency() {
     }
 }
 
-/// The crates that the release profile of a manifest does not optimise fully; `*` for all.
-fn not_optimised(manifest: &str) -> Vec<String> {
+/// The crates for which the release profile of a manifest names a level, with that level; `*` for
+/// all.
+fn levels(manifest: &str) -> Vec<(String, String)> {
     let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
     let mut section = "";
     let mut found = Vec::new();
@@ -119,15 +120,37 @@ fn not_optimised(manifest: &str) -> Vec<String> {
         else {
             continue;
         };
-        if let Some(key) = key.trim().strip_suffix("opt-level")
-            && value.trim() != "3"
-        {
+        if let Some(key) = key.trim().strip_suffix("opt-level") {
             let of_section = section.trim_start_matches("profile.release.package").trim_matches(['.', '"']);
             let name = if key.is_empty() { of_section } else { key.trim_end_matches('.') };
-            found.push(if name.starts_with("profile") { "*" } else { name }.to_owned());
+            let name = if name.starts_with("profile") { "*" } else { name };
+            found.push((name.to_owned(), value.trim().to_owned()));
         }
     }
     found
+}
+
+/// The crates that the release profile of a manifest does not optimise fully.
+fn not_optimised(manifest: &str) -> Vec<String> {
+    let levels = levels(manifest).into_iter();
+    levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
+}
+
+/// Cargo compiles what a macro uses without optimisation where no level is named, and the same crate
+/// for the command once more: the algebra takes a sixth of a cold build.
+#[test]
+fn what_the_macro_and_the_command_share_is_compiled_once() {
+    let named = levels("Cargo.toml");
+    let tree =
+        cargo(&["tree", "--package=kahan-algebra", "--all-features", "--edges=normal", "--prefix=none"]);
+    let used: BTreeSet<&str> = tree.lines().filter_map(|line| line.split(' ').next()).collect();
+    assert!(used.contains("num-bigint") && used.contains("kahan-algebra"), "{tree}");
+    for name in used {
+        assert!(
+            named.iter().any(|(known, _)| known == name),
+            "the release profile names no level for {name}"
+        );
+    }
 }
 
 #[test]
