@@ -242,6 +242,20 @@ mod tests {
         }
     }
 
+    /// The largest prime below 2⁶², and the largest numbers.
+    #[test]
+    fn the_largest_sums_of_products_fit() {
+        let plain = PrimeField::new((1 << 62) - 57).unwrap();
+        let modulus = Modulus::of(plain);
+        for k in 1..100 {
+            let (a, b) = (modulus.prime() - 1, modulus.prime() - k);
+            let sum = (0..Modulus::PRODUCTS)
+                .fold(Modulus::unreduced(a), |sum, _| sum + u128::from(a) * u128::from(b));
+            let expected = (0..Modulus::PRODUCTS).fold(a, |sum, _| modulus.plus(sum, modulus.times(a, b)));
+            assert_eq!(modulus.reduced(sum), expected);
+        }
+    }
+
     #[test]
     fn a_fraction_comes_back_from_its_residue() {
         let modulus = Modulus::mersenne_61();

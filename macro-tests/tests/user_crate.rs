@@ -1,5 +1,5 @@
 //! Crates of a user's own, with kahan-core as their one dependency, built by cargo as a user builds
-//! them.
+//! them: `cargo test -p kahan-macro-tests -- --ignored`, which packs the crates as well.
 //!
 //! They share the target folder of the compile-error cases, so that dependencies are compiled once.
 //! That clippy has nothing to say of them is a step of `.ci/run`, since it would check every
@@ -47,6 +47,7 @@ fn cargo(arguments: &[&str]) -> String {
 
 // One test, because cargo would make them wait for each other anyway.
 #[test]
+#[ignore = "compiles kahan-core once more; .ci/run runs it"]
 fn crates_of_users_run() {
     cargo(&["run", "--quiet", "--package", "renamed"]);
     cargo(&["run", "--quiet", "--package", "edition_2021"]);

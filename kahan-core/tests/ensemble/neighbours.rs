@@ -51,7 +51,6 @@ fn the_place_of_a_trajectory_does_not_matter() {
     }
 }
 
-#[cfg(feature = "parallel")]
 #[test]
 fn the_number_of_threads_does_not_matter() {
     let map = E3.at(0.125);

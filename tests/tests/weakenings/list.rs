@@ -27,6 +27,7 @@ const MODERATE: &str = "kahan-core/src/scalar/dd/moderate.rs";
 const DEGREES: &str = "-p kahan-discover --lib -- thiele";
 const RELATIONS: &str = "-p kahan-algebra --test conditional_claims";
 const SCANS: &str = "-p kahan-discover --test scans";
+const ECHELONS: &str = "-p kahan-discover --lib -- matrix modulus";
 const REFERENCES: &str = "-p kahan-measure --lib -- reference";
 const CERTIFICATE: &str = "kahan-measure/src/reference/certificate.rs";
 
@@ -236,6 +237,15 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     Weakening { name: "a relation that is put in where its divisor is 0", file: "kahan-algebra/src/specialise.rs", tests: RELATIONS,
         text: "if !relations.require(nonzero).ok()? {",
         weaker: "if !relations.require(nonzero).ok()? && false {" },
+    Weakening { name: "a sum of one product more than fit", file: "kahan-discover/src/modulus.rs", tests: ECHELONS,
+        text: "PRODUCTS: usize = 8",
+        weaker: "PRODUCTS: usize = 9" },
+    Weakening { name: "a sum that is reduced by half", file: "kahan-discover/src/modulus.rs", tests: ECHELONS,
+        text: "let quotient = if quotient >= 2 * self.prime { quotient - 2 * self.prime } else { quotient };",
+        weaker: "" },
+    Weakening { name: "rows that are not cleared", file: "kahan-discover/src/matrix.rs", tests: ECHELONS,
+        text: "cleared(modulus, &pivots, &mut echelon, columns, deadline)?;",
+        weaker: "" },
     Weakening { name: "a relation through ordinary points", file: "kahan-discover/src/scan/shapes.rs", tests: SCANS,
         text: "if is_chance || points.iter().any(|&at| !self.grid.special[at]) {",
         weaker: "if is_chance {" },

@@ -1,7 +1,7 @@
 //! What is proved in comments, made weaker line by line: each weakening must fail a test.
 //!
-//! `cargo test --release -p kahan-tests --test weakenings -- --ignored --nocapture` copies the
-//! workspace into the target folder, puts one weakening after the other into the copy, and runs the
+//! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture` copies the workspace
+//! into the target folder, puts one weakening after the other into the copy, and runs the
 //! tests that its line names. A text that does not stand in its file exactly once is an error, and
 //! so is a copy that does not compile, or whose tests fail as it stands. It takes some twenty
 //! minutes; with KAHAN_WEAKENING=WORDS in the environment it tries those alone whose names or files
