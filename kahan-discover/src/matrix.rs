@@ -227,10 +227,11 @@ mod tests {
                     (0..height).map(|_| (0..width).map(&mut entry).collect()).collect()
                 };
                 let (left, right) = (of(height, rank), of(rank, width));
-                let column = |j: usize| right.iter().map(|row| row[j]).collect::<Vec<u64>>();
-                let product =
-                    left.iter().map(|row| (0..width).map(|j| modulus.dot(row, &column(j))).collect());
-                let rows: Vec<Vec<u64>> = product.collect();
+                let sum = |factors: &[u64], rows: &[Vec<u64>]| -> Vec<u64> {
+                    let column = |j: usize| rows.iter().map(|row| row[j]).collect::<Vec<u64>>();
+                    (0..width).map(|j| modulus.dot(factors, &column(j))).collect()
+                };
+                let rows: Vec<Vec<u64>> = left.iter().map(|factors| sum(factors, &right)).collect();
                 let echelon = Echelon::of(&modulus, rows.clone(), width);
                 assert!(echelon.pivots.is_sorted_by(|a, b| a < b));
                 for (row, &pivot) in echelon.rows.iter().zip(&echelon.pivots) {
@@ -243,10 +244,7 @@ mod tests {
                 // Each row is what its entries in the pivot columns say, and no fewer rows span them.
                 for row in &rows {
                     let factors: Vec<u64> = echelon.pivots.iter().map(|&pivot| row[pivot]).collect();
-                    for j in 0..width {
-                        let column: Vec<u64> = echelon.rows.iter().map(|row| row[j]).collect();
-                        assert_eq!(modulus.dot(&factors, &column), row[j]);
-                    }
+                    assert_eq!(sum(&factors, &echelon.rows), *row);
                 }
                 let again = Echelon::of(&modulus, [echelon.rows.clone(), rows].concat(), width);
                 assert_eq!((&again.pivots, &again.rows), (&echelon.pivots, &echelon.rows));
