@@ -48,9 +48,10 @@
 //! | what | where |
 //! |---|---|
 //! | a scalar of your own | [`Scalar`], [`Constant`]; [`Pivot`] for `try_step`, [`FloatScalar`] for modes of orbits, [`EnsembleScalar`] |
+//! | a function over any map, and a choice of one at run time | [`Step`], [`&dyn Step`](Step) |
 //! | generic code over systems | [`KahanMap`], [`QuadraticField`], [`Named`], [`Integrals`], [`Lift`] |
 //! | a map written by hand | [`QuadraticField`] and [`KahanMap`] with [`Elimination`] or a [`PreparedStep`] |
-//! | a loop of your own | [`KahanAt`], which [`KahanMap::at`] prepares |
+//! | a map in a struct, a loop of your own | [`KahanAt`], which [`KahanMap::at`] prepares |
 //! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
 //! | errors as one goes | [`Orbit::with_error_estimate`] |
 //! | tangent vectors, an observer of one's own | [`TangentAt`], [`observe::Observer`], [`observe::Tangent`] |
@@ -128,7 +129,7 @@ pub use map::{Projective, ProjectivePoint, ThroughPoles};
 pub use scalar::{Constant, Dd, Dual, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
-pub use step::{PreparedStep, Quotients, SingularStep, StepCost, WideStep};
+pub use step::{PreparedStep, Quotients, Room, SingularStep, Slice, Step, StepCost, Stopped, WideStep};
 
 pub use nalgebra;
 #[cfg(feature = "exact")]

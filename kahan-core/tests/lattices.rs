@@ -6,7 +6,7 @@ use kahan_core::prelude::*;
 
 kahan! {
     /// Volterra's chain, closed.
-    pub struct Ring;
+    pub(crate) struct Ring;
     for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }
     integral S = sum(x[i]);
 }
@@ -20,7 +20,7 @@ kahan! {
 
 kahan! {
     /// Toda's chain in Flaschka's variables.
-    pub struct Toda;
+    pub(crate) struct Toda;
     for i in periodic {
         a[i]dot = a[i]*(b[i+1] - b[i]);
         b[i]dot = 2*(a[i]^2 - a[i-1]^2);
@@ -30,7 +30,7 @@ kahan! {
 
 kahan! {
     /// u_t = −6 u u_x − u_xxx by differences of width h.
-    pub struct Kdv { h }
+    pub(crate) struct Kdv { h }
     for i in periodic {
         u[i]dot = -3*(u[i+1]^2 - u[i-1]^2)/(2*h) - (u[i+2] - 2*u[i+1] + 2*u[i-1] - u[i-2])/(2*h^3);
     }
@@ -40,7 +40,7 @@ kahan! {
 
 kahan! {
     /// Species along a shore, each with a growth of its own.
-    pub struct Shore { mu, r }
+    pub(crate) struct Shore { mu, r }
     for i in open { n[i]dot = n[i]*(r[i] - n[i] - mu*(n[i-1] + n[i+1])); }
 }
 

@@ -1,6 +1,7 @@
 //! kahan-core as its users write it. One program, so that what its modules share is compiled and
 //! linked once.
 
+mod any_map;
 mod closed_solutions;
 mod ensemble;
 mod examples;

@@ -12,7 +12,7 @@ pub use tangent::{RuntimePoint, TangentAt};
 use std::sync::Arc;
 
 use kahan_algebra::arithmetic::Float64;
-use kahan_core::{Composition, Level};
+use kahan_core::{Composition, Level, Room, Step, Stopped};
 
 use crate::dimension::Argument;
 use crate::engine::{
@@ -273,5 +273,41 @@ impl<T: MachineFloat> MapAt<T> {
 
     fn check_out(&self, out: &[T], expected: usize) -> Result<(), DimensionError> {
         DimensionError::check(Argument::Out, out.len(), expected)
+    }
+}
+
+/// Bits are those of [`advance`](MapAt::advance). A state of another length panics here, as
+/// dimensions of nalgebra do.
+impl<T: MachineFloat> Step for MapAt<T> {
+    type Scalar = T;
+    type State = Vec<T>;
+
+    fn dimension(&self) -> usize {
+        MapAt::dimension(self)
+    }
+
+    fn eps(&self) -> &T {
+        self.constants.last().unwrap_or_else(|| unreachable!("eps is one of them"))
+    }
+
+    #[track_caller]
+    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Room) -> Result<(), Stopped> {
+        fitting(MapAt::advance(self, x, steps));
+        Ok(())
+    }
+
+    #[track_caller]
+    fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
+        let constants = self.own().0.iter().copied().chain([*eps]).collect();
+        let columns = Arc::default();
+        Step::advance(&MapAt { constants, columns, ..self.clone() }.composed(self.composition), x, 1, room)
+    }
+}
+
+/// What a call without errors of its own makes of a state of another length.
+#[track_caller]
+pub(crate) fn fitting(checked: Result<(), DimensionError>) {
+    if let Err(error) = checked {
+        panic!("{error}")
     }
 }

@@ -3,9 +3,10 @@
 //! The allocator of this program counts what a thread allocates while it is measured.
 
 use allocation_counter::measure;
-use kahan_core::LatticeMap;
+use kahan_core::observe::first_crossing;
 use kahan_core::prelude::*;
-use kahan_runtime::{FieldText, Lattice, LatticeError, ParameterError};
+use kahan_core::{LatticeMap, Room, Step};
+use kahan_runtime::{Field, FieldText, Lattice, LatticeError, ParameterError};
 
 /// A family as the macro has it, and its text.
 macro_rules! family {
@@ -170,4 +171,71 @@ fn mistakes_are_values() {
     let mut state = [1.0, f64::NAN, 1.0, 1.0];
     chain.step(&mut state).unwrap();
     assert!(state.iter().any(|x| x.is_nan()));
+}
+
+/// No parameters.
+const NOTHING: [(&str, [f64; 1]); 0] = [];
+
+/// The time at which the first number of a state crosses zero.
+fn zero(map: &dyn Step<Scalar = f64>, start: &[f64]) -> Option<f64> {
+    first_crossing(map, start.to_vec(), 10_000, |x| x[0]).map(|crossing| crossing.time)
+}
+
+/// A compiled field, a text, a chain compiled and read: chosen at run time, by one function.
+#[test]
+fn one_function_takes_every_map() {
+    kahan! {
+        /// A circle around the origin.
+        struct Turn;
+        xdot = y;
+        ydot = -x;
+    }
+    const SPRINGS: &str = "for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 2*q[i] + q[i+1] - q[i]; }";
+    kahan! {
+        /// The same springs.
+        struct Springs;
+        for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 2*q[i] + q[i+1] - q[i]; }
+    }
+    let eps = 0.01;
+    let text = Field::parse("xdot = y; ydot = -x;").unwrap().map().unwrap().at(eps);
+    let maps: [Box<dyn Step<Scalar = f64>>; 4] = [
+        Box::new(KahanMap::at(&Turn, eps)),
+        Box::new(text),
+        Box::new(LatticeMap::at(&Springs, eps, 5).unwrap()),
+        Box::new(lattice(SPRINGS).at(eps, 5, NOTHING).unwrap()),
+    ];
+    // All springs alike swing as one does.
+    let starts = [[1.0, 0.0].to_vec(), [1.0, 0.0].repeat(5)];
+    for (k, map) in maps.iter().enumerate() {
+        let time = zero(&**map, &starts[k / 2]).unwrap();
+        // A quarter of a circle, by steps of order two: off by less than ε² of it.
+        let quarter = std::f64::consts::FRAC_PI_2;
+        assert!((time - quarter).abs() < eps * eps * quarter, "{k}: {time}");
+    }
+}
+
+/// Chains that are read, in memory of the caller's that other chains have used.
+#[test]
+fn a_room_serves_chains_in_turn() {
+    let mut room = Room::new();
+    let values = [("h", &[0.5][..])];
+    let mut chains = [
+        lattice(RING).at(0.02, 40, NOTHING).unwrap(),
+        lattice(TODA).at(0.03, 40, NOTHING).unwrap(),
+        lattice(KDV).at(0.02, 40, values).unwrap(),
+        lattice(KDV).at(0.01, 40, values).unwrap(),
+    ];
+    for _ in 0..2 {
+        for chain in &mut chains {
+            let begin = start(chain.unknowns());
+            let (mut x, mut part, mut expected) = (begin.clone(), begin.clone(), begin);
+            Step::advance(chain, &mut x, 7, &mut room).unwrap();
+            let eps = *Step::eps(chain);
+            Step::part(chain, &eps, &mut part, &mut room).unwrap();
+            chain.step(&mut expected).unwrap();
+            assert_eq!(part, expected);
+            (1..7).for_each(|_| chain.step(&mut expected).unwrap());
+            assert_eq!(x, expected);
+        }
+    }
 }

@@ -71,7 +71,7 @@ fn sections_are_refined_by_parts_of_a_step() {
     assert!(found.all == own.all && found.all > 3);
     let (first, own) = (&found.kept[0], &own.kept[0]);
     assert_eq!(first.step, own.step);
-    for (a, b) in first.point.iter().zip(own.point) {
+    for (a, b) in first.point.iter().zip(&own.point) {
         assert!((a - b).abs() < 1e-9, "{a} and {b}");
     }
 }

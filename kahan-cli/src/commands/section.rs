@@ -73,7 +73,7 @@ fn points(text: &str) -> Result<usize, String> {
     whole(text, 1, 1 << 26)
 }
 
-type Point = Crossing<RuntimePoint<f64>, f64>;
+type Point = Crossing<Vec<f64>, f64>;
 
 impl Section {
     /// Writes the crossings; what is left to say is the answer.

@@ -36,7 +36,7 @@ where
     /// ```
     pub fn composed(&self, composition: Composition) -> KahanAt<M, T, N, Composed> {
         let (map, eps) = (self.map.clone(), self.eps);
-        let stages = composition.stages_of(eps, |eps| map.prepare(&eps));
+        let stages = composition.stages_of(&eps, |eps| map.prepare(&eps));
         KahanAt { map, eps, stages }
     }
 }

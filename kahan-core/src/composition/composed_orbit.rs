@@ -38,7 +38,7 @@ where
     #[inline]
     pub fn composed(self, composition: Composition) -> Orbit<M, T, N, Composed, A> {
         let (map, eps) = self.parts();
-        let stages = composition.stages_of(*eps, |eps| map.prepare(&eps));
+        let stages = composition.stages_of(eps, |eps| map.prepare(&eps));
         self.with_stages(stages)
     }
 }

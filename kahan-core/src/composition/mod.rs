@@ -14,7 +14,7 @@ mod stages;
 
 use core::fmt;
 
-use crate::{Constant, FloatScalar, StepCost};
+use crate::{Constant, Scalar, StepCost};
 
 pub use stages::Composed;
 use stages::Palindrome;
@@ -149,8 +149,9 @@ impl Composition {
     }
 
     /// The stages of a step at ε, each made of its own ε.
-    pub(crate) fn stages_of<T: FloatScalar, P>(&self, eps: T, prepare: impl Fn(T) -> P) -> Palindrome<P> {
-        Palindrome::new(self.first_half.len(), |k| prepare(T::constant(&self.first_half[k]) * eps))
+    pub(crate) fn stages_of<T: Scalar, P>(&self, eps: &T, prepare: impl Fn(T) -> P) -> Palindrome<P> {
+        let len = self.first_half.len();
+        Palindrome::new(*self, len, |k| prepare(T::constant(&self.first_half[k]) * eps.clone()))
     }
 }
 

@@ -5,8 +5,10 @@
 
 use core::array::from_fn;
 
-use crate::Method;
 use crate::map::Sealed;
+use crate::{Method, Scalar};
+
+use super::Composition;
 
 /// The stages of a [`Composition`](crate::Composition).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +26,13 @@ impl Method for Composed {
 
     #[inline(always)]
     fn map<P: Clone, Q: Clone>(stages: &Palindrome<P>, replace: impl Fn(&P) -> Q) -> Palindrome<Q> {
-        Palindrome { steps: stages.steps.each_ref().map(replace), len: stages.len }
+        let Palindrome { steps, len, composition } = stages;
+        Palindrome { steps: steps.each_ref().map(replace), len: *len, composition: *composition }
+    }
+
+    #[inline(always)]
+    fn at<T: Scalar, P: Clone>(stages: &Palindrome<P>, eps: &T, prepare: impl Fn(&T) -> P) -> Palindrome<P> {
+        stages.composition.stages_of(eps, |eps| prepare(&eps))
     }
 }
 
@@ -35,6 +43,7 @@ pub struct Palindrome<P> {
     /// The first `len` are run; the others repeat the middle one.
     steps: [P; MOST],
     len: usize,
+    composition: Composition,
 }
 
 /// The most steps that differ.
@@ -47,7 +56,7 @@ impl<P> Palindrome<P> {
     /// The palindrome of 2·`len` − 1 steps whose k-th is `step(k)`, `len` from 1 to
     /// [`MOST`](Self::MOST).
     #[inline]
-    pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
-        Self { steps: from_fn(|k| step(k.min(len - 1))), len }
+    pub(super) fn new(composition: Composition, len: usize, step: impl Fn(usize) -> P) -> Self {
+        Self { steps: from_fn(|k| step(k.min(len - 1))), len, composition }
     }
 }

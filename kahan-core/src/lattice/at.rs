@@ -2,13 +2,14 @@
 //!
 //! In: a state. Out: the next one, in its place. All memory is taken here, before the first step.
 
+use core::any::TypeId;
 use core::fmt;
 use std::vec::Vec;
 
-use crate::SingularStep;
 use crate::ensemble::Level;
-use crate::scalar::Room;
+use crate::scalar::Capacity;
 use crate::step::error::{Reason, pole};
+use crate::{Room, SingularStep, Step, Stopped};
 
 use super::folded::Folded;
 use super::parts::{InParts, Plan};
@@ -26,18 +27,79 @@ pub struct LatticeAt<M, T: LatticeScalar> {
     sites: usize,
     forward: Vec<T>,
     backward: Vec<T>,
+    memory: Memory<T>,
+    promise: Promise<T>,
+}
+
+/// What a step computes in.
+struct Memory<T: LatticeScalar> {
+    form: Form,
     site: Site<T>,
     folded: Folded<T>,
     parts: Option<InParts<T>>,
     whole_eliminations: u64,
-    promise: Promise<T>,
 }
 
-/// Whether a step goes with the time or against it.
-#[derive(Clone, Copy)]
-enum Direction {
-    Forward,
-    Backward,
+/// What decides how much memory a step takes, and how it is laid out.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Form {
+    shape: TypeId,
+    sites: usize,
+    boundary: Boundary,
+    plan: Option<Plan>,
+    level: Level,
+}
+
+impl<T: LatticeScalar> Memory<T> {
+    fn new<S: Shape>(form: Form) -> Self {
+        let Form { sites, boundary, plan, level, .. } = form;
+        // A chain in parts is eliminated as a whole where a part meets too small a pivot.
+        let folded = if plan.is_some() { Folded::rarely } else { Folded::new };
+        Self {
+            form,
+            site: Site::of::<S>(),
+            folded: folded(sites * S::BLOCK, boundary == Boundary::Periodic, S::LOWER, S::UPPER),
+            parts: plan.map(|plan| InParts::new::<S>(plan, boundary, level)),
+            whole_eliminations: 0,
+        }
+    }
+
+    /// One step at the ε of these constants, in place, or nothing at a pole of an exact scalar.
+    fn step<M: LatticeMap<T>>(&mut self, map: &M, constants: &[T], eps: &T, state: &mut [T]) -> Option<()> {
+        let twice = eps.clone() + eps.clone();
+        if let Some(parts) = &mut self.parts
+            && T::step_in_parts(parts, map, constants, &twice, &mut self.site, state)
+        {
+            return Some(());
+        }
+        self.whole_eliminations += 1;
+        let gained = self.solve(map, constants, state, None)?;
+        for (x, w) in state.iter_mut().zip(gained) {
+            *x = w.clone().multiply_add(twice.clone(), x.clone());
+        }
+        Some(())
+    }
+
+    /// The solution of A(x,ε)·w = f(x), or of another right-hand side, by one elimination of the
+    /// whole chain.
+    fn solve<M: LatticeMap<T>>(
+        &mut self,
+        map: &M,
+        constants: &[T],
+        x: &[T],
+        right: Option<&[T]>,
+    ) -> Option<&[T]> {
+        let Self { site, folded, .. } = self;
+        let (block, sites) = (M::Shape::BLOCK, x.len() / M::Shape::BLOCK);
+        folded.solve(|unknown, row| {
+            let (i, b) = (unknown / block, unknown % block);
+            site.rows(map, constants, x, i, T::clone);
+            row.add_right(right.map_or_else(|| site.f(b).clone(), |right| right[unknown].clone()));
+            for (column, entry) in site.entries::<M::Shape>(M::BOUNDARY, sites, b) {
+                row.add(column, entry.clone());
+            }
+        })
+    }
 }
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
@@ -64,21 +126,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
-        let is_ring = M::BOUNDARY == Boundary::Periodic;
-        // A chain in parts is eliminated as a whole where a part meets too small a pivot.
-        let folded = if plan.is_some() { Folded::rarely } else { Folded::new };
-        Ok(Self {
-            forward,
-            backward,
-            promise,
-            map,
-            eps,
-            sites,
-            site: Site::of::<M::Shape>(),
-            folded: folded(sites * M::Shape::BLOCK, is_ring, M::Shape::LOWER, M::Shape::UPPER),
-            parts: plan.map(|plan| InParts::new::<M::Shape>(plan, M::BOUNDARY)),
-            whole_eliminations: 0,
-        })
+        let (shape, boundary, level) = (TypeId::of::<M::Shape>(), M::BOUNDARY, Level::best());
+        let memory = Memory::new::<M::Shape>(Form { shape, sites, boundary, plan, level });
+        Ok(Self { map, eps, sites, forward, backward, memory, promise })
     }
 
     /// The same map, its steps on another level; `None` if this processor lacks it.
@@ -86,9 +136,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// A level decides the last bits of long chains of `f32` and `f64`, as those of an
     /// [`Ensemble`](crate::Ensemble); the largest is taken unless told otherwise.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
-        if let Some(parts) = &mut self.parts {
-            parts.level = level;
-        }
+        self.memory = Memory::new::<M::Shape>(Form { level, ..self.memory.form });
         level.is_available().then_some(self)
     }
 
@@ -110,7 +158,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// How many steps were one elimination of the whole chain: all of a short one, and those of a
     /// long one whose parts met too small a pivot.
     pub fn whole_eliminations(&self) -> u64 {
-        self.whole_eliminations
+        self.memory.whole_eliminations
     }
 
     /// One step, x ↦ x̃, in place.
@@ -121,7 +169,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// If the state is not of this chain's length; at a pole of an exact scalar.
     #[track_caller]
     pub fn step(&mut self, state: &mut [T]) {
-        if self.in_direction(Direction::Forward, state).is_none() {
+        self.check(state);
+        if self.memory.step(&self.map, &self.forward, &self.eps, state).is_none() {
             pole(&self.eps)
         }
     }
@@ -132,7 +181,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// As [`step`](Self::step).
     #[track_caller]
     pub fn step_back(&mut self, state: &mut [T]) {
-        if self.in_direction(Direction::Backward, state).is_none() {
+        self.check(state);
+        if self.memory.step(&self.map, &self.backward, &-self.eps.clone(), state).is_none() {
             pole(&self.eps)
         }
     }
@@ -167,7 +217,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         if !state.iter().all(T::is_finite_number) {
             return failed(Reason::NotFinite, f64::INFINITY);
         }
-        if self.in_direction(Direction::Forward, state).is_none() {
+        if self.memory.step(&self.map, &self.forward, &self.eps, state).is_none() {
             return Err(SingularStep::pole(eps));
         }
         if T::UNIT == 0.0 {
@@ -188,17 +238,15 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
                     self.promise.bound(&self.map, state);
                 }
                 let Promise { before, residual, .. } = &self.promise;
-                let (map, constants) = (&self.map, &self.forward);
-                let correction =
-                    whole(map, constants, &mut self.site, &mut self.folded, before, Some(residual));
+                let correction = self.memory.solve(&self.map, &self.forward, before, Some(residual));
                 let Some(correction) = correction else { return Err(SingularStep::pole(eps)) };
                 for (x, d) in state.iter_mut().zip(correction) {
                     *x += d.clone();
                 }
             }
         }
-        for room in Room::ALL {
-            let eliminated = T::eliminated(&self.map, &self.eps, &self.promise.before, room);
+        for capacity in Capacity::ALL {
+            let eliminated = T::eliminated(&self.map, &self.eps, &self.promise.before, capacity);
             let Some(Eliminated { next, is_promised, is_settled }) = eliminated else { continue };
             if next.iter().all(T::is_finite_number) {
                 state.clone_from_slice(&next);
@@ -303,48 +351,48 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             M::Shape::BLOCK
         );
     }
+}
+
+/// In memory of the room's, so that any number of threads can share a map.
+impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
+    type Scalar = T;
+    type State = Vec<T>;
+
+    fn dimension(&self) -> usize {
+        self.sites * M::Shape::BLOCK
+    }
+
+    fn eps(&self) -> &T {
+        &self.eps
+    }
 
     #[track_caller]
-    fn in_direction(&mut self, direction: Direction, state: &mut [T]) -> Option<()> {
-        self.check(state);
-        let (constants, eps) = match direction {
-            Direction::Forward => (&self.forward, self.eps.clone()),
-            Direction::Backward => (&self.backward, -self.eps.clone()),
-        };
-        let twice = eps.clone() + eps;
-        if let Some(parts) = &mut self.parts
-            && T::step_in_parts(parts, &self.map, constants, &twice, &mut self.site, state)
-        {
-            return Some(());
+    fn advance(&self, x: &mut [T], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        self.check(x);
+        let memory = self.memory_in(room);
+        for steps in 0..steps {
+            if memory.step(&self.map, &self.forward, &self.eps, x).is_none() {
+                return Err(Stopped { steps, why: SingularStep::pole(self.eps.approximate()) });
+            }
         }
-        self.whole_eliminations += 1;
-        let gained = whole(&self.map, constants, &mut self.site, &mut self.folded, state, None)?;
-        for (x, w) in state.iter_mut().zip(gained) {
-            *x = w.clone().multiply_add(twice.clone(), x.clone());
-        }
-        Some(())
+        Ok(())
+    }
+
+    #[track_caller]
+    fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
+        self.check(x);
+        let constants = self.map.constants(eps.clone(), T::clone);
+        let stepped =
+            constants.and_then(|constants| self.memory_in(room).step(&self.map, &constants, eps, x));
+        stepped.ok_or(Stopped { steps: 0, why: SingularStep::pole(eps.approximate()) })
     }
 }
 
-/// The solution of A(x,ε)·w = f(x), or of another right-hand side, by one elimination of the whole
-/// chain.
-fn whole<'a, M: LatticeMap<T>, T: LatticeScalar>(
-    map: &M,
-    constants: &[T],
-    site: &mut Site<T>,
-    folded: &'a mut Folded<T>,
-    x: &[T],
-    right: Option<&[T]>,
-) -> Option<&'a [T]> {
-    let (block, sites) = (M::Shape::BLOCK, x.len() / M::Shape::BLOCK);
-    folded.solve(|unknown, row| {
-        let (i, b) = (unknown / block, unknown % block);
-        site.rows(map, constants, x, i, T::clone);
-        row.add_right(right.map_or_else(|| site.f(b).clone(), |right| right[unknown].clone()));
-        for (column, entry) in site.entries::<M::Shape>(M::BOUNDARY, sites, b) {
-            row.add(column, entry.clone());
-        }
-    })
+impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
+    fn memory_in<'a>(&self, room: &'a mut Room) -> &'a mut Memory<T> {
+        let form = self.memory.form;
+        room.of(|memory: &Memory<T>| memory.form == form, || Memory::new::<M::Shape>(form))
+    }
 }
 
 impl<M: fmt::Debug, T: LatticeScalar> fmt::Debug for LatticeAt<M, T> {

@@ -10,7 +10,7 @@ use crate::map::Promised;
 #[cfg(feature = "exact")]
 use crate::scalar::bounded::Limit;
 use crate::scalar::bounded::{Bounded, Known, Number};
-use crate::scalar::{Long, Room, Size, Wide};
+use crate::scalar::{Capacity, Long, Size, Wide};
 use crate::{Dd, Pivot, Scalar};
 
 use super::LatticeMap;
@@ -50,7 +50,7 @@ pub(super) trait Solved: Sized {
         _map: &M,
         _eps: &Self,
         _x: &[Self],
-        _room: Room,
+        _capacity: Capacity,
     ) -> Option<Eliminated<Self>>
     where
         Self: LatticeScalar,
@@ -80,7 +80,7 @@ pub(super) struct Eliminated<T> {
     pub(super) next: Vec<T>,
     /// Whether each component is within 8u of the true one, which keeps the promise.
     pub(super) is_promised: bool,
-    /// Whether more room would tell nothing new.
+    /// Whether a larger capacity would tell nothing new.
     pub(super) is_settled: bool,
 }
 
@@ -151,9 +151,9 @@ macro_rules! implement_for_float {
                 map: &M,
                 eps: &Self,
                 x: &[Self],
-                room: Room,
+                capacity: Capacity,
             ) -> Option<Eliminated<Self>> {
-                let exact = eliminated(map, eps, x, |number| Long::new(number.widen(), room))?;
+                let exact = eliminated(map, eps, x, |number| Long::new(number.widen(), capacity))?;
                 let next: Vec<Self> = exact.iter().map(|number| Self::narrow(number.leading())).collect();
                 let is_near = |(exact, next): (&Long, &Self)| {
                     exact.is_within(8.0 * <Self as Number>::UNIT, next.widen())

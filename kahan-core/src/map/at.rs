@@ -8,7 +8,7 @@ use core::fmt;
 use nalgebra::{SMatrix, SVector};
 
 use crate::step::error::pole;
-use crate::{PreparedStep, Scalar, SingularStep};
+use crate::{PreparedStep, Room, Scalar, SingularStep, Slice, Step, Stopped};
 
 use super::{KahanMap, Method, Orbit, Pivot, Single};
 
@@ -123,6 +123,85 @@ where
     pub fn jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         self.map.jacobian(x, self.eps.clone())
     }
+}
+
+impl<M, T, K, const N: usize> Step for KahanAt<M, T, N, K>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+    K: Method,
+{
+    type Scalar = T;
+    type State = SVector<T, N>;
+
+    fn dimension(&self) -> usize {
+        N
+    }
+
+    fn eps(&self) -> &T {
+        &self.eps
+    }
+
+    #[inline]
+    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Room) -> Result<(), Stopped> {
+        advance::<K, _, T, N>(&self.stages, x, steps, &self.eps)
+    }
+
+    fn part(&self, eps: &T, x: &mut [T], _room: &mut Room) -> Result<(), Stopped> {
+        let stages = K::at(&self.stages, eps, |eps| self.map.prepare(eps));
+        advance::<K, _, T, N>(&stages, x, 1, eps)
+    }
+
+    #[inline(always)]
+    fn next(&self, x: &SVector<T, N>, _room: &mut Room) -> Option<SVector<T, N>> {
+        next::<K, _, T, N>(&self.stages, x)
+    }
+}
+
+/// x̃ by all stages; `None` at a pole of an exact scalar.
+#[inline(always)]
+fn next<K, P, T, const N: usize>(stages: &K::Stages<P>, x: &SVector<T, N>) -> Option<SVector<T, N>>
+where
+    K: Method,
+    P: PreparedStep<T, N>,
+    T: Scalar,
+{
+    let mut next = x.clone();
+    K::run(stages, |step| {
+        next = step.next(&next)?;
+        Some(())
+    })?;
+    Some(next)
+}
+
+/// Replaces `x` by the state so many steps later, or as many as there are.
+#[inline(always)]
+fn advance<K, P, T, const N: usize>(
+    stages: &K::Stages<P>,
+    x: &mut [T],
+    steps: u64,
+    eps: &T,
+) -> Result<(), Stopped>
+where
+    K: Method,
+    P: PreparedStep<T, N>,
+    T: Scalar,
+{
+    // A state of its own, which the compiler can keep in registers.
+    let mut state = <SVector<T, N> as Slice<T>>::zeros(x.len());
+    state.as_mut_slice().clone_from_slice(x);
+    let mut made = 0;
+    while made < steps
+        && let Some(after) = next::<K, P, T, N>(stages, &state)
+    {
+        state = after;
+        made += 1;
+    }
+    x.clone_from_slice(state.as_slice());
+    if made == steps {
+        return Ok(());
+    }
+    Err(Stopped { steps: made, why: SingularStep::pole(eps.approximate()) })
 }
 
 /// Two are equal where map and ε are; the rest follows from them.

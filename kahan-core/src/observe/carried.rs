@@ -123,6 +123,8 @@ impl<I: Indicator<K>, M: Tangent<T>, T: FloatScalar, const K: usize> Follower<I,
 impl<I: Indicator<K>, M: Tangent<T>, T: FloatScalar, const K: usize> Observer<T> for Follower<I, M, T, K> {
     type Report = I::Report;
 
+    const MAY_END: bool = false;
+
     /// Takes the vectors to the next point, and looks at them if it is time to.
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {

@@ -59,6 +59,8 @@ impl<F: Fn(&[T]) -> [T; M], T: Scalar, const M: usize> Drift<F, T, M> {
 impl<F: Fn(&[T]) -> [T; M], T: Scalar, const M: usize> Observer<T> for Drift<F, T, M> {
     type Report = [Drifted; M];
 
+    const MAY_END: bool = false;
+
     #[inline(always)]
     fn observe(&mut self, step: u64, x: &[T]) {
         self.last = (self.integrals)(x);

@@ -19,11 +19,18 @@ impl<F> Escape<F> {
     {
         Self { condition, at: None }
     }
+
+    /// Whether it has held.
+    pub(super) fn has_happened(&self) -> bool {
+        self.at.is_some()
+    }
 }
 
 impl<T, F: Fn(&[T]) -> bool> Observer<T> for Escape<F> {
     /// The step, 0 where it holds from the beginning; `None` where it never held.
     type Report = Option<u64>;
+
+    const MAY_END: bool = false;
 
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {

@@ -46,6 +46,8 @@ impl<F: Fn(&[T]) -> T, T: Clone + PartialOrd> super::Observer<T> for Extrema<F, 
     /// `None` where no value was seen.
     type Report = Option<Extremes<T>>;
 
+    const MAY_END: bool = false;
+
     #[inline]
     fn observe(&mut self, _step: u64, x: &[T]) {
         let value = (self.quantity)(x);

@@ -33,6 +33,8 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for MeanLogDet<M, T> {
     /// Not a number where there was no step.
     type Report = f64;
 
+    const MAY_END: bool = false;
+
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {
         if step > 0 {

@@ -29,8 +29,9 @@
 //! | the largest exponent, all of them, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
 //! | regular or chaotic, soon | [`Fli`], [`Megno`], [`Sali`] |
 //! | how fast it turns | [`Rotation`] |
-//! | where it crosses a section | [`Section`] |
+//! | where it crosses a section, and when first | [`Section`], [`first_crossing`] |
 //! | when it escapes, when it comes back | [`Escape`], [`Period`] |
+//! | the same, and no further than that | [`Ending`] |
 //! | how long it stays where | [`Residence`] |
 //!
 //! Times are in steps; exponents are per unit of time, of which a step takes 2ε. Logarithms,
@@ -44,6 +45,7 @@
 mod burst;
 mod carried;
 mod drift;
+mod ending;
 #[cfg(feature = "std")]
 mod ensemble;
 mod escape;
@@ -82,6 +84,7 @@ pub use {
 };
 
 pub use drift::{Drift, Drifted};
+pub use ending::Ending;
 pub use escape::Escape;
 pub use extrema::{Extrema, Extremes};
 pub use fli::Fli;
@@ -89,13 +92,13 @@ pub use log_det::MeanLogDet;
 pub use lyapunov::{Exponent, Lyapunov};
 pub use megno::{Megno, Megnos};
 pub use period::{Period, Return};
-pub use points::{Between, Points, Tangent};
+pub use points::{Points, Tangent};
 pub use residence::{Residence, Stays};
 pub use rotation::{Rotation, Turns};
 pub use sali::Sali;
 #[cfg(feature = "std")]
 pub use section::{AtMost, Kept};
-pub use section::{Crossing, Direction, Section, Sink};
+pub use section::{Crossing, Direction, Section, Sink, first_crossing};
 #[cfg(feature = "std")]
 pub use spectrum::Spectrum;
 
@@ -107,9 +110,21 @@ pub trait Observer<T> {
     /// The answer.
     type Report;
 
+    /// Whether it may be done before a run is.
+    #[doc(hidden)]
+    const MAY_END: bool = true;
+
     /// Looks at the point after `step` steps: x₀ is that of step 0, and the others follow one by
     /// one.
     fn observe(&mut self, step: u64, x: &[T]);
+
+    /// Whether it has seen all that it wants to, asked after each point. An orbit that is observed
+    /// ends there; a trajectory of an ensemble goes on unseen. A tuple, an array or a vector is
+    /// done as soon as one of its observers is.
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        false
+    }
 
     /// The answer for the points seen.
     fn report(self) -> Self::Report;
@@ -124,8 +139,25 @@ pub trait Observer<T> {
         Self: Sized,
         T: EnsembleScalar,
     {
-        for (lane, observer) in group.iter_mut().flatten().enumerate() {
-            burst.show(lane, 0, |step, x| observer.observe(step, x));
-        }
+        show_in_turn(group, burst);
+    }
+}
+
+/// Shows the points of a group to its observers, one trajectory after the other, each until it is
+/// done.
+#[cfg(feature = "std")]
+#[inline]
+fn show_in_turn<T, O, P>(group: &mut Observers<'_, O>, burst: &Burst<'_, P>)
+where
+    T: EnsembleScalar,
+    O: Observer<T>,
+    P: Grouped<T>,
+{
+    for (lane, observer) in group.iter_mut().flatten().enumerate() {
+        burst.show(lane, 0, |step, x| {
+            if !observer.is_done() {
+                observer.observe(step, x);
+            }
+        });
     }
 }

@@ -18,7 +18,8 @@ where
     /// `steps` steps more; then reports.
     ///
     /// The orbit stands at the last of these points afterwards. An exact one that meets a pole ends
-    /// there, and [`stopped`](Self::stopped) says so: the reports are of the points before it.
+    /// there, and [`stopped`](Self::stopped) says so: the reports are of the points before it. One
+    /// whose observers are [done](Observer::is_done) stands at the last point that they saw.
     ///
     /// It allocates nothing. `BENCHMARKS.md` has the times.
     ///
@@ -51,6 +52,11 @@ impl<T, O: Observer<T>, const N: usize> Sees<T, N> for Seer<O> {
     fn see(&mut self, step: u64, point: &SVector<T, N>) {
         self.0.observe(step, point.as_slice());
     }
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        self.0.is_done()
+    }
 }
 
 impl<M, T, A, const N: usize> Scaled<M, T, N, A>
@@ -63,6 +69,9 @@ where
     pub fn observe<O: Observer<T>>(&mut self, steps: u64, mut observers: O) -> O::Report {
         for (step, point) in (0..=steps).zip(self) {
             observers.observe(step, point.as_slice());
+            if observers.is_done() {
+                break;
+            }
         }
         observers.report()
     }

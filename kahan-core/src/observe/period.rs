@@ -56,6 +56,8 @@ impl<T: Scalar + PartialOrd, V: AsRef<[T]> + AsMut<[T]>> Observer<T> for Period<
     /// `None` where it did not come back.
     type Report = Option<Return<T>>;
 
+    const MAY_END: bool = false;
+
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {
         if step == 0 {

@@ -1,4 +1,4 @@
-//! What observers need of a map: tangent vectors carried along, and points between two steps.
+//! What observers need of a map: tangent vectors carried along.
 //!
 //! In: a map at its ε. Out: traits that prepared maps have, and that other owners of a map can
 //! have; the number of variables need not be known while compiling.
@@ -12,7 +12,7 @@ use crate::composition::Composed;
 #[cfg(feature = "std")]
 use crate::ensemble::columns::GROUP;
 use crate::field::linear::determinant;
-use crate::{Composition, FloatScalar, KahanAt, KahanMap, Lift, Method, Scalar, TangentAt};
+use crate::{Composition, FloatScalar, Lift, Method, Scalar, TangentAt};
 #[cfg(feature = "std")]
 use crate::{EnsembleScalar, PreparedStep};
 
@@ -63,13 +63,6 @@ pub trait Tangent<T>: Points<T> + Clone {
     }
 }
 
-/// A map that can be stepped by a part of its time step: x(θ) = φ_{θε}(x), 0 ≤ θ ≤ 1, from x(0) = x
-/// to x(1) = x̃.
-pub trait Between<T>: Points<T> {
-    /// x(θ)
-    fn between(&self, x: &[T], theta: T) -> Self::Point;
-}
-
 impl<T, M: Points<T>> Points<T> for &M {
     type Point = M::Point;
 
@@ -107,28 +100,9 @@ impl<T, M: Tangent<T>> Tangent<T> for &M {
     }
 }
 
-impl<T, M: Between<T>> Between<T> for &M {
-    fn between(&self, x: &[T], theta: T) -> Self::Point {
-        M::between(self, x, theta)
-    }
-}
-
 impl<M, T, K, const N: usize> Points<T> for TangentAt<M, T, N, K>
 where
     M: Lift<T, N>,
-    T: Scalar,
-    K: Method,
-{
-    type Point = [T; N];
-
-    fn point(&self, entry: impl FnMut(usize) -> T) -> [T; N] {
-        from_fn(entry)
-    }
-}
-
-impl<M, T, K, const N: usize> Points<T> for KahanAt<M, T, N, K>
-where
-    M: KahanMap<T, N>,
     T: Scalar,
     K: Method,
 {
@@ -199,18 +173,6 @@ fn entries<T: FloatScalar, const N: usize>(x: &[T]) -> SVector<T, N> {
     }
 }
 
-impl<M, T, const N: usize> Between<T> for KahanAt<M, T, N>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-{
-    /// The step of the map with θε.
-    fn between(&self, x: &[T], theta: T) -> [T; N] {
-        let [between] = self.map().step(&entries(x), theta * *self.eps()).data.0;
-        between
-    }
-}
-
 impl<M, T, const N: usize> TangentAt<M, T, N>
 where
     M: Lift<T, N>,
@@ -218,6 +180,6 @@ where
 {
     /// What carries tangent vectors along a composition of the map, through all of its stages.
     pub fn composed(&self, composition: Composition) -> TangentAt<M, T, N, Composed> {
-        TangentAt::new(&self.map, &self.eps, composition.stages_of(self.eps, |eps| eps))
+        TangentAt::new(&self.map, &self.eps, composition.stages_of(&self.eps, |eps| eps))
     }
 }

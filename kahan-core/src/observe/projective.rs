@@ -36,6 +36,9 @@ where
             if let Some(x) = point.affine() {
                 observers.observe(step, x.as_slice());
             }
+            if observers.is_done() {
+                break;
+            }
         }
         observers.report()
     }

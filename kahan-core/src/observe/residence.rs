@@ -65,6 +65,8 @@ where
 {
     type Report = Stays<V>;
 
+    const MAY_END: bool = false;
+
     #[inline]
     fn observe(&mut self, _step: u64, x: &[T]) {
         let part = ((self.quantity)(x).approximate() - self.start) * self.parts_to_unit;

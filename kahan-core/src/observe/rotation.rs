@@ -97,6 +97,8 @@ impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Rotation<F, T> {
 impl<F: Fn(&[T]) -> [T; 2], T: Scalar> Observer<T> for Rotation<F, T> {
     type Report = Turns;
 
+    const MAY_END: bool = false;
+
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {
         if step > self.steps {

@@ -3,13 +3,12 @@
 //! In: a function whose zeros are the section, and a map that can be stepped by a part of its step.
 //! Out: the crossings, each refined on the map's own curve from a point to the next.
 
-use core::marker::PhantomData;
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
-use crate::FloatScalar;
+use crate::{Constant, FloatScalar, Room, Slice, Step};
 
-use super::{Between, Observer};
+use super::Observer;
 
 /// The crossings of a section s(x) = 0: of a plane, or of a level of any function.
 ///
@@ -39,15 +38,15 @@ use super::{Between, Observer};
 /// assert!(found.kept.iter().all(|crossing| (crossing.point[1] - 1.0).abs() < 1e-13));
 /// ```
 #[derive(Clone, Debug)]
-pub struct Section<M: Between<T>, F, T, S> {
+pub struct Section<M: Step, F, S> {
     map: M,
     level: F,
     direction: Direction,
     sink: S,
-    place: M::Point,
-    /// s at the point given last.
+    /// The point given last, and s there.
+    place: M::State,
     height: f64,
-    scalar: PhantomData<T>,
+    room: Room,
 }
 
 /// Which crossings count.
@@ -68,6 +67,8 @@ pub struct Crossing<P, T> {
     pub step: u64,
     /// The part θ of the step from xₙ, over 0 up to 1.
     pub part: T,
+    /// The time since x₀, 2ε(n + θ).
+    pub time: T,
     /// φ_{θε}(xₙ)
     pub point: P,
 }
@@ -82,6 +83,12 @@ pub trait Sink<C> {
 
     /// Takes the next one.
     fn take(&mut self, crossing: C);
+
+    /// Whether it wants no more, so that the run may end.
+    #[inline(always)]
+    fn is_full(&self) -> bool {
+        false
+    }
 
     /// What came of them.
     fn report(self) -> Self::Report;
@@ -122,6 +129,11 @@ impl<C> AtMost<C> {
     pub fn new(capacity: usize) -> Self {
         Self { found: Kept { kept: Vec::with_capacity(capacity), all: 0 }, capacity }
     }
+
+    /// Whether there is no more room.
+    pub(super) fn has_all(&self) -> bool {
+        self.found.kept.len() >= self.capacity
+    }
 }
 
 #[cfg(feature = "std")]
@@ -140,17 +152,17 @@ impl<C> Sink<C> for AtMost<C> {
     }
 }
 
-impl<M, F, T, S> Section<M, F, T, S>
+impl<M, F, T, S> Section<M, F, S>
 where
-    M: Between<T>,
+    M: Step<Scalar = T>,
     F: Fn(&[T]) -> T,
     T: FloatScalar,
-    S: Sink<Crossing<M::Point, T>>,
+    S: Sink<Crossing<M::State, T>>,
 {
     /// The crossings of `level` = 0 by orbits of `map`, handed to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
-        let place = map.point(|_| T::zero());
-        Self { map, level, direction, sink, place, height: f64::NAN, scalar: PhantomData }
+        let place = M::State::zeros(map.dimension());
+        Self { map, level, direction, sink, place, height: f64::NAN, room: Room::new() }
     }
 
     /// The crossing between the point given last and the next, where s has the height `end`: by
@@ -158,11 +170,19 @@ where
     /// Illinois method), so that both of them come closer.
     #[cold]
     #[inline(never)]
-    fn crossing(&self, step: u64, end: T) -> Crossing<M::Point, T> {
-        let at = |part: T| self.map.between(self.place.as_ref(), part);
-        let half = T::one() / (T::one() + T::one());
+    fn crossing(&mut self, step: u64, end: T) -> Crossing<M::State, T> {
+        let Self { map, level, place: before, room, .. } = self;
+        let eps = *map.eps();
+        let mut at = |part: T| {
+            let mut point = before.clone();
+            // Floats go on at poles.
+            let _ = map.part(&(part * eps), point.as_mut_slice(), room);
+            point
+        };
+        let two = T::one() + T::one();
+        let half = T::one() / two;
         // A part of the step and s there, first of the end that was found last.
-        let mut ends = [(T::one(), end), (T::zero(), (self.level)(self.place.as_ref()))];
+        let mut ends = [(T::one(), end), (T::zero(), level(before.as_slice()))];
         let mut point = at(T::one());
         for _ in 0..MOST_SECANTS {
             let [(last, height), (other, other_height)] = ends;
@@ -171,20 +191,22 @@ where
                 break;
             }
             point = at(part);
-            let found = (part, (self.level)(point.as_ref()));
+            let found = (part, level(point.as_slice()));
             let is_opposite = (found.1.approximate() < 0.0) != (height.approximate() < 0.0);
             ends = [found, if is_opposite { ends[0] } else { (other, other_height * half) }];
         }
-        Crossing { step, part: ends[0].0, point }
+        let part = ends[0].0;
+        let time = two * eps * (T::constant(&Constant::integer(step.cast_signed())) + part);
+        Crossing { step, part, time, point }
     }
 }
 
-impl<M, F, T, S> Observer<T> for Section<M, F, T, S>
+impl<M, F, T, S> Observer<T> for Section<M, F, S>
 where
-    M: Between<T>,
+    M: Step<Scalar = T>,
     F: Fn(&[T]) -> T,
     T: FloatScalar,
-    S: Sink<Crossing<M::Point, T>>,
+    S: Sink<Crossing<M::State, T>>,
 {
     type Report = S::Report;
 
@@ -196,12 +218,87 @@ where
         let rises = self.direction != Direction::Falling && before < 0.0 && after >= 0.0;
         let falls = self.direction != Direction::Rising && before > 0.0 && after <= 0.0;
         if step > 0 && (rises || falls) {
-            self.sink.take(self.crossing(step - 1, end));
+            let crossing = self.crossing(step - 1, end);
+            self.sink.take(crossing);
         }
-        self.place.as_mut().copy_from_slice(x);
+        self.place.as_mut_slice().copy_from_slice(x);
+    }
+
+    #[inline]
+    fn is_done(&self) -> bool {
+        self.sink.is_full()
     }
 
     fn report(self) -> S::Report {
         self.sink.report()
+    }
+}
+
+/// Where the orbit of any map from `start` first crosses `level` = 0, within so many steps; `None`
+/// where it does not, or ends before. A start on the section is no crossing.
+///
+/// `map` is a prepared map, a chain, a map read at run time, or a reference to one, `&dyn Step`
+/// among them, whose states are `Vec`s. The crossing is refined as a [`Section`]'s are.
+///
+/// ```
+/// use kahan_core::observe::first_crossing;
+/// use kahan_core::prelude::*;
+/// use kahan_core::Step;
+///
+/// kahan! {
+///     /// A circle around the origin.
+///     pub struct Turn;
+///     xdot = y;
+///     ydot = -x;
+/// }
+///
+/// let map = Turn.at(0.001);
+/// let crossing = first_crossing(&map, vector![1.0, 0.0], 10_000, |x| x[0]).unwrap();
+/// assert!((crossing.time - std::f64::consts::FRAC_PI_2).abs() < 1e-5);
+/// assert!(crossing.point[0].abs() < 1e-15);
+///
+/// let any: &dyn Step<Scalar = f64> = &map;
+/// assert_eq!(first_crossing(any, vec![1.0, 0.0], 10_000, |x| x[0]).unwrap().time, crossing.time);
+/// ```
+pub fn first_crossing<M, T>(
+    map: M,
+    start: M::State,
+    steps: u64,
+    level: impl Fn(&[T]) -> T,
+) -> Option<Crossing<M::State, T>>
+where
+    M: Step<Scalar = T>,
+    T: FloatScalar,
+{
+    let (mut x, mut room) = (start, Room::new());
+    let mut section = Section::new(&map, level, Direction::Both, First(None));
+    section.observe(0, x.as_slice());
+    for step in 1..=steps {
+        map.advance(x.as_mut_slice(), 1, &mut room).ok()?;
+        section.observe(step, x.as_slice());
+        if section.is_done() {
+            break;
+        }
+    }
+    section.report()
+}
+
+/// The first crossing.
+#[derive(Clone, Debug)]
+struct First<C>(Option<C>);
+
+impl<C> Sink<C> for First<C> {
+    type Report = Option<C>;
+
+    fn take(&mut self, crossing: C) {
+        self.0.get_or_insert(crossing);
+    }
+
+    fn is_full(&self) -> bool {
+        self.0.is_some()
+    }
+
+    fn report(self) -> Option<C> {
+        self.0
     }
 }

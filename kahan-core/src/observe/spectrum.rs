@@ -80,6 +80,8 @@ impl<M: Tangent<T>, T: FloatScalar> Spectrum<M, T> {
 impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Spectrum<M, T> {
     type Report = Vec<Exponent>;
 
+    const MAY_END: bool = false;
+
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {
         if step > 0 {

@@ -37,7 +37,7 @@ pub(crate) use laurent::Laurent;
 pub(crate) use operators::assignments;
 use operators::operators;
 #[cfg(feature = "std")]
-pub(crate) use wide::{Long, Room, level_row};
+pub(crate) use wide::{Capacity, Long, level_row};
 pub(crate) use wide::{Size, Wide};
 
 /// A number that a Kahan map computes with.

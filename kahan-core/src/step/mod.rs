@@ -4,6 +4,7 @@
 //! In: constants computed once. Out: for each state the increment x̃ − x, as numerators and the
 //! reciprocals of their denominators ([`Quotients`]).
 
+mod any;
 mod cost;
 pub(crate) mod error;
 mod quotients;
@@ -14,6 +15,7 @@ use nalgebra::SVector;
 
 use crate::Scalar;
 
+pub use any::{Room, Slice, Step, Stopped};
 pub use cost::StepCost;
 pub use error::SingularStep;
 pub use quotients::Quotients;

@@ -7,7 +7,7 @@ use super::HenonHeiles;
 
 const START: [f64; 4] = [0.0, 0.1, 0.45, 0.1];
 
-fn crossings(eps: f64, steps: u64, direction: Direction) -> Vec<Crossing<[f64; 4], f64>> {
+fn crossings(eps: f64, steps: u64, direction: Direction) -> Vec<Crossing<SVector<f64, 4>, f64>> {
     let map = HenonHeiles.at(eps);
     let section = Section::new(&map, |x: &[f64]| x[0], direction, AtMost::new(10_000));
     let found = map.orbit(START.into()).observe(steps, section);
@@ -32,7 +32,7 @@ fn crossings_are_those_of_a_plain_loop() {
     assert!(plain(false).eq(falling.iter().map(|crossing| crossing.step as usize)));
     assert_eq!(both.len(), rising.len() + falling.len());
     assert!(rising.len() > 100);
-    for Crossing { step, part, point } in both {
+    for Crossing { step, part, time, point } in both {
         // By halving the part of the step.
         let before = &points[step as usize];
         let sign = before[0].signum();
@@ -44,7 +44,8 @@ fn crossings_are_those_of_a_plain_loop() {
         }
         // x grows by at least 10⁻³ from part 0 to 1 where it crosses, and is rounded to some 10⁻¹⁷.
         assert!((part - right).abs() < 1e-12, "{part} {right}");
-        assert_eq!(point, HenonHeiles.step(before, part * eps).data.0[0]);
+        assert_eq!(point, HenonHeiles.step(before, part * eps));
+        assert_eq!(time, 2.0 * eps * (step as f64 + part));
         assert!(point[0].abs() < 1e-16, "{point:?}");
     }
 }
@@ -59,7 +60,7 @@ fn energy_on_the_section_has_the_order_of_the_map() {
     };
     let spread = |eps: f64| {
         let found = crossings(eps, (400.0 / eps) as u64, Direction::Rising);
-        found.iter().map(|crossing| (energy(crossing.point) - energy(START)).abs()).fold(0.0, f64::max)
+        found.iter().map(|crossing| (energy(crossing.point.into()) - energy(START)).abs()).fold(0.0, f64::max)
     };
     let order = (spread(0.08) / spread(0.02)).log(4.0);
     assert!((order - 2.0).abs() < 0.2, "{order}");

@@ -40,6 +40,8 @@ impl<'a, T: MachineFloat> IntegralDrift<'a, T> {
 impl<T: MachineFloat> Observer<T> for IntegralDrift<'_, T> {
     type Report = Vec<Drifted>;
 
+    const MAY_END: bool = false;
+
     fn observe(&mut self, step: u64, x: &[T]) {
         // There is a value an integral; a state of another length leaves them as they are.
         let _ = self.at.integrals(x, &mut self.values);

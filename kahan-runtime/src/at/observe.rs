@@ -88,6 +88,10 @@ impl<T: MachineFloat> MapAt<T> {
         let mut x: RuntimePoint<T> = columns.iter().map(|column| column[orbit]).collect();
         observer.observe(0, &x);
         for step in 1..=steps {
+            if observer.is_done() {
+                self.advance_checked(&mut x, steps + 1 - step);
+                break;
+            }
             self.advance_checked(&mut x, 1);
             observer.observe(step, &x);
         }

@@ -1,5 +1,4 @@
-//! What observers need of a map that is read at run time: tangent vectors carried along, points
-//! between two steps.
+//! What observers need of a map that is read at run time: tangent vectors carried along.
 //!
 //! In: a map at its ε. Out: v ↦ (∂x̃/∂x)·v, as Kahan's map of the variational field of twice the
 //! variables, which runs as the map itself does, as machine code where that can be had.
@@ -7,7 +6,7 @@
 use std::sync::Arc;
 
 use kahan_core::FloatScalar;
-use kahan_core::observe::{Between, GROUP, Grouped, Points, SideBySide, Tangent, are_moderate};
+use kahan_core::observe::{GROUP, Grouped, Points, SideBySide, Tangent, are_moderate};
 use smallvec::SmallVec;
 
 use super::group::Aligned;
@@ -125,30 +124,6 @@ impl<T: MachineFloat + FloatScalar> Tangent<T> for TangentAt<T> {
             column
         });
         determinant(columns.collect())
-    }
-}
-
-impl<T: MachineFloat> Points<T> for MapAt<T> {
-    type Point = RuntimePoint<T>;
-
-    fn point(&self, entry: impl FnMut(usize) -> T) -> RuntimePoint<T> {
-        (0..self.dimension()).map(entry).collect()
-    }
-}
-
-impl<T: MachineFloat + FloatScalar> Between<T> for MapAt<T> {
-    /// The step of the map with θε.
-    fn between(&self, x: &[T], theta: T) -> RuntimePoint<T> {
-        let part = self.map.at(theta * self.eps()).composed(self.composition);
-        let mut point: RuntimePoint<T> = x.iter().copied().collect();
-        let stepped = part.advance(&mut point, 1);
-        assert!(
-            stepped.is_ok(),
-            "a point of {} numbers for a map of {} variables",
-            x.len(),
-            self.dimension()
-        );
-        point
     }
 }
 

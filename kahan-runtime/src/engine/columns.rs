@@ -99,7 +99,7 @@ fn advance<T, V>(
 {
     let trajectories = columns.first().map_or(0, |column| column.len());
     let (stages, size) = (distinct(&composition).len(), step.registers());
-    with_scratch(local, |Scratch { registers, room, constants, given, state }| {
+    with_scratch(local, |Scratch { registers, workspace, constants, given, state }| {
         for first in (0..trajectories).step_by(V::WIDTH) {
             let last = trajectories.min(first + V::WIDTH) - 1;
             let gather = |values: &[T]| {
@@ -121,7 +121,9 @@ fn advance<T, V>(
             registers.clear();
             given.chunks_exact(given.len() / stages).for_each(|given| step.open(given, registers));
             for _ in 0..steps {
-                in_turn(stages, |k| step.advance(false, state, &mut registers[k * size..][..size], room));
+                in_turn(stages, |k| {
+                    step.advance(false, state, &mut registers[k * size..][..size], workspace);
+                });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {
                 for (place, entry) in column[first..=last].iter_mut().enumerate() {

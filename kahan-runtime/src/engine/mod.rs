@@ -32,8 +32,8 @@ pub(crate) use coded::CodedStages;
 pub(crate) use coded_columns::{ColumnsOnce, Instructions};
 pub(crate) use columns::Columns;
 pub(crate) use couplings::{Factors, Tables};
-use scratch::{Room, sized};
 pub(crate) use scratch::{Scratch, Scratches, with_scratch};
+use scratch::{Workspace, sized};
 pub(crate) use step::{Step, into_matrix};
 
 /// A function of the state, or of two states.
@@ -208,11 +208,11 @@ impl Engine {
         steps: u64,
     ) {
         with_scratch(T::single(), |scratch| {
-            self.run(stages, steps, scratch, |step, rounds, registers, room| {
+            self.run(stages, steps, scratch, |step, rounds, registers, workspace| {
                 if carry.is_empty() {
-                    step.advance(rounds, state, registers, room);
+                    step.advance(rounds, state, registers, workspace);
                 } else {
-                    step.advance_with_carry(rounds, [state, carry], registers, room);
+                    step.advance_with_carry(rounds, [state, carry], registers, workspace);
                 }
             });
         });
@@ -225,8 +225,8 @@ impl Engine {
         &self,
         stages: &[Stage<V>],
         steps: u64,
-        Scratch { registers, room, .. }: &mut Scratch<V>,
-        mut advance: impl FnMut(&Step, bool, &mut [V], &mut Room<V>),
+        Scratch { registers, workspace, .. }: &mut Scratch<V>,
+        mut advance: impl FnMut(&Step, bool, &mut [V], &mut Workspace<V>),
     ) {
         let steps_of_field = self.steps();
         let form = |stage: &Stage<V>| steps_of_field.form(stage.is_general);
@@ -240,7 +240,7 @@ impl Engine {
         for _ in 0..steps {
             in_turn(stages.len(), |k| {
                 let rounds = Steps::rounds::<V>(stages[k].is_general);
-                advance(form(&stages[k]), rounds, &mut registers[k * size..][..size], room);
+                advance(form(&stages[k]), rounds, &mut registers[k * size..][..size], workspace);
             });
         }
     }
@@ -305,8 +305,8 @@ impl Engine {
         let mut point: Vec<Dual<T, 1>> = state.iter().map(|x| Dual::lift(*x)).collect();
         with_scratch(T::duals(), |scratch| {
             let stages = [self.stage(&lifted, scratch)];
-            self.run(&stages, 1, scratch, |step, rounds, registers, room| {
-                step.advance(rounds, &mut point, registers, room);
+            self.run(&stages, 1, scratch, |step, rounds, registers, workspace| {
+                step.advance(rounds, &mut point, registers, workspace);
             });
         });
         point.into_iter().map(|Dual { gradient: [slope], .. }| slope).collect()
@@ -335,7 +335,7 @@ pub(crate) fn jacobian_by_duals<V: Scalar + Copy>(
     out: &mut [V],
     scratch: &mut Scratch<Dual<V, 1>>,
 ) {
-    let Scratch { registers, room, constants: lifted, given, state: point } = scratch;
+    let Scratch { registers, workspace, constants: lifted, given, state: point } = scratch;
     [&mut *lifted, given, point].into_iter().for_each(Vec::clear);
     lifted.extend(constants.iter().map(|constant| Dual::lift(*constant)));
     step.prepare(lifted, registers, given);
@@ -344,7 +344,7 @@ pub(crate) fn jacobian_by_duals<V: Scalar + Copy>(
     point.extend(state.iter().map(|x| Dual::lift(*x)));
     for j in 0..state.len() {
         point[j] = Dual::coordinate(state[j], 0);
-        for (i, increment) in step.increments(point, registers, room).enumerate() {
+        for (i, increment) in step.increments(point, registers, workspace).enumerate() {
             let [slope] = increment.gradient;
             out[i * state.len() + j] = if i == j { V::one() + slope } else { slope };
         }

@@ -18,7 +18,7 @@ use super::lanes::Lanes;
 pub struct Scratch<V> {
     /// The registers of lines.
     pub(crate) registers: Vec<V>,
-    pub(crate) room: Room<V>,
+    pub(crate) workspace: Workspace<V>,
     /// The parameters and ε.
     pub(super) constants: Vec<V>,
     /// What the line of a step is given.
@@ -29,7 +29,7 @@ pub struct Scratch<V> {
 
 /// Where a step leaves what it is about to add.
 #[derive(Clone, Debug)]
-pub(crate) struct Room<V> {
+pub(crate) struct Workspace<V> {
     /// Numerators, then their reciprocals.
     pub(super) outcome: Vec<V>,
     /// A(x,ε), row by row.
@@ -46,7 +46,7 @@ impl<V> Default for Scratch<V> {
         let [registers, outcome, matrix, slopes, constants, given, state] = [const { Vec::new() }; 7];
         Scratch {
             registers,
-            room: Room { outcome, matrix, slopes, factors: Factors::default(), is_singular: false },
+            workspace: Workspace { outcome, matrix, slopes, factors: Factors::default(), is_singular: false },
             constants,
             given,
             state,

@@ -11,7 +11,7 @@ use crate::machine::StepKind;
 
 use super::couplings::{Factors, Tables};
 use super::elimination::solve;
-use super::scratch::{Room, sized};
+use super::scratch::{Workspace, sized};
 
 /// The forms of a step.
 #[derive(Debug)]
@@ -163,11 +163,11 @@ impl Step {
         rounds: bool,
         state: &mut [V],
         registers: &mut [V],
-        room: &mut Room<V>,
+        workspace: &mut Workspace<V>,
     ) {
-        self.compute(state, registers, room);
+        self.compute(state, registers, workspace);
         for (i, x) in state.iter_mut().enumerate() {
-            *x = added(self.quotient(i, rounds, room), *x);
+            *x = added(self.quotient(i, rounds, workspace), *x);
         }
     }
 
@@ -178,11 +178,11 @@ impl Step {
         rounds: bool,
         [state, carry]: [&mut [V]; 2],
         registers: &mut [V],
-        room: &mut Room<V>,
+        workspace: &mut Workspace<V>,
     ) {
-        self.compute(state, registers, room);
+        self.compute(state, registers, workspace);
         for (i, (x, carry)) in state.iter_mut().zip(carry).enumerate() {
-            let quotient = self.quotient(i, rounds, room);
+            let quotient = self.quotient(i, rounds, workspace);
             let base = *x + *carry;
             let rest = *carry - (base - *x);
             let next = added(quotient, base);
@@ -202,14 +202,14 @@ impl Step {
         rounds: bool,
         [state, carry]: [&mut [V]; 2],
         registers: &mut [V],
-        room: &mut Room<V>,
+        workspace: &mut Workspace<V>,
         single: impl Fn(V) -> V,
     ) {
-        self.compute(state, registers, room);
+        self.compute(state, registers, workspace);
         for (i, x) in state.iter_mut().enumerate() {
             let carry = carry.get_mut(i);
             let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
-            let next = added(self.quotient(i, rounds, room), base);
+            let next = added(self.quotient(i, rounds, workspace), base);
             *x = single(next);
             if let Some(carry) = carry {
                 *carry = single(next - *x);
@@ -223,22 +223,22 @@ impl Step {
         kind: StepKind,
         [state, carry]: [&mut [V]; 2],
         registers: &mut [V],
-        room: &mut Room<V>,
+        workspace: &mut Workspace<V>,
         single: impl Fn(V) -> V,
     ) {
         let rounds = kind.rounds_increments;
         if kind.precision == Precision::SingleThroughDouble {
-            self.advance_through(rounds, [state, carry], registers, room, single);
+            self.advance_through(rounds, [state, carry], registers, workspace, single);
         } else if kind.compensated {
-            self.advance_with_carry(rounds, [state, carry], registers, room);
+            self.advance_with_carry(rounds, [state, carry], registers, workspace);
         } else {
-            self.advance(rounds, state, registers, room);
+            self.advance(rounds, state, registers, workspace);
         }
     }
 
     /// Whether the step that was computed here divides by a number that is exactly 0.
-    pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V], room: &Room<V>) -> bool {
-        if self.has_lanes() { self.lines[0].has_divided_by_zero(registers) } else { room.is_singular }
+    pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V], workspace: &Workspace<V>) -> bool {
+        if self.has_lanes() { self.lines[0].has_divided_by_zero(registers) } else { workspace.is_singular }
     }
 
     /// What the state's kernel reads; `constants` are the parameters and ε. Nothing, where the step
@@ -269,16 +269,16 @@ impl Step {
         &'a self,
         state: &[V],
         registers: &mut [V],
-        room: &'a mut Room<V>,
+        workspace: &'a mut Workspace<V>,
     ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
-        self.compute(state, registers, room);
-        (0..self.reciprocals.len()).map(|i| self.quotient(i, true, room).0)
+        self.compute(state, registers, workspace);
+        (0..self.reciprocals.len()).map(|i| self.quotient(i, true, workspace).0)
     }
 
     /// Computes numerators and reciprocals.
     #[inline(always)]
-    fn compute<V: Scalar + Copy>(&self, state: &[V], registers: &mut [V], room: &mut Room<V>) {
-        let Room { outcome, matrix, slopes: entries, factors, is_singular } = room;
+    fn compute<V: Scalar + Copy>(&self, state: &[V], registers: &mut [V], workspace: &mut Workspace<V>) {
+        let Workspace { outcome, matrix, slopes: entries, factors, is_singular } = workspace;
         outcome.clear();
         match &self.lines[..] {
             [slopes, field] => {
@@ -313,8 +313,8 @@ impl Step {
 
     /// Component i of the increment before its last multiplication.
     #[inline(always)]
-    fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, room: &Room<V>) -> (V, Option<V>) {
-        let (numerators, reciprocals) = room.outcome.split_at(self.reciprocals.len());
+    fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
+        let (numerators, reciprocals) = workspace.outcome.split_at(self.reciprocals.len());
         match self.reciprocals[i] {
             Some(place) if rounds => (numerators[i] * reciprocals[place], None),
             place => (numerators[i], place.map(|place| reciprocals[place])),

@@ -65,10 +65,10 @@ impl StepKind {
         constant: impl Fn(usize) -> V,
         single: impl Fn(V) -> V,
     ) -> Vec<V> {
-        let Scratch { mut registers, mut room, .. } = Scratch::default();
+        let Scratch { mut registers, mut workspace, .. } = Scratch::default();
         step.open(&step.given((0..).map(constant)), &mut registers);
         let (state, carry) = numbers.split_at_mut(step.reciprocals.len());
-        step.advance_as(self, [state, carry], &mut registers, &mut room, single);
+        step.advance_as(self, [state, carry], &mut registers, &mut workspace, single);
         numbers
     }
 }

@@ -8,6 +8,7 @@ const PROOFS: &str = "-p kahan-runtime --lib -- periodic";
 const POLES: &str = "-p kahan-core --features exact --lib -- projective";
 const TANGENTS: &str = "-p kahan-tests --test main -- long_tangents";
 const REMOVABLE: &str = "-p kahan-tests --test removable_poles";
+const ANY: &str = "-p kahan-core-tests -- any_map";
 const EXPONENTS: &str = "-p kahan-core-tests -- exponents";
 
 const fn of(
@@ -22,6 +23,25 @@ const fn of(
 
 #[rustfmt::skip]
 pub(crate) const ORBITS: &[Weakening] = &[
+    // Any map.
+    of(ANY, "memory of a chain of another form", "kahan-core/src/lattice/at.rs",
+        "|memory: &Memory<T>| memory.form == form",
+        "|_: &Memory<T>| true"),
+    of(ANY, "a part that is a whole step", "kahan-core/src/map/at.rs",
+        "let stages = K::at(&self.stages, eps, |eps| self.map.prepare(eps));",
+        "let stages = K::at(&self.stages, &self.eps, |eps| self.map.prepare(eps));"),
+    of(ANY, "a part of a composition's first stage alone", "kahan-core/src/composition/stages.rs",
+        "stages.composition.stages_of(eps,",
+        "Composition::KAHAN.stages_of(eps,"),
+    of(ANY, "a run that goes on when one of two observers is done", "kahan-core/src/observe/tuples.rs",
+        "false $(|| self.$place.is_done())*",
+        "true $(&& self.$place.is_done())*"),
+    of(ANY, "observers of a group that do not end at one point", "kahan-core/src/observe/tuples.rs",
+        "if <Self as Observer<T>>::MAY_END {",
+        "if false {"),
+    of(ANY, "a crossing whose time is that of its step", "kahan-core/src/observe/section.rs",
+        "let time = two * eps * (T::constant(&Constant::integer(step.cast_signed())) + part);",
+        "let time = two * eps * T::constant(&Constant::integer(step.cast_signed()));"),
     // Cycles.
     of(CYCLES, "a cycle that does not close", "kahan-core/src/periodic/cycle.rs",
         "const CLOSED: f64 = 1e-11;",

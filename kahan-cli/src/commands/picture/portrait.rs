@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use kahan_algebra::interpret::Point;
 use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
-use kahan_runtime::{Field, RuntimePoint};
+use kahan_runtime::Field;
 
 use super::super::section::{height, plane};
 use super::axes::Coordinate;
@@ -142,8 +142,7 @@ impl Subject<'_> {
             let made = match plane {
                 None => pace.follow(&map, &start, steps, |n, x| show(n as f64, x)),
                 Some(plane) => {
-                    let show =
-                        |at: Crossing<RuntimePoint<f64>, f64>| show(at.step as f64 + at.part, &at.point);
+                    let show = |at: Crossing<Vec<f64>, f64>| show(at.step as f64 + at.part, &at.point);
                     let mut crossings = Crossings::new(&map, height(&map, plane), Direction::Rising, show);
                     pace.follow(&map, &start, steps, |n, x| crossings.observe(n, x))
                 }

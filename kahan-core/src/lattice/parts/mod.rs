@@ -33,7 +33,7 @@ use scratch::Scratch;
 /// The memory of steps in parts.
 pub(super) struct InParts<T> {
     plan: Plan,
-    pub(super) level: Level,
+    level: Level,
     /// One for each thread.
     scratch: Vec<Scratch<T>>,
     /// What the first pass says, part by part.
@@ -44,7 +44,7 @@ pub(super) struct InParts<T> {
 }
 
 impl<T: Scalar> InParts<T> {
-    pub(super) fn new<S: Shape>(plan: Plan, boundary: Boundary) -> Self {
+    pub(super) fn new<S: Shape>(plan: Plan, boundary: Boundary, level: Level) -> Self {
         let separator = S::REACH * S::BLOCK;
         let kept = plan.kept() * S::BLOCK;
         #[cfg(feature = "parallel")]
@@ -53,7 +53,7 @@ impl<T: Scalar> InParts<T> {
         let threads = 1;
         Self {
             plan,
-            level: Level::best(),
+            level,
             scratch: (0..threads.min(plan.groups())).map(|_| Scratch::new::<S>(&plan)).collect(),
             joints: vec![T::zero(); plan.parts() * joints::size(separator)],
             kept: vec![T::zero(); kept],

@@ -10,7 +10,7 @@
 const LENGTH: usize = 256;
 
 /// A chain's parts.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::lattice) struct Plan {
     sites: usize,
     reach: usize,

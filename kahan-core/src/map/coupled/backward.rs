@@ -17,7 +17,7 @@ use crate::field::linear::{components, eliminated_determinant, solve_in_place, v
 use crate::map::stable::{Promised, Widened};
 use crate::scalar::bounded::{Bounded, Working, backward_error};
 #[cfg(feature = "std")]
-use crate::scalar::{Long, Room, level_row};
+use crate::scalar::{Capacity, Long, level_row};
 use crate::step::error::Reason;
 
 use super::formulas::Values;
@@ -123,8 +123,8 @@ where
             return Ok(next);
         }
         #[cfg(feature = "std")]
-        for room in Room::ALL {
-            let Some(exact) = self.eliminated(room) else { continue };
+        for capacity in Capacity::ALL {
+            let Some(exact) = self.eliminated(capacity) else { continue };
             let next: [T; N] = from_fn(|i| T::narrow(exact[i].leading()));
             if next.iter().all(T::is_finite_number) {
                 let is_near = |(exact, next): (&Long, &T)| exact.is_within(8.0 * T::UNIT, next.widen());
@@ -150,8 +150,8 @@ where
     /// the scalar.
     #[cfg(feature = "std")]
     #[inline(never)]
-    fn eliminated(&self, room: Room) -> Option<[Long; N]> {
-        let long = |number: &T| Long::new(number.widen(), room);
+    fn eliminated(&self, capacity: Capacity) -> Option<[Long; N]> {
+        let long = |number: &T| Long::new(number.widen(), capacity);
         let (eps, parameters) =
             (long(&self.step.eps), from_fn::<_, P, _>(|k| long(&self.step.parameters[k])));
         let x: [Long; N] = from_fn(|i| long(&self.x[i]));

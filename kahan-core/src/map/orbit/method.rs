@@ -2,6 +2,8 @@
 //!
 //! In: prepared steps. Out: each of them in its turn.
 
+use crate::Scalar;
+
 use super::sealed::Sealed;
 
 /// What a step of an [`Orbit`](crate::Orbit) is made of: [`Single`] or
@@ -18,6 +20,14 @@ pub trait Method: Sealed {
     /// Each step replaced.
     #[doc(hidden)]
     fn map<P: Clone, Q: Clone>(stages: &Self::Stages<P>, replace: impl Fn(&P) -> Q) -> Self::Stages<Q>;
+
+    /// The same steps at another ε, each prepared from its own.
+    #[doc(hidden)]
+    fn at<T: Scalar, P: Clone>(
+        stages: &Self::Stages<P>,
+        eps: &T,
+        prepare: impl Fn(&T) -> P,
+    ) -> Self::Stages<P>;
 
     /// Every stage in order.
     #[doc(hidden)]
@@ -56,5 +66,10 @@ impl Method for Single {
     #[inline(always)]
     fn map<P: Clone, Q: Clone>(stages: &P, replace: impl Fn(&P) -> Q) -> Q {
         replace(stages)
+    }
+
+    #[inline(always)]
+    fn at<T: Scalar, P: Clone>(_stages: &P, eps: &T, prepare: impl Fn(&T) -> P) -> P {
+        prepare(eps)
     }
 }

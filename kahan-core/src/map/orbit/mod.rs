@@ -115,7 +115,8 @@ where
         self.stopped.as_ref()
     }
 
-    /// `steps` steps on, or as many as there are, each point seen; whether there were that many.
+    /// `steps` steps on, or as many as there are, or are wanted, each point seen; whether no pole
+    /// was met.
     #[inline(always)]
     fn advance(&mut self, steps: u64, seer: &mut impl Sees<T, N>) -> bool {
         // A state of its own, which the compiler can keep in registers.
@@ -126,6 +127,9 @@ where
                 break;
             }
             seer.see(step, state.point());
+            if seer.is_done() {
+                break;
+            }
         }
         self.state = state;
         self.stopped.is_none()
@@ -137,7 +141,9 @@ where
     pub(crate) fn show(&mut self, steps: u64, seer: &mut impl Sees<T, N>) {
         if let Some(first) = self.next() {
             seer.see(0, &first);
-            self.advance(steps, seer);
+            if !seer.is_done() {
+                self.advance(steps, seer);
+            }
         }
     }
 }
@@ -146,12 +152,20 @@ where
 pub(crate) trait Sees<T, const N: usize> {
     /// The point after so many steps.
     fn see(&mut self, step: u64, point: &SVector<T, N>);
+
+    /// Whether it has seen enough.
+    fn is_done(&self) -> bool;
 }
 
 /// Nobody does.
 impl<T, const N: usize> Sees<T, N> for () {
     #[inline(always)]
     fn see(&mut self, _step: u64, _point: &SVector<T, N>) {}
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        false
+    }
 }
 
 impl<M, T, K, A, const N: usize> Iterator for Orbit<M, T, N, K, A>

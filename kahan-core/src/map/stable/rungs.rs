@@ -19,7 +19,7 @@ use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, Bounded};
 use crate::scalar::tuning::{divides_by_eps, may_divide_by};
 #[cfg(feature = "std")]
-use crate::scalar::{Long, Room, Size, level_row};
+use crate::scalar::{Capacity, Long, Size, level_row};
 use crate::step::error::Reason;
 use crate::{KahanMap, Lift, PreparedStep, SingularStep};
 
@@ -226,24 +226,24 @@ where
     M: Lift<T, N>,
 {
     let open = Some(Reason::Digits(Long::MOST_DIGITS));
-    let tried = Room::ALL.into_iter().map(|room| eliminated(map, x, eps, next, room));
+    let tried = Capacity::ALL.into_iter().map(|capacity| eliminated(map, x, eps, next, capacity));
     tried.flatten().next().map_or(open, Result::err)
 }
 
-/// The same with so much room; `None` where it leaves the step open.
+/// The same with this capacity; `None` where it leaves the step open.
 #[cfg(feature = "std")]
 fn eliminated<T, M, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
     next: &mut SVector<T, N>,
-    room: Room,
+    capacity: Capacity,
 ) -> Option<Result<(), Reason>>
 where
     T: Promised,
     M: Lift<T, N>,
 {
-    let long = |number: &T| Long::new(number.widen(), room);
+    let long = |number: &T| Long::new(number.widen(), capacity);
     let (map, state, eps) = (map.lift(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
     let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field(&state));
     for i in 0..N {

@@ -1,7 +1,7 @@
 //! Numbers of many digits on the heap, for the last eliminations that a step is tried by.
 //!
 //! 17 digits of 64 bits leave a step open where its matrix has entries that are a thousand powers
-//! of ten apart and nearly singular parts; here there is room for that, at the price of an
+//! of ten apart and nearly singular parts; here there is room enough, at the price of an
 //! allocation an operation. The time of an operation grows with the square of the digits, so that
 //! an elimination begins with few. Zero takes no room.
 
@@ -15,14 +15,14 @@ use crate::{Constant, Scalar};
 
 /// How many digits the numbers of an elimination may have.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Room {
+pub(crate) enum Capacity {
     /// As many as wide numbers have.
     Few,
     More,
     Most,
 }
 
-impl Room {
+impl Capacity {
     /// Each, in the order that they are tried in.
     pub(crate) const ALL: [Self; 3] = [Self::Few, Self::More, Self::Most];
 }
@@ -30,7 +30,7 @@ impl Room {
 type More = Digits<64, 134>;
 type Most = Digits<256, 518>;
 
-/// A number in its room.
+/// A number of its capacity.
 #[derive(Clone, Debug, PartialEq)]
 enum Number {
     Few(Box<Wide>),
@@ -38,8 +38,8 @@ enum Number {
     Most(Box<Most>),
 }
 
-/// A value that a number has in any room.
-macro_rules! in_any_room {
+/// A value that a number has of any capacity.
+macro_rules! of_any_capacity {
     ($number:expr, |$digits:ident| $value:expr) => {
         match $number {
             Number::Few($digits) => $value,
@@ -49,8 +49,8 @@ macro_rules! in_any_room {
     };
 }
 
-/// The result of an operation on two numbers, in the smaller one of their rooms.
-macro_rules! in_common_room {
+/// The result of an operation on two numbers, in the smaller of their capacities.
+macro_rules! of_common_capacity {
     ($a:expr, $operator:tt, $b:expr) => {
         match ($a, $b) {
             (Number::Few(a), b) => (*a $operator b.digits()).into(),
@@ -63,27 +63,27 @@ macro_rules! in_common_room {
 }
 
 impl Number {
-    /// The same number with room for other digits.
+    /// The same number with another number of digits.
     fn digits<const D: usize, const M: usize>(&self) -> Digits<D, M> {
-        in_any_room!(self, |digits| digits.with_digits())
+        of_any_capacity!(self, |digits| digits.with_digits())
     }
 }
 
-/// Numbers that know their room.
-macro_rules! rooms {
-    ($($room:ident: $digits:ty;)*) => { $(
+/// Numbers that know their capacity.
+macro_rules! capacities {
+    ($($capacity:ident: $digits:ty;)*) => { $(
         impl From<$digits> for Number {
             fn from(digits: $digits) -> Self {
-                Self::$room(Box::new(digits))
+                Self::$capacity(Box::new(digits))
             }
         }
     )* };
 }
 
-rooms! { Few: Wide; More: More; Most: Most; }
+capacities! { Few: Wide; More: More; Most: Most; }
 
 /// A number of at most [`MOST_DIGITS`](Self::MOST_DIGITS) digits of 64 bits; none for zero. What is
-/// computed from two has the smaller room of both.
+/// computed from two has the smaller capacity of both.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Long(Option<Number>);
 
@@ -91,23 +91,24 @@ impl Long {
     /// How many digits there may be.
     pub(crate) const MOST_DIGITS: usize = Most::MOST_DIGITS;
 
-    /// A number, and room for what is computed from it.
-    pub(crate) fn new(number: Wide, room: Room) -> Self {
-        Self::of(match room {
-            Room::Few => number.into(),
-            Room::More => Number::More(Box::new(number.with_digits())),
-            Room::Most => Number::Most(Box::new(number.with_digits())),
+    /// A number, and the capacity of what is computed from it.
+    pub(crate) fn new(number: Wide, capacity: Capacity) -> Self {
+        Self::of(match capacity {
+            Capacity::Few => number.into(),
+            Capacity::More => Number::More(Box::new(number.with_digits())),
+            Capacity::Most => Number::Most(Box::new(number.with_digits())),
         })
     }
 
     fn of(number: Number) -> Self {
-        let is_exactly_zero = in_any_room!(&number, |digits| digits.is_zero() && digits.radius().is_zero());
+        let is_exactly_zero =
+            of_any_capacity!(&number, |digits| digits.is_zero() && digits.radius().is_zero());
         Self((!is_exactly_zero).then_some(number))
     }
 
     /// What |v| is at most, for the value v of the formula.
     pub(crate) fn at_most(&self) -> Size {
-        let at_most = |number: &Number| in_any_room!(number, |digits| digits.size() + digits.radius());
+        let at_most = |number: &Number| of_any_capacity!(number, |digits| digits.size() + digits.radius());
         self.0.as_ref().map_or_else(Size::zero, at_most)
     }
 
@@ -130,8 +131,8 @@ impl Long {
         self.leading().radius() * Size::from(1e40) <= self.at_most()
     }
 
-    /// Whether more room would tell nothing new of a step: all of its components are known, or one
-    /// that is known is not in the range of the scalar. The range is asked for beside each.
+    /// Whether a larger capacity would tell nothing new of a step: all of its components are known,
+    /// or one that is known is not in the range of the scalar. The range is asked for beside each.
     pub(crate) fn are_settled<'a>(components: impl Iterator<Item = (&'a Self, bool)> + Clone) -> bool {
         let mut known = components.clone();
         let mut beyond = components.filter(|(_, is_in_range)| !is_in_range);
@@ -146,16 +147,16 @@ impl Long {
     fn plus(self, other: Self) -> Self {
         match (self.0, other.0) {
             (None, number) | (number, None) => Self(number),
-            (Some(a), Some(b)) => Self::of(in_common_room!(a, +, b)),
+            (Some(a), Some(b)) => Self::of(of_common_capacity!(a, +, b)),
         }
     }
 
     fn times(self, other: Self) -> Self {
         match (self.0, other.0) {
-            (Some(a), Some(b)) => Self::of(in_common_room!(a, *, b)),
+            (Some(a), Some(b)) => Self::of(of_common_capacity!(a, *, b)),
             // Zero times undefined is undefined.
             (None, Some(number)) | (Some(number), None)
-                if !in_any_room!(&number, |digits| digits.is_defined()) =>
+                if !of_any_capacity!(&number, |digits| digits.is_defined()) =>
             {
                 Self(Some(number))
             }
@@ -165,7 +166,7 @@ impl Long {
 
     fn over(self, other: Self) -> Self {
         let or_zero = |number: Option<Number>| number.unwrap_or_else(|| Most::zero().into());
-        Self::of(in_common_room!(or_zero(self.0), /, or_zero(other.0)))
+        Self::of(of_common_capacity!(or_zero(self.0), /, or_zero(other.0)))
     }
 }
 
@@ -189,7 +190,7 @@ impl core::ops::Neg for Long {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self(self.0.map(|number| in_any_room!(number, |digits| Number::from(-*digits))))
+        Self(self.0.map(|number| of_any_capacity!(number, |digits| Number::from(-*digits))))
     }
 }
 
@@ -199,7 +200,7 @@ impl Zero for Long {
     }
 
     fn is_zero(&self) -> bool {
-        self.0.as_ref().is_none_or(|number| in_any_room!(number, |digits| digits.is_zero()))
+        self.0.as_ref().is_none_or(|number| of_any_capacity!(number, |digits| digits.is_zero()))
     }
 }
 

@@ -36,7 +36,7 @@ mod tests;
 use num_traits::Zero;
 
 #[cfg(feature = "std")]
-pub(crate) use long::{Long, Room, level_row};
+pub(crate) use long::{Capacity, Long, level_row};
 pub(crate) use size::Size;
 
 use rows::{Row, leading, size_of};

@@ -5,7 +5,7 @@ use std::vec::Vec;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::scalar::wide::{Long, Room, level_row};
+use crate::scalar::wide::{Capacity, Long, level_row};
 use crate::scalar::{Size, Wide};
 use crate::{Constant, Scalar};
 
@@ -18,7 +18,7 @@ fn floats() -> Vec<f64> {
 }
 
 fn long(x: f64) -> Long {
-    Long::new(Wide::from(x), Room::Most)
+    Long::new(Wide::from(x), Capacity::Most)
 }
 
 fn rational(x: f64) -> Q {
@@ -87,7 +87,7 @@ fn more_room_is_asked_for_until_a_step_is_settled() {
     let known = long(1.5);
     // What two quotients differ by that are cut off at different digits.
     let divisor = || long(1e300) + long(3e-300);
-    let lost = Long::new(Wide::one(), Room::Few) / divisor() - Long::one() / divisor();
+    let lost = Long::new(Wide::one(), Capacity::Few) / divisor() - Long::one() / divisor();
     let are_settled = |components: &[(Long, bool)]| {
         Long::are_settled(components.iter().map(|(number, is_in_range)| (number, *is_in_range)))
     };

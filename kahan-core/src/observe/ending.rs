@@ -1,0 +1,84 @@
+//! Ends that end a run.
+//!
+//! In: an observer, or what takes crossings, that has an answer before the run is over. Out: the
+//! same, which ends the run then.
+
+#[cfg(feature = "std")]
+use super::{AtMost, Kept, Sink};
+use super::{Escape, Observer};
+
+/// An observer with whose answer a run ends: made by [`Escape::ending`] and [`AtMost::ending`].
+///
+/// ```
+/// use kahan_core::observe::{Drift, Escape};
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// Growth without limits.
+///     pub struct Growth;
+///     xdot = x;
+/// }
+///
+/// let mut orbit = Growth.orbit(vector![1.0], 0.05);
+/// let (_, step) = orbit.observe(
+///     1_000_000,
+///     (Drift::of(|x: &[f64]| [x[0]]), Escape::when(|x: &[f64]| x[0] > 2.0).ending()),
+/// );
+/// assert_eq!(step, Some(7));
+/// // The orbit stands there.
+/// assert!(orbit.next().unwrap()[0] > 2.0 * 1.05);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Ending<O>(O);
+
+impl<F> Escape<F> {
+    /// The same, and the run ends when the condition holds.
+    pub fn ending(self) -> Ending<Self> {
+        Ending(self)
+    }
+}
+
+impl<T, F: Fn(&[T]) -> bool> Observer<T> for Ending<Escape<F>> {
+    /// The step that the run ended at, if it did.
+    type Report = Option<u64>;
+
+    #[inline]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        self.0.observe(step, x);
+    }
+
+    #[inline]
+    fn is_done(&self) -> bool {
+        self.0.has_happened()
+    }
+
+    fn report(self) -> Option<u64> {
+        Observer::<T>::report(self.0)
+    }
+}
+
+#[cfg(feature = "std")]
+impl<C> AtMost<C> {
+    /// The same, and the run ends with the last crossing that is kept.
+    pub fn ending(self) -> Ending<Self> {
+        Ending(self)
+    }
+}
+
+#[cfg(feature = "std")]
+impl<C> Sink<C> for Ending<AtMost<C>> {
+    type Report = Kept<C>;
+
+    fn take(&mut self, crossing: C) {
+        self.0.take(crossing);
+    }
+
+    #[inline]
+    fn is_full(&self) -> bool {
+        self.0.has_all()
+    }
+
+    fn report(self) -> Kept<C> {
+        self.0.report()
+    }
+}

@@ -1,0 +1,259 @@
+//! What every map at its ε can do, whatever it was made of.
+//!
+//! In: a state as a slice. Out: the state some steps later, in its place. A function over
+//! [`Step`] takes a compiled map, one that is read at run time, a chain, a composition, by its type
+//! or as `&dyn Step`.
+
+#[cfg(feature = "std")]
+use std::any::Any;
+#[cfg(feature = "std")]
+use std::boxed::Box;
+#[cfg(feature = "std")]
+use std::vec::Vec;
+
+use core::array::from_fn;
+use core::fmt;
+
+use nalgebra::SVector;
+
+use crate::{Scalar, SingularStep};
+
+/// A map at its ε, half the time step: x ↦ x̃ on states of [`dimension`](Self::dimension) numbers.
+///
+/// | map | made by | state |
+/// |---|---|---|
+/// | of a block of [`kahan!`](crate::kahan), and compositions of it | [`KahanMap::at`](crate::KahanMap::at) | `SVector` |
+/// | of a family, a chain of some sites | [`LatticeMap::at`](crate::LatticeMap::at) | `Vec` |
+/// | of a text that is read at run time | `kahan_runtime::Map::at`, `Lattice::at` | `Vec` |
+/// | a reference to any | `&map`, `&dyn Step<Scalar = f64>` | the map's, `Vec` |
+///
+/// Bits are those of the map's own methods. A state of another length panics, as dimensions of
+/// nalgebra do.
+///
+/// ```
+/// use kahan_core::prelude::*;
+/// use kahan_core::{Composition, Room, Step};
+///
+/// kahan! {
+///     /// Predator and prey.
+///     pub struct LotkaVolterra;
+///     xdot = x*(1 - y);
+///     ydot = y*(x - 1);
+/// }
+///
+/// /// The most that a state's first entry is on the way.
+/// fn crest(map: &dyn Step<Scalar = f64>, start: &[f64]) -> f64 {
+///     let (mut x, mut room) = (start.to_vec(), Room::new());
+///     (0..1000).fold(x[0], |most, _| {
+///         map.advance(&mut x, 1, &mut room).expect("floats go on at poles");
+///         most.max(x[0])
+///     })
+/// }
+///
+/// let plain = LotkaVolterra.at(0.05);
+/// let composed = plain.composed(Composition::KAHAN_LI_8);
+/// let choice: [&dyn Step<Scalar = f64>; 2] = [&plain, &composed];
+/// let crests = choice.map(|map| crest(map, &[0.5, 1.0]));
+/// assert!((crests[0] - crests[1]).abs() < 1e-2 && crests[0] != crests[1]);
+/// ```
+pub trait Step {
+    /// The numbers that a state is made of.
+    type Scalar: Scalar;
+
+    /// A state: an array where the number of variables is known while compiling.
+    type State: Slice<Self::Scalar>
+    where
+        Self: Sized;
+
+    /// How many numbers a state has.
+    fn dimension(&self) -> usize;
+
+    /// ε, half the time step.
+    fn eps(&self) -> &Self::Scalar;
+
+    /// Replaces `x` by the state so many steps later. Nothing is allocated after the first call
+    /// with the same room.
+    ///
+    /// # Errors
+    /// [`Stopped`] at a pole of an exact scalar; `x` is the point there. Floats go on with numbers
+    /// that are not finite.
+    ///
+    /// # Panics
+    /// If `x` has not [`dimension`](Self::dimension) numbers.
+    fn advance(&self, x: &mut [Self::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped>;
+
+    /// One step at another ε: x(θ) = φ_{θε}(x) is the curve from x to x̃. It is as far from the flow
+    /// as a step is.
+    ///
+    /// Cost: what ε fixes is computed anew.
+    ///
+    /// # Errors
+    /// # Panics
+    /// As [`advance`](Self::advance).
+    fn part(&self, eps: &Self::Scalar, x: &mut [Self::Scalar], room: &mut Room) -> Result<(), Stopped>;
+
+    /// x̃; `None` at a pole of an exact scalar.
+    #[inline]
+    fn next(&self, x: &Self::State, room: &mut Room) -> Option<Self::State>
+    where
+        Self: Sized,
+    {
+        let mut next = x.clone();
+        self.advance(next.as_mut_slice(), 1, room).ok()?;
+        Some(next)
+    }
+}
+
+/// A state as numbers one after the other.
+pub trait Slice<T>: Clone + fmt::Debug {
+    /// So many zeros.
+    ///
+    /// # Panics
+    /// If it has another length.
+    fn zeros(len: usize) -> Self;
+
+    /// Its numbers.
+    fn as_slice(&self) -> &[T];
+
+    /// Its numbers, to be changed.
+    fn as_mut_slice(&mut self) -> &mut [T];
+}
+
+impl<T: Scalar, const N: usize> Slice<T> for SVector<T, N> {
+    #[inline]
+    fn zeros(len: usize) -> Self {
+        assert!(len == N, "a point of {len} numbers for a map of {N} variables");
+        SVector::from(from_fn(|_| T::zero()))
+    }
+
+    #[inline]
+    fn as_slice(&self) -> &[T] {
+        self.data.as_slice()
+    }
+
+    #[inline]
+    fn as_mut_slice(&mut self) -> &mut [T] {
+        self.data.as_mut_slice()
+    }
+}
+
+#[cfg(feature = "std")]
+impl<T: Scalar> Slice<T> for Vec<T> {
+    fn zeros(len: usize) -> Self {
+        std::vec![T::zero(); len]
+    }
+
+    fn as_slice(&self) -> &[T] {
+        self
+    }
+
+    fn as_mut_slice(&mut self) -> &mut [T] {
+        self
+    }
+}
+
+/// Memory to compute in, which a map takes when it first needs some. One serves any maps in turn,
+/// and a map's results do not depend on what is in it.
+#[derive(Default)]
+pub struct Room {
+    #[cfg(feature = "std")]
+    held: Option<Box<dyn Any + Send>>,
+}
+
+impl Room {
+    /// An empty one.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// What a map keeps here: what is held, if it is of this type and `fits`, or else what `make`
+    /// makes.
+    #[cfg(feature = "std")]
+    pub fn of<M: Any + Send>(&mut self, fits: impl FnOnce(&M) -> bool, make: impl FnOnce() -> M) -> &mut M {
+        let is_held = self.held.as_ref().and_then(|held| held.downcast_ref()).is_some_and(fits);
+        if !is_held {
+            self.held = Some(Box::new(make()));
+        }
+        let held = self.held.as_mut().and_then(|held| held.downcast_mut());
+        held.unwrap_or_else(|| unreachable!("it is of this type"))
+    }
+}
+
+/// An empty one: what is held is no value.
+impl Clone for Room {
+    fn clone(&self) -> Self {
+        Self::new()
+    }
+}
+
+impl fmt::Debug for Room {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Room").finish_non_exhaustive()
+    }
+}
+
+/// Where a run ended before it was done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stopped {
+    /// The steps made.
+    pub steps: u64,
+    /// Why there is no other.
+    pub why: SingularStep,
+}
+
+impl fmt::Display for Stopped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "after {} steps: {}", self.steps, self.why)
+    }
+}
+
+impl core::error::Error for Stopped {}
+
+impl<S: Step> Step for &S {
+    type Scalar = S::Scalar;
+    type State = S::State;
+
+    fn dimension(&self) -> usize {
+        S::dimension(self)
+    }
+
+    fn eps(&self) -> &S::Scalar {
+        S::eps(self)
+    }
+
+    fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        S::advance(self, x, steps, room)
+    }
+
+    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
+        S::part(self, eps, x, room)
+    }
+
+    #[inline]
+    fn next(&self, x: &S::State, room: &mut Room) -> Option<S::State> {
+        S::next(self, x, room)
+    }
+}
+
+#[cfg(feature = "std")]
+impl<T: Scalar> Step for &(dyn Step<Scalar = T> + '_) {
+    type Scalar = T;
+    type State = Vec<T>;
+
+    fn dimension(&self) -> usize {
+        (**self).dimension()
+    }
+
+    fn eps(&self) -> &T {
+        (**self).eps()
+    }
+
+    fn advance(&self, x: &mut [T], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        (**self).advance(x, steps, room)
+    }
+
+    fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
+        (**self).part(eps, x, room)
+    }
+}

@@ -1,0 +1,202 @@
+//! What any map at its ε can do, against what each does by its own methods.
+
+use kahan_core::observe::{AtMost, Direction, Drift, Escape, Extrema, Observer, Section, first_crossing};
+use kahan_core::prelude::*;
+use kahan_core::{Composition, Ensemble, LatticeAt, Level, Room, Step};
+
+use super::lattices::{Kdv, Ring, Shore, Toda};
+use super::systems::E6;
+
+const EPS: f64 = 0.03;
+const STEPS: u64 = 9;
+
+/// So many steps of `map`, one by one and at once, with memory that other maps have used, and
+/// through `dyn`.
+fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], room: &mut Room) -> Vec<f64> {
+    assert_eq!((map.dimension(), *map.eps()), (start.len(), EPS));
+    let mut x = start.to_vec();
+    assert_eq!(map.advance(&mut x, STEPS, room), Ok(()));
+    let mut one_by_one = start.to_vec();
+    for _ in 0..STEPS {
+        one_by_one = Step::next(&map, &one_by_one, room).unwrap();
+    }
+    assert_eq!(x, one_by_one);
+    // A part of a step that is the whole of it, and none of it.
+    let (mut whole, mut none) = (start.to_vec(), start.to_vec());
+    map.part(&EPS, &mut whole, room).unwrap();
+    assert_eq!(Some(whole), Step::next(&map, &start.to_vec(), room));
+    map.part(&0.0, &mut none, room).unwrap();
+    assert_eq!(none, start);
+    x
+}
+
+fn wave(len: usize) -> Vec<f64> {
+    (0..len).map(|k| 1.0 + 0.5 * (0.7 * k as f64).sin()).collect()
+}
+
+#[test]
+fn every_map_has_the_bits_of_its_own_methods() {
+    let mut room = Room::new();
+    let start = [0.5, 1.0, 0.25];
+    let plain = E6.at(EPS);
+    let composed = plain.composed(Composition::KAHAN_LI_8);
+    // One room for all of them, in turn.
+    for _ in 0..2 {
+        let expected = plain.orbit(start.into()).nth(STEPS as usize).unwrap();
+        assert_eq!(advanced(&plain, &start, &mut room), expected.as_slice());
+        let expected = composed.orbit(start.into()).nth(STEPS as usize).unwrap();
+        assert_eq!(advanced(&composed, &start, &mut room), expected.as_slice());
+        // Long ones are cut into parts; two of them have one shape, and memory in common.
+        for sites in [3, 700] {
+            let growth = |k: usize| vec![1.0 + 0.01 * k as f64; sites];
+            chain(&Ring, sites, &mut room);
+            chain(&Kdv { h: 0.5 }, sites, &mut room);
+            chain(&Kdv { h: 0.75 }, sites, &mut room);
+            chain(&Toda, sites, &mut room);
+            chain(&Shore { mu: 0.1, r: growth(1) }, sites, &mut room);
+            chain(&Shore { mu: 0.2, r: growth(2) }, sites, &mut room);
+        }
+    }
+}
+
+fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, room: &mut Room) {
+    let mut at = LatticeMap::at(map, EPS, sites).unwrap();
+    let start = wave(sites * <M as LatticeMap<f64>>::BLOCK);
+    let found = advanced(&at, &start, room);
+    let mut expected = start;
+    // By its full name, since the trait is in scope.
+    LatticeAt::advance(&mut at, &mut expected, STEPS);
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn a_run_stops_at_a_pole_of_an_exact_scalar() {
+    kahan! {
+        /// ẋ = x², with a pole at x = 1/ε.
+        struct Growth;
+        xdot = x^2;
+    }
+    let [eps, start] = [(1, 8), (2, 1)].map(|(p, q): (i64, i64)| BigRational::new(p.into(), q.into()));
+    let map = Growth.at(eps.clone());
+    let mut x = [start.clone()];
+    let stopped = map.advance(&mut x, 9, &mut Room::new()).unwrap_err();
+    let points: Vec<_> = map.orbit([start].into()).collect();
+    assert_eq!(stopped.steps as usize + 1, points.len());
+    assert_eq!(x[0], points.last().unwrap()[0]);
+    assert_eq!((stopped.why.determinant(), stopped.why.eps()), (0.0, 0.125));
+    let mut at_the_pole = x.clone();
+    assert!(map.part(&eps, &mut at_the_pole, &mut Room::new()).is_err());
+    assert_eq!(at_the_pole, x);
+}
+
+#[test]
+#[should_panic(expected = "a point of 2 numbers for a map of 3 variables")]
+fn a_state_of_another_length_panics() {
+    let _ = Step::advance(&E6.at(EPS), &mut [0.5, 1.0], 1, &mut Room::new());
+}
+
+/// A circle with the angle 2 arctan ε a step: x = 0 first after a quarter of it.
+#[test]
+fn a_first_crossing_is_told_of_any_map() {
+    kahan! {
+        /// A circle around the origin.
+        struct Turn;
+        xdot = y;
+        ydot = -x;
+    }
+    let map = Turn.at(EPS);
+    let crossing = first_crossing(&map, vector![1.0, 0.0], 1000, |x| x[0]).unwrap();
+    // θ steps of ε turn by 2 arctan(θε) each.
+    let turn = 2.0 * EPS.atan();
+    let steps = (std::f64::consts::FRAC_PI_2 / turn).floor();
+    let part = ((std::f64::consts::FRAC_PI_2 - steps * turn) / 2.0).tan() / EPS;
+    assert_eq!(crossing.step, steps as u64);
+    assert!((crossing.part - part).abs() < 1e-12 && crossing.point[0].abs() < 1e-15);
+    assert_eq!(crossing.time, 2.0 * EPS * (steps + crossing.part));
+    let any: &dyn Step<Scalar = f64> = &map;
+    let same = first_crossing(any, vec![1.0, 0.0], 1000, |x| x[0]).unwrap();
+    assert_eq!(
+        (same.step, same.time, &*same.point),
+        (crossing.step, crossing.time, crossing.point.as_slice())
+    );
+    assert!(first_crossing(any, vec![1.0, 0.0], steps as u64, |x| x[0]).is_none());
+}
+
+/// Sees so many points.
+struct Until(u64, Vec<u64>);
+
+impl Observer<f64> for Until {
+    type Report = Vec<u64>;
+
+    fn observe(&mut self, step: u64, _x: &[f64]) {
+        self.1.push(step);
+    }
+
+    fn is_done(&self) -> bool {
+        self.1.len() as u64 == self.0
+    }
+
+    fn report(self) -> Vec<u64> {
+        self.1
+    }
+}
+
+#[test]
+fn a_run_ends_with_the_first_observer_that_is_done() {
+    let start = vector![0.5, 1.0, 0.25];
+    let points: Vec<_> = E6.orbit(start, EPS).take(100).collect();
+    for most in [1, 4] {
+        let mut orbit = E6.orbit(start, EPS);
+        let (seen, all) = orbit.observe(50, (Until(most, Vec::new()), Until(9, Vec::new())));
+        assert_eq!((&seen, &all), (&(0..most).collect(), &(0..most).collect()));
+        assert_eq!(orbit.next().unwrap(), points[most as usize]);
+    }
+    let reports = E6.orbit(start, EPS).observe(50, [Until(5, Vec::new()), Until(3, Vec::new())]);
+    assert_eq!(reports.map(|seen| seen.len()), [3, 3]);
+    let reports = E6.orbit(start, EPS).observe(50, vec![Until(2, Vec::new())]);
+    assert_eq!(reports, [[0, 1]]);
+}
+
+/// Groups have 16 trajectories and bursts 16 steps; each trajectory ends in a burst and at a step of
+/// its own.
+#[test]
+fn in_an_ensemble_each_trajectory_is_seen_until_it_is_done() {
+    let map = E6.at(EPS);
+    let starts: Vec<SVector<f64, 3>> = (0..21).map(|k| vector![0.5, 1.0, 0.05 * f64::from(k)]).collect();
+    let observers = |index: usize| {
+        (
+            Until(2 + 3 * index as u64, Vec::new()),
+            Extrema::of(|x: &[f64]| x[0]),
+            Drift::of(|x: &[f64]| [x[1]]),
+        )
+    };
+    // The bits of single orbits.
+    let mut ensemble = Ensemble::new(starts.clone()).at_level(Level::Baseline).unwrap();
+    let reports = ensemble.observe(&map, 40, observers);
+    for (index, (start, report)) in starts.iter().zip(reports).enumerate() {
+        assert_eq!(report, map.orbit(*start).observe(40, observers(index)));
+        assert_eq!(report.0.len(), (2 + 3 * index).min(41));
+        // What is no longer seen goes on.
+        assert_eq!(ensemble.point(index).unwrap(), map.orbit(*start).nth(40).unwrap());
+    }
+}
+
+#[test]
+fn escapes_and_crossings_can_end_a_run() {
+    let map = E6.at(EPS);
+    let start = vector![0.5, 1.0, 0.25];
+    let condition = |x: &[f64]| x[0] < 0.0;
+    let first = map.orbit(start).observe(1000, Escape::when(condition)).unwrap();
+    let mut orbit = map.orbit(start);
+    let (ended, extremes) =
+        orbit.observe(1000, (Escape::when(condition).ending(), Extrema::of(|x: &[f64]| x[0])));
+    assert_eq!(ended, Some(first));
+    assert_eq!(extremes, map.orbit(start).observe(first, Extrema::of(|x: &[f64]| x[0])));
+    let crossings = |sink| Section::new(&map, |x: &[f64]| x[0], Direction::Both, sink);
+    let found = map.orbit(start).observe(1000, crossings(AtMost::new(2)));
+    let mut orbit = map.orbit(start);
+    let section = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(2).ending());
+    let ended = orbit.observe(1000, section);
+    assert!(found.all > 2 && ended.all == 2 && ended.kept == found.kept);
+    assert_eq!(orbit.next(), map.orbit(start).nth(ended.kept[1].step as usize + 2));
+}
