@@ -101,7 +101,7 @@ where
     let mut seconds = 0.0;
     for done in (0..steps).step_by(SEGMENT) {
         let mut ensemble = ensemble.clone();
-        seconds += timed(|| ensemble.advance(black_box(at), SEGMENT.min(steps - done)));
+        seconds += timed(|| ensemble.advance(black_box(at), SEGMENT.min(steps - done) as u64));
         black_box(&ensemble);
     }
     seconds

@@ -73,7 +73,7 @@ fn orbits() {
 
 fn stability_maps() {
     const SIDE: usize = 512;
-    const STEPS: usize = 1000;
+    const STEPS: u64 = 1000;
 
     let map = HenonHeiles.at(MAP_EPS);
     let tangent = map.tangent();
@@ -88,7 +88,7 @@ fn stability_maps() {
             begun.elapsed().as_secs_f64()
         });
         let least = times.fold(f64::INFINITY, f64::min);
-        println!("| {name} | {least:.2} | {:.2} |", 1e9 * least / (SIDE * SIDE * STEPS) as f64);
+        println!("| {name} | {least:.2} | {:.2} |", 1e9 * least / (SIDE * SIDE) as f64 / STEPS as f64);
     };
     row("advanced", &|mut grid| {
         grid.advance(&map, STEPS);

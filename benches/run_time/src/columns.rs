@@ -56,7 +56,7 @@ where
 {
     in_segments(system, what, move |steps| {
         let (at, mut ensemble) = (generated.at(EPS), ensemble.clone());
-        let seconds = timed(|| ensemble.advance(black_box(&at), steps));
+        let seconds = timed(|| ensemble.advance(black_box(&at), steps as u64));
         black_box(&ensemble);
         seconds
     })

@@ -34,6 +34,20 @@ impl Method for Composed {
     fn at<T: Scalar, P: Clone>(stages: &Palindrome<P>, eps: &T, prepare: impl Fn(&T) -> P) -> Palindrome<P> {
         stages.composition.stages_of(eps, |eps| prepare(&eps))
     }
+
+    #[inline(always)]
+    fn are_alike<P: Clone>(a: &Palindrome<P>, b: &Palindrome<P>) -> bool {
+        a.composition == b.composition
+    }
+
+    #[inline(always)]
+    fn join<P: Clone, Q: Clone, const W: usize>(
+        each: [&Palindrome<P>; W],
+        join: impl Fn([&P; W]) -> Q,
+    ) -> Palindrome<Q> {
+        let Palindrome { len, composition, .. } = *each[0];
+        Palindrome::new(composition, len, |k| join(each.map(|stages| &stages.steps[k])))
+    }
 }
 
 /// Up to 17 steps that read the same from either end.

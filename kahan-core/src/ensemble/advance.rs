@@ -4,7 +4,6 @@
 //! later. However the columns are divided, each trajectory goes through the same operations, so its
 //! bits depend neither on its place nor on the threads.
 
-use crate::map::Sealed;
 use crate::step::error::pole;
 use crate::{KahanAt, KahanMap, Method, WideStep};
 
@@ -12,31 +11,31 @@ use super::columns::Group;
 use super::level::Instructions;
 use super::{Ensemble, EnsembleScalar};
 
-/// A map at a fixed ε that moves ensembles of points with N entries: every [`KahanAt`] on such
-/// points, composed or not.
+/// What moves ensembles of points with N entries: every [`KahanAt`] on such points, composed or
+/// not, and slices, vectors and arrays of them, which hold one a trajectory.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no map that moves points of {N} numbers of the type `{T}`",
     label = "not one prepared map, in the dimension and the type of number of the points",
-    note = "one map, as `map.at(eps)` prepares it, moves all points of an ensemble; where parameters or ε differ, make an ensemble for each",
+    note = "one map, as `map.at(eps)` prepares it, moves all points of an ensemble; where parameters or ε differ, give a vector with one for each point",
     note = "a point has one entry for each equation: give `Ensemble::grid` as many axes, `Ensemble::new` such vectors"
 )]
-pub trait Advances<T: EnsembleScalar, const N: usize>: Sealed {
-    /// Advances columns of equal length; `None` at a pole of a scalar that has no reciprocal of
-    /// zero.
+pub trait Advances<T: EnsembleScalar, const N: usize> {
+    /// How many points these are for, if not any number.
     #[doc(hidden)]
-    fn advance(&self, columns: [&mut [Group<T>]; N], steps: usize, on: Instructions) -> Option<()>;
+    fn count(&self) -> Option<usize> {
+        None
+    }
 
-    /// ε, half the time step.
+    /// Advances columns of equal length, from a group of this number on; the ε of the map that met
+    /// it at a pole of a scalar that has no reciprocal of zero.
     #[doc(hidden)]
-    fn half_step(&self) -> &T;
-}
-
-impl<M, T, K, const N: usize> Sealed for KahanAt<M, T, N, K>
-where
-    M: KahanMap<T, N>,
-    T: EnsembleScalar,
-    K: Method,
-{
+    fn advance(
+        &self,
+        first: usize,
+        columns: Stretch<'_, T, N>,
+        steps: u64,
+        on: Instructions,
+    ) -> Result<(), T>;
 }
 
 #[diagnostic::do_not_recommend]
@@ -46,14 +45,17 @@ where
     T: EnsembleScalar,
     K: Method<Stages<M::Prepared>: Sync>,
 {
-    fn advance(&self, columns: [&mut [Group<T>]; N], steps: usize, on: Instructions) -> Option<()> {
+    #[inline]
+    fn advance(
+        &self,
+        first: usize,
+        columns: Stretch<'_, T, N>,
+        steps: u64,
+        on: Instructions,
+    ) -> Result<(), T> {
         let stages = &self.stages;
         let sweep = |_, columns: Stretch<'_, T, N>| T::sweep::<K, _, N>(stages, columns, steps, on);
-        divide(0, columns, steps, &sweep, &Option::and)
-    }
-
-    fn half_step(&self) -> &T {
-        self.eps()
+        divide(first, columns, steps, &sweep, &Option::and).ok_or(self.eps)
     }
 }
 
@@ -61,7 +63,10 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map`
     /// (half the time step).
     ///
-    /// `map` is a [`KahanAt`], for a higher order a [`composed`](KahanAt::composed) one.
+    /// `map` is a [`KahanAt`], for a higher order a [`composed`](KahanAt::composed) one; or a slice,
+    /// vector or array with one for each point, where ε or parameters differ: they run in lanes all
+    /// the same, with the bits that a point has alone with its map, and always
+    /// [divide](crate::Reciprocal::Divided).
     ///
     /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current
     /// pool of threads, small ones on the calling thread; the results are the same bits. Where a
@@ -70,7 +75,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     ///
     /// # Panics
     /// At a pole, for scalars that have no reciprocal of zero; some points are then further than
-    /// others.
+    /// others. If there are not as many maps as points.
     ///
     /// ```
     /// use kahan_core::Ensemble;
@@ -89,14 +94,26 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     ///
     /// let alone = LotkaVolterra.orbit(vector![1.5, 1.0], 0.05).nth(100).unwrap();
     /// assert!((ponds.point(749).unwrap() - alone).norm() < 1e-12);
+    ///
+    /// // A time step of its own for each.
+    /// let maps: Vec<_> = (1..=1000).map(|k| LotkaVolterra.at(1e-4 * f64::from(k))).collect();
+    /// ponds.advance(&maps, 100);
     /// ```
-    pub fn advance<M>(&mut self, map: &M, steps: usize)
+    #[track_caller]
+    pub fn advance<M>(&mut self, map: &M, steps: u64)
     where
-        M: Advances<T, N>,
+        M: Advances<T, N> + ?Sized,
     {
-        if map.advance(self.columns.groups_mut(), steps, self.instructions).is_none() {
-            pole(map.half_step())
+        self.check(map);
+        if let Err(eps) = map.advance(0, self.columns.groups_mut(), steps, self.instructions) {
+            pole(&eps)
         }
+    }
+
+    #[track_caller]
+    pub(crate) fn check<M: Advances<T, N> + ?Sized>(&self, map: &M) {
+        let (len, count) = (self.len(), map.count());
+        assert!(count.is_none_or(|count| count == len), "{} maps for {len} points", count.unwrap_or(0));
     }
 }
 
@@ -106,7 +123,7 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
 pub(crate) fn divide<T, R, const N: usize>(
     first: usize,
     columns: Stretch<'_, T, N>,
-    steps: usize,
+    steps: u64,
     work: &(impl Fn(usize, Stretch<'_, T, N>) -> R + Sync),
     join: &(impl Fn(R, R) -> R + Sync),
 ) -> R
@@ -138,17 +155,18 @@ pub(crate) type Stretch<'a, T, const N: usize> = [&'a mut [Group<T>]; N];
 #[cfg(feature = "parallel")]
 fn halves<T, const N: usize>(
     mut columns: Stretch<'_, T, N>,
-    steps: usize,
+    steps: u64,
 ) -> Result<[Stretch<'_, T, N>; 2], Stretch<'_, T, N>> {
     use super::columns::GROUP;
     use super::sweep::groups_per_tile;
 
     /// Less work than this, some tens of microseconds, is not worth a task.
-    const STEPS_PER_TASK: usize = 1 << 16;
+    const STEPS_PER_TASK: u64 = 1 << 16;
 
     let tile = groups_per_tile::<T, N>();
     let groups = columns.first().map_or(0, |column| column.len());
-    let enough = (groups / 2).saturating_mul(GROUP).saturating_mul(steps) >= STEPS_PER_TASK;
+    let trajectories = (groups / 2 * GROUP) as u64;
+    let enough = trajectories.saturating_mul(steps) >= STEPS_PER_TASK;
     if groups <= tile || !enough {
         return Err(columns);
     }

@@ -1,4 +1,4 @@
-//! Many trajectories of one map at once.
+//! Many trajectories at once, of one map or each of its own.
 //!
 //! In: initial points. Out: the points some steps later, at the limit of the machine: one column a
 //! variable, tiles that stay in the nearest cache, registers of several trajectories, chosen at run
@@ -8,6 +8,7 @@
 
 pub(crate) mod advance;
 pub(crate) mod columns;
+mod each;
 mod grid;
 pub(crate) mod lanes;
 mod level;
@@ -31,7 +32,7 @@ pub use grid::Axis;
 pub use level::{Level, Reciprocal};
 pub use scalar::EnsembleScalar;
 
-/// Points of an N-dimensional state, advanced together by one map.
+/// Points of an N-dimensional state, advanced together by one map or each by its own.
 ///
 /// One column a variable; the points keep their order. Made by [`new`](Self::new) or
 /// [`grid`](Self::grid), moved by [`advance`](Self::advance).

@@ -26,7 +26,7 @@ pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
     fn sweep<K, S, const N: usize>(
         stages: &K::Stages<S>,
         columns: [&mut [Group<Self>]; N],
-        steps: usize,
+        steps: u64,
         _instructions: Instructions,
     ) -> Option<()>
     where
@@ -56,7 +56,7 @@ macro_rules! implement_for_float {
             fn sweep<K, S, const N: usize>(
                 stages: &K::Stages<S>,
                 columns: [&mut [Group<Self>]; N],
-                steps: usize,
+                steps: u64,
                 instructions: Instructions,
             ) -> Option<()>
             where

@@ -55,7 +55,7 @@ impl<T: Scalar + Copy> Register<T> for T {
 pub(crate) fn sweep<K, R, T, S, const N: usize>(
     stages: &K::Stages<S>,
     mut columns: [&mut [Group<T>]; N],
-    steps: usize,
+    steps: u64,
 ) -> Option<()>
 where
     K: Method,

@@ -26,7 +26,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// No step allocates; each group of 16 trajectories does once.
     ///
     /// # Panics
-    /// At a pole, for scalars that have no reciprocal of zero.
+    /// At a pole, for scalars that have no reciprocal of zero. If there are not as many maps as
+    /// points.
     ///
     /// ```
     /// use kahan_core::Ensemble;
@@ -50,17 +51,18 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     pub fn observe<M, O>(
         &mut self,
         map: &M,
-        steps: usize,
+        steps: u64,
         observers: impl Fn(usize) -> O + Sync,
     ) -> Vec<O::Report>
     where
-        M: Advances<T, N> + Sync,
+        M: Advances<T, N> + Sync + ?Sized,
         O: Observer<T, Report: Send>,
     {
         let (len, on) = (self.len(), self.instructions);
-        let advance = |group: &mut [Group<T>; N]| {
-            if map.advance(group.each_mut().map(core::slice::from_mut), 1, on).is_none() {
-                pole(map.half_step())
+        self.check(map);
+        let advance = |number: usize, group: &mut [Group<T>; N]| {
+            if let Err(eps) = map.advance(number, group.each_mut().map(core::slice::from_mut), 1, on) {
+                pole(&eps)
             }
         };
         let observe = |first: usize, mut columns: Stretch<'_, T, N>| {
@@ -70,7 +72,8 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
                 let start = (first + group) * GROUP;
                 let mut observed: Vec<O> = (start..len.min(start + GROUP)).map(&observers).collect();
                 let mut points: [Group<T>; N] = from_fn(|c| columns[c][group]);
-                observe_group(&mut points, &mut observed, steps as u64, on.level, advance);
+                let advance = |points: &mut _| advance(first + group, points);
+                observe_group(&mut points, &mut observed, steps, on.level, advance);
                 for (column, points) in columns.iter_mut().zip(points) {
                     column[group] = points;
                 }

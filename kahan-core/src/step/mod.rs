@@ -74,4 +74,12 @@ pub trait WideStep<T: Scalar, const N: usize>: PreparedStep<T, N> {
 
     /// Each constant spread over the lanes of `L`.
     fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> Self::Wide<L>;
+
+    /// The steps of W lanes as one: each constant of it is what `pack` makes of those of the lanes.
+    ///
+    /// # Panics
+    /// Where `HAS_LANES` is false.
+    fn gather<L: Scalar, const W: usize>(_each: [&Self; W], _pack: impl Fn([&T; W]) -> L) -> Self::Wide<L> {
+        panic!("a step that chooses has no lanes: step each state alone")
+    }
 }

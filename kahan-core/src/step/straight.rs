@@ -110,6 +110,14 @@ where
     fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> StraightStep<K, L, C> {
         StraightStep::new(from_fn(|i| spread(&self.constants[i].0)))
     }
+
+    #[inline(always)]
+    fn gather<L: Scalar, const W: usize>(
+        each: [&Self; W],
+        pack: impl Fn([&T; W]) -> L,
+    ) -> StraightStep<K, L, C> {
+        StraightStep::new(from_fn(|i| pack(each.map(|step| &step.constants[i].0))))
+    }
 }
 
 #[cfg(test)]

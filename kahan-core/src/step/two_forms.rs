@@ -101,6 +101,11 @@ where
     fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> G::Wide<L> {
         self.general.widen(spread)
     }
+
+    #[inline(always)]
+    fn gather<L: Scalar, const W: usize>(each: [&Self; W], pack: impl Fn([&T; W]) -> L) -> G::Wide<L> {
+        G::gather(each.map(|step| &step.general), pack)
+    }
 }
 
 /// A step with a second division, which shortens the chain of one orbit, beside the form for lanes,
@@ -149,5 +154,10 @@ where
     #[inline(always)]
     fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> G::Wide<L> {
         self.of_lanes.widen(spread)
+    }
+
+    #[inline(always)]
+    fn gather<L: Scalar, const W: usize>(each: [&Self; W], pack: impl Fn([&T; W]) -> L) -> G::Wide<L> {
+        G::gather(each.map(|step| &step.of_lanes), pack)
     }
 }

@@ -11,13 +11,13 @@ use crate::ensemble::{assert_same, fuses, levels, points};
 #[cfg(not(miri))]
 const LENGTHS: [usize; 13] = [0, 1, 2, 3, 4, 5, 7, 8, 9, 17, 511, 513, 1000];
 #[cfg(not(miri))]
-const STEPS: usize = 7;
+const STEPS: u64 = 7;
 
 /// What Miri can do in minutes.
 #[cfg(miri)]
 const LENGTHS: [usize; 3] = [1, 8, 17];
 #[cfg(miri)]
-const STEPS: usize = 1;
+const STEPS: u64 = 1;
 
 fn step_each<T: Scalar, M: KahanMap<T, N>, const N: usize>(
     map: &KahanAt<M, T, N>,

@@ -4,7 +4,8 @@
 //!    same arithmetic.
 //! 2. `neighbours`: what is not finite stays alone; the place of a trajectory and the number of
 //!    threads change nothing.
-//! 3. `contents`: points, columns and grids come back as they were given.
+//! 3. `maps`: a map for each trajectory does what it does alone.
+//! 4. `contents`: points, columns and grids come back as they were given.
 //!
 //! What a processor lacks is left out, and the test says so. The same tests run under Miri,
 //!
@@ -19,6 +20,7 @@ mod contents;
 mod fused;
 mod in_lanes;
 mod levels;
+mod maps;
 mod neighbours;
 
 use kahan_core::nalgebra::SVector;

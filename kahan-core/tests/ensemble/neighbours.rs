@@ -6,7 +6,7 @@ use kahan_core::{Ensemble, Reciprocal};
 use crate::ensemble::in_lanes::{E3, LotkaVolterra};
 use crate::ensemble::{assert_same, levels, points};
 
-const STEPS: usize = if cfg!(miri) { 1 } else { 10 };
+const STEPS: u64 = if cfg!(miri) { 1 } else { 10 };
 
 #[test]
 fn what_is_not_finite_stays_alone() {

@@ -7,7 +7,7 @@ use kahan_core::{Composition, Level};
 use super::HenonHeiles;
 
 const EPS: f64 = 0.05;
-const STEPS: usize = 333;
+const STEPS: u64 = 333;
 
 fn points(count: usize) -> Vec<SVector<f64, 4>> {
     (0..count).map(|i| vector![0.0, 0.9 - 1.8 * i as f64 / count as f64, 0.3, 0.1]).collect()
@@ -35,7 +35,7 @@ fn reports_are_those_of_single_orbits_on_the_level_of_plain_code() {
     let reports = ensemble.observe(&map, STEPS, |_| all(&tangent));
     assert_eq!(reports.len(), 37);
     for (start, report) in points(37).into_iter().zip(reports) {
-        let alone = map.orbit(start).observe(STEPS as u64, all(&tangent));
+        let alone = map.orbit(start).observe(STEPS, all(&tangent));
         assert_eq!(text(report), text(alone), "{start}");
     }
 }
@@ -64,7 +64,7 @@ fn the_points_are_those_of_advancing_and_tangents_those_of_one_trajectory_alone(
 fn neither_place_nor_number_of_trajectories_matters() {
     let map = HenonHeiles.at(EPS).composed(Composition::SUZUKI_4);
     let tangent = HenonHeiles.at(EPS).tangent().composed(Composition::SUZUKI_4);
-    let observe = |points: Vec<SVector<f64, 4>>, steps: usize| {
+    let observe = |points: Vec<SVector<f64, 4>>, steps: u64| {
         Ensemble::new(points)
             .observe(&map, steps, |i| (Fli::new(&tangent), Extrema::of(move |_: &[f64]| i as f64)))
     };

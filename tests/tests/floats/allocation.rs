@@ -76,8 +76,8 @@ fn advancing_an_ensemble_allocates_nothing() {
     // Which instructions the processor has is asked once a program.
     ensemble.advance(&e3, 1);
     let counted = measure(|| {
-        ensemble.advance(&e3, STEPS);
-        ensemble.advance(&top, STEPS);
+        ensemble.advance(&e3, STEPS as u64);
+        ensemble.advance(&top, STEPS as u64);
     });
     assert_eq!(counted.count_total, 0);
     assert!(ensemble.points().all(|point| point.iter().all(|entry| entry.is_finite())));
@@ -117,12 +117,12 @@ fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
     let map = E6.at(0.05);
     let tangent = map.tangent();
     let points: Vec<SVector<f64, 3>> = (0..100).map(|i| vector![0.5, 1.0, f64::from(i) * 1e-2]).collect();
-    let allocations = |steps: usize| {
+    let allocations = |steps: u64| {
         let mut ensemble = Ensemble::new(points.clone());
         let observers = |_| (Fli::new(&tangent), Sali::new(&tangent), Extrema::of(|x: &[f64]| x[0]));
         let many = measure(|| drop(ensemble.observe(&map, steps, observers)));
         let spectrum = Spectrum::new(&tangent, 3, 2);
-        let one = measure(|| drop(map.orbit(points[0]).observe(steps as u64, spectrum)));
+        let one = measure(|| drop(map.orbit(points[0]).observe(steps, spectrum)));
         [many.count_total, one.count_total]
     };
     // Which instructions the processor has is asked once a program.

@@ -8,6 +8,7 @@ const PROOFS: &str = "-p kahan-runtime --lib -- periodic";
 const POLES: &str = "-p kahan-core --features exact --lib -- projective";
 const TANGENTS: &str = "-p kahan-tests --test main -- long_tangents";
 const REMOVABLE: &str = "-p kahan-tests --test removable_poles";
+const MAPS: &str = "-p kahan-core-tests -- ensemble::maps";
 const ANY: &str = "-p kahan-core-tests -- any_map";
 const EXPONENTS: &str = "-p kahan-core-tests -- exponents";
 
@@ -42,6 +43,15 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(ANY, "a crossing whose time is that of its step", "kahan-core/src/observe/section.rs",
         "let time = two * eps * (T::constant(&Constant::integer(step.cast_signed())) + part);",
         "let time = two * eps * T::constant(&Constant::integer(step.cast_signed()));"),
+    of(MAPS, "lanes that take the first map's constants", "kahan-core/src/step/straight.rs",
+        "pack(each.map(|step| &step.constants[i].0))",
+        "pack(each.map(|_| &each[0].constants[i].0))"),
+    of(MAPS, "compositions that are taken to be alike", "kahan-core/src/composition/stages.rs",
+        "a.composition == b.composition",
+        "true"),
+    of(MAPS, "a group that begins with the first map", "kahan-core/src/ensemble/each.rs",
+        "((first + group) * GROUP + lane)",
+        "(group * GROUP + lane)"),
     // Cycles.
     of(CYCLES, "a cycle that does not close", "kahan-core/src/periodic/cycle.rs",
         "const CLOSED: f64 = 1e-11;",

@@ -43,7 +43,7 @@ fn answer(line: &str) -> Option<Vec<f64>> {
         "map" => {
             let map = HenonHeiles.at(MAP_EPS);
             let tangent = map.tangent();
-            Some(cells(512).observe(&map, usize::try_from(steps).ok()?, |_| Sali::new(&tangent)))
+            Some(cells(512).observe(&map, steps, |_| Sali::new(&tangent)))
         }
         _ => None,
     }

@@ -31,7 +31,7 @@ macro_rules! dispatch_for_float {
         pub(super) fn $sweep<K, S, const N: usize>(
             stages: &K::Stages<S>,
             columns: [&mut [Group<$float>]; N],
-            steps: usize,
+            steps: u64,
             Instructions { level, reciprocal }: Instructions,
         ) -> Option<()>
         where
@@ -67,7 +67,7 @@ macro_rules! over_registers {
         fn $name<K, R, T, S, const N: usize>(
             $stages: &K::Stages<S>,
             $columns: [&mut [Group<T>]; N],
-            $steps: usize,
+            $steps: u64,
         ) -> Option<()>
         where
             K: Method,

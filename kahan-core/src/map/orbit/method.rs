@@ -29,6 +29,17 @@ pub trait Method: Sealed {
         prepare: impl Fn(&T) -> P,
     ) -> Self::Stages<P>;
 
+    /// Whether they are of one composition.
+    #[doc(hidden)]
+    fn are_alike<P: Clone>(a: &Self::Stages<P>, b: &Self::Stages<P>) -> bool;
+
+    /// One step of the steps that stand at the same place, for each place.
+    #[doc(hidden)]
+    fn join<P: Clone, Q: Clone, const W: usize>(
+        each: [&Self::Stages<P>; W],
+        join: impl Fn([&P; W]) -> Q,
+    ) -> Self::Stages<Q>;
+
     /// Every stage in order.
     #[doc(hidden)]
     #[inline(always)]
@@ -71,5 +82,15 @@ impl Method for Single {
     #[inline(always)]
     fn at<T: Scalar, P: Clone>(_stages: &P, eps: &T, prepare: impl Fn(&T) -> P) -> P {
         prepare(eps)
+    }
+
+    #[inline(always)]
+    fn are_alike<P: Clone>(_a: &P, _b: &P) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn join<P: Clone, Q: Clone, const W: usize>(each: [&P; W], join: impl Fn([&P; W]) -> Q) -> Q {
+        join(each)
     }
 }

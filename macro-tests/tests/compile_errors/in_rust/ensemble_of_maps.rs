@@ -1,4 +1,4 @@
-//! A map for each trajectory, where one map moves them all.
+//! A map for each trajectory, none of them at its ε.
 
 use kahan_core::prelude::*;
 
@@ -10,7 +10,7 @@ kahan! {
 }
 
 fn main() {
-    let maps: Vec<_> = [0.1, 0.2].map(|eps| E6.at(eps)).into();
+    let maps = vec![E6; 2];
     let mut points = Ensemble::new(vec![vector![1.0, 2.0, 3.0], vector![1.0, 1.0, 2.0]]);
     points.advance(&maps, 1000);
 }

@@ -1,0 +1,190 @@
+//! A map of its own for each trajectory: ε and parameters differ, the field is one.
+//!
+//! In: prepared maps and columns. Out: the columns some steps later, in lanes: registers hold the
+//! constants of as many maps as they have lanes. A trajectory has the bits that it has in an
+//! ensemble that its map moves, whatever stands beside it.
+
+use core::array::from_fn;
+use std::vec::Vec;
+
+use crate::field::linear::vector;
+use crate::{KahanAt, KahanMap, Method, PreparedStep, WideStep};
+
+use super::EnsembleScalar;
+use super::advance::{Advances, Stretch, divide};
+use super::columns::{GROUP, Group};
+use super::lanes::{Lanes, OverLanes};
+use super::level::Instructions;
+
+/// What is done to a group's columns by the maps of its trajectories.
+struct Each<'a, 'c, M, T, K, const N: usize>
+where
+    M: KahanMap<T, N>,
+    T: EnsembleScalar,
+    K: Method,
+{
+    /// The map of each lane, the last one again where there is no trajectory.
+    maps: [&'a KahanAt<M, T, N, K>; GROUP],
+    columns: [&'c mut Group<T>; N],
+    steps: u64,
+}
+
+impl<M, T, K, const N: usize> OverLanes<T> for Each<'_, '_, M, T, K, N>
+where
+    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    T: EnsembleScalar,
+    K: Method,
+{
+    type Output = Option<()>;
+    const IS_SMALL: bool = false;
+
+    #[inline(always)]
+    fn run<L: Lanes<T>>(self) -> Option<()> {
+        let Self { maps, mut columns, steps } = self;
+        // Two registers at a time: each step of one waits for the one before.
+        for part in (0..GROUP).step_by(2 * L::WIDTH) {
+            let parts = [part, (part + L::WIDTH) % GROUP];
+            let stages = parts.map(|part| {
+                let own = from_fn::<_, GROUP, _>(|lane| &maps[(part + lane) % GROUP].stages);
+                K::join(own, |steps| M::Prepared::gather(steps, |own| L::load(&own.map(|own| *own), 0)))
+            });
+            let mut x = parts.map(|part| vector(from_fn(|c| L::load(&columns[c][..], part))));
+            for _ in 0..steps {
+                for (stages, x) in stages.iter().zip(&mut x) {
+                    K::run(stages, |step| {
+                        *x = step.next(x)?;
+                        Some(())
+                    })?;
+                }
+            }
+            for (part, x) in parts.into_iter().zip(&x) {
+                for (entry, column) in x.iter().zip(&mut columns) {
+                    entry.store(&mut column[..], part);
+                }
+            }
+        }
+        Some(())
+    }
+}
+
+impl<M, T, K, const N: usize> Each<'_, '_, M, T, K, N>
+where
+    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    T: EnsembleScalar,
+    K: Method,
+{
+    /// ε of the map that meets a pole, should one do.
+    fn advance(mut self, on: Instructions) -> Result<(), T> {
+        let [first, ..] = self.maps;
+        if !self.maps.iter().all(|map| K::are_alike(&first.stages, &map.stages)) {
+            return self.in_turn(on);
+        }
+        if cfg!(target_arch = "x86_64") && M::Prepared::HAS_LANES {
+            let columns = self.columns.each_mut().map(|column| &mut **column);
+            let each = Each { maps: self.maps, columns, steps: self.steps };
+            if let Some(done) = T::over_lanes(each, on.level) {
+                return done.ok_or(first.eps);
+            }
+        }
+        for (lane, map) in self.maps.into_iter().enumerate() {
+            let mut x = vector(from_fn(|c| self.columns[c][lane]));
+            for _ in 0..self.steps {
+                let met = K::run(&map.stages, |step| {
+                    x = step.next(&x)?;
+                    Some(())
+                });
+                met.ok_or(map.eps)?;
+            }
+            for (entry, column) in x.iter().zip(&mut self.columns) {
+                column[lane] = *entry;
+            }
+        }
+        Ok(())
+    }
+
+    /// One trajectory after the other, each in all lanes at once, for the bits that lanes have.
+    fn in_turn(self, on: Instructions) -> Result<(), T> {
+        let Self { maps, mut columns, steps } = self;
+        for (lane, map) in maps.into_iter().enumerate() {
+            let mut all: [Group<T>; N] = from_fn(|c| [columns[c][lane]; GROUP]);
+            Each { maps: [map; GROUP], columns: all.each_mut(), steps }.advance(on)?;
+            for (all, column) in all.iter().zip(&mut columns) {
+                column[lane] = all[lane];
+            }
+        }
+        Ok(())
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<M, T, K, const N: usize> Advances<T, N> for [KahanAt<M, T, N, K>]
+where
+    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    T: EnsembleScalar,
+    K: Method,
+    KahanAt<M, T, N, K>: Sync,
+{
+    fn count(&self) -> Option<usize> {
+        Some(self.len())
+    }
+
+    fn advance(
+        &self,
+        first: usize,
+        columns: Stretch<'_, T, N>,
+        steps: u64,
+        on: Instructions,
+    ) -> Result<(), T> {
+        let work = |first: usize, mut columns: Stretch<'_, T, N>| {
+            let groups = columns.first().map_or(0, |column| column.len());
+            (0..groups).try_for_each(|group| {
+                let map = |lane: usize| &self[((first + group) * GROUP + lane).min(self.len() - 1)];
+                let columns = columns.each_mut().map(|column| &mut column[group]);
+                Each { maps: from_fn(map), columns, steps }.advance(on)
+            })
+        };
+        divide(first, columns, steps, &work, &Result::and)
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<A, T, const N: usize> Advances<T, N> for Vec<A>
+where
+    [A]: Advances<T, N>,
+    T: EnsembleScalar,
+{
+    fn count(&self) -> Option<usize> {
+        self.as_slice().count()
+    }
+
+    fn advance(
+        &self,
+        first: usize,
+        columns: Stretch<'_, T, N>,
+        steps: u64,
+        on: Instructions,
+    ) -> Result<(), T> {
+        self.as_slice().advance(first, columns, steps, on)
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<A, T, const N: usize, const C: usize> Advances<T, N> for [A; C]
+where
+    [A]: Advances<T, N>,
+    T: EnsembleScalar,
+{
+    fn count(&self) -> Option<usize> {
+        self.as_slice().count()
+    }
+
+    fn advance(
+        &self,
+        first: usize,
+        columns: Stretch<'_, T, N>,
+        steps: u64,
+        on: Instructions,
+    ) -> Result<(), T> {
+        self.as_slice().advance(first, columns, steps, on)
+    }
+}
