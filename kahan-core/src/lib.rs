@@ -33,6 +33,7 @@
 //! | write a field, and claim what its map keeps | [`kahan!`], explained in [`language`] |
 //! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
 //! | many steps | [`KahanMap::orbit`], an iterator; [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
+//! | states at given times, up to a time, where a function is first zero | [`Orbit::at_times`], [`until`](Orbit::until), [`first_crossing`](Orbit::first_crossing) |
 //! | an orbit through its poles | [`Orbit::projective`], points of projective space |
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
 //! | what an orbit does: exponents, sections, rotation numbers, drift, extrema | [`observe`]: [`Orbit::observe`], [`Ensemble::observe`] |

@@ -200,3 +200,52 @@ fn escapes_and_crossings_can_end_a_run() {
     assert!(found.all > 2 && ended.all == 2 && ended.kept == found.kept);
     assert_eq!(orbit.next(), map.orbit(start).nth(ended.kept[1].step as usize + 2));
 }
+
+/// On a circle the map turns by 2 arctan ε a step, and by 2 arctan θε a part of it.
+#[test]
+fn orbits_are_told_by_time() {
+    kahan! {
+        /// A circle around the origin.
+        struct Turn;
+        xdot = y;
+        ydot = -x;
+    }
+    // Times are whole numbers of steps of ¼, and halves.
+    let eps = 0.125_f64;
+    let start = vector![0.6, 0.8];
+    let points: Vec<_> = Turn.orbit(start, eps).take(9).collect();
+    let half = |k: usize| Turn.step(&points[k], eps / 2.0);
+    let times = [0.0, 0.125, 0.25, 1.0, 1.0, 1.125, 1.875];
+    let expected = [points[0], half(0), points[1], points[4], points[4], half(4), half(7)];
+    assert!(Turn.orbit(start, eps).at_times(&times).eq(expected));
+    // From where an orbit is; backwards in time, where ε is negative.
+    let mut orbit = Turn.orbit(start, eps);
+    orbit.nth(2);
+    assert!(orbit.at_times(&[0.25, 0.375]).eq([points[4], half(4)]));
+    let back: Vec<_> = Turn.orbit(start, -eps).at_times(&[-0.25, -0.375]).collect();
+    assert_eq!(back[1], Turn.step(&Turn.step(&start, -eps), -eps / 2.0));
+    // A time before the last one: by a negative part from there.
+    let back: Vec<_> = Turn.orbit(start, eps).at_times(&[0.5, 0.25]).collect();
+    assert_eq!(back[1], Turn.step(&points[2], -eps));
+
+    let timed = |end: f64| Turn.orbit(start, eps).until(end).collect::<Vec<_>>();
+    assert_eq!(timed(0.5), [(0.0, points[0]), (0.25, points[1]), (0.5, points[2])]);
+    assert_eq!(timed(0.375), [(0.0, points[0]), (0.25, points[1]), (0.375, half(1))]);
+    assert_eq!(timed(0.0), [(0.0, points[0])]);
+    // Of higher order: the part of a composition is its own.
+    let composed = Turn.orbit(start, eps).composed(Composition::KAHAN_LI_8).compensated();
+    let last = composed.until(1.9).last().unwrap().1;
+    let turn = |part: f64| -> f64 {
+        let stages = Composition::KAHAN_LI_8.coefficients().map(f64::constant);
+        stages.map(|stage| 2.0 * (stage * part * eps).atan()).sum()
+    };
+    let angle = 0.6_f64.atan2(0.8) + 7.0 * turn(1.0) + turn(1.9 / (2.0 * eps) - 7.0);
+    // Some hundred stages, each of which rounds by a unit of 2⁻⁵³ or two.
+    assert!((last[0] - angle.sin()).abs() < 2e-14, "{last}");
+
+    let mut orbit = Turn.orbit(start, eps);
+    let crossing = orbit.first_crossing(100, |x| x[1]).unwrap();
+    let same = first_crossing(&Turn.at(eps), start, 100, |x| x[1]).unwrap();
+    assert_eq!((crossing.time, crossing.point), (same.time, same.point));
+    assert_eq!(orbit.next().unwrap(), points[crossing.step as usize + 2]);
+}

@@ -5,7 +5,8 @@ use nalgebra::SVector;
 use crate::map::{Accumulation, Sees};
 use crate::{FloatScalar, KahanMap, Method, Orbit, Scalar, Scaled};
 
-use super::Observer;
+use super::section::First;
+use super::{Crossing, Direction, Observer, Section};
 
 impl<M, T, K, A, const N: usize> Orbit<M, T, N, K, A>
 where
@@ -41,6 +42,25 @@ where
         let mut seer = Seer(observers);
         self.show(steps, &mut seer);
         seer.0.report()
+    }
+}
+
+impl<M, T, K, A, const N: usize> Orbit<M, T, N, K, A>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+    K: Method,
+    A: Accumulation,
+{
+    /// Where this orbit first crosses `level` = 0 within so many steps of its next point, as
+    /// [`first_crossing`](super::first_crossing) tells it; the orbit stands at the point after it.
+    pub fn first_crossing(
+        &mut self,
+        steps: u64,
+        level: impl Fn(&[T]) -> T,
+    ) -> Option<Crossing<SVector<T, N>, T>> {
+        let section = Section::new(self.prepared(), level, Direction::Both, First(None));
+        self.observe(steps, section)
     }
 }
 

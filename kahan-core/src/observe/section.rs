@@ -285,7 +285,7 @@ where
 
 /// The first crossing.
 #[derive(Clone, Debug)]
-struct First<C>(Option<C>);
+pub(super) struct First<C>(pub(super) Option<C>);
 
 impl<C> Sink<C> for First<C> {
     type Report = Option<C>;

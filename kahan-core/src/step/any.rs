@@ -28,7 +28,8 @@ use crate::{Scalar, SingularStep};
 /// | a reference to any | `&map`, `&dyn Step<Scalar = f64>` | the map's, `Vec` |
 ///
 /// Bits are those of the map's own methods. A state of another length panics, as dimensions of
-/// nalgebra do.
+/// nalgebra do. A chain has an `advance` of its own, in memory of its own: where this trait is in
+/// scope, write `LatticeAt::advance(&mut chain, …)` for that.
 ///
 /// ```
 /// use kahan_core::prelude::*;

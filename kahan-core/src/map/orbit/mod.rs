@@ -13,6 +13,7 @@ mod method;
 #[cfg(feature = "std")]
 mod projective;
 mod scaled;
+mod times;
 
 use core::fmt;
 use core::iter::FusedIterator;
@@ -21,7 +22,7 @@ use nalgebra::SVector;
 
 use crate::{Scalar, SingularStep};
 
-use super::KahanMap;
+use super::{KahanAt, KahanMap};
 
 use accumulation::State;
 pub use accumulation::{Accumulation, Compensated, Rounded};
@@ -95,6 +96,11 @@ where
     #[inline]
     pub(crate) fn begin(map: M, eps: T, stages: K::Stages<M::Prepared>, start: SVector<T, N>) -> Self {
         Self { map, eps, stages, state: State::begin(start), begun: false, stopped: None }
+    }
+
+    /// The map at its ε, by which this orbit goes.
+    pub(crate) fn prepared(&self) -> KahanAt<M, T, N, K> {
+        KahanAt { map: self.map.clone(), eps: self.eps.clone(), stages: self.stages.clone() }
     }
 
     /// The map and ε. Not `map()`, a name that iterators need.
