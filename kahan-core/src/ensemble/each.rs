@@ -41,7 +41,8 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> Option<()> {
         let Self { maps, mut columns, steps } = self;
-        // Two registers at a time: each step of one waits for the one before.
+        // Two registers at a time, as each step of one waits for the one before; where a register
+        // holds the whole group, both are that.
         for part in (0..GROUP).step_by(2 * L::WIDTH) {
             let parts = [part, (part + L::WIDTH) % GROUP];
             let stages = parts.map(|part| {

@@ -29,7 +29,7 @@ fn start<T: Scalar, const N: usize>(k: usize, from: impl Fn(f64) -> T) -> SVecto
     SVector::from_fn(|i, _| from(0.5 + 0.25 * i as f64 + 0.01 * k as f64))
 }
 
-fn check<M, T, K, const N: usize>(map: impl Fn(usize) -> KahanAt<M, T, N, K>, from: impl Fn(f64) -> T)
+fn check<M, T, K, const N: usize>(map: &dyn Fn(usize) -> KahanAt<M, T, N, K>, from: fn(f64) -> T)
 where
     M: KahanMap<T, N, Prepared: WideStep<T, N>>,
     T: EnsembleScalar,
@@ -38,8 +38,8 @@ where
 {
     // Groups have sixteen, registers two to sixteen.
     for len in [1, 2, 7, 16, 17, 45] {
-        let maps: Vec<_> = (0..len).map(&map).collect();
-        let starts: Vec<SVector<T, N>> = (0..len).map(|k| start(k, &from)).collect();
+        let maps: Vec<_> = (0..len).map(map).collect();
+        let starts: Vec<SVector<T, N>> = (0..len).map(|k| start(k, from)).collect();
         for level in levels() {
             let mut together = Ensemble::new(starts.clone()).at_level(level).unwrap();
             together.advance(&maps, STEPS);
@@ -59,18 +59,18 @@ fn eps(k: usize) -> f64 {
 #[test]
 fn each_trajectory_has_the_bits_of_its_own_map() {
     let lorenz = |k: usize| Lorenz { sigma: 10.0, rho: 20.0 + 0.1 * k as f64, beta: 8.0 / 3.0 };
-    check(|k| lorenz(k).at(eps(k)), |x| x);
-    check(|k| lorenz(k).at(eps(k)).composed(Composition::SUZUKI_4), |x| x);
+    check(&|k| lorenz(k).at(eps(k)), |x| x);
+    check(&|k| lorenz(k).at(eps(k)).composed(Composition::SUZUKI_4), |x| x);
     // With ε beyond the range of the form over ε, too.
-    check(|k| lorenz(k).at(if k % 3 == 0 { 1e-30 } else { eps(k) }), |x| x);
-    check(|k| E6.at(eps(k) as f32), |x| x as f32);
+    check(&|k| lorenz(k).at(if k % 3 == 0 { 1e-30 } else { eps(k) }), |x| x);
+    check(&|k| E6.at(eps(k) as f32), |x| x as f32);
     let top =
         |k: usize| EulerTop { a1: Dd::from(1.0), a2: Dd::from(-2.0 + 0.01 * k as f64), a3: Dd::from(1.0) };
-    check(|k| top(k).at(Dd::from(eps(k))), Dd::from);
-    check(|k| Nine.at(eps(k)), |x| x);
+    check(&|k| top(k).at(Dd::from(eps(k))), Dd::from);
+    check(&|k| Nine.at(eps(k)), |x| x);
     // Compositions that differ are stepped one trajectory at a time.
     let all = [Composition::SUZUKI_4, Composition::KAHAN_LI_8];
-    check(|k| E6.at(eps(k)).composed(all[k % 2]), |x| x);
+    check(&|k| E6.at(eps(k)).composed(all[k % 2]), |x| x);
 }
 
 #[test]
