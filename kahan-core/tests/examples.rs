@@ -3,6 +3,8 @@
 // Their `main` is for cargo; here `run` is called, which gives what they print.
 #![allow(dead_code)]
 
+#[path = "../examples/any_map.rs"]
+mod any_map;
 #[path = "../examples/ensemble.rs"]
 mod ensemble;
 #[path = "../examples/exact.rs"]
@@ -68,4 +70,14 @@ fn a_smaller_tolerance_is_kept_by_a_higher_order() {
     for (tolerance, _, change) in choices {
         assert!(change < tolerance, "{change:e} at {tolerance:e}");
     }
+}
+
+#[test]
+fn one_function_tells_when_any_map_crosses_zero() {
+    let [by_type, plain, of_order_eight, of_chain] = any_map::run();
+    let quarter = std::f64::consts::FRAC_PI_2;
+    // A step of order two turns by 2 arctan ε in place of 2ε; eps² is 10⁻⁴, eps⁸ is 10⁻¹⁶.
+    assert!(by_type == plain && (plain / quarter - 1.0).abs() < 1e-4);
+    assert!((of_order_eight / quarter - 1.0).abs() < 1e-13);
+    assert!((of_chain - plain).abs() < 1e-13);
 }

@@ -1,0 +1,57 @@
+//! One function over any map, and a map that is chosen at run time: a pendulum of springs, as a
+//! field, by a method of order eight, and as a chain.
+//!
+//! `Step` is what every map at its ε has, whatever it was made of; `kahan_runtime`'s maps and chains,
+//! which are read at run time, have it, too.
+
+use kahan_core::observe::first_crossing;
+use kahan_core::prelude::*;
+use kahan_core::{Composition, KahanAt, Step};
+
+kahan! {
+    /// A mass on a spring.
+    struct Spring;
+    qdot = p;
+    pdot = -q;
+}
+
+kahan! {
+    /// Masses on springs, each with its neighbours.
+    struct Springs;
+    for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 2*q[i] + q[i+1] - q[i]; }
+}
+
+/// A map in a struct, by its type.
+struct Clock {
+    spring: KahanAt<Spring, f64, 2>,
+    hand: SVector<f64, 2>,
+}
+
+/// When the first number of a state first crosses zero: of any map.
+fn zero<M: Step<Scalar = f64>>(map: M, start: M::State) -> Option<f64> {
+    first_crossing(map, start, 100_000, |x| x[0]).map(|crossing| crossing.time)
+}
+
+/// Prints and returns the times; a quarter of a turn takes π/2.
+pub(crate) fn run() -> [f64; 4] {
+    let eps = 0.01; // half the time step
+    let clock = Clock { spring: Spring.at(eps), hand: vector![1.0, 0.0] };
+    let by_type = zero(&clock.spring, clock.hand).expect("it swings");
+
+    let chain = LatticeMap::at(&Springs, eps, 8).expect("a chain of eight");
+    let order_eight = clock.spring.composed(Composition::KAHAN_LI_8);
+    let maps: [(&str, Box<dyn Step<Scalar = f64>>); 3] =
+        [("plain", Box::new(clock.spring)), ("order 8", Box::new(order_eight)), ("chain", Box::new(chain))];
+    let [plain, of_order_eight, of_chain] = maps.map(|(name, map)| {
+        // All masses alike swing as one does.
+        let start = [1.0, 0.0].repeat(map.dimension() / 2);
+        let time = zero(&*map, start).expect("it swings");
+        println!("{name:8} {time:.15}");
+        time
+    });
+    [by_type, plain, of_order_eight, of_chain]
+}
+
+fn main() {
+    run();
+}
