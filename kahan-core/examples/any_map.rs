@@ -1,8 +1,8 @@
 //! One function over any map, and a map that is chosen at run time: a pendulum of springs, as a
 //! field, by a method of order eight, and as a chain.
 //!
-//! `Step` is what every map at its ε has, whatever it was made of; `kahan_runtime`'s maps and chains,
-//! which are read at run time, have it, too.
+//! `Step` is what every map at its ε has, whatever it was made of; maps and chains of
+//! `kahan_runtime`, which are read at run time, have it, too.
 
 use kahan_core::observe::first_crossing;
 use kahan_core::prelude::*;

@@ -157,8 +157,8 @@ fn a_run_ends_with_the_first_observer_that_is_done() {
     assert_eq!(reports, [[0, 1]]);
 }
 
-/// Groups have 16 trajectories and bursts 16 steps; each trajectory ends in a burst and at a step of
-/// its own.
+/// Groups have 16 trajectories and bursts 16 steps; each trajectory ends in a burst and at a step
+/// of its own.
 #[test]
 fn in_an_ensemble_each_trajectory_is_seen_until_it_is_done() {
     let map = E6.at(EPS);

@@ -153,7 +153,8 @@ impl Sums {
         Sums { sums: row.into_iter().map(Modulus::unreduced).collect(), products: 0 }
     }
 
-    /// Adds a multiple of `row` to the entries from `from` on.
+    /// Adds a multiple of `row` to the entries from `from` on, which is no smaller than before: the
+    /// entries below it are done with.
     fn add_multiple(&mut self, modulus: &Modulus, factor: u64, from: usize, row: &[u64]) {
         if factor == 0 {
             return;
@@ -241,7 +242,7 @@ mod tests {
                         assert_eq!(row[*other], if *other == pivot { modulus.one() } else { 0 });
                     }
                 }
-                // Each row is what its entries in the pivot columns say, and no fewer rows span them.
+                // Each row is what its entries in the pivot columns say; no fewer rows span them.
                 for row in &rows {
                     let factors: Vec<u64> = echelon.pivots.iter().map(|&pivot| row[pivot]).collect();
                     assert_eq!(sum(&factors, &echelon.rows), *row);

@@ -6,8 +6,8 @@
 //! on seeded points in `f32`, `f64` and `Dd`, and judges what it returned: points and results pass
 //! through files as bits, so that the crate knows no judge. `KAHAN_ODD=0,200,100` in the
 //! environment takes so many fields of each kind, some fifty to a crate, and `KAHAN_ODD_TRIALS`
-//! other than 300 trials of each; every twentieth field has ten times as many. That takes two hours,
-//! half of one a ring of 2 271 unknowns; `KAHAN_ODD_NAMED=Chain74` tries that one alone.
+//! other than 300 trials of each; every twentieth field has ten times as many. That takes two
+//! hours, half of one a ring of 2 271 unknowns; `KAHAN_ODD_NAMED=Chain74` tries that one alone.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

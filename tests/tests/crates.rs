@@ -136,8 +136,8 @@ fn not_optimised(manifest: &str) -> Vec<String> {
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
 }
 
-/// Cargo compiles what a macro uses without optimisation where no level is named, and the same crate
-/// for the command once more: the algebra takes a sixth of a cold build.
+/// Cargo compiles what a macro uses without optimisation where no level is named, and the same
+/// crate for the command once more: the algebra takes a sixth of a cold build.
 #[test]
 fn what_the_macro_and_the_command_share_is_compiled_once() {
     let named = levels("Cargo.toml");

@@ -7,8 +7,8 @@
 //! - a choice errs by more than its tolerance: the orbit is run again, every point of it compared;
 //! - the command's choice costs more than 1.3 times what the best setting costs that it may know to
 //!   be cheaper, or the library's more than 3 times what the best of all costs. The command takes
-//!   `f32` to be no cheaper than `f64`, as compilers make of it what they like, so a choice in `f64`
-//!   may cost 1.5 times what some `f32` does; what is printed compares with the best of all;
+//!   `f32` to be no cheaper than `f64`, as compilers make of it what they like, so a choice in
+//!   `f64` may cost 1.5 times what some `f32` does; what is printed compares with the best of all;
 //! - a price that the command names is not near the one measured here, where the orbit is compiled
 //!   by the macro into an optimised program, as a user's is.
 

@@ -105,12 +105,8 @@ impl Section {
             }
         }
         progress.finish();
-        let found = Found {
-            name: &request.name,
-            variables: at.map().field().variables(),
-            points: points.take(),
-            eps: at.eps(),
-        };
+        let found =
+            Found { name: &request.name, variables: at.map().field().variables(), points: points.take() };
         let complaint = (!is_finite).then(|| {
             format!(
                 "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings up to \
@@ -160,7 +156,6 @@ struct Found<'a> {
     name: &'a str,
     variables: &'a [String],
     points: Vec<Point>,
-    eps: f64,
 }
 
 impl Found<'_> {
@@ -169,7 +164,7 @@ impl Found<'_> {
             "system": self.name,
             "variables": self.variables,
             "steps": steps,
-            "times": self.points.iter().map(|crossing| self.time(crossing)).collect::<Vec<_>>(),
+            "times": self.points.iter().map(|crossing| crossing.time).collect::<Vec<_>>(),
             "points": self.points.iter().map(|crossing| crossing.point.to_vec()).collect::<Vec<_>>(),
         })
     }
@@ -177,14 +172,10 @@ impl Found<'_> {
     fn table(&self) -> String {
         let mut lines = vec![format!("n,t,{}", self.variables.join(","))];
         for crossing in &self.points {
-            let numbers = [self.time(crossing)].into_iter().chain(crossing.point.iter().copied());
+            let numbers = [crossing.time].into_iter().chain(crossing.point.iter().copied());
             let cells: Vec<String> = numbers.map(|number| format!("{number:?}")).collect();
             lines.push(format!("{},{}", crossing.step, cells.join(",")));
         }
         lines.join("\n") + "\n"
-    }
-
-    fn time(&self, crossing: &Point) -> f64 {
-        (crossing.step as f64 + crossing.part) * (self.eps + self.eps)
     }
 }

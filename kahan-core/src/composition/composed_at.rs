@@ -5,7 +5,7 @@
 use nalgebra::SVector;
 
 use crate::step::error::pole;
-use crate::{FloatScalar, KahanAt, KahanMap, Method, PreparedStep};
+use crate::{FloatScalar, KahanAt, KahanMap, Room, Step};
 
 use super::{Composed, Composition};
 
@@ -50,13 +50,8 @@ where
     /// a pole.
     #[inline]
     pub fn step(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        let mut next = *x;
-        let stages = Composed::run(&self.stages, |step| {
-            next = step.next(&next)?;
-            Some(())
-        });
-        match stages {
-            Some(()) => next,
+        match Step::next(self, x, &mut Room::new()) {
+            Some(next) => next,
             None => pole(&self.eps),
         }
     }

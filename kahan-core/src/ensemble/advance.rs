@@ -12,7 +12,7 @@ use super::level::Instructions;
 use super::{Ensemble, EnsembleScalar};
 
 /// What moves ensembles of points with N entries: every [`KahanAt`] on such points, composed or
-/// not, and slices, vectors and arrays of them, which hold one a trajectory.
+/// not, and slices and vectors of them, which hold one a trajectory.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no map that moves points of {N} numbers of the type `{T}`",
     label = "not one prepared map, in the dimension and the type of number of the points",
@@ -63,9 +63,9 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map`
     /// (half the time step).
     ///
-    /// `map` is a [`KahanAt`], for a higher order a [`composed`](KahanAt::composed) one; or a slice,
-    /// vector or array with one for each point, where ε or parameters differ: they run in lanes all
-    /// the same, with the bits that a point has alone with its map, and always
+    /// `map` is a [`KahanAt`], for a higher order a [`composed`](KahanAt::composed) one; or a slice
+    /// or vector with one for each point, where ε or parameters differ: they run in lanes all the
+    /// same, with the bits that a point has alone with its map, and always
     /// [divide](crate::Reciprocal::Divided).
     ///
     /// It allocates nothing. With the feature `parallel`, large ensembles run on rayon's current

@@ -8,7 +8,7 @@ use core::array::from_fn;
 use std::vec::Vec;
 
 use crate::field::linear::vector;
-use crate::{KahanAt, KahanMap, Method, PreparedStep, WideStep};
+use crate::{KahanAt, KahanMap, Method, PreparedStep, Room, Step, WideStep};
 
 use super::EnsembleScalar;
 use super::advance::{Advances, Stretch, divide};
@@ -88,14 +88,8 @@ where
             }
         }
         for (lane, map) in self.maps.into_iter().enumerate() {
-            let mut x = vector(from_fn(|c| self.columns[c][lane]));
-            for _ in 0..self.steps {
-                let met = K::run(&map.stages, |step| {
-                    x = step.next(&x)?;
-                    Some(())
-                });
-                met.ok_or(map.eps)?;
-            }
+            let mut x: [T; N] = from_fn(|c| self.columns[c][lane]);
+            Step::advance(map, &mut x, self.steps, &mut Room::new()).map_err(|_| map.eps)?;
             for (entry, column) in x.iter().zip(&mut self.columns) {
                 column[lane] = *entry;
             }
@@ -150,27 +144,6 @@ where
 
 #[diagnostic::do_not_recommend]
 impl<A, T, const N: usize> Advances<T, N> for Vec<A>
-where
-    [A]: Advances<T, N>,
-    T: EnsembleScalar,
-{
-    fn count(&self) -> Option<usize> {
-        self.as_slice().count()
-    }
-
-    fn advance(
-        &self,
-        first: usize,
-        columns: Stretch<'_, T, N>,
-        steps: u64,
-        on: Instructions,
-    ) -> Result<(), T> {
-        self.as_slice().advance(first, columns, steps, on)
-    }
-}
-
-#[diagnostic::do_not_recommend]
-impl<A, T, const N: usize, const C: usize> Advances<T, N> for [A; C]
 where
     [A]: Advances<T, N>,
     T: EnsembleScalar,

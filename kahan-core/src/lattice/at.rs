@@ -24,7 +24,6 @@ use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Shape};
 pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,
-    sites: usize,
     forward: Vec<T>,
     backward: Vec<T>,
     memory: Memory<T>,
@@ -128,7 +127,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
         let (shape, boundary, level) = (TypeId::of::<M::Shape>(), M::BOUNDARY, Level::best());
         let memory = Memory::new::<M::Shape>(Form { shape, sites, boundary, plan, level });
-        Ok(Self { map, eps, sites, forward, backward, memory, promise })
+        Ok(Self { map, eps, forward, backward, memory, promise })
     }
 
     /// The same map, its steps on another level; `None` if this processor lacks it.
@@ -142,7 +141,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
 
     /// The number of sites.
     pub fn sites(&self) -> usize {
-        self.sites
+        self.memory.form.sites
     }
 
     /// The family.
@@ -297,7 +296,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     pub fn field(&self, x: &[T]) -> Vec<T> {
         self.check(x);
         let mut site = Site::of::<M::Shape>();
-        let sites = 0..self.sites;
+        let sites = 0..self.sites();
         sites.flat_map(|i| site.field(&self.map, &self.forward, x, i, T::clone).to_vec()).collect()
     }
 
@@ -317,12 +316,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         let mut site = Site::of::<M::Shape>();
         let twice = self.eps.clone() + self.eps.clone();
         let mut worst = T::zero();
-        for i in 0..self.sites {
+        for i in 0..self.sites() {
             site.rows(&self.map, &self.forward, x, i, T::clone);
             for b in 0..M::Shape::BLOCK {
                 let increment = twice.clone() * site.f(b).clone();
                 let (mut residual, mut right, mut size) = (-increment.clone(), increment, T::zero());
-                for (j, entry) in site.row::<M::Shape>(M::BOUNDARY, self.sites, b) {
+                for (j, entry) in site.row::<M::Shape>(M::BOUNDARY, self.sites(), b) {
                     residual += entry.clone() * (next[j].clone() - x[j].clone());
                     right += entry.clone() * x[j].clone();
                     size += (entry.clone() * next[j].clone()).absolute();
@@ -342,12 +341,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
 
     #[track_caller]
     fn check(&self, state: &[T]) {
-        let len = self.sites * M::Shape::BLOCK;
+        let len = self.sites() * M::Shape::BLOCK;
         assert!(
             state.len() == len,
             "a state of {} numbers: {} sites of {} arrays take {len}",
             state.len(),
-            self.sites,
+            self.sites(),
             M::Shape::BLOCK
         );
     }
@@ -359,7 +358,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     type State = Vec<T>;
 
     fn dimension(&self) -> usize {
-        self.sites * M::Shape::BLOCK
+        self.sites() * M::Shape::BLOCK
     }
 
     fn eps(&self) -> &T {
@@ -397,7 +396,8 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
 
 impl<M: fmt::Debug, T: LatticeScalar> fmt::Debug for LatticeAt<M, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { map, eps, sites, .. } = self;
-        f.debug_struct("LatticeAt").field("map", map).field("eps", eps).field("sites", sites).finish()
+        let Self { map, eps, memory, .. } = self;
+        let sites = memory.form.sites;
+        f.debug_struct("LatticeAt").field("map", map).field("eps", eps).field("sites", &sites).finish()
     }
 }

@@ -72,8 +72,8 @@ pub trait Step {
     /// ε, half the time step.
     fn eps(&self) -> &Self::Scalar;
 
-    /// Replaces `x` by the state so many steps later. Nothing is allocated after the first call
-    /// with the same room.
+    /// Replaces `x` by the state so many steps later. No step allocates, but a map does that finds
+    /// no memory of its own in the room.
     ///
     /// # Errors
     /// [`Stopped`] at a pole of an exact scalar; `x` is the point there. Floats go on with numbers
@@ -83,8 +83,8 @@ pub trait Step {
     /// If `x` has not [`dimension`](Self::dimension) numbers.
     fn advance(&self, x: &mut [Self::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped>;
 
-    /// One step at another ε: x(θ) = φ_{θε}(x) is the curve from x to x̃. It is as far from the flow
-    /// as a step is.
+    /// One step at another ε: x(θ) = φ_{θε}(x) is the curve from x to x̃, which is as far from the
+    /// flow as a step is.
     ///
     /// Cost: what ε fixes is computed anew.
     ///

@@ -95,5 +95,5 @@ fn what_moves_an_ensemble_is_observed_alike() {
 #[should_panic(expected = "2 maps for 3 points")]
 fn as_many_maps_as_points_are_wanted() {
     let maps = [E6.at(0.01), E6.at(0.02)];
-    Ensemble::new(vec![vector![1.0, 2.0, 3.0]; 3]).advance(&maps, 1);
+    Ensemble::new(vec![vector![1.0, 2.0, 3.0]; 3]).advance(&maps[..], 1);
 }
