@@ -55,9 +55,9 @@
 //! | a map in a struct, a loop of your own | [`KahanAt`], which [`KahanMap::at`] prepares |
 //! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
 //! | errors as one goes | [`Orbit::with_error_estimate`] |
-//! | tangent vectors, an observer of one's own | [`TangentAt`], [`observe::Observer`], [`observe::Tangent`] |
+//! | tangent vectors, an observer of one's own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |
 //! | the solution of the equation itself | [`Flow`] |
-//! | what is inside: modes as types, costs, instruction sets | [`Method`], [`Accumulation`], [`StepCost`], [`Level`] |
+//! | what is inside: modes as maps, costs, instruction sets | [`Composed`], [`Compensated`], [`StepCost`], [`Level`] |
 //!
 //! Without default features the crate is `no_std`; float scalars never allocate in any
 //! configuration.
@@ -122,11 +122,12 @@ pub use flow::{Flow, FlowScalar, NoFlow};
 #[cfg(feature = "std")]
 pub use lattice::{Energy, LatticeAt, LatticeError, LatticeMap, LatticeScalar, Sums};
 pub use map::{
-    Accumulation, Compensated, Elimination, ErrorEstimates, Estimated, KahanAt, KahanMap, Lift, Method,
-    Orbit, Pivot, Rounded, Scaled, Single, TangentAt, ThroughF64, eps_from_dt,
+    Compensated, Elimination, ErrorEstimates, Estimated, Increments, KahanAt, KahanMap, Lift, Orbit, Pivot,
+    Scaled, ThroughF64, eps_from_dt,
 };
 #[cfg(feature = "std")]
 pub use map::{Projective, ProjectivePoint, ThroughPoles};
+pub use observe::Tangent;
 pub use scalar::{Constant, Dd, Dual, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};

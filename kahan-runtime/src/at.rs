@@ -7,12 +7,12 @@ mod observe;
 mod tangent;
 
 pub use drift::IntegralDrift;
-pub use tangent::{RuntimePoint, TangentAt};
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use kahan_algebra::arithmetic::Float64;
-use kahan_core::{Composition, Level, Room, Step, Stopped};
+use kahan_core::{Composition, Increments, Level, Room, Step, Stopped};
+use smallvec::SmallVec;
 
 use crate::dimension::Argument;
 use crate::engine::{
@@ -23,6 +23,9 @@ use crate::{DimensionError, Map};
 
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: Scratches {}
+
+/// A point; in up to eight variables it is no allocation.
+pub type RuntimePoint<T> = SmallVec<[T; 8]>;
 
 impl MachineFloat for f32 {}
 impl MachineFloat for f64 {}
@@ -48,6 +51,8 @@ pub struct MapAt<T> {
     /// The same as machine code, where there is some.
     coded: Option<CodedStages<T>>,
     columns: Arc<ColumnsOnce<T>>,
+    /// The map of the variational field, which carries tangent vectors, once one is carried.
+    variational: Arc<OnceLock<MapAt<T>>>,
 }
 
 impl<T: MachineFloat> MapAt<T> {
@@ -63,6 +68,7 @@ impl<T: MachineFloat> MapAt<T> {
             stages: Arc::default(),
             coded: None,
             columns: Arc::default(),
+            variational: Arc::default(),
         }
         .composed(composition)
     }
@@ -78,7 +84,7 @@ impl<T: MachineFloat> MapAt<T> {
         let stages = engine.stages(constants, composition).into();
         let kind = StepKind::of::<T>(self.instructions.fuses);
         let coded = engine.coded_stages(kind, &stage_constants(constants, composition), |number| [number]);
-        MapAt { composition, stages, coded, ..self.clone() }
+        MapAt { composition, stages, coded, variational: Arc::default(), ..self.clone() }
     }
 
     /// The same map with the bits of a level of ensembles, whose larger ones fuse multiply-adds,
@@ -301,6 +307,25 @@ impl<T: MachineFloat> Step for MapAt<T> {
         let constants = self.own().0.iter().copied().chain([*eps]).collect();
         let columns = Arc::default();
         Step::advance(&MapAt { constants, columns, ..self.clone() }.composed(self.composition), x, 1, room)
+    }
+}
+
+/// Bits are those of [`advance_with_carry`](MapAt::advance_with_carry).
+impl<T: MachineFloat> Increments for MapAt<T> {
+    type Carried = Vec<T>;
+
+    #[track_caller]
+    fn next_with_carry(&self, x: &Vec<T>, room: &mut Room) -> Option<Vec<T>> {
+        let mut next = x.clone();
+        Increments::advance_with_carry(self, &mut next, 1, room).ok()?;
+        Some(next)
+    }
+
+    #[track_caller]
+    fn advance_with_carry(&self, x: &mut [T], steps: u64, _room: &mut Room) -> Result<(), Stopped> {
+        let (point, carry) = x.split_at_mut(x.len().min(self.dimension()));
+        fitting(MapAt::advance_with_carry(self, point, carry, steps));
+        Ok(())
     }
 }
 

@@ -3,12 +3,9 @@
 //! In: the maps and first points of orbits. Out: what an observer says of each, over `f64`,
 //! compiled here for those who draw.
 
-use std::iter::repeat_n;
-use std::rc::Rc;
-
 use kahan_core::observe::{Drifted, Escape, Fli, Lyapunov, Megno, Observer, Sali};
 
-use crate::{DimensionError, IntegralDrift, MapAt, TangentAt};
+use crate::{DimensionError, IntegralDrift, MapAt};
 
 /// What is asked of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,26 +50,20 @@ impl Indicator {
         columns: &mut [&mut [f64]],
         steps: u64,
     ) -> Result<Vec<f64>, DimensionError> {
-        let has_tangents = !matches!(self, Indicator::Drift | Indicator::Escape(_));
-        // What carries tangent vectors along each map, once for neighbours with one map.
-        let runs = maps.chunk_by(|map, next| core::ptr::eq(*map, *next)).filter(|_| has_tangents);
-        let tangents: Vec<Rc<TangentAt<f64>>> =
-            runs.flat_map(|run| repeat_n(Rc::new(run[0].tangent()), run.len())).collect();
-        let own = |orbit: usize| orbit.min(maps.len() - 1);
-        let tangent = |orbit| &*tangents[own(orbit)];
+        let map = |orbit: usize| maps[orbit.min(maps.len() - 1)];
         let values = match self {
-            Indicator::Sali => follow(maps, columns, steps, |orbit| Sali::new(tangent(orbit)), |sali| sali),
-            Indicator::Fli => follow(maps, columns, steps, |orbit| Fli::new(tangent(orbit)), |fli| fli),
+            Indicator::Sali => follow(maps, columns, steps, |orbit| Sali::new(map(orbit)), |sali| sali),
+            Indicator::Fli => follow(maps, columns, steps, |orbit| Fli::new(map(orbit)), |fli| fli),
             Indicator::Megno => {
-                follow(maps, columns, steps, |orbit| Megno::new(tangent(orbit)), |megno| megno.mean)
+                follow(maps, columns, steps, |orbit| Megno::new(map(orbit)), |megno| megno.mean)
             }
             Indicator::Lyapunov => {
-                follow(maps, columns, steps, |orbit| Lyapunov::new(tangent(orbit)), |found| found.value)
+                follow(maps, columns, steps, |orbit| Lyapunov::new(map(orbit)), |found| found.value)
             }
             Indicator::Drift => {
                 let worst =
                     |drifts: Vec<Drifted>| drifts.iter().map(|drifted| drifted.max).fold(0.0, f64::max);
-                follow(maps, columns, steps, |orbit| IntegralDrift::of(maps[own(orbit)]), worst)
+                follow(maps, columns, steps, |orbit| IntegralDrift::of(map(orbit)), worst)
             }
             Indicator::Escape(size) => {
                 let is_beyond = move |x: &[f64]| !x.iter().all(|x| x.abs() <= size);

@@ -29,7 +29,7 @@ mod periodic;
 mod text;
 pub mod threads;
 
-pub use at::{IntegralDrift, MachineFloat, MapAt, RuntimePoint, TangentAt};
+pub use at::{IntegralDrift, MachineFloat, MapAt, RuntimePoint};
 pub use claim::ClaimError;
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;
@@ -37,7 +37,7 @@ pub use field::Field;
 pub use indicator::Indicator;
 pub use kahan_algebra::rational::Rational;
 pub use kahan_core::{Composition, Level};
-pub use lattice::{Lattice, LatticeAt, LatticeError};
+pub use lattice::{ChainAt, Lattice, LatticeError};
 pub use map::Map;
 pub use parameters::{ParameterError, ParameterValue};
 pub use periodic::{ParametricAt, RationalCycle};

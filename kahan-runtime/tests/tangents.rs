@@ -37,12 +37,10 @@ fn reports_are_those_of_the_macro() {
     let (lorenz, map) = lorenz();
     for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
         let map = map.composed(composition);
-        let own = lorenz.at(0.005).tangent().composed(composition);
+        let own = lorenz.at(0.005).composed(composition);
         let start = [1.0, 2.0, 20.0];
-        let at_run_time = map.tangent();
-        let observers =
-            (Lyapunov::new(&at_run_time), Spectrum::new(&at_run_time, 3, 5), MeanLogDet::new(&at_run_time));
-        let indicators = (Fli::new(&at_run_time), Sali::new(&at_run_time));
+        let observers = (Lyapunov::new(&map), Spectrum::new(&map, 3, 5), MeanLogDet::new(&map));
+        let indicators = (Fli::new(&map), Sali::new(&map));
         let ((largest, spectrum, mean), (fli, sali)) = observed(&map, &start, 200, (observers, indicators));
         let observers = (Lyapunov::new(&own), Spectrum::new(&own, 3, 5), MeanLogDet::new(&own));
         let mut orbit = lorenz.orbit(vector![1.0, 2.0, 20.0], 0.005).composed(composition);
@@ -79,7 +77,7 @@ fn sections_are_refined_by_parts_of_a_step() {
 #[test]
 fn a_step_allocates_nothing() {
     let (_, map) = lorenz();
-    let mut exponent = Lyapunov::new(map.tangent());
+    let mut exponent = Lyapunov::new(&map);
     let mut x = [1.0, 2.0, 20.0];
     let mut go = |steps: std::ops::Range<u64>| {
         for step in steps {

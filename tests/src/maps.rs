@@ -184,7 +184,7 @@ impl<T: Pivot, M: KahanMap<T, N> + Clone + 'static, const N: usize> Prepared<T> 
     }
 }
 
-impl<T: Pivot, M: KahanMap<T, N> + Clone, const N: usize> Points<T> for Orbit<M, T, N> {
+impl<T: Pivot, M: KahanMap<T, N> + Clone, const N: usize> Points<T> for Orbit<KahanAt<M, T, N>> {
     fn next_point(&mut self) -> Option<Vec<T>> {
         self.next().map(|x| entries(&x))
     }

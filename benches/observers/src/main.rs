@@ -36,7 +36,7 @@ fn observed<O: Observer<f64>>(observers: impl Fn() -> O + 'static) -> Box<dyn Fn
 }
 
 fn orbits() {
-    let tangent = || E6.at(EPS).tangent();
+    let map = || E6.at(EPS);
     let integrals = |x: &[f64]| E6.integrals(&vector![x[0], x[1], x[2]], EPS).data.0[0];
     let alone = || {
         let begun = Instant::now();
@@ -48,12 +48,12 @@ fn orbits() {
         ("no observer", observed(|| ())),
         ("extrema of three variables", observed(|| [0, 1, 2].map(|i| Extrema::of(move |x: &[f64]| x[i])))),
         ("drift of two integrals", observed(move || Drift::of(integrals))),
-        ("largest exponent", observed(move || Lyapunov::new(tangent()))),
-        ("three exponents", observed(move || Spectrum::new(tangent(), 3, 1))),
-        ("mean log det", observed(move || MeanLogDet::new(tangent()))),
-        ("FLI", observed(move || Fli::new(tangent()))),
-        ("MEGNO", observed(move || Megno::new(tangent()))),
-        ("SALI", observed(move || Sali::new(tangent()))),
+        ("largest exponent", observed(move || Lyapunov::new(map()))),
+        ("three exponents", observed(move || Spectrum::new(map(), 3, 1))),
+        ("mean log det", observed(move || MeanLogDet::new(map()))),
+        ("FLI", observed(move || Fli::new(map()))),
+        ("MEGNO", observed(move || Megno::new(map()))),
+        ("SALI", observed(move || Sali::new(map()))),
         ("rotation number", observed(|| Rotation::of(STEPS, |x: &[f64]| [x[0], x[2]]))),
     ];
     let mut times = vec![Vec::new(); contenders.len()];
@@ -76,7 +76,6 @@ fn stability_maps() {
     const STEPS: u64 = 1000;
 
     let map = HenonHeiles.at(MAP_EPS);
-    let tangent = map.tangent();
     println!(
         "\n| {SIDE} × {SIDE} points of Hénon and Heiles, {STEPS} steps | seconds | ns a step |\n|---|---:|---:|"
     );
@@ -98,15 +97,15 @@ fn stability_maps() {
         black_box(grid.observe(&map, STEPS, |_| ()));
     });
     row("SALI", &|mut grid| {
-        black_box(grid.observe(&map, STEPS, |_| Sali::new(&tangent)));
+        black_box(grid.observe(&map, STEPS, |_| Sali::new(&map)));
     });
     row("FLI", &|mut grid| {
-        black_box(grid.observe(&map, STEPS, |_| Fli::new(&tangent)));
+        black_box(grid.observe(&map, STEPS, |_| Fli::new(&map)));
     });
     row("MEGNO", &|mut grid| {
-        black_box(grid.observe(&map, STEPS, |_| Megno::new(&tangent)));
+        black_box(grid.observe(&map, STEPS, |_| Megno::new(&map)));
     });
     row("largest exponent", &|mut grid| {
-        black_box(grid.observe(&map, STEPS, |_| Lyapunov::new(&tangent)));
+        black_box(grid.observe(&map, STEPS, |_| Lyapunov::new(&map)));
     });
 }

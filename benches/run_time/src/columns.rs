@@ -18,7 +18,7 @@ const POINTS: usize = 512;
 /// One map on every level that there is.
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>
 where
-    M: KahanMap<f64, N> + Copy + 'static,
+    M: KahanMap<f64, N> + Sync + Copy + 'static,
     M::Prepared: WideStep<f64, N> + Sync,
 {
     let &Pair { system, generated, ref read, start } = pair;
@@ -51,7 +51,7 @@ fn of_macro<M, const N: usize>(
     ensemble: Ensemble<f64, N>,
 ) -> Task
 where
-    M: KahanMap<f64, N> + 'static,
+    M: KahanMap<f64, N> + Sync + 'static,
     M::Prepared: WideStep<f64, N> + Sync,
 {
     in_segments(system, what, move |steps| {

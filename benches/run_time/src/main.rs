@@ -39,7 +39,7 @@ fn system<M, const N: usize>(
     start: [f64; N],
 ) -> Vec<Task>
 where
-    M: Lift<f64, N> + Copy + 'static,
+    M: Lift<f64, N> + Sync + Copy + 'static,
     M::Prepared: WideStep<f64, N> + Sync,
 {
     let pair = Pair::new(source, generated, values, start);

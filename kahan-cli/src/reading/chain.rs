@@ -2,7 +2,7 @@
 //!
 //! Numbers of sites are given once, by a formula of the index i, or by a file.
 
-use kahan_runtime::{Lattice, LatticeAt};
+use kahan_runtime::{ChainAt, Lattice};
 
 use super::formula::{Formula, Known, formula, formulas};
 use super::number_file::{Numbers, is_file, read};
@@ -17,7 +17,7 @@ pub(crate) struct Chain {
     pub(crate) lattice: Lattice,
     /// The names of a short chain's variables.
     pub(crate) variables: Vec<String>,
-    pub(crate) map: LatticeAt,
+    pub(crate) map: ChainAt,
     pub(crate) sites: usize,
     pub(crate) eps: f64,
     /// The parameters that the chain has once.

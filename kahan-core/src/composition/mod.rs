@@ -7,17 +7,16 @@
 //! tests check both their conditions and the order that is measured.
 
 mod coefficients;
-mod composed_at;
-mod composed_orbit;
+mod composed;
 mod decimal;
 mod stages;
 
 use core::fmt;
 
-use crate::{Constant, Scalar, StepCost};
+use crate::{Constant, StepCost};
 
-pub use stages::Composed;
-use stages::Palindrome;
+pub use composed::Composed;
+pub(crate) use stages::{InOrder, Staged};
 
 /// A symmetric composition of Kahan's map with coefficients γ₁, …, γₛ, γᵢ = γₛ₊₁₋ᵢ: the step with ε
 /// is made of the steps with γ₁ε, …, γₛε, in this order.
@@ -103,7 +102,7 @@ impl Composition {
     ];
 
     const fn new(name: &'static str, order: u32, first_half: &'static [Constant<'static>]) -> Self {
-        assert!(!first_half.is_empty() && first_half.len() <= Palindrome::<()>::MOST);
+        assert!(!first_half.is_empty() && first_half.len() <= composed::MOST);
         Self { name, order, first_half }
     }
 
@@ -146,12 +145,6 @@ impl Composition {
             divisions: stages * stage.divisions,
             chain: stages * stage.chain,
         }
-    }
-
-    /// The stages of a step at ε, each made of its own ε.
-    pub(crate) fn stages_of<T: Scalar, P>(&self, eps: &T, prepare: impl Fn(T) -> P) -> Palindrome<P> {
-        let len = self.first_half.len();
-        Palindrome::new(*self, len, |k| prepare(T::constant(&self.first_half[k]) * eps.clone()))
     }
 }
 

@@ -1,76 +1,101 @@
-//! The palindrome of steps that a composition is.
+//! What a step is made of, for those who run its parts in a way of their own: in lanes, or with
+//! tangent vectors.
 //!
-//! In: prepared steps. Out: each of them in its turn.
-//! Those that differ lie in an array of fixed size, so nothing is allocated.
+//! In: a map at its ε, or a composition of one. Out: a thing for each of its stages, in their
+//! order.
 
-use core::array::from_fn;
+use nalgebra::SVector;
 
-use crate::map::Sealed;
-use crate::{Method, Scalar};
+use crate::{KahanAt, KahanMap, Scalar, Step};
 
-use super::Composition;
+use super::Composed;
+use super::composed::Palindrome;
 
-/// The stages of a [`Composition`](crate::Composition).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Composed {}
+/// A map at its ε each of whose steps is one or several of Kahan's.
+pub trait Staged<T: Scalar, const N: usize>: Step<Scalar = T, State = SVector<T, N>> + Clone {
+    /// The map of all stages.
+    type Map: KahanMap<T, N>;
+    /// A thing for each stage.
+    type Stages<P>: InOrder<P>;
 
-impl Sealed for Composed {}
+    /// What is made of each stage.
+    fn stages<'a, P>(&'a self, of: impl Fn(&'a KahanAt<Self::Map, T, N>) -> P) -> Self::Stages<P>;
 
-impl Method for Composed {
-    type Stages<P: Clone> = Palindrome<P>;
+    /// What is made of the stages that stand at the same place in each of several maps; `None`
+    /// where these have different compositions.
+    fn joined<P, const W: usize>(
+        each: [&Self; W],
+        of: impl Fn([&KahanAt<Self::Map, T, N>; W]) -> P,
+    ) -> Option<Self::Stages<P>>;
+}
 
+/// Things that follow on each other.
+pub trait InOrder<P> {
+    /// Each of them in its turn.
+    fn in_order<'a>(&'a self) -> impl Iterator<Item = &'a P>
+    where
+        P: 'a;
+}
+
+impl<P> InOrder<P> for [P; 1] {
     #[inline(always)]
-    fn distinct<P: Clone>(stages: &Palindrome<P>) -> &[P] {
-        &stages.steps[..stages.len]
-    }
-
-    #[inline(always)]
-    fn map<P: Clone, Q: Clone>(stages: &Palindrome<P>, replace: impl Fn(&P) -> Q) -> Palindrome<Q> {
-        let Palindrome { steps, len, composition } = stages;
-        Palindrome { steps: steps.each_ref().map(replace), len: *len, composition: *composition }
-    }
-
-    #[inline(always)]
-    fn at<T: Scalar, P: Clone>(stages: &Palindrome<P>, eps: &T, prepare: impl Fn(&T) -> P) -> Palindrome<P> {
-        stages.composition.stages_of(eps, |eps| prepare(&eps))
-    }
-
-    #[inline(always)]
-    fn are_alike<P: Clone>(a: &Palindrome<P>, b: &Palindrome<P>) -> bool {
-        a.composition == b.composition
-    }
-
-    #[inline(always)]
-    fn join<P: Clone, Q: Clone, const W: usize>(
-        each: [&Palindrome<P>; W],
-        join: impl Fn([&P; W]) -> Q,
-    ) -> Palindrome<Q> {
-        let Palindrome { len, composition, .. } = *each[0];
-        Palindrome::new(composition, len, |k| join(each.map(|stages| &stages.steps[k])))
+    fn in_order<'a>(&'a self) -> impl Iterator<Item = &'a P>
+    where
+        P: 'a,
+    {
+        self.iter()
     }
 }
 
-/// Up to 17 steps that read the same from either end.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
-pub struct Palindrome<P> {
-    /// The first `len` are run; the others repeat the middle one.
-    steps: [P; MOST],
-    len: usize,
-    composition: Composition,
+impl<P> InOrder<P> for Palindrome<P> {
+    #[inline(always)]
+    fn in_order<'a>(&'a self) -> impl Iterator<Item = &'a P>
+    where
+        P: 'a,
+    {
+        self.iter()
+    }
 }
 
-/// The most steps that differ.
-const MOST: usize = 9;
+impl<M, T, const N: usize> Staged<T, N> for KahanAt<M, T, N>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+{
+    type Map = M;
+    type Stages<P> = [P; 1];
 
-impl<P> Palindrome<P> {
-    /// The most steps that differ.
-    pub const MOST: usize = MOST;
+    #[inline(always)]
+    fn stages<'a, P>(&'a self, of: impl Fn(&'a Self) -> P) -> [P; 1] {
+        [of(self)]
+    }
 
-    /// The palindrome of 2·`len` − 1 steps whose k-th is `step(k)`, `len` from 1 to
-    /// [`MOST`](Self::MOST).
-    #[inline]
-    pub(super) fn new(composition: Composition, len: usize, step: impl Fn(usize) -> P) -> Self {
-        Self { steps: from_fn(|k| step(k.min(len - 1))), len, composition }
+    #[inline(always)]
+    fn joined<P, const W: usize>(each: [&Self; W], of: impl Fn([&Self; W]) -> P) -> Option<[P; 1]> {
+        Some([of(each)])
+    }
+}
+
+impl<M, T, const N: usize> Staged<T, N> for Composed<KahanAt<M, T, N>>
+where
+    M: KahanMap<T, N>,
+    T: Scalar,
+{
+    type Map = M;
+    type Stages<P> = Palindrome<P>;
+
+    #[inline(always)]
+    fn stages<'a, P>(&'a self, of: impl Fn(&'a KahanAt<M, T, N>) -> P) -> Palindrome<P> {
+        self.stages.map(of)
+    }
+
+    #[inline(always)]
+    fn joined<P, const W: usize>(
+        each: [&Self; W],
+        of: impl Fn([&KahanAt<M, T, N>; W]) -> P,
+    ) -> Option<Palindrome<P>> {
+        let first = each.first()?;
+        let are_alike = each.iter().all(|map| map.composition == first.composition);
+        are_alike.then(|| Palindrome::new(first.stages.len(), |k| of(each.map(|map| map.stages.at(k)))))
     }
 }

@@ -5,7 +5,7 @@
 //! bits depend neither on its place nor on the threads.
 
 use crate::step::error::pole;
-use crate::{KahanAt, KahanMap, Method, WideStep};
+use crate::{Composed, KahanAt, KahanMap, WideStep};
 
 use super::columns::Group;
 use super::level::Instructions;
@@ -38,26 +38,32 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
     ) -> Result<(), T>;
 }
 
-#[diagnostic::do_not_recommend]
-impl<M, T, K, const N: usize> Advances<T, N> for KahanAt<M, T, N, K>
-where
-    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
-    T: EnsembleScalar,
-    K: Method<Stages<M::Prepared>: Sync>,
-{
-    #[inline]
-    fn advance(
-        &self,
-        first: usize,
-        columns: Stretch<'_, T, N>,
-        steps: u64,
-        on: Instructions,
-    ) -> Result<(), T> {
-        let stages = &self.stages;
-        let sweep = |_, columns: Stretch<'_, T, N>| T::sweep::<K, _, N>(stages, columns, steps, on);
-        divide(first, columns, steps, &sweep, &Option::and).ok_or(self.eps)
-    }
+macro_rules! implement_for_one_map {
+    ($map:ty) => {
+        #[diagnostic::do_not_recommend]
+        impl<M, T, const N: usize> Advances<T, N> for $map
+        where
+            M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+            T: EnsembleScalar,
+            Self: Sync,
+        {
+            #[inline]
+            fn advance(
+                &self,
+                first: usize,
+                columns: Stretch<'_, T, N>,
+                steps: u64,
+                on: Instructions,
+            ) -> Result<(), T> {
+                let sweep = |_, columns: Stretch<'_, T, N>| T::sweep(self, columns, steps, on);
+                divide(first, columns, steps, &sweep, &Option::and).ok_or(*self.eps())
+            }
+        }
+    };
 }
+
+implement_for_one_map!(KahanAt<M, T, N>);
+implement_for_one_map!(Composed<KahanAt<M, T, N>>);
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map`

@@ -7,8 +7,9 @@
 use core::array::from_fn;
 use std::vec::Vec;
 
+use crate::composition::{InOrder, Staged};
 use crate::field::linear::vector;
-use crate::{KahanAt, KahanMap, Method, PreparedStep, Room, Step, WideStep};
+use crate::{KahanMap, PreparedStep, Room, WideStep};
 
 use super::EnsembleScalar;
 use super::advance::{Advances, Stretch, divide};
@@ -17,23 +18,17 @@ use super::lanes::{Lanes, OverLanes};
 use super::level::Instructions;
 
 /// What is done to a group's columns by the maps of its trajectories.
-struct Each<'a, 'c, M, T, K, const N: usize>
-where
-    M: KahanMap<T, N>,
-    T: EnsembleScalar,
-    K: Method,
-{
+struct Each<'a, 'c, S, T, const N: usize> {
     /// The map of each lane, the last one again where there is no trajectory.
-    maps: [&'a KahanAt<M, T, N, K>; GROUP],
+    maps: [&'a S; GROUP],
     columns: [&'c mut Group<T>; N],
     steps: u64,
 }
 
-impl<M, T, K, const N: usize> OverLanes<T> for Each<'_, '_, M, T, K, N>
+impl<S, T, const N: usize> OverLanes<T> for Each<'_, '_, S, T, N>
 where
-    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>>,
     T: EnsembleScalar,
-    K: Method,
 {
     type Output = Option<()>;
     const IS_SMALL: bool = false;
@@ -45,17 +40,20 @@ where
         // holds the whole group, both are that.
         for part in (0..GROUP).step_by(2 * L::WIDTH) {
             let parts = [part, (part + L::WIDTH) % GROUP];
-            let stages = parts.map(|part| {
-                let own = from_fn::<_, GROUP, _>(|lane| &maps[(part + lane) % GROUP].stages);
-                K::join(own, |steps| M::Prepared::gather(steps, |own| L::load(&own.map(|own| *own), 0)))
+            let [first, second] = parts.map(|part| {
+                let own = from_fn::<_, GROUP, _>(|lane| maps[(part + lane) % GROUP]);
+                S::joined(own, |each| {
+                    let prepared = each.map(|at| &at.prepared);
+                    WideStep::gather(prepared, |own| L::load(&own.map(|own| *own), 0))
+                })
             });
+            let stages = [first?, second?];
             let mut x = parts.map(|part| vector(from_fn(|c| L::load(&columns[c][..], part))));
             for _ in 0..steps {
                 for (stages, x) in stages.iter().zip(&mut x) {
-                    K::run(stages, |step| {
-                        *x = step.next(x)?;
-                        Some(())
-                    })?;
+                    for step in stages.in_order() {
+                        *x = PreparedStep::<L, N>::next(step, x)?;
+                    }
                 }
             }
             for (part, x) in parts.into_iter().zip(&x) {
@@ -68,28 +66,26 @@ where
     }
 }
 
-impl<M, T, K, const N: usize> Each<'_, '_, M, T, K, N>
+impl<S, T, const N: usize> Each<'_, '_, S, T, N>
 where
-    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>>,
     T: EnsembleScalar,
-    K: Method,
 {
     /// ε of the map that meets a pole, should one do.
     fn advance(mut self, on: Instructions) -> Result<(), T> {
-        let [first, ..] = self.maps;
-        if !self.maps.iter().all(|map| K::are_alike(&first.stages, &map.stages)) {
+        if S::joined(self.maps, |_| ()).is_none() {
             return self.in_turn(on);
         }
-        if cfg!(target_arch = "x86_64") && M::Prepared::HAS_LANES {
+        if cfg!(target_arch = "x86_64") && <S::Map as KahanMap<T, N>>::Prepared::HAS_LANES {
             let columns = self.columns.each_mut().map(|column| &mut **column);
             let each = Each { maps: self.maps, columns, steps: self.steps };
             if let Some(done) = T::over_lanes(each, on.level) {
-                return done.ok_or(first.eps);
+                return done.ok_or(*self.maps[0].eps());
             }
         }
         for (lane, map) in self.maps.into_iter().enumerate() {
             let mut x: [T; N] = from_fn(|c| self.columns[c][lane]);
-            Step::advance(map, &mut x, self.steps, &mut Room::new()).map_err(|_| map.eps)?;
+            map.advance(&mut x, self.steps, &mut Room::new()).map_err(|_| *map.eps())?;
             for (entry, column) in x.iter().zip(&mut self.columns) {
                 column[lane] = *entry;
             }
@@ -112,12 +108,10 @@ where
 }
 
 #[diagnostic::do_not_recommend]
-impl<M, T, K, const N: usize> Advances<T, N> for [KahanAt<M, T, N, K>]
+impl<S, T, const N: usize> Advances<T, N> for [S]
 where
-    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>> + Sync,
     T: EnsembleScalar,
-    K: Method,
-    KahanAt<M, T, N, K>: Sync,
 {
     fn count(&self) -> Option<usize> {
         Some(self.len())

@@ -3,7 +3,8 @@
 //! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest
 //! registers that the scalar has.
 
-use crate::{Method, Scalar, WideStep};
+use crate::composition::Staged;
+use crate::{KahanMap, PreparedStep, Scalar, WideStep};
 
 use super::columns::Group;
 use super::lanes::{InLanes, OverLanes};
@@ -23,17 +24,16 @@ pub trait EnsembleScalar: Scalar + Copy + Send + Sync {
     /// Advances columns of equal length; `None` at a pole of a scalar that has no reciprocal of
     /// zero.
     #[doc(hidden)]
-    fn sweep<K, S, const N: usize>(
-        stages: &K::Stages<S>,
+    fn sweep<S, const N: usize>(
+        map: &S,
         columns: [&mut [Group<Self>]; N],
         steps: u64,
         _instructions: Instructions,
     ) -> Option<()>
     where
-        K: Method,
-        S: WideStep<Self, N>,
+        S: Staged<Self, N, Map: KahanMap<Self, N, Prepared: WideStep<Self, N>>>,
     {
-        sweep::<K, Self, _, _, N>(stages, columns, steps)
+        sweep::<Self, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
     }
 
     /// Runs work over the lanes of a level; `None` where the scalar has no lanes.
@@ -53,20 +53,19 @@ macro_rules! implement_for_float {
 
             #[cfg(target_arch = "x86_64")]
             #[doc(hidden)]
-            fn sweep<K, S, const N: usize>(
-                stages: &K::Stages<S>,
+            fn sweep<S, const N: usize>(
+                map: &S,
                 columns: [&mut [Group<Self>]; N],
                 steps: u64,
                 instructions: Instructions,
             ) -> Option<()>
             where
-                K: Method,
-                S: WideStep<Self, N>,
+                S: Staged<Self, N, Map: KahanMap<Self, N, Prepared: WideStep<Self, N>>>,
             {
-                if S::HAS_LANES {
-                    super::x86_64::$sweep_lanes::<K, S, N>(stages, columns, steps, instructions)
+                if <S::Map as KahanMap<Self, N>>::Prepared::HAS_LANES {
+                    super::x86_64::$sweep_lanes(map, columns, steps, instructions)
                 } else {
-                    sweep::<K, Self, _, _, N>(stages, columns, steps)
+                    sweep::<Self, _, _, N>(&map.stages(|at| at.prepared.clone()), columns, steps)
                 }
             }
         }

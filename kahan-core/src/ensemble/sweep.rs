@@ -7,8 +7,9 @@
 
 use core::array::from_fn;
 
+use crate::composition::InOrder;
 use crate::field::linear::vector;
-use crate::{Method, PreparedStep, Scalar};
+use crate::{PreparedStep, Scalar};
 
 use super::columns::{GROUP, Group};
 
@@ -52,15 +53,14 @@ impl<T: Scalar + Copy> Register<T> for T {
 ///
 /// Inlined into its caller, whose instructions it then is compiled with.
 #[inline(always)]
-pub(crate) fn sweep<K, R, T, S, const N: usize>(
-    stages: &K::Stages<S>,
+pub(crate) fn sweep<R, T, P, const N: usize>(
+    stages: &impl InOrder<P>,
     mut columns: [&mut [Group<T>]; N],
     steps: u64,
 ) -> Option<()>
 where
-    K: Method,
     R: Register<T>,
-    S: PreparedStep<R, N>,
+    P: PreparedStep<R, N>,
 {
     let groups = columns.first().map_or(0, |column| column.len());
     for first in (0..groups).step_by(groups_per_tile::<T, N>()) {
@@ -68,7 +68,7 @@ where
         // Slices of one length in sight of the loop, so that it checks no index.
         let mut tile = columns.each_mut().map(|column| &mut column[first..][..len]);
         for _ in 0..steps {
-            K::run(stages, |step| {
+            for step in stages.in_order() {
                 for group in 0..len {
                     for part in 0..GROUP / R::WIDTH {
                         let place = part * R::WIDTH;
@@ -79,8 +79,7 @@ where
                         }
                     }
                 }
-                Some(())
-            })?;
+            }
         }
     }
     Some(())

@@ -1,4 +1,4 @@
-//! A map, or a composition of it, at a fixed ε.
+//! A map at a fixed ε.
 //!
 //! In: a map and ε, once. Out: steps that take a state only. It owns map, ε and what depends on
 //! nothing else, borrows nothing, allocates nothing and holds no `dyn`.
@@ -7,13 +7,13 @@ use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::step::advance_by_next;
 use crate::step::error::pole;
-use crate::{PreparedStep, Room, Scalar, SingularStep, Slice, Step, Stopped};
+use crate::{PreparedStep, Room, Scalar, SingularStep, Step, Stopped};
 
-use super::{KahanMap, Method, Orbit, Pivot, Single};
+use super::{KahanMap, Orbit, Pivot};
 
-/// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`]. A step of it is one of
-/// the map, or, of a [`composed`](Self::composed) one, several.
+/// The Kahan map M at one ε, half the time step; made by [`KahanMap::at`].
 ///
 /// What depends on ε and the parameters alone is computed once, when this is made; quotients are
 /// left to the step, where a zero below shows as a pole. Its type can be written out, so a struct
@@ -42,23 +42,27 @@ use super::{KahanMap, Method, Orbit, Pivot, Single};
 /// assert!(pond.state.iter().all(|entry| *entry > 0.0));
 /// ```
 #[derive(Clone, Copy)]
-pub struct KahanAt<M, T, const N: usize, K = Single>
+pub struct KahanAt<M, T, const N: usize>
 where
     M: KahanMap<T, N>,
     T: Scalar,
-    K: Method,
 {
     pub(crate) map: M,
     pub(crate) eps: T,
-    pub(crate) stages: K::Stages<M::Prepared>,
+    pub(crate) prepared: M::Prepared,
 }
 
-impl<M, T, K, const N: usize> KahanAt<M, T, N, K>
+impl<M, T, const N: usize> KahanAt<M, T, N>
 where
     M: KahanMap<T, N>,
     T: Scalar,
-    K: Method,
 {
+    #[inline]
+    pub(crate) fn new(map: M, eps: T) -> Self {
+        let prepared = map.prepare(&eps);
+        Self { map, eps, prepared }
+    }
+
     /// The map.
     pub fn map(&self) -> &M {
         &self.map
@@ -71,25 +75,13 @@ where
 
     /// The orbit that begins with `x`; it owns a copy of the prepared step.
     #[inline]
-    pub fn orbit(&self, x: SVector<T, N>) -> Orbit<M, T, N, K> {
-        Orbit::begin(self.map.clone(), self.eps.clone(), self.stages.clone(), x)
-    }
-}
-
-impl<M, T, const N: usize> KahanAt<M, T, N>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-{
-    #[inline]
-    pub(crate) fn new(map: M, eps: T) -> Self {
-        let stages = map.prepare(&eps);
-        Self { map, eps, stages }
+    pub fn orbit(&self, x: SVector<T, N>) -> Orbit<Self> {
+        Orbit::new(self.clone(), x)
     }
 
     /// The prepared step, for code that finishes steps in its own way (in lanes, compensated).
     pub fn prepared(&self) -> &M::Prepared {
-        &self.stages
+        &self.prepared
     }
 
     /// x̃, as [`KahanMap::step`] and bit for bit the same.
@@ -98,7 +90,7 @@ where
     /// At a pole, for exact scalars.
     #[inline]
     pub fn step(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        match self.stages.next(x) {
+        match self.prepared.next(x) {
             Some(next) => next,
             None => pole(&self.eps),
         }
@@ -113,7 +105,7 @@ where
     where
         T: Pivot,
     {
-        self.map.try_prepared(&self.stages, x, &self.eps)
+        self.map.try_prepared(&self.prepared, x, &self.eps)
     }
 
     /// ∂x̃/∂x, as [`KahanMap::jacobian`].
@@ -125,11 +117,10 @@ where
     }
 }
 
-impl<M, T, K, const N: usize> Step for KahanAt<M, T, N, K>
+impl<M, T, const N: usize> Step for KahanAt<M, T, N>
 where
     M: KahanMap<T, N>,
     T: Scalar,
-    K: Method,
 {
     type Scalar = T;
     type State = SVector<T, N>;
@@ -143,65 +134,18 @@ where
     }
 
     #[inline]
-    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Room) -> Result<(), Stopped> {
-        advance::<K, _, T, N>(&self.stages, x, steps, &self.eps)
+    fn advance(&self, x: &mut [T], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        advance_by_next(self, x, steps, room)
     }
 
-    fn part(&self, eps: &T, x: &mut [T], _room: &mut Room) -> Result<(), Stopped> {
-        let stages = K::at(&self.stages, eps, |eps| self.map.prepare(eps));
-        advance::<K, _, T, N>(&stages, x, 1, eps)
+    fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
+        Self::new(self.map.clone(), eps.clone()).advance(x, 1, room)
     }
 
     #[inline(always)]
     fn next(&self, x: &SVector<T, N>, _room: &mut Room) -> Option<SVector<T, N>> {
-        next::<K, _, T, N>(&self.stages, x)
+        self.prepared.next(x)
     }
-}
-
-/// x̃ by all stages; `None` at a pole of an exact scalar.
-#[inline(always)]
-fn next<K, P, T, const N: usize>(stages: &K::Stages<P>, x: &SVector<T, N>) -> Option<SVector<T, N>>
-where
-    K: Method,
-    P: PreparedStep<T, N>,
-    T: Scalar,
-{
-    let mut next = x.clone();
-    K::run(stages, |step| {
-        next = step.next(&next)?;
-        Some(())
-    })?;
-    Some(next)
-}
-
-/// Replaces `x` by the state so many steps later, or as many as there are.
-#[inline(always)]
-fn advance<K, P, T, const N: usize>(
-    stages: &K::Stages<P>,
-    x: &mut [T],
-    steps: u64,
-    eps: &T,
-) -> Result<(), Stopped>
-where
-    K: Method,
-    P: PreparedStep<T, N>,
-    T: Scalar,
-{
-    // A state of its own, which the compiler can keep in registers.
-    let mut state = <SVector<T, N> as Slice<T>>::zeros(x.len());
-    state.as_mut_slice().clone_from_slice(x);
-    let mut made = 0;
-    while made < steps
-        && let Some(after) = next::<K, P, T, N>(stages, &state)
-    {
-        state = after;
-        made += 1;
-    }
-    x.clone_from_slice(state.as_slice());
-    if made == steps {
-        return Ok(());
-    }
-    Err(Stopped { steps: made, why: SingularStep::pole(eps.approximate()) })
 }
 
 /// Two are equal where map and ε are; the rest follows from them.
@@ -215,11 +159,10 @@ where
     }
 }
 
-impl<M, T, K, const N: usize> fmt::Debug for KahanAt<M, T, N, K>
+impl<M, T, const N: usize> fmt::Debug for KahanAt<M, T, N>
 where
     M: KahanMap<T, N> + fmt::Debug,
     T: Scalar,
-    K: Method,
 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("KahanAt").field("map", &self.map).field("eps", &self.eps).finish_non_exhaustive()

@@ -9,9 +9,10 @@ use core::array::from_fn;
 use nalgebra::SVector;
 
 use crate::field::linear::vector;
-use crate::{Accumulation, Constant, KahanAt, KahanMap, Lift, Orbit, Scalar, Single};
+use crate::{Constant, FloatScalar, KahanAt, KahanMap, Lift, Orbit, Scalar, Slice, Step};
 
-use super::TangentAt;
+use super::Compensated;
+use super::tangent::carry_to;
 
 impl<M, T, const N: usize> KahanAt<M, T, N>
 where
@@ -83,23 +84,22 @@ pub struct Estimated<T, const N: usize> {
 /// [`Orbit::with_error_estimate`].
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
-pub struct ErrorEstimates<M, T, const N: usize, A>
+pub struct ErrorEstimates<S, M, T, const N: usize>
 where
+    S: Step,
     M: Lift<T, N>,
     T: Scalar,
-    A: Accumulation,
 {
-    orbit: Orbit<M, T, N, Single, A>,
-    tangent: TangentAt<M, T, N>,
+    orbit: Orbit<S>,
+    at: KahanAt<M, T, N>,
     /// The point given last with its error, and the local error there.
     last: Option<(Estimated<T, N>, SVector<T, N>)>,
 }
 
-impl<M, T, A, const N: usize> Orbit<M, T, N, Single, A>
+impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
 where
     M: Lift<T, N>,
     T: Scalar,
-    A: Accumulation,
 {
     /// The orbit with an estimate of each point's error against the flow through the next point to
     /// be yielded, where the error is 0.
@@ -128,42 +128,54 @@ where
     /// let error = tenth.point[0] - flow;
     /// assert!((error - tenth.error[0]).abs() < 0.01 * error.abs());
     /// ```
-    pub fn with_error_estimate(self) -> ErrorEstimates<M, T, N, A> {
-        let (map, eps) = self.parts();
-        let tangent = TangentAt::new(map, eps, eps.clone());
-        ErrorEstimates { orbit: self, tangent, last: None }
+    pub fn with_error_estimate(self) -> ErrorEstimates<KahanAt<M, T, N>, M, T, N> {
+        let at = self.map.clone();
+        ErrorEstimates { orbit: self, at, last: None }
     }
 }
 
-impl<M, T, A, const N: usize> ErrorEstimates<M, T, N, A>
+impl<M, T, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>>
 where
     M: Lift<T, N>,
+    T: FloatScalar,
+{
+    /// As of an orbit that is not compensated.
+    pub fn with_error_estimate(self) -> ErrorEstimates<Compensated<KahanAt<M, T, N>>, M, T, N> {
+        let Compensated(at) = self.map.clone();
+        ErrorEstimates { orbit: self, at, last: None }
+    }
+}
+
+impl<S, M, T, const N: usize> ErrorEstimates<S, M, T, N>
+where
+    S: Step,
+    M: Lift<T, N>,
     T: Scalar,
-    A: Accumulation,
 {
     /// The orbit itself, which says why it [stopped](Orbit::stopped).
-    pub fn orbit(&self) -> &Orbit<M, T, N, Single, A> {
+    pub fn orbit(&self) -> &Orbit<S> {
         &self.orbit
     }
 }
 
-impl<M, T, A, const N: usize> Iterator for ErrorEstimates<M, T, N, A>
+impl<S, M, T, const N: usize> Iterator for ErrorEstimates<S, M, T, N>
 where
+    S: Step<Scalar = T, State: Slice<T, Point = SVector<T, N>>>,
     M: Lift<T, N>,
     T: Scalar,
-    A: Accumulation,
 {
     type Item = Estimated<T, N>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let point = self.orbit.next()?;
-        let local = local_error(&self.tangent.map, &self.tangent.eps, &point);
+        let local = self.at.local_error(&point);
         let half = T::constant(&Constant::ratio(1, 2));
         let error = match &self.last {
             None => vector(from_fn(|_| T::zero())),
             Some((Estimated { point: before, error }, local_before)) => {
                 let left = |i: usize| half.clone().multiply_add(local_before[i].clone(), error[i].clone());
-                let carried = self.tangent.carry_to(before, &point, &vector(from_fn(left)))?;
+                let stage = [(&self.at.map, &self.at.eps)].into_iter();
+                let carried = carry_to(stage, before, &point, &vector(from_fn(left)))?;
                 vector(from_fn(|i| half.clone().multiply_add(local[i].clone(), carried[i].clone())))
             }
         };

@@ -32,17 +32,14 @@ pub use coupled::{CoupledField, CoupledStep, Postfix, slopes_matrix};
 pub use elimination::Elimination;
 pub use error_estimate::{ErrorEstimates, Estimated};
 pub use lift::Lift;
-pub(crate) use orbit::Sees;
-pub(crate) use orbit::sealed::Sealed;
-pub use orbit::{Accumulation, Compensated, Method, Orbit, Rounded, Scaled, Single};
+pub use orbit::{Compensated, Increments, Orbit, Scaled};
 #[cfg(feature = "std")]
 pub use orbit::{Projective, ProjectivePoint, ThroughPoles};
+pub(crate) use orbit::{columns, side_by_side};
 pub use pivot::Pivot;
 #[cfg(feature = "std")]
 pub(crate) use stable::Promised;
-pub use tangent::TangentAt;
-#[cfg(feature = "std")]
-pub(crate) use tangent::carry_to;
+pub(crate) use tangent::{carry, carry_to};
 pub use through_f64::ThroughF64;
 
 /// ε from the time step: ε = dt/2.
@@ -252,8 +249,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
 
     /// The orbit x₀, x₁, …, beginning with x₀ = `x`; it owns all that it needs.
     #[inline]
-    fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<Self, T, N> {
-        let prepared = self.prepare(&eps);
-        Orbit::begin(self.clone(), eps, prepared, x)
+    fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<KahanAt<Self, T, N>> {
+        Orbit::new(self.at(eps), x)
     }
 }

@@ -9,40 +9,40 @@ use core::array::from_fn;
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
 use crate::ensemble::columns::GROUP;
-use crate::{Constant, FloatScalar};
+use crate::{Constant, FloatScalar, Scalar, Slice};
 
 #[cfg(feature = "std")]
 use super::burst::{BURST, Burst, Grouped, Observers, SideBySide};
 use super::growth::{Size, scale};
-use super::{Observer, Tangent};
+use super::{Observer, TangentMap};
 
 /// K tangent vectors that a map carries along.
 #[derive(Clone, Debug)]
-pub struct Carried<M: Tangent<T>, T, const K: usize> {
+pub struct Carried<M: TangentMap, const K: usize> {
     map: M,
     /// Where the vectors are.
-    place: M::Point,
-    vectors: [M::Point; K],
+    place: M::State,
+    vectors: [M::State; K],
     /// Vector k stands for itself times 2 to this power.
     exponents: [i64; K],
     /// The steps taken.
     steps: u64,
 }
 
-impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
+impl<M: TangentMap, const K: usize> Carried<M, K> {
     /// Vectors in directions that nothing prefers.
     pub(super) fn new(map: M) -> Self {
-        let vectors = from_fn(|k| map.point(|i| any_direction(k, i)));
-        Self { place: map.point(|_| T::zero()), vectors, exponents: [0; K], steps: 0, map }
+        let vectors = from_fn(|k| made_of(&map, |i| any_direction(k, i)));
+        Self { place: M::State::zeros(map.dimension()), vectors, exponents: [0; K], steps: 0, map }
     }
 
     /// To the next point.
     #[inline(always)]
-    fn follow(&mut self, step: u64, x: &[T]) {
+    fn follow(&mut self, step: u64, x: &[M::Scalar]) {
         if step > 0 {
-            carry_all(&self.map, self.place.as_ref(), x, &mut self.vectors);
+            carry_all(&self.map, self.place.as_slice(), x, &mut self.vectors);
         }
-        self.place.as_mut().copy_from_slice(x);
+        self.place.as_mut_slice().copy_from_slice(x);
         self.steps = step;
     }
 
@@ -58,24 +58,31 @@ impl<M: Tangent<T>, T: FloatScalar, const K: usize> Carried<M, T, K> {
     }
 
     /// The vectors, each up to a power of two.
-    pub(super) fn vectors(&self) -> [&[T]; K] {
-        self.vectors.each_ref().map(M::Point::as_ref)
+    pub(super) fn vectors(&self) -> [&[M::Scalar]; K] {
+        self.vectors.each_ref().map(M::State::as_slice)
     }
 
     /// The time of one step.
     pub(super) fn time_step(&self) -> f64 {
-        2.0 * self.map.half_step()
+        2.0 * self.map.eps().approximate()
     }
+}
+
+/// The vector of a map's space whose entry i is `entry(i)`.
+pub(super) fn made_of<M: TangentMap>(map: &M, entry: impl Fn(usize) -> M::Scalar) -> M::State {
+    let mut vector = M::State::zeros(map.dimension());
+    vector.as_mut_slice().iter_mut().enumerate().for_each(|(i, place)| *place = entry(i));
+    vector
 }
 
 /// Carries vectors along, two at a time: what depends on the points alone is then computed once for
 /// both.
 #[inline(always)]
-pub(super) fn carry_all<'a, M: Tangent<T, Point: 'a>, T>(
+pub(super) fn carry_all<'a, M: TangentMap<State: 'a>>(
     map: &M,
-    x: &[T],
-    next: &[T],
-    vectors: impl IntoIterator<Item = &'a mut M::Point>,
+    x: &[M::Scalar],
+    next: &[M::Scalar],
+    vectors: impl IntoIterator<Item = &'a mut M::State>,
 ) {
     let mut vectors = vectors.into_iter();
     while let Some(one) = vectors.next() {
@@ -101,26 +108,28 @@ pub trait Indicator<const K: usize> {
     fn look(&mut self, step: u64, sizes: [Size; K]);
 
     /// The report on vectors that have been carried to the last point.
-    fn report<M: Tangent<T>, T: FloatScalar>(self, carried: Carried<M, T, K>) -> Self::Report;
+    fn report<M: TangentMap>(self, carried: Carried<M, K>) -> Self::Report;
 }
 
 /// An observer of K tangent vectors.
 #[derive(Clone, Debug)]
-pub struct Follower<I, M: Tangent<T>, T, const K: usize> {
-    carried: Carried<M, T, K>,
+pub struct Follower<I, M: TangentMap, const K: usize> {
+    carried: Carried<M, K>,
     indicator: I,
 }
 
-impl<I: Indicator<K>, M: Tangent<T>, T: FloatScalar, const K: usize> Follower<I, M, T, K> {
-    /// That of the map that `tangent` belongs to.
-    pub fn new(tangent: M) -> Self {
-        let mut carried = Carried::new(tangent);
+impl<I: Indicator<K>, M: TangentMap, const K: usize> Follower<I, M, K> {
+    /// That of a prepared map, or of a reference to one.
+    pub fn new(map: M) -> Self {
+        let mut carried = Carried::new(map);
         let indicator = I::new(carried.scale());
         Self { carried, indicator }
     }
 }
 
-impl<I: Indicator<K>, M: Tangent<T>, T: FloatScalar, const K: usize> Observer<T> for Follower<I, M, T, K> {
+impl<I: Indicator<K>, M: TangentMap<Scalar = T>, T: FloatScalar, const K: usize> Observer<T>
+    for Follower<I, M, K>
+{
     type Report = I::Report;
 
     const MAY_END: bool = false;
@@ -173,13 +182,13 @@ fn looks_at_each<I: Indicator<K>, T, const K: usize>() -> bool {
 /// taken, `None` where there is none left or it cannot be done.
 #[cfg(feature = "std")]
 fn follow_side_by_side<I, M, T, P, const K: usize>(
-    group: &mut Observers<'_, Follower<I, M, T, K>>,
+    group: &mut Observers<'_, Follower<I, M, K>>,
     burst: &Burst<'_, P>,
     done: usize,
 ) -> Option<usize>
 where
     I: Indicator<K>,
-    M: Tangent<T>,
+    M: TangentMap<Scalar = T>,
     T: EnsembleScalar + FloatScalar,
     P: Grouped<T>,
 {
@@ -212,9 +221,9 @@ where
     for (lane, follower) in group.iter_mut().flatten().enumerate() {
         let carried = &mut follower.carried;
         for (columns, vector) in vectors.iter().zip(&mut carried.vectors) {
-            columns.read(lane, vector.as_mut());
+            columns.read(lane, vector.as_mut_slice());
         }
-        burst.seen[done + taken].read(lane, carried.place.as_mut());
+        burst.seen[done + taken].read(lane, carried.place.as_mut_slice());
         carried.steps = first + taken as u64 - 1;
         let exponents = carried.exponents;
         let last = carried.scale();

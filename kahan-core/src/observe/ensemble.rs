@@ -42,10 +42,9 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// }
     ///
     /// let map = LotkaVolterra.at(0.05);
-    /// let tangent = map.tangent();
     /// let mut ponds = Ensemble::new((1..=100).map(|k| vector![0.01 * f64::from(k), 1.0]).collect());
     /// let many_prey = |x: &[f64]| x[0] > 2.0;
-    /// let reports = ponds.observe(&map, 500, |_| (Escape::when(many_prey), Sali::new(&tangent)));
+    /// let reports = ponds.observe(&map, 500, |_| (Escape::when(many_prey), Sali::new(&map)));
     /// assert!(reports[0].0.is_some() && reports[99].0.is_none());
     /// ```
     pub fn observe<M, O>(

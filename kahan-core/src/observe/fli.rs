@@ -2,9 +2,7 @@
 
 use core::cmp::Ordering;
 
-use crate::FloatScalar;
-
-use super::Tangent;
+use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
 
@@ -17,7 +15,7 @@ use super::growth::Size;
 /// Cost: a tangent vector, about that of a step, and its square; see `BENCHMARKS.md`.
 ///
 /// It reports not a number from a pole on.
-pub type Fli<M, T> = Follower<Greatest, M, T, 1>;
+pub type Fli<M> = Follower<Greatest, M, 1>;
 
 /// The squares of a vector's first and greatest lengths.
 #[derive(Clone, Debug)]
@@ -48,7 +46,7 @@ impl Indicator<1> for Greatest {
         }
     }
 
-    fn report<M: Tangent<T>, T: FloatScalar>(self, _carried: Carried<M, T, 1>) -> f64 {
+    fn report<M: TangentMap>(self, _carried: Carried<M, 1>) -> f64 {
         0.5 * (self.greatest.ln() - self.first.ln())
     }
 }

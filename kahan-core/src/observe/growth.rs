@@ -11,7 +11,7 @@ use core::f64::consts::{FRAC_1_SQRT_2, LN_2};
 use crate::Scalar;
 #[cfg(feature = "std")]
 use crate::ensemble::columns::Group;
-use crate::{Constant, FloatScalar};
+use crate::{Constant, FloatScalar, Slice};
 
 /// A positive number: mantissa·2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,10 +70,10 @@ const BITS: i64 = 32;
 #[inline(always)]
 pub(super) fn scale<P, T>(vector: &mut P, exponent: &mut i64) -> Size
 where
-    P: Clone + AsRef<[T]> + AsMut<[T]>,
+    P: Slice<T>,
     T: FloatScalar,
 {
-    let mut squared = square(vector.as_ref());
+    let mut squared = square(vector.as_slice());
     if !is_moderate(squared) {
         let bits;
         (*vector, bits, squared) = scaled(vector.clone());
@@ -112,7 +112,7 @@ fn is_moderate(squared: f64) -> bool {
 #[inline(never)]
 fn scaled<P, T>(mut vector: P) -> (P, i64, f64)
 where
-    P: AsRef<[T]> + AsMut<[T]>,
+    P: Slice<T>,
     T: FloatScalar,
 {
     let up = T::constant(&Constant::integer(1 << BITS));
@@ -120,18 +120,18 @@ where
     let mut exponent = 0;
     // From one end of the range of `f64` to the other.
     for _ in 0..2 * 1100 / BITS {
-        let squared = square(vector.as_ref());
+        let squared = square(vector.as_slice());
         // The square of a small vector may be 0.
-        if is_moderate(squared) || squared.is_nan() || vector.as_ref().iter().all(T::is_zero) {
+        if is_moderate(squared) || squared.is_nan() || vector.as_slice().iter().all(T::is_zero) {
             break;
         }
         let (factor, bits) = if squared < 1.0 { (up, -BITS) } else { (down, BITS) };
-        for entry in vector.as_mut() {
+        for entry in vector.as_mut_slice() {
             *entry *= factor;
         }
         exponent += bits;
     }
-    let squared = square(vector.as_ref());
+    let squared = square(vector.as_slice());
     (vector, exponent, squared)
 }
 

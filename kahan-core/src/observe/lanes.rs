@@ -6,27 +6,27 @@
 
 use core::array::from_fn;
 
+use crate::composition::{InOrder, Staged};
 use crate::ensemble::columns::GROUP;
 use crate::ensemble::lanes::{Lanes, OverLanes};
 use crate::field::linear::vector;
 use crate::map::carry_to;
-use crate::{EnsembleScalar, Lift, Method, Scalar, TangentAt};
+use crate::{EnsembleScalar, Lift};
 
 use super::growth::most;
 use super::{Grouped, SideBySide};
 
 /// Vectors that one map carries, from the first of the points to the last, until the square of one
 /// leaves the range that vectors are kept in, if there is room for squares: the steps taken.
-pub(super) struct ByOneMap<'a, M: Lift<T, N>, T: Scalar, K: Method, P, const N: usize> {
-    pub(super) map: &'a TangentAt<M, T, N, K>,
+pub(super) struct ByOneMap<'a, S, T, P, const N: usize> {
+    pub(super) map: &'a S,
     pub(super) work: SideBySide<'a, T, P>,
 }
 
-impl<M, T, K, P, const N: usize> OverLanes<T> for ByOneMap<'_, M, T, K, P, N>
+impl<S, T, P, const N: usize> OverLanes<T> for ByOneMap<'_, S, T, P, N>
 where
-    M: Lift<T, N>,
+    S: Staged<T, N, Map: Lift<T, N>>,
     T: EnsembleScalar,
-    K: Method,
     P: Grouped<T>,
 {
     type Output = usize;
@@ -34,9 +34,8 @@ where
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> usize {
-        let Self { map: tangent, work: SideBySide { places, vectors, squares, .. } } = self;
-        let map = tangent.map.lift(L::spread);
-        let parts = K::map(&tangent.parts, L::spread);
+        let Self { map, work: SideBySide { places, vectors, squares, .. } } = self;
+        let stages = map.stages(|at| (at.map.lift(L::spread), L::spread(&at.eps)));
         let (most, least) = (L::spread(&most()), L::spread(&(T::one() / most())));
         let mut squares = squares.chunks_exact_mut(vectors.len());
         for (step, places) in places.windows(2).enumerate() {
@@ -50,7 +49,8 @@ where
                     let columns = columns.as_mut();
                     let v = vector(from_fn(|i| L::load(&columns[i], part)));
                     // Floats have a value at every point.
-                    let Some(carried) = carry_to::<K, _, L, N>(&map, &parts, &x, &y, &v) else { continue };
+                    let stages = stages.in_order().map(|(map, eps)| (map, eps));
+                    let Some(carried) = carry_to(stages, &x, &y, &v) else { continue };
                     let mut squared = L::zero();
                     for (entry, column) in carried.iter().zip(columns) {
                         squared += *entry * *entry;

@@ -1,35 +1,31 @@
 //! How volumes change.
 
-use core::marker::PhantomData;
-
-use crate::FloatScalar;
+use crate::{FloatScalar, Slice};
 
 use super::growth::Size;
-use super::{Observer, Tangent};
+use super::{Observer, TangentMap};
 
 /// The mean of log |det ∂x̃/∂x| per unit of time: the rate at which volumes grow, and the sum of
 /// all Lyapunov exponents.
 ///
 /// Cost: a determinant a step; the logarithm is taken once, of their product.
 #[derive(Clone, Debug)]
-pub struct MeanLogDet<M: Tangent<T>, T> {
+pub struct MeanLogDet<M: TangentMap> {
     map: M,
     /// The point given last.
-    place: M::Point,
+    place: M::State,
     product: Size,
     steps: u64,
-    scalar: PhantomData<T>,
 }
 
-impl<M: Tangent<T>, T: FloatScalar> MeanLogDet<M, T> {
-    /// The rate of the map that `tangent` belongs to.
-    pub fn new(tangent: M) -> Self {
-        let place = tangent.point(|_| T::zero());
-        Self { map: tangent, place, product: Size::ONE, steps: 0, scalar: PhantomData }
+impl<M: TangentMap> MeanLogDet<M> {
+    /// The rate of a prepared map, or of a reference to one.
+    pub fn new(map: M) -> Self {
+        Self { place: M::State::zeros(map.dimension()), map, product: Size::ONE, steps: 0 }
     }
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Observer<T> for MeanLogDet<M, T> {
+impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for MeanLogDet<M> {
     /// Not a number where there was no step.
     type Report = f64;
 
@@ -38,13 +34,13 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for MeanLogDet<M, T> {
     #[inline]
     fn observe(&mut self, step: u64, x: &[T]) {
         if step > 0 {
-            self.product.multiply(Size::of(self.map.det_jacobian(self.place.as_ref()).approximate()));
+            self.product.multiply(Size::of(self.map.det_jacobian(self.place.as_slice()).approximate()));
             self.steps = step;
         }
-        self.place.as_mut().copy_from_slice(x);
+        self.place.as_mut_slice().copy_from_slice(x);
     }
 
     fn report(self) -> f64 {
-        self.product.ln() / (self.steps as f64 * 2.0 * self.map.half_step())
+        self.product.ln() / (self.steps as f64 * 2.0 * self.map.eps().approximate())
     }
 }

@@ -1,8 +1,6 @@
 //! The largest Lyapunov exponent.
 
-use crate::FloatScalar;
-
-use super::Tangent;
+use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
 
@@ -13,7 +11,7 @@ use super::growth::Size;
 /// linearly, so that λ tends to 0 as log(n)/n.
 ///
 /// Cost: a tangent vector, about that of a step; see `BENCHMARKS.md`.
-pub type Lyapunov<M, T> = Follower<Growth, M, T, 1>;
+pub type Lyapunov<M> = Follower<Growth, M, 1>;
 
 /// The square of a vector's first length, and those at powers of two.
 #[derive(Clone, Debug)]
@@ -48,7 +46,7 @@ impl Indicator<1> for Growth {
         }
     }
 
-    fn report<M: Tangent<T>, T: FloatScalar>(self, mut carried: Carried<M, T, 1>) -> Exponent {
+    fn report<M: TangentMap>(self, mut carried: Carried<M, 1>) -> Exponent {
         let [size] = carried.scale();
         self.doublings.exponent(self.first, (carried.steps(), size), carried.time_step())
     }

@@ -1,8 +1,6 @@
 //! The mean exponential growth factor of nearby orbits.
 
-use crate::FloatScalar;
-
-use super::Tangent;
+use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::Size;
 
@@ -14,7 +12,7 @@ use super::growth::Size;
 /// M. Giordano, C. Simó, Physica D 182 (2003) 151.
 ///
 /// Cost: a tangent vector, about that of a step, and a logarithm.
-pub type Megno<M, T> = Follower<MeanGrowth, M, T, 1>;
+pub type Megno<M> = Follower<MeanGrowth, M, 1>;
 
 /// What the sums of its definition have come to.
 #[derive(Clone, Debug, Default)]
@@ -67,7 +65,7 @@ impl Indicator<1> for MeanGrowth {
         self.sum += self.value();
     }
 
-    fn report<M: Tangent<T>, T: FloatScalar>(self, _carried: Carried<M, T, 1>) -> Megnos {
+    fn report<M: TangentMap>(self, _carried: Carried<M, 1>) -> Megnos {
         Megnos { mean: self.sum / self.steps as f64, last: self.value() }
     }
 }

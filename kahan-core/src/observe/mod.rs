@@ -16,7 +16,7 @@
 //! }
 //!
 //! let map = LotkaVolterra.at(0.05);
-//! let observers = (Extrema::of(|x: &[f64]| x[0]), Lyapunov::new(map.tangent()));
+//! let observers = (Extrema::of(|x: &[f64]| x[0]), Lyapunov::new(&map));
 //! let (prey, exponent) = map.orbit(vector![1.5, 1.0]).observe(10_000, observers);
 //! assert!(prey.unwrap().least < 0.7 && prey.unwrap().greatest > 1.4);
 //! assert!(exponent.value.abs() < exponent.error);
@@ -38,8 +38,8 @@
 //! exponentials and arctangents are those of the `libm` crate, and growth is kept as a number and a
 //! power of two, so that a report has the same bits on every machine that computes the same points.
 //!
-//! The observers of derivatives take what carries tangent vectors, a [`Tangent`]: of a prepared map
-//! that is [`KahanAt::tangent`](crate::KahanAt::tangent), by value or by reference.
+//! The observers of derivatives take the prepared map, which carries tangent vectors along
+//! ([`TangentMap`]), by value or by reference.
 
 #[cfg(feature = "std")]
 mod burst;
@@ -59,7 +59,6 @@ mod lyapunov;
 mod megno;
 mod orbit;
 mod period;
-mod points;
 #[cfg(feature = "std")]
 mod projective;
 mod residence;
@@ -68,6 +67,7 @@ mod sali;
 mod section;
 #[cfg(feature = "std")]
 mod spectrum;
+mod tangent;
 mod tuples;
 
 #[cfg(feature = "std")]
@@ -92,7 +92,6 @@ pub use log_det::MeanLogDet;
 pub use lyapunov::{Exponent, Lyapunov};
 pub use megno::{Megno, Megnos};
 pub use period::{Period, Return};
-pub use points::{Points, Tangent};
 pub use residence::{Residence, Stays};
 pub use rotation::{Rotation, Turns};
 pub use sali::Sali;
@@ -101,6 +100,7 @@ pub use section::{AtMost, Kept};
 pub use section::{Crossing, Direction, Section, Sink, first_crossing};
 #[cfg(feature = "std")]
 pub use spectrum::Spectrum;
+pub use tangent::{Tangent, TangentMap};
 
 /// A question about an orbit whose numbers are of the type T.
 ///

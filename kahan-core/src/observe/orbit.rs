@@ -1,20 +1,11 @@
 //! Observing one orbit.
 
-use nalgebra::SVector;
-
-use crate::map::{Accumulation, Sees};
-use crate::{FloatScalar, KahanMap, Method, Orbit, Scalar, Scaled};
+use crate::{FloatScalar, Orbit, Scalar, Scaled, Slice, Step};
 
 use super::section::First;
 use super::{Crossing, Direction, Observer, Section};
 
-impl<M, T, K, A, const N: usize> Orbit<M, T, N, K, A>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-    K: Method,
-    A: Accumulation,
-{
+impl<S: Step> Orbit<S> {
     /// Shows the observers the next point of this orbit, x₀, as that of step 0, and the points of
     /// `steps` steps more; then reports.
     ///
@@ -37,56 +28,52 @@ where
     /// let beyond_two = Escape::when(|x: &[f64]| x[0] > 2.0);
     /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, beyond_two), Some(7));
     /// ```
-    pub fn observe<O: Observer<T>>(&mut self, steps: u64, observers: O) -> O::Report {
-        // They are moved, so that the loop keeps them in registers.
-        let mut seer = Seer(observers);
-        self.show(steps, &mut seer);
-        seer.0.report()
+    pub fn observe<O: Observer<S::Scalar>>(&mut self, steps: u64, mut observers: O) -> O::Report {
+        if let Some(first) = self.next() {
+            observers.observe(0, first.as_slice());
+            if !observers.is_done() {
+                self.show(steps, &mut observers);
+            }
+        }
+        observers.report()
+    }
+
+    /// Shows the points of so many steps, or as many as there are.
+    #[inline(always)]
+    fn show(&mut self, steps: u64, observers: &mut impl Observer<S::Scalar>) {
+        // A state of its own, which the compiler can keep in registers.
+        let mut state = self.state.clone();
+        for step in 1..=steps {
+            let Some(next) = self.map.next(&state, &mut self.room) else {
+                self.stopped = Some(crate::SingularStep::pole(self.map.eps().approximate()));
+                break;
+            };
+            state = next;
+            observers.observe(step, state.point());
+            if observers.is_done() {
+                break;
+            }
+        }
+        self.state = state;
     }
 }
 
-impl<M, T, K, A, const N: usize> Orbit<M, T, N, K, A>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-    K: Method,
-    A: Accumulation,
-{
+impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
     /// Where this orbit first crosses `level` = 0 within so many steps of its next point, as
     /// [`first_crossing`](super::first_crossing) tells it; the orbit stands at the point after it.
     pub fn first_crossing(
         &mut self,
         steps: u64,
-        level: impl Fn(&[T]) -> T,
-    ) -> Option<Crossing<SVector<T, N>, T>> {
-        let section = Section::new(self.prepared(), level, Direction::Both, First(None));
+        level: impl Fn(&[S::Scalar]) -> S::Scalar,
+    ) -> Option<Crossing<<Self as Iterator>::Item, S::Scalar>> {
+        let section = Section::new(self.map.clone(), level, Direction::Both, First(None));
         self.observe(steps, section)
     }
 }
 
-/// Observers as an orbit knows them.
-struct Seer<O>(O);
-
-impl<T, O: Observer<T>, const N: usize> Sees<T, N> for Seer<O> {
-    #[inline(always)]
-    fn see(&mut self, step: u64, point: &SVector<T, N>) {
-        self.0.observe(step, point.as_slice());
-    }
-
-    #[inline(always)]
-    fn is_done(&self) -> bool {
-        self.0.is_done()
-    }
-}
-
-impl<M, T, A, const N: usize> Scaled<M, T, N, A>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-    A: Accumulation,
-{
+impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
     /// As [`Orbit::observe`], of the points that this orbit yields.
-    pub fn observe<O: Observer<T>>(&mut self, steps: u64, mut observers: O) -> O::Report {
+    pub fn observe<O: Observer<S::Scalar>>(&mut self, steps: u64, mut observers: O) -> O::Report {
         for (step, point) in (0..=steps).zip(self) {
             observers.observe(step, point.as_slice());
             if observers.is_done() {

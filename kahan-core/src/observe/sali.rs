@@ -1,8 +1,8 @@
 //! The smaller alignment index.
 
-use crate::FloatScalar;
+use crate::Scalar;
 
-use super::Tangent;
+use super::TangentMap;
 use super::carried::{Carried, Follower, Indicator};
 use super::growth::{Size, square};
 
@@ -17,7 +17,7 @@ use super::growth::{Size, square};
 /// Cost: two tangent vectors, which share what depends on the points alone.
 ///
 /// It reports a number from 0 to √2, and not a number from a pole on.
-pub type Sali<M, T> = Follower<Alignment, M, T, 2>;
+pub type Sali<M> = Follower<Alignment, M, 2>;
 
 /// Alignment is looked at in the end.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ impl Indicator<2> for Alignment {
     #[inline(always)]
     fn look(&mut self, _step: u64, _sizes: [Size; 2]) {}
 
-    fn report<M: Tangent<T>, T: FloatScalar>(self, mut carried: Carried<M, T, 2>) -> f64 {
+    fn report<M: TangentMap>(self, mut carried: Carried<M, 2>) -> f64 {
         let _ = carried.scale();
         let vectors = carried.vectors();
         let lengths = vectors.map(|vector| libm::sqrt(square(vector)));

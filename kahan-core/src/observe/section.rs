@@ -6,7 +6,7 @@
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
-use crate::{Constant, FloatScalar, Room, Slice, Step};
+use crate::{Constant, FloatScalar, Orbit, Room, Slice, Step};
 
 use super::Observer;
 
@@ -157,7 +157,7 @@ where
     M: Step<Scalar = T>,
     F: Fn(&[T]) -> T,
     T: FloatScalar,
-    S: Sink<Crossing<M::State, T>>,
+    S: Sink<Crossing<<M::State as Slice<T>>::Point, T>>,
 {
     /// The crossings of `level` = 0 by orbits of `map`, handed to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
@@ -170,19 +170,19 @@ where
     /// Illinois method), so that both of them come closer.
     #[cold]
     #[inline(never)]
-    fn crossing(&mut self, step: u64, end: T) -> Crossing<M::State, T> {
+    fn crossing(&mut self, step: u64, end: T) -> Crossing<<M::State as Slice<T>>::Point, T> {
         let Self { map, level, place: before, room, .. } = self;
         let eps = *map.eps();
         let mut at = |part: T| {
-            let mut point = before.clone();
+            let mut state = before.clone();
             // Floats go on at poles.
-            let _ = map.part(&(part * eps), point.as_mut_slice(), room);
-            point
+            let _ = map.part(&(part * eps), state.as_mut_slice(), room);
+            state.to_point()
         };
         let two = T::one() + T::one();
         let half = T::one() / two;
         // A part of the step and s there, first of the end that was found last.
-        let mut ends = [(T::one(), end), (T::zero(), level(before.as_slice()))];
+        let mut ends = [(T::one(), end), (T::zero(), level(before.point()))];
         let mut point = at(T::one());
         for _ in 0..MOST_SECANTS {
             let [(last, height), (other, other_height)] = ends;
@@ -206,7 +206,7 @@ where
     M: Step<Scalar = T>,
     F: Fn(&[T]) -> T,
     T: FloatScalar,
-    S: Sink<Crossing<M::State, T>>,
+    S: Sink<Crossing<<M::State as Slice<T>>::Point, T>>,
 {
     type Report = S::Report;
 
@@ -221,7 +221,8 @@ where
             let crossing = self.crossing(step - 1, end);
             self.sink.take(crossing);
         }
-        self.place.as_mut_slice().copy_from_slice(x);
+        // Behind the point there may be room for what a mode carries, which a part of a step ignores.
+        self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 
     #[inline]
@@ -265,22 +266,13 @@ pub fn first_crossing<M, T>(
     start: M::State,
     steps: u64,
     level: impl Fn(&[T]) -> T,
-) -> Option<Crossing<M::State, T>>
+) -> Option<Crossing<<M::State as Slice<T>>::Point, T>>
 where
     M: Step<Scalar = T>,
     T: FloatScalar,
 {
-    let (mut x, mut room) = (start, Room::new());
-    let mut section = Section::new(&map, level, Direction::Both, First(None));
-    section.observe(0, x.as_slice());
-    for step in 1..=steps {
-        map.advance(x.as_mut_slice(), 1, &mut room).ok()?;
-        section.observe(step, x.as_slice());
-        if section.is_done() {
-            break;
-        }
-    }
-    section.report()
+    let section = Section::new(&map, level, Direction::Both, First(None));
+    Orbit::new(&map, start).observe(steps, section)
 }
 
 /// The first crossing.

@@ -1,14 +1,15 @@
 //! Several Lyapunov exponents at once.
 
-use core::marker::PhantomData;
 use std::vec::Vec;
 
-use crate::{Constant, FloatScalar};
+use num_traits::One;
 
-use super::carried::carry_all;
+use crate::{Constant, FloatScalar, Scalar, Slice};
+
+use super::carried::{carry_all, made_of};
 use super::growth::{Size, dot, scale, square};
 use super::lyapunov::Doublings;
-use super::{Exponent, Observer, Tangent};
+use super::{Exponent, Observer, TangentMap};
 
 /// The k largest Lyapunov exponents, largest first as a rule, per unit of time.
 ///
@@ -23,22 +24,21 @@ use super::{Exponent, Observer, Tangent};
 /// Cost: k tangent vectors a step, and every m steps about k² inner products. Memory is
 /// allocated when it is made and when it reports.
 #[derive(Clone, Debug)]
-pub struct Spectrum<M: Tangent<T>, T> {
+pub struct Spectrum<M: TangentMap> {
     map: M,
-    place: M::Point,
-    directions: Vec<Direction<M::Point>>,
+    place: M::State,
+    directions: Vec<Axis<M::State>>,
     every: u64,
     /// Steps until they are made orthogonal again.
     until: u64,
     /// How often they were.
     turns: u64,
     steps: u64,
-    scalar: PhantomData<T>,
 }
 
 /// A tangent vector and what it has grown by.
 #[derive(Clone, Debug)]
-struct Direction<P> {
+struct Axis<P> {
     vector: P,
     /// The square of its length when it was made orthogonal last.
     squared: f64,
@@ -47,37 +47,37 @@ struct Direction<P> {
     doublings: Doublings,
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Spectrum<M, T> {
-    /// The `k` largest exponents of the map that `tangent` belongs to, the vectors made orthogonal
+impl<M: TangentMap> Spectrum<M> {
+    /// The `k` largest exponents of a prepared map, or of a reference to one, the vectors made orthogonal
     /// every `every` steps: often enough that none of them outgrows another beyond the digits of
     /// the scalar meanwhile.
     ///
     /// # Panics
     /// If there are fewer variables than `k`, or `every` is 0.
-    pub fn new(tangent: M, k: usize, every: u64) -> Self {
-        let place = tangent.point(|_| T::zero());
-        let variables = place.as_ref().len();
+    pub fn new(map: M, k: usize, every: u64) -> Self {
+        let variables = map.dimension();
         assert!(k <= variables && every > 0, "{k} exponents in {variables} variables, every {every} steps");
         // Fewer vectors must not lie in a plane that the field keeps, as planes of axes may be.
         let off_axis = if k < variables { 1 } else { 0 };
         let entry = |j: usize, i: usize| {
             let skew = Constant::ratio(off_axis * ((29 * i + 17 * j + 5) % 32) as i64, 64);
-            if i == j { T::one() } else { T::constant(&skew) }
+            if i == j { M::Scalar::one() } else { M::Scalar::constant(&skew) }
         };
         let direction = |j: usize| {
-            let vector = tangent.point(|i| entry(j, i));
-            Direction { vector, squared: 1.0, growth: Size::ONE, doublings: Doublings::default() }
+            let vector = made_of(&map, |i| entry(j, i));
+            Axis { vector, squared: 1.0, growth: Size::ONE, doublings: Doublings::default() }
         };
         let mut directions: Vec<_> = (0..k).map(direction).collect();
         make_orthogonal(&mut directions);
         for direction in &mut directions {
             direction.growth = Size::ONE;
         }
-        Self { map: tangent, place, directions, every, until: every, turns: 0, steps: 0, scalar: PhantomData }
+        let place = M::State::zeros(variables);
+        Self { map, place, directions, every, until: every, turns: 0, steps: 0 }
     }
 }
 
-impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Spectrum<M, T> {
+impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
     type Report = Vec<Exponent>;
 
     const MAY_END: bool = false;
@@ -86,26 +86,26 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Spectrum<M, T> {
     fn observe(&mut self, step: u64, x: &[T]) {
         if step > 0 {
             let vectors = self.directions.iter_mut().map(|direction| &mut direction.vector);
-            carry_all(&self.map, self.place.as_ref(), x, vectors);
+            carry_all(&self.map, self.place.as_slice(), x, vectors);
             self.steps = step;
             self.until -= 1;
             if self.until == 0 {
                 (self.until, self.turns) = (self.every, self.turns + 1);
                 make_orthogonal(&mut self.directions);
                 if self.turns.is_power_of_two() {
-                    for Direction { growth, doublings, .. } in &mut self.directions {
+                    for Axis { growth, doublings, .. } in &mut self.directions {
                         doublings.pass(step, *growth);
                     }
                 }
             }
         }
-        self.place.as_mut().copy_from_slice(x);
+        self.place.as_mut_slice().copy_from_slice(x);
     }
 
     fn report(mut self) -> Vec<Exponent> {
         make_orthogonal(&mut self.directions);
-        let time = 2.0 * self.map.half_step();
-        let exponent = |direction: &Direction<_>| {
+        let time = 2.0 * self.map.eps().approximate();
+        let exponent = |direction: &Axis<_>| {
             direction.doublings.exponent(Size::ONE, (self.steps, direction.growth), time)
         };
         self.directions.iter().map(exponent).collect()
@@ -113,23 +113,23 @@ impl<M: Tangent<T>, T: FloatScalar> Observer<T> for Spectrum<M, T> {
 }
 
 /// Makes each vector orthogonal to those before it, and takes its growth down.
-fn make_orthogonal<P, T>(directions: &mut [Direction<P>])
+fn make_orthogonal<P, T>(directions: &mut [Axis<P>])
 where
-    P: Clone + AsRef<[T]> + AsMut<[T]>,
+    P: Slice<T>,
     T: FloatScalar,
 {
     for j in 0..directions.len() {
         let (before, rest) = directions.split_at_mut(j);
-        let Some(Direction { vector, squared, growth, .. }) = rest.first_mut() else { return };
-        for axis in before.iter().map(|direction| direction.vector.as_ref()) {
-            let along = dot(axis, vector.as_ref()) / dot(axis, axis);
-            for (entry, axis) in vector.as_mut().iter_mut().zip(axis) {
+        let Some(Axis { vector, squared, growth, .. }) = rest.first_mut() else { return };
+        for axis in before.iter().map(|direction| direction.vector.as_slice()) {
+            let along = dot(axis, vector.as_slice()) / dot(axis, axis);
+            for (entry, axis) in vector.as_mut_slice().iter_mut().zip(axis) {
                 *entry -= along * *axis;
             }
         }
         let now = scale(vector, &mut 0);
         growth.multiply(now);
         growth.multiply(Size::of(1.0 / *squared));
-        *squared = square(vector.as_ref());
+        *squared = square(vector.as_slice());
     }
 }

@@ -14,8 +14,9 @@ use std::vec::Vec;
 use core::array::from_fn;
 use core::fmt;
 
-use nalgebra::SVector;
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 
+use crate::field::linear::vector;
 use crate::{Scalar, SingularStep};
 
 /// A map at its ε, half the time step: x ↦ x̃ on states of [`dimension`](Self::dimension) numbers.
@@ -105,8 +106,37 @@ pub trait Step {
     }
 }
 
-/// A state as numbers one after the other.
+/// [`Step::advance`] of a map whose [`next`](Step::next) needs no memory: the state is one of its
+/// own, which compilers keep in registers.
+#[inline(never)]
+pub(crate) fn advance_by_next<S: Step>(
+    map: &S,
+    x: &mut [S::Scalar],
+    steps: u64,
+    room: &mut Room,
+) -> Result<(), Stopped> {
+    let mut state = S::State::zeros(x.len());
+    state.as_mut_slice().clone_from_slice(x);
+    let mut made = 0;
+    while made < steps
+        && let Some(after) = map.next(&state, room)
+    {
+        state = after;
+        made += 1;
+    }
+    x.clone_from_slice(state.as_slice());
+    if made == steps {
+        return Ok(());
+    }
+    Err(Stopped { steps: made, why: SingularStep::pole(map.eps().approximate()) })
+}
+
+/// A state as numbers one after the other: those of a point, and behind them what a mode carries
+/// beside it.
 pub trait Slice<T>: Clone + fmt::Debug {
+    /// The point alone. A `Vec` does not tell it from what is carried: there it is all numbers.
+    type Point: Slice<T>;
+
     /// So many zeros.
     ///
     /// # Panics
@@ -118,13 +148,22 @@ pub trait Slice<T>: Clone + fmt::Debug {
 
     /// Its numbers, to be changed.
     fn as_mut_slice(&mut self) -> &mut [T];
+
+    /// The numbers of the point.
+    fn point(&self) -> &[T];
+
+    /// A copy of the point.
+    fn to_point(&self) -> Self::Point;
 }
 
-impl<T: Scalar, const N: usize> Slice<T> for SVector<T, N> {
+/// The first column is the point.
+impl<T: Scalar, const N: usize, const C: usize> Slice<T> for SMatrix<T, N, C> {
+    type Point = SVector<T, N>;
+
     #[inline]
     fn zeros(len: usize) -> Self {
-        assert!(len == N, "a point of {len} numbers for a map of {N} variables");
-        SVector::from(from_fn(|_| T::zero()))
+        assert!(len == N * C, "a point of {len} numbers for a map of {} variables", N * C);
+        SMatrix::from_array_storage(ArrayStorage(from_fn(|_| from_fn(|_| T::zero()))))
     }
 
     #[inline]
@@ -136,10 +175,22 @@ impl<T: Scalar, const N: usize> Slice<T> for SVector<T, N> {
     fn as_mut_slice(&mut self) -> &mut [T] {
         self.data.as_mut_slice()
     }
+
+    #[inline(always)]
+    fn point(&self) -> &[T] {
+        &self.data.0[0]
+    }
+
+    #[inline(always)]
+    fn to_point(&self) -> SVector<T, N> {
+        vector(self.data.0[0].clone())
+    }
 }
 
 #[cfg(feature = "std")]
 impl<T: Scalar> Slice<T> for Vec<T> {
+    type Point = Self;
+
     fn zeros(len: usize) -> Self {
         std::vec![T::zero(); len]
     }
@@ -151,6 +202,14 @@ impl<T: Scalar> Slice<T> for Vec<T> {
     fn as_mut_slice(&mut self) -> &mut [T] {
         self
     }
+
+    fn point(&self) -> &[T] {
+        self
+    }
+
+    fn to_point(&self) -> Self {
+        self.clone()
+    }
 }
 
 /// Memory to compute in, which a map takes when it first needs some. One serves any maps in turn,
@@ -158,7 +217,7 @@ impl<T: Scalar> Slice<T> for Vec<T> {
 #[derive(Default)]
 pub struct Room {
     #[cfg(feature = "std")]
-    held: Option<Box<dyn Any + Send>>,
+    held: Option<Box<dyn Any + Send + Sync>>,
 }
 
 impl Room {
@@ -171,7 +230,11 @@ impl Room {
     /// What a map keeps here: what is held, if it is of this type and `fits`, or else what `make`
     /// makes.
     #[cfg(feature = "std")]
-    pub fn of<M: Any + Send>(&mut self, fits: impl FnOnce(&M) -> bool, make: impl FnOnce() -> M) -> &mut M {
+    pub fn of<M: Any + Send + Sync>(
+        &mut self,
+        fits: impl FnOnce(&M) -> bool,
+        make: impl FnOnce() -> M,
+    ) -> &mut M {
         let is_held = self.held.as_ref().and_then(|held| held.downcast_ref()).is_some_and(fits);
         if !is_held {
             self.held = Some(Box::new(make()));

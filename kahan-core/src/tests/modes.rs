@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use super::by_hand::E6;
 use super::by_hand::{Coupled, E3};
 use crate::{
-    Compensated, Composed, Composition, Dd, FloatScalar, KahanMap, Orbit, Single, nearest_short_eps, vector,
+    Compensated, Composed, Composition, Dd, FloatScalar, KahanAt, KahanMap, Orbit, nearest_short_eps, vector,
 };
 #[cfg(feature = "std")]
 use crate::{Ensemble, Level};
@@ -19,8 +19,8 @@ fn start() -> SVector<f64, 3> {
 
 #[test]
 fn a_mode_is_a_type_that_can_be_written() {
-    let compensated: Orbit<E3, f64, 3, Single, Compensated> = E3.orbit(start(), 0.05).compensated();
-    let both: Orbit<E3, f64, 3, Composed, Compensated> =
+    let compensated: Orbit<Compensated<KahanAt<E3, f64, 3>>> = E3.orbit(start(), 0.05).compensated();
+    let both: Orbit<Compensated<Composed<KahanAt<E3, f64, 3>>>> =
         E3.at(0.05).orbit(start()).composed(Composition::SUZUKI_4).compensated();
     assert_eq!(compensated.clone().next(), Some(start()));
     assert_eq!(both.clone().next(), Some(start()));

@@ -60,7 +60,7 @@ fn compare<F, M, W, const N: usize>(
 ) where
     F: EnsembleScalar,
     Fused<F>: Scalar,
-    M: KahanMap<F, N, Prepared: WideStep<F, N> + Sync>,
+    M: KahanMap<F, N, Prepared: WideStep<F, N> + Sync> + Sync,
     W: KahanMap<Fused<F>, N, Prepared: WideStep<Fused<F>, N>>,
 {
     for len in LENGTHS {
@@ -104,7 +104,7 @@ fn every_level_computes_as<T: EnsembleScalar, M, const N: usize>(
     map: &KahanAt<M, T, N>,
     start: &[SVector<T, N>],
 ) where
-    M: KahanMap<T, N, Prepared: WideStep<T, N> + Sync>,
+    M: KahanMap<T, N, Prepared: WideStep<T, N> + Sync> + Sync,
 {
     let each = step_each(map, start.to_vec());
     for level in levels() {

@@ -2,7 +2,7 @@
 
 use kahan_core::observe::{Extrema, Lyapunov};
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, Ensemble, EnsembleScalar, KahanAt, Method, WideStep};
+use kahan_core::{Advances, Composition, Dd, Ensemble, EnsembleScalar};
 
 use super::levels;
 use crate::systems::{E6, EulerTop};
@@ -29,12 +29,11 @@ fn start<T: Scalar, const N: usize>(k: usize, from: impl Fn(f64) -> T) -> SVecto
     SVector::from_fn(|i, _| from(0.5 + 0.25 * i as f64 + 0.01 * k as f64))
 }
 
-fn check<M, T, K, const N: usize>(map: &dyn Fn(usize) -> KahanAt<M, T, N, K>, from: fn(f64) -> T)
+fn check<S, T, const N: usize>(map: &dyn Fn(usize) -> S, from: fn(f64) -> T)
 where
-    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    S: Advances<T, N>,
+    [S]: Advances<T, N>,
     T: EnsembleScalar,
-    K: Method<Stages<M::Prepared>: Sync>,
-    KahanAt<M, T, N, K>: Sync,
 {
     // Groups have sixteen, registers two to sixteen.
     for len in [1, 2, 7, 16, 17, 45] {
@@ -78,8 +77,7 @@ fn what_moves_an_ensemble_is_observed_alike() {
     let maps: Vec<_> = (0..21).map(|k| E6.at(eps(k))).collect();
     let starts: Vec<SVector<f64, 3>> = (0..21).map(|k| start(k, |x| x)).collect();
     let mut ensemble = Ensemble::new(starts.clone());
-    let tangents: Vec<_> = maps.iter().map(KahanAt::tangent).collect();
-    let observers = |k: usize| (Extrema::of(|x: &[f64]| x[0]), Lyapunov::new(&tangents[k]));
+    let observers = |k: usize| (Extrema::of(|x: &[f64]| x[0]), Lyapunov::new(&maps[k]));
     let reports = ensemble.observe(&maps, STEPS, observers);
     let mut advanced = Ensemble::new(starts.clone());
     advanced.advance(&maps, STEPS);

@@ -14,11 +14,11 @@ fn points(count: usize) -> Vec<SVector<f64, 4>> {
 }
 
 fn all<'a>(
-    tangent: &'a kahan_core::TangentAt<HenonHeiles, f64, 4>,
+    map: &'a KahanAt<HenonHeiles, f64, 4>,
 ) -> impl Observer<f64, Report: PartialEq + std::fmt::Debug + Send> + use<'a> {
     let variables = [0, 1, 2, 3].map(|i| Extrema::of(move |x: &[f64]| x[i]));
-    let indicators = (Fli::new(tangent), Megno::new(tangent), Sali::new(tangent));
-    (variables, Lyapunov::new(tangent), indicators)
+    let indicators = (Fli::new(map), Megno::new(map), Sali::new(map));
+    (variables, Lyapunov::new(map), indicators)
 }
 
 /// Not numbers among them: some of these orbits escape.
@@ -29,13 +29,12 @@ fn text(report: impl std::fmt::Debug) -> String {
 #[test]
 fn reports_are_those_of_single_orbits_on_the_level_of_plain_code() {
     let map = HenonHeiles.at(EPS);
-    let tangent = map.tangent();
     // The last group is not full.
     let mut ensemble = Ensemble::new(points(37)).at_level(Level::Baseline).unwrap();
-    let reports = ensemble.observe(&map, STEPS, |_| all(&tangent));
+    let reports = ensemble.observe(&map, STEPS, |_| all(&map));
     assert_eq!(reports.len(), 37);
     for (start, report) in points(37).into_iter().zip(reports) {
-        let alone = map.orbit(start).observe(STEPS, all(&tangent));
+        let alone = map.orbit(start).observe(STEPS, all(&map));
         assert_eq!(text(report), text(alone), "{start}");
     }
 }
@@ -43,19 +42,18 @@ fn reports_are_those_of_single_orbits_on_the_level_of_plain_code() {
 #[test]
 fn the_points_are_those_of_advancing_and_tangents_those_of_one_trajectory_alone() {
     let map = HenonHeiles.at(EPS);
-    let tangent = map.tangent();
     for level in
         [Level::Baseline, Level::Avx2, Level::Avx512].into_iter().filter(|level| level.is_available())
     {
         let ensemble = || Ensemble::new(points(50)).at_level(level).unwrap();
         let (mut observed, mut advanced) = (ensemble(), ensemble());
-        let indicators = || (Sali::new(&tangent), Fli::new(&tangent));
+        let indicators = || (Sali::new(&map), Fli::new(&map));
         let together = observed.observe(&map, STEPS, |_| indicators());
         advanced.advance(&map, STEPS);
         assert_eq!(text(&observed), text(&advanced));
         // Tangents that are not known to be one map's are carried one by one.
         let mut again = ensemble();
-        let alone = || (Sali::new(tangent.clone()), Fli::new(tangent.clone()));
+        let alone = || (Sali::new(map.clone()), Fli::new(map.clone()));
         assert_eq!(text(together), text(again.observe(&map, STEPS, |_| alone())));
     }
 }
@@ -63,10 +61,9 @@ fn the_points_are_those_of_advancing_and_tangents_those_of_one_trajectory_alone(
 #[test]
 fn neither_place_nor_number_of_trajectories_matters() {
     let map = HenonHeiles.at(EPS).composed(Composition::SUZUKI_4);
-    let tangent = HenonHeiles.at(EPS).tangent().composed(Composition::SUZUKI_4);
     let observe = |points: Vec<SVector<f64, 4>>, steps: u64| {
         Ensemble::new(points)
-            .observe(&map, steps, |i| (Fli::new(&tangent), Extrema::of(move |_: &[f64]| i as f64)))
+            .observe(&map, steps, |i| (Fli::new(&map), Extrema::of(move |_: &[f64]| i as f64)))
     };
     // Enough for several threads, where there are any.
     let many = observe(points(3000), 50);
@@ -82,13 +79,11 @@ fn neither_place_nor_number_of_trajectories_matters() {
 #[test]
 fn single_precision_and_double_double_are_observed_too() {
     let single = HenonHeiles.at(0.05_f32);
-    let tangent = single.tangent();
     let starts = points(20).into_iter().map(|x| x.map(|entry| entry as f32)).collect();
-    let reports = Ensemble::new(starts).observe(&single, STEPS, |_| Fli::new(&tangent));
+    let reports = Ensemble::new(starts).observe(&single, STEPS, |_| Fli::new(&single));
     let wide = HenonHeiles.at(Dd::from(EPS));
-    let wide_tangent = wide.tangent();
     let starts = points(20).into_iter().map(|x| x.map(Dd::from)).collect();
-    let wide = Ensemble::new(starts).observe(&wide, STEPS, |_| Fli::new(&wide_tangent));
+    let wide = Ensemble::new(starts).observe(&wide, STEPS, |_| Fli::new(&wide));
     // The middle ones stay, and their vectors grow slowly.
     for (narrow, wide) in reports[5..15].iter().zip(&wide[5..15]) {
         assert!((narrow - wide).abs() < 1e-2, "{narrow} {wide}");

@@ -12,7 +12,7 @@ use crate::systems::E6;
 #[test]
 fn lorenz_has_the_exponents_of_the_literature() {
     let map = LORENZ.at(0.0025);
-    let observers = (Spectrum::new(map.tangent(), 3, 5), Lyapunov::new(map.tangent()));
+    let observers = (Spectrum::new(&map, 3, 5), Lyapunov::new(&map));
     // From near the attractor.
     let start = map.orbit(vector![1.0, 1.0, 20.0]).nth(8_000).unwrap();
     let (spectrum, largest) = map.orbit(start).observe(200_000, observers);
@@ -36,9 +36,9 @@ kahan! {
 fn linear_fields_have_the_exponents_of_their_cayley_transform() {
     let (a, b, eps) = (0.75, -1.5, 1.0 / 32.0);
     let map = Along { a, b }.at(eps);
-    let spectrum = map.orbit(vector![1.0, 1.0]).observe(1000, Spectrum::new(map.tangent(), 2, 7));
+    let spectrum = map.orbit(vector![1.0, 1.0]).observe(1000, Spectrum::new(&map, 2, 7));
     let largest = Along { a: b, b }.at(eps);
-    let largest = largest.orbit(vector![1.0, 1.0]).observe(1000, Lyapunov::new(largest.tangent()));
+    let largest = largest.orbit(vector![1.0, 1.0]).observe(1000, Lyapunov::new(&largest));
     let exact = |lambda: f64| ((1.0 + eps * lambda) / (1.0 - eps * lambda)).ln() / (2.0 * eps);
     let bound = 10.0 * f64::EPSILON / (2.0 * eps);
     for (found, lambda) in [(spectrum[0].value, a), (spectrum[1].value, b), (largest.value, b)] {
@@ -54,8 +54,7 @@ fn steep_growth_leaves_no_range() {
     let eps = 1.0 - 2_f64.powi(-39);
     for sign in [1.0, -1.0] {
         let map = Along { a: sign, b: sign }.at(eps);
-        let tangent = map.tangent();
-        let observers = || (Lyapunov::new(&tangent), Sali::new(&tangent));
+        let observers = || (Lyapunov::new(&map), Sali::new(&map));
         let alone = map.orbit(vector![0.0, 0.0]).observe(1007, observers());
         let many = Ensemble::new(vec![vector![0.0, 0.0]; 16]).observe(&map, 1007, |_| observers());
         let exact = sign * ((1.0 + eps) / (1.0 - eps)).ln() / (2.0 * eps);
@@ -72,7 +71,7 @@ fn an_integrable_map_has_no_exponent_beyond_its_error() {
     for eps in [0.02, 0.1] {
         let map = E6.at(eps);
         let start = vector![0.3, 0.8, 0.5];
-        let observers = (Lyapunov::new(map.tangent()), Spectrum::new(map.tangent(), 3, 1));
+        let observers = (Lyapunov::new(&map), Spectrum::new(&map, 3, 1));
         let (largest, spectrum) = map.orbit(start).observe(100_000, observers);
         for found in spectrum.iter().chain([&largest]) {
             assert!(found.value.abs() < found.error && found.error < 0.02, "{found:?}");
@@ -89,7 +88,7 @@ fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
     let bound = |eps: f64| 9.0 * 2.0 * 4.0 * f64::EPSILON / (2.0 * eps);
     for (every, eps) in [(1, 0.01), (4, 0.002)] {
         let map = LORENZ.at(eps);
-        let observers = (Spectrum::new(map.tangent(), 3, every), MeanLogDet::new(map.tangent()));
+        let observers = (Spectrum::new(&map, 3, every), MeanLogDet::new(&map));
         let (spectrum, mean) = map.orbit(start).observe(steps, observers);
         let sum: f64 = spectrum.iter().map(|exponent| exponent.value).sum();
         assert!((sum - mean).abs() < bound(eps), "{sum} {mean}");
@@ -99,8 +98,7 @@ fn all_exponents_together_are_the_mean_of_the_logarithm_of_the_determinant() {
         let plain = logarithms.sum::<f64>() / (2.0 * eps * steps as f64);
         assert!((mean - plain).abs() < bound(eps), "{mean} {plain}");
         let composed = map.composed(Composition::SUZUKI_4);
-        let tangent = map.tangent().composed(Composition::SUZUKI_4);
-        let observers = (Spectrum::new(&tangent, 3, every), MeanLogDet::new(&tangent));
+        let observers = (Spectrum::new(&composed, 3, every), MeanLogDet::new(&composed));
         let (spectrum, mean) = composed.orbit(start).observe(steps, observers);
         let sum: f64 = spectrum.iter().map(|exponent| exponent.value).sum();
         // Five stages a step.
@@ -116,8 +114,8 @@ fn growth_beyond_the_range_of_floats_is_kept() {
     // Each step multiplies by 31, 1000 of them by 10¹⁴⁹¹.
     let still = || map.orbit(vector![0.0, 0.0]);
     let exact = 31_f64.ln() * 16.0;
-    let found = still().observe(1000, Lyapunov::new(map.tangent()));
+    let found = still().observe(1000, Lyapunov::new(&map));
     assert!((found.value - exact).abs() < 1e-5 * exact, "{found:?}");
-    let mean = still().observe(1000, MeanLogDet::new(map.tangent()));
+    let mean = still().observe(1000, MeanLogDet::new(&map));
     assert!((mean - 2.0 * exact).abs() < 1e-5 * exact, "{mean}");
 }

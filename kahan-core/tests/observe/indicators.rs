@@ -20,10 +20,8 @@ fn starts() -> [SVector<f64, 4>; 2] {
 #[test]
 fn indicators_tell_a_torus_from_the_chaotic_sea() {
     let map = HenonHeiles.at(EPS);
-    let tangent = map.tangent();
-    let [torus, sea] = starts().map(|start| {
-        map.orbit(start).observe(20_000, (Sali::new(&tangent), Fli::new(&tangent), Megno::new(&tangent)))
-    });
+    let [torus, sea] = starts()
+        .map(|start| map.orbit(start).observe(20_000, (Sali::new(&map), Fli::new(&map), Megno::new(&map))));
     assert!(torus.0 > 0.01 && sea.0 < 1e-12, "SALI {torus:?} {sea:?}");
     assert!(torus.1 < 12.0 && sea.1 > 40.0, "FLI {torus:?} {sea:?}");
     // It comes near 2 slowly, and the more so the nearer a periodic orbit is.
@@ -36,7 +34,7 @@ fn indicators_are_their_definitions() {
     let map = HenonHeiles.at(EPS);
     let [start, _] = starts();
     let steps = 500;
-    let (fli, megno) = map.orbit(start).observe(steps, (Fli::new(map.tangent()), Megno::new(map.tangent())));
+    let (fli, megno) = map.orbit(start).observe(steps, (Fli::new(&map), Megno::new(&map)));
     // The direction that the observers take: entry i is ((37 i + 11) mod 64 + 1)/64.
     let mut v = SVector::<f64, 4>::from_fn(|i, _| ((37 * i + 11) % 64 + 1) as f64 / 64.0);
     v /= v.norm();

@@ -31,10 +31,9 @@ impl<T: MachineFloat> MapAt<T> {
     ///
     /// let field = Field::parse("xdot = p; ydot = q; pdot = -x - 2*x*y; qdot = y^2 - x^2 - y;").unwrap();
     /// let map = field.map().unwrap().at(0.05);
-    /// let tangent = map.tangent();
     /// let mut columns = [[0.0, 0.0], [0.1, -0.2], [0.3, 0.49], [0.0, 0.0]];
     /// let mut columns = columns.each_mut().map(|column| &mut column[..]);
-    /// let indicators = MapAt::observe_columns(&[&map], &mut columns, 5000, |_| Fli::new(&tangent)).unwrap();
+    /// let indicators = MapAt::observe_columns(&[&map], &mut columns, 5000, |_| Fli::new(&map)).unwrap();
     /// assert!(indicators[0] < 10.0 && indicators[1] > 20.0);
     /// ```
     pub fn observe_columns<O: Observer<T>>(

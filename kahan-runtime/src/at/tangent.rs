@@ -6,9 +6,10 @@
 use std::sync::Arc;
 
 use kahan_core::FloatScalar;
-use kahan_core::observe::{GROUP, Grouped, Points, SideBySide, Tangent, are_moderate};
+use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
 use smallvec::SmallVec;
 
+use super::RuntimePoint;
 use super::group::Aligned;
 use crate::engine::{Scratch, with_scratch};
 use crate::{Field, MachineFloat, MapAt};
@@ -16,64 +17,44 @@ use crate::{Field, MachineFloat, MapAt};
 /// Those of two vectors in four variables: with more there is no code.
 const MOST_COLUMNS: usize = 4 + 2 * 4 + 2;
 
-/// A point or a tangent vector; in up to eight variables it is no allocation.
-pub type RuntimePoint<T> = SmallVec<[T; 8]>;
-
-/// A map with what carries tangent vectors along it; made by [`MapAt::tangent`].
-#[derive(Clone, Debug)]
-pub struct TangentAt<T> {
-    at: MapAt<T>,
-    variational: MapAt<T>,
-}
-
 impl<T: MachineFloat> MapAt<T> {
-    /// What carries tangent vectors along this map, and along compositions of it, for the observers
-    /// of [`kahan_core::observe`].
-    ///
-    /// Cost: the first call for a field derives and plans the variational field, of twice the
-    /// variables, in some tens of milliseconds.
-    ///
-    /// ```
-    /// use kahan_core::observe::{Lyapunov, Observer};
-    /// use kahan_runtime::Field;
-    ///
-    /// let map = Field::parse("xdot = x*(1 - y); ydot = y*(x - 1);").unwrap().map().unwrap().at(0.05);
-    /// let mut exponent = Lyapunov::new(map.tangent());
-    /// let mut x = [1.5, 1.0];
-    /// for step in 0..=10_000 {
-    ///     exponent.observe(step, &x);
-    ///     map.advance(&mut x, 1).unwrap();
-    /// }
-    /// let exponent = exponent.report();
-    /// assert!(exponent.value.abs() < exponent.error);
-    /// ```
+    /// This map with a tangent vector that it carries along: a map of twice the numbers.
     #[must_use]
-    pub fn tangent(&self) -> TangentAt<T> {
-        let field = Field { engine: Arc::clone(self.engine().variational()) };
-        let map = crate::Map::new(field, self.map.parameters().to_vec());
-        let variational = MapAt::new(map, self.constants.clone()).composed(self.composition);
-        TangentAt { at: self.clone(), variational }
+    pub fn tangent(&self) -> Tangent<Self> {
+        Tangent::new(self.clone(), 1)
+    }
+
+    /// The map of the variational field.
+    fn variational(&self) -> &Self {
+        self.variational.get_or_init(|| {
+            let field = Field { engine: Arc::clone(self.engine().variational()) };
+            let map = crate::Map::new(field, self.map.parameters().to_vec());
+            MapAt::new(map, self.constants.clone()).composed(self.composition)
+        })
     }
 }
 
-impl<T: MachineFloat> Points<T> for TangentAt<T> {
-    type Point = RuntimePoint<T>;
-
-    fn point(&self, entry: impl FnMut(usize) -> T) -> RuntimePoint<T> {
-        (0..self.at.dimension()).map(entry).collect()
-    }
-}
-
-impl<T: MachineFloat + FloatScalar> Tangent<T> for TangentAt<T> {
-    fn half_step(&self) -> f64 {
-        self.at.eps().approximate()
-    }
-
-    /// # Panics
-    /// If `x` has not an entry a variable.
-    fn carry(&self, x: &[T], v: &mut RuntimePoint<T>) {
+/// Cost: the first vector of a field derives and plans the variational field, of twice the
+/// variables, in some tens of milliseconds.
+///
+/// ```
+/// use kahan_core::observe::{Lyapunov, Observer};
+/// use kahan_runtime::Field;
+///
+/// let map = Field::parse("xdot = x*(1 - y); ydot = y*(x - 1);").unwrap().map().unwrap().at(0.05);
+/// let mut exponent = Lyapunov::new(&map);
+/// let mut x = [1.5, 1.0];
+/// for step in 0..=10_000 {
+///     exponent.observe(step, &x);
+///     map.advance(&mut x, 1).unwrap();
+/// }
+/// let exponent = exponent.report();
+/// assert!(exponent.value.abs() < exponent.error);
+/// ```
+impl<T: MachineFloat + FloatScalar> TangentMap for MapAt<T> {
+    fn carry(&self, x: &[T], v: &mut Vec<T>) {
         let mut both: SmallVec<[T; 16]> = x.iter().chain(v.iter()).copied().collect();
-        let carried = self.variational.advance(&mut both, 1);
+        let carried = self.variational().advance(&mut both, 1);
         assert!(carried.is_ok(), "a point of {} numbers for a map of {} variables", x.len(), v.len());
         v.copy_from_slice(&both[x.len()..]);
     }
@@ -83,7 +64,7 @@ impl<T: MachineFloat + FloatScalar> Tangent<T> for TangentAt<T> {
         maps: [&Self; GROUP],
         SideBySide { places, vectors, squares, .. }: SideBySide<'_, T, P>,
     ) -> Option<usize> {
-        let variational = maps.map(|map| &map.variational);
+        let variational = maps.map(MapAt::variational);
         let (variables, count) = (places.first()?.as_ref().len(), vectors.len());
         with_scratch(T::single(), |Scratch { given, .. }| {
             let abreast = MapAt::abreast(variational, count, core::mem::take(given))?;
@@ -119,9 +100,10 @@ impl<T: MachineFloat + FloatScalar> Tangent<T> for TangentAt<T> {
     /// By the tangent vectors of all variables.
     fn det_jacobian(&self, x: &[T]) -> T {
         let columns = (0..x.len()).map(|i| {
-            let mut column = self.point(|k| if k == i { T::one() } else { T::zero() });
+            let mut column = vec![T::zero(); x.len()];
+            column[i] = T::one();
             self.carry(x, &mut column);
-            column
+            RuntimePoint::from_vec(column)
         });
         determinant(columns.collect())
     }

@@ -21,7 +21,7 @@ use super::{Code, LatticeError};
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
 /// A state is site by site, arrays interleaved. A step allocates nothing.
-pub struct LatticeAt {
+pub struct ChainAt {
     fixed: Arc<Fixed>,
     memory: Memory,
 }
@@ -84,7 +84,7 @@ impl Fixed {
     }
 }
 
-impl LatticeAt {
+impl ChainAt {
     pub(super) fn new<N: AsRef<str>, V: AsRef<[f64]>>(
         code: Arc<Code>,
         eps: f64,
@@ -131,7 +131,7 @@ impl LatticeAt {
             let values = names.zip(fixed.given.iter().map(value)).collect();
             return Err(ParameterError::Undefined(values).into());
         }
-        Ok(LatticeAt { memory: fixed.memory(), fixed: Arc::new(fixed) })
+        Ok(ChainAt { memory: fixed.memory(), fixed: Arc::new(fixed) })
     }
 
     /// How many numbers a state has: as many a site as there are arrays.
@@ -226,7 +226,7 @@ impl LatticeAt {
 
 /// In memory of the room's, so that any number of threads can share a chain. A state of another
 /// length panics here, as dimensions of nalgebra do.
-impl Step for LatticeAt {
+impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;
 
@@ -258,9 +258,9 @@ impl Step for LatticeAt {
     }
 }
 
-impl core::fmt::Debug for LatticeAt {
+impl core::fmt::Debug for ChainAt {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let (eps, sites) = (self.fixed.eps(), self.fixed.chain.sites);
-        f.debug_struct("LatticeAt").field("eps", eps).field("sites", &sites).finish_non_exhaustive()
+        f.debug_struct("ChainAt").field("eps", eps).field("sites", &sites).finish_non_exhaustive()
     }
 }

@@ -17,7 +17,7 @@ use kahan_core::__private as core;
 
 use crate::line::Line;
 
-pub use at::LatticeAt;
+pub use at::ChainAt;
 pub use error::LatticeError;
 
 /// A family of equations, ready for chains of any number of sites.
@@ -135,7 +135,7 @@ impl Lattice {
         eps: f64,
         sites: usize,
         values: impl IntoIterator<Item = (N, V)>,
-    ) -> Result<LatticeAt, LatticeError> {
-        LatticeAt::new(Arc::clone(&self.code), eps, sites, values)
+    ) -> Result<ChainAt, LatticeError> {
+        ChainAt::new(Arc::clone(&self.code), eps, sites, values)
     }
 }

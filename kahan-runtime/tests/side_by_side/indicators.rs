@@ -41,7 +41,6 @@ fn integrals_drift_side_by_side_as_they_do_alone() {
 fn indicators_are_what_observers_report() {
     let (_, map) = maps().nth(3).expect("four variables");
     let at = map.at(0.1);
-    let tangent = at.tangent();
     let start = columns::<f64>(4, 21);
     let observed = |indicator: Indicator| {
         let mut columns = start.clone();
@@ -52,7 +51,7 @@ fn indicators_are_what_observers_report() {
     let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
     let observers = |_| {
         let beyond = Escape::when(|x: &[f64]| x.iter().any(|x| x.abs() > 2.0));
-        ((Sali::new(&tangent), Fli::new(&tangent)), (Megno::new(&tangent), Lyapunov::new(&tangent)), beyond)
+        ((Sali::new(&at), Fli::new(&at)), (Megno::new(&at), Lyapunov::new(&at)), beyond)
     };
     let reports = MapAt::observe_columns(&[&at], &mut slices, STEPS, observers).expect("columns that fit");
     let all =

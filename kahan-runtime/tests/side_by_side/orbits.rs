@@ -4,18 +4,18 @@ use std::fmt::Debug;
 
 use kahan_core::observe::{Escape, Extrema, Fli, Lyapunov, Megno, Observer, Sali};
 use kahan_core::{Composition, Level};
-use kahan_runtime::{Field, MachineFloat, MapAt, TangentAt};
+use kahan_runtime::{Field, MachineFloat, MapAt};
 
 use super::support::{FIELDS, STEPS, columns, maps};
 
 /// Numbers of orbits that fill groups, and that leave some over.
 const COUNTS: [usize; 5] = [0, 1, 15, 16, 37];
 fn observers<'a, T: MachineFloat + PartialOrd>(
-    tangent: &'a TangentAt<T>,
+    map: &'a MapAt<T>,
 ) -> impl Observer<T, Report: Debug> + use<'a, T> {
     (
-        (Fli::new(tangent), Sali::new(tangent)),
-        (Megno::new(tangent), Lyapunov::new(tangent)),
+        (Fli::new(map), Sali::new(map)),
+        (Megno::new(map), Lyapunov::new(map)),
         Extrema::of(|x: &[T]| x[0]),
         Escape::when(|x: &[T]| x[0].approximate().abs() > 3.0),
     )
@@ -23,8 +23,8 @@ fn observers<'a, T: MachineFloat + PartialOrd>(
 
 /// The points after the last step and what is reported, each as a text that holds every bit.
 fn alone<T: MachineFloat + PartialOrd>(map: &MapAt<T>, start: &[T]) -> String {
-    let (tangent, mut x) = (map.tangent(), start.to_vec());
-    let mut observers = observers(&tangent);
+    let mut x = start.to_vec();
+    let mut observers = observers(map);
     observers.observe(0, &x);
     for step in 1..=STEPS {
         map.advance(&mut x, 1).expect("a number a variable");
@@ -35,9 +35,8 @@ fn alone<T: MachineFloat + PartialOrd>(map: &MapAt<T>, start: &[T]) -> String {
 
 /// The same of many orbits.
 fn side_by_side<T: MachineFloat + PartialOrd>(maps: &[&MapAt<T>], columns: &mut [Vec<T>]) -> Vec<String> {
-    let tangents: Vec<_> = maps.iter().map(|map| map.tangent()).collect();
     let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-    let of = |orbit: usize| observers(&tangents[orbit.min(maps.len() - 1)]);
+    let of = |orbit: usize| observers(maps[orbit.min(maps.len() - 1)]);
     let reports = MapAt::observe_columns(maps, &mut slices, STEPS, of).expect("columns that fit");
     let point = |orbit: usize| columns.iter().map(|column| column[orbit]).collect::<Vec<_>>();
     reports.iter().enumerate().map(|(orbit, report)| format!("{:?} {report:?}", point(orbit))).collect()
@@ -73,10 +72,9 @@ fn orbits_of_one_map_are_those_that_each_is_alone() {
 fn vectors_are_scaled_before_they_leave_the_numbers() {
     let field = Field::parse("xdot = x; ydot = y/2;").expect("a field");
     let map = field.map().expect("no parameters").at(1.0 - 1.0 / (1_u64 << 40) as f64);
-    let tangent = map.tangent();
     let mut columns = [[0.0; 3]; 2];
     let mut slices = columns.each_mut().map(|column| &mut column[..]);
-    let reports = MapAt::observe_columns(&[&map], &mut slices, STEPS, |_| Fli::new(&tangent));
+    let reports = MapAt::observe_columns(&[&map], &mut slices, STEPS, |_| Fli::new(&map));
     // All grows along x, where a vector without direction has a good part of its length.
     let along_x = STEPS as f64 * 41.0 * std::f64::consts::LN_2;
     for indicator in reports.expect("columns that fit") {
@@ -128,12 +126,11 @@ fn orbits_of_their_own_maps_are_those_that_each_is_alone() {
 fn an_orbit_that_leaves_the_numbers_changes_no_other() {
     let field = Field::parse("xdot = y; ydot = 4*x;").expect("a field");
     let map = field.map().expect("no parameters").at(0.49);
-    let tangent = map.tangent();
     let mut columns = columns::<f64>(2, 16);
     columns[0][5] = 1e308;
     let reports = |columns: &mut [Vec<f64>]| {
         let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-        MapAt::observe_columns(&[&map], &mut slices, 50, |_| Fli::new(&tangent)).expect("columns that fit")
+        MapAt::observe_columns(&[&map], &mut slices, 50, |_| Fli::new(&map)).expect("columns that fit")
     };
     let with = reports(&mut columns.clone());
     columns[0][5] = 1.0;
@@ -147,10 +144,10 @@ fn an_orbit_that_leaves_the_numbers_changes_no_other() {
 #[test]
 fn maps_and_columns_have_to_fit() {
     let (_, map) = maps().nth(1).expect("two variables");
-    let (at, tangent) = (map.at(0.1), map.at(0.1).tangent());
+    let at = map.at(0.1);
     let refused = |maps: &[&MapAt<f64>], columns: &mut [Vec<f64>]| {
         let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-        MapAt::observe_columns(maps, &mut slices, 1, |_| Fli::new(&tangent))
+        MapAt::observe_columns(maps, &mut slices, 1, |_| Fli::new(&at))
             .expect_err("they do not fit")
             .to_string()
     };

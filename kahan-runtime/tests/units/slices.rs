@@ -55,14 +55,13 @@ impl<T: MachineFloat + PartialOrd> Subject<'_, T> {
     }
 
     fn tangents(&self, answers: &mut Answers) {
-        let tangent = self.at.tangent();
         let vectors = (
-            Spectrum::new(&tangent, self.case.start.len(), 5),
-            Lyapunov::new(&tangent),
-            MeanLogDet::new(&tangent),
-            Fli::new(&tangent),
-            Megno::new(&tangent),
-            Sali::new(&tangent),
+            Spectrum::new(&self.at, self.case.start.len(), 5),
+            Lyapunov::new(&self.at),
+            MeanLogDet::new(&self.at),
+            Fli::new(&self.at),
+            Megno::new(&self.at),
+            Sali::new(&self.at),
         );
         let (spectrum, lyapunov, log_det, fli, megno, sali) = self.observe(vectors);
         let exponents =

@@ -3,7 +3,7 @@
 use kahan_core::observe::{
     Drift, Escape, Extrema, Fli, Lyapunov, MeanLogDet, Megno, Observer, Rotation, Sali, Spectrum,
 };
-use kahan_runtime::{MapAt, TangentAt};
+use kahan_runtime::MapAt;
 
 use super::orbit::{Machine, Orbit};
 use super::walk::Seen;
@@ -113,12 +113,12 @@ pub(super) enum Running<'a, T: Machine, F> {
         drifts: Vec<Drift<F, T, 1>>,
     },
     Extrema(Vec<Vec<Extrema<Quantity<T>, T>>>),
-    Lyapunov(Vec<Lyapunov<TangentAt<T>, T>>),
-    Spectrum(Vec<Spectrum<TangentAt<T>, T>>),
-    LogDet(Vec<MeanLogDet<TangentAt<T>, T>>),
-    Fli(Vec<Fli<TangentAt<T>, T>>),
-    Megno(Vec<Megno<TangentAt<T>, T>>),
-    Sali(Vec<Sali<TangentAt<T>, T>>),
+    Lyapunov(Vec<Lyapunov<&'a MapAt<T>>>),
+    Spectrum(Vec<Spectrum<&'a MapAt<T>>>),
+    LogDet(Vec<MeanLogDet<&'a MapAt<T>>>),
+    Fli(Vec<Fli<&'a MapAt<T>>>),
+    Megno(Vec<Megno<&'a MapAt<T>>>),
+    Sali(Vec<Sali<&'a MapAt<T>>>),
     Escape(Vec<Escape<Condition<T>>>),
     /// What needs no look at the points on the way.
     Nothing,
@@ -128,7 +128,7 @@ impl<'a, T: Machine, F: Fn(&[T]) -> [T; 1] + Copy> Running<'a, T, F> {
     /// Observers of so many orbits; `own` is the number that a slice of one number holds.
     pub(super) fn new(watch: Watch, at: &'a MapAt<T>, orbit: &Orbit, orbits: usize, own: F) -> Self {
         let (variables, integrals) = (at.map().field().variables().len(), at.map().field().integrals().len());
-        let tangents = || (0..orbits).map(|_| at.tangent());
+        let maps = || (0..orbits).map(|_| at);
         match watch {
             Watch::Drift => {
                 let drifts = (0..orbits * integrals).map(|_| Drift::of(own)).collect();
@@ -138,14 +138,14 @@ impl<'a, T: Machine, F: Fn(&[T]) -> [T; 1] + Copy> Running<'a, T, F> {
                 let of = |k: usize| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>);
                 Running::Extrema((0..orbits).map(|_| (0..variables).map(of).collect()).collect())
             }
-            Watch::Lyapunov => Running::Lyapunov(tangents().map(Lyapunov::new).collect()),
+            Watch::Lyapunov => Running::Lyapunov(maps().map(Lyapunov::new).collect()),
             Watch::Spectrum => Running::Spectrum(
-                tangents().map(|tangent| Spectrum::new(tangent, variables, orbit.every)).collect(),
+                maps().map(|map| Spectrum::new(map, variables, orbit.every)).collect(),
             ),
-            Watch::LogDet => Running::LogDet(tangents().map(MeanLogDet::new).collect()),
-            Watch::Fli => Running::Fli(tangents().map(Fli::new).collect()),
-            Watch::Megno => Running::Megno(tangents().map(Megno::new).collect()),
-            Watch::Sali => Running::Sali(tangents().map(Sali::new).collect()),
+            Watch::LogDet => Running::LogDet(maps().map(MeanLogDet::new).collect()),
+            Watch::Fli => Running::Fli(maps().map(Fli::new).collect()),
+            Watch::Megno => Running::Megno(maps().map(Megno::new).collect()),
+            Watch::Sali => Running::Sali(maps().map(Sali::new).collect()),
             Watch::Escape => {
                 let radius = orbit.escape;
                 let beyond = move |x: &[T]| !x.iter().all(|&x| x.into().abs() <= radius);

@@ -91,14 +91,13 @@ fn observing_an_orbit_allocates_nothing() {
     let counted = measure(|| {
         let integrals = |x: &[f64]| E6.integrals(&vector![x[0], x[1], x[2]], 0.05).data.0[0];
         let height = |x: &[f64]| x[0];
-        let tangents =
-            (Lyapunov::new(map.tangent()), MeanLogDet::new(map.tangent()), Megno::new(map.tangent()));
+        let tangents = (Lyapunov::new(&map), MeanLogDet::new(&map), Megno::new(&map));
         let section = Section::new(&map, height, Direction::Both, |_: Crossing<_, _>| crossings += 1);
         let observers = (
             Extrema::of(height),
             Drift::of(integrals),
             tangents,
-            (Fli::new(map.tangent()), Sali::new(map.tangent())),
+            (Fli::new(&map), Sali::new(&map)),
             Rotation::of(STEPS as u64, |x: &[f64]| [x[0], x[2]]),
             section,
             (Escape::when(|x: &[f64]| x[0] > 9.0), Period::within(0.1, [0.0; 3])),
@@ -115,13 +114,12 @@ fn observing_an_orbit_allocates_nothing() {
 #[test]
 fn steps_of_observed_ensembles_and_of_spectra_allocate_nothing() {
     let map = E6.at(0.05);
-    let tangent = map.tangent();
     let points: Vec<SVector<f64, 3>> = (0..100).map(|i| vector![0.5, 1.0, f64::from(i) * 1e-2]).collect();
     let allocations = |steps: u64| {
         let mut ensemble = Ensemble::new(points.clone());
-        let observers = |_| (Fli::new(&tangent), Sali::new(&tangent), Extrema::of(|x: &[f64]| x[0]));
+        let observers = |_| (Fli::new(&map), Sali::new(&map), Extrema::of(|x: &[f64]| x[0]));
         let many = measure(|| drop(ensemble.observe(&map, steps, observers)));
-        let spectrum = Spectrum::new(&tangent, 3, 2);
+        let spectrum = Spectrum::new(&map, 3, 2);
         let one = measure(|| drop(map.orbit(points[0]).observe(steps, spectrum)));
         [many.count_total, one.count_total]
     };

@@ -42,14 +42,12 @@ fn answer(line: &str) -> Option<Vec<f64>> {
         }
         "map" => {
             let map = HenonHeiles.at(MAP_EPS);
-            let tangent = map.tangent();
-            Some(cells(512).observe(&map, steps, |_| Sali::new(&tangent)))
+            Some(cells(512).observe(&map, steps, |_| Sali::new(&map)))
         }
         _ => None,
     }
 }
 
 fn exponent<M: Lift<f64, 3>>(map: M, start: SVector<f64, 3>, eps: f64, steps: u64) -> Vec<f64> {
-    let tangent = map.at(eps).tangent();
-    vec![map.orbit(black_box(start), eps).observe(steps, Lyapunov::new(tangent)).value]
+    vec![map.orbit(black_box(start), eps).observe(steps, Lyapunov::new(map.at(eps))).value]
 }

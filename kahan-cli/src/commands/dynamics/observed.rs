@@ -46,13 +46,12 @@ impl Asked {
         let progress = Progress::new(2 * self.steps, "steps");
         let loops = Loop { at: &at, start: &start, progress: &progress };
 
-        let tangent = at.tangent();
         let tangents = (
-            Spectrum::new(&tangent, variables, self.every),
-            MeanLogDet::new(&tangent),
-            Fli::new(&tangent),
-            Megno::new(&tangent),
-            Sali::new(&tangent),
+            Spectrum::new(&at, variables, self.every),
+            MeanLogDet::new(&at),
+            Fli::new(&at),
+            Megno::new(&at),
+            Sali::new(&at),
         );
         let beyond = Escape::when(|x: &[f64]| !x.iter().all(|x| x.abs() <= self.escape));
         let extrema: Vec<_> = (0..2 * variables).map(|k| Extrema::of(move |both: &[f64]| both[k])).collect();

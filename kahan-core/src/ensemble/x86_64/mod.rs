@@ -13,7 +13,8 @@ mod lanes;
 #[cfg(test)]
 mod tests;
 
-use crate::{Method, WideStep};
+use crate::composition::Staged;
+use crate::{KahanMap, WideStep};
 
 use super::columns::Group;
 use super::lanes::{Lanes, OverLanes};
@@ -28,30 +29,29 @@ macro_rules! dispatch_for_float {
     ($sweep:ident, $float:ty: $sse2:ty, $avx2:ty, $avx512:ty, $estimated:ty) => {
         /// Advances columns of equal length, on the level asked for or, should the processor lack
         /// it, the baseline.
-        pub(super) fn $sweep<K, S, const N: usize>(
-            stages: &K::Stages<S>,
+        pub(super) fn $sweep<S, const N: usize>(
+            map: &S,
             columns: [&mut [Group<$float>]; N],
             steps: u64,
             Instructions { level, reciprocal }: Instructions,
         ) -> Option<()>
         where
-            K: Method,
-            S: WideStep<$float, N>,
+            S: Staged<$float, N, Map: KahanMap<$float, N, Prepared: WideStep<$float, N>>>,
         {
             match (level, reciprocal) {
                 (Level::Avx512, Reciprocal::Estimated) if level.is_available() => {
                     // SAFETY: the processor has AVX-512F; it was asked in the line above.
-                    unsafe { avx512::<K, $estimated, _, S, N>(stages, columns, steps) }
+                    unsafe { avx512::<$estimated, _, S, N>(map, columns, steps) }
                 }
                 (Level::Avx512, Reciprocal::Divided) if level.is_available() => {
                     // SAFETY: the processor has AVX-512F; it was asked in the line above.
-                    unsafe { avx512::<K, $avx512, _, S, N>(stages, columns, steps) }
+                    unsafe { avx512::<$avx512, _, S, N>(map, columns, steps) }
                 }
                 (Level::Avx2, _) if level.is_available() => {
                     // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
-                    unsafe { avx2::<K, $avx2, _, S, N>(stages, columns, steps) }
+                    unsafe { avx2::<$avx2, _, S, N>(map, columns, steps) }
                 }
-                _ => widen_and_sweep::<K, $sse2, _, S, N>(stages, columns, steps),
+                _ => widen_and_sweep::<$sse2, _, S, N>(map, columns, steps),
             }
         }
     };
@@ -60,20 +60,19 @@ macro_rules! dispatch_for_float {
 dispatch_for_float!(sweep_f32, f32: F32x4, F32x8, F32x16, F32x16Estimated);
 dispatch_for_float!(sweep_f64, f64: F64x2, F64x4, F64x8, F64x8Estimated);
 
-/// The stages over registers R, and the columns some steps later, as a function compiled so.
+/// The stages of a map over registers R, and the columns some steps later, as a function compiled so.
 macro_rules! over_registers {
-    ($(#[$attribute:meta])* $name:ident: |$stages:ident, $columns:ident, $steps:ident| $body:expr) => {
+    ($(#[$attribute:meta])* $name:ident: |$map:ident, $columns:ident, $steps:ident| $body:expr) => {
         $(#[$attribute])*
-        fn $name<K, R, T, S, const N: usize>(
-            $stages: &K::Stages<S>,
+        fn $name<R, T, S, const N: usize>(
+            $map: &S,
             $columns: [&mut [Group<T>]; N],
             $steps: u64,
         ) -> Option<()>
         where
-            K: Method,
             T: crate::Scalar,
             R: Register<T>,
-            S: WideStep<T, N>,
+            S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>>,
         {
             $body
         }
@@ -82,18 +81,17 @@ macro_rules! over_registers {
 
 over_registers! {
     #[target_feature(enable = "avx2,fma")]
-    avx2: |stages, columns, steps| widen_and_sweep::<K, R, T, S, N>(stages, columns, steps)
+    avx2: |map, columns, steps| widen_and_sweep::<R, T, S, N>(map, columns, steps)
 }
 over_registers! {
     #[target_feature(enable = "avx512f")]
-    avx512: |stages, columns, steps| widen_and_sweep::<K, R, T, S, N>(stages, columns, steps)
+    avx512: |map, columns, steps| widen_and_sweep::<R, T, S, N>(map, columns, steps)
 }
 over_registers! {
     /// Inlined into its caller, whose instructions it then is compiled with.
     #[inline(always)]
-    widen_and_sweep: |stages, columns, steps| {
-        let wide = K::map(stages, |step| step.widen(R::spread));
-        sweep::<K, R, T, _, N>(&wide, columns, steps)
+    widen_and_sweep: |map, columns, steps| {
+        sweep::<R, T, _, N>(&map.stages(|at| at.prepared.widen(R::spread)), columns, steps)
     }
 }
 

@@ -1,15 +1,113 @@
-//! The mode of orbits that floats have and exact numbers have no use for.
+//! The mode of orbits that floats have and exact numbers have no use for: what rounding takes from
+//! a point is carried beside it.
 
-use crate::{FloatScalar, KahanMap};
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 
-use super::{Compensated, Method, Orbit, Rounded, State};
+use crate::field::linear::{components, vector};
+use crate::step::advance_by_next;
+use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, Room, Slice, Step, Stopped};
 
-impl<M, T, K, const N: usize> Orbit<M, T, N, K, Rounded>
+use super::Orbit;
+
+/// Maps that tell the increments of their steps, so that what rounding takes from a point can be
+/// carried into the next step.
+pub trait Increments: Step {
+    /// A point, and behind it what it lacks: twice as many numbers.
+    type Carried: Slice<Self::Scalar>;
+
+    /// x̃ and what it lacks, from x and what x lacks; `None` at a pole of an exact scalar.
+    fn next_with_carry(&self, x: &Self::Carried, room: &mut Room) -> Option<Self::Carried>;
+
+    /// Replaces a point and what it lacks by those so many steps later.
+    ///
+    /// # Errors
+    /// # Panics
+    /// As [`Step::advance`].
+    #[inline]
+    fn advance_with_carry(&self, x: &mut [Self::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped>
+    where
+        Self: Sized,
+    {
+        advance_by_next(&Compensated(self), x, steps, room)
+    }
+}
+
+/// A map whose points carry what rounding took from them; see [`Orbit::compensated`].
+///
+/// A state has twice the map's numbers: a point, and what it lacks. The orbit is at point + carry,
+/// and the carry is at most about an ulp of the point or of the last increment, whichever is
+/// larger. Begin with zeros for it. A [part](Step::part) of a step moves the point alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compensated<S>(
+    /// The map.
+    pub S,
+);
+
+impl<S: Increments> Step for Compensated<S> {
+    type Scalar = S::Scalar;
+    type State = S::Carried;
+
+    fn dimension(&self) -> usize {
+        2 * self.0.dimension()
+    }
+
+    fn eps(&self) -> &S::Scalar {
+        self.0.eps()
+    }
+
+    #[inline]
+    fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        self.0.advance_with_carry(x, steps, room)
+    }
+
+    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
+        let (point, _) = x.split_at_mut(self.0.dimension());
+        self.0.part(eps, point, room)
+    }
+
+    #[inline(always)]
+    fn next(&self, x: &S::Carried, room: &mut Room) -> Option<S::Carried> {
+        self.0.next_with_carry(x, room)
+    }
+}
+
+impl<S: Increments> Increments for &S {
+    type Carried = S::Carried;
+
+    #[inline(always)]
+    fn next_with_carry(&self, x: &S::Carried, room: &mut Room) -> Option<S::Carried> {
+        S::next_with_carry(self, x, room)
+    }
+}
+
+impl<M, T, const N: usize> Increments for KahanAt<M, T, N>
 where
     M: KahanMap<T, N>,
     T: FloatScalar,
-    K: Method,
 {
+    type Carried = SMatrix<T, N, 2>;
+
+    #[inline(always)]
+    fn next_with_carry(&self, x: &SMatrix<T, N, 2>, _room: &mut Room) -> Option<SMatrix<T, N, 2>> {
+        let [point, carry] = columns(x);
+        Some(side_by_side(&self.prepared.next_with_carry(&point, &carry)?))
+    }
+}
+
+/// A point, and what it lacks.
+#[inline(always)]
+pub(crate) fn columns<T: Copy, const N: usize>(x: &SMatrix<T, N, 2>) -> [SVector<T, N>; 2] {
+    let [point, carry] = x.data.0;
+    [vector(point), vector(carry)]
+}
+
+/// Both as one state.
+#[inline(always)]
+pub(crate) fn side_by_side<T: Copy, const N: usize>([point, carry]: &[SVector<T, N>; 2]) -> SMatrix<T, N, 2> {
+    SMatrix::from_array_storage(ArrayStorage([*components(point), *components(carry)]))
+}
+
+impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
     /// The same orbit with the rounding error of each addition x + (x̃ − x) carried into the next
     /// one (Kahan's compensated summation, of the state). It goes on from where this orbit is.
     ///
@@ -46,8 +144,13 @@ where
     /// assert!(compensated < 0.2 * plain);
     /// ```
     #[inline]
-    pub fn compensated(self) -> Orbit<M, T, N, K, Compensated> {
-        let Self { map, eps, stages, state, begun, stopped } = self;
-        Orbit { map, eps, stages, state: State::begin(state), begun, stopped }
+    pub fn compensated(self) -> Orbit<Compensated<S>> {
+        let carried = |state: S::State| {
+            let point = state.as_slice();
+            let mut carried = S::Carried::zeros(2 * point.len());
+            carried.as_mut_slice()[..point.len()].copy_from_slice(point);
+            carried
+        };
+        self.by(Compensated, carried)
     }
 }

@@ -1,15 +1,12 @@
 //! Orbits as iterators.
 //!
-//! In: a map, its first point, ε. Out: x₀, x₁, …, each computed when asked for and not before
-//! (exact points grow, so one more than wanted can cost more than all before it). What a step is
-//! made of ([`Method`]) and how it is added to the point ([`Accumulation`]) are types: a mode costs
-//! what it computes and nothing else. Nothing panics at a pole: an orbit over exact scalars ends
-//! there and says why, one over floats goes on with numbers that are not finite. No allocation, no
-//! `dyn`, nothing borrowed.
+//! In: a map at its ε, and its first state. Out: x₀, x₁, …, each computed when asked for and not
+//! before (exact points grow, so one more than wanted can cost more than all before it). What a
+//! step is made of, and what is carried beside a point, is the map's affair: a mode costs what it
+//! computes and nothing else. Nothing panics at a pole: an orbit over exact scalars ends there and
+//! says why, one over floats goes on with numbers that are not finite.
 
-mod accumulation;
 mod compensated;
-mod method;
 #[cfg(feature = "std")]
 mod projective;
 mod scaled;
@@ -18,38 +15,33 @@ mod times;
 use core::fmt;
 use core::iter::FusedIterator;
 
-use nalgebra::SVector;
+use crate::{Room, Scalar, SingularStep, Slice, Step};
 
-use crate::{Scalar, SingularStep};
-
-use super::{KahanAt, KahanMap};
-
-use accumulation::State;
-pub use accumulation::{Accumulation, Compensated, Rounded};
-pub use method::{Method, Single};
+pub use compensated::{Compensated, Increments};
+pub(crate) use compensated::{columns, side_by_side};
 #[cfg(feature = "std")]
 pub use projective::{Projective, ProjectivePoint, ThroughPoles};
 pub use scaled::Scaled;
 
-/// Methods and accumulations are those of this crate.
-pub(crate) mod sealed {
-    pub trait Sealed {}
-}
-
-/// The orbit x₀, x₁, … of a Kahan map, x₀ first; made by [`KahanMap::orbit`].
+/// The orbit x₀, x₁, … of a map S at its ε, x₀ first; made by [`KahanMap::orbit`], and of any map
+/// by [`Orbit::new`].
 ///
-/// It holds the map and the prepared step, so what depends on ε and the parameters alone is
-/// computed once; each point is bit for bit the [`step`](KahanMap::step) of the one before. Its
-/// modes are other types of the same iterator:
+/// It holds the prepared map, so what depends on ε and the parameters alone is computed once; each
+/// point is bit for bit the [step](Step::next) of the one before. Its modes are other types of the
+/// same iterator:
 ///
-/// | mode | made by | type |
+/// | mode | made by | map |
 /// |---|---|---|
-/// | plain | [`KahanMap::orbit`] | `Orbit<M, T, N>` |
-/// | compensated | [`compensated`](Self::compensated) | `Orbit<M, T, N, Single, Compensated>` |
-/// | of higher order | [`composed`](Self::composed) | `Orbit<M, T, N, Composed>` |
-/// | both | the two, in either order | `Orbit<M, T, N, Composed, Compensated>` |
+/// | plain | [`KahanMap::orbit`] | [`KahanAt`](crate::KahanAt) |
+/// | compensated | [`compensated`](Self::compensated) | [`Compensated<KahanAt<…>>`](Compensated) |
+/// | of higher order | [`composed`](Self::composed) | [`Composed<KahanAt<…>>`](crate::Composed) |
+/// | both | the two, in either order | `Compensated<Composed<KahanAt<…>>>` |
+/// | of a chain, of a map read at run time, of a choice | [`Orbit::new`] | the map, `&map`, `&dyn Step<Scalar = f64>` |
 ///
-/// [`projective`](Self::projective) turns a plain one into an iterator that goes on at poles.
+/// What a mode carries beside the point is not yielded. [`projective`](Self::projective) turns a
+/// plain one into an iterator that goes on at poles.
+///
+/// [`KahanMap::orbit`]: crate::KahanMap::orbit
 ///
 /// # There and back
 /// The map with −ε is the inverse map, so n steps and n steps back come home: exactly over exact
@@ -70,49 +62,36 @@ pub(crate) mod sealed {
 /// written by hand.
 #[derive(Clone)]
 #[must_use = "an orbit computes nothing until it is iterated"]
-pub struct Orbit<M, T, const N: usize, K = Single, A = Rounded>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-    K: Method,
-    A: Accumulation,
-{
-    map: M,
-    eps: T,
-    stages: K::Stages<M::Prepared>,
-    /// The point given last, or x₀ before any was.
-    state: A::State<T, N>,
+pub struct Orbit<S: Step> {
+    pub(crate) map: S,
+    /// The state given last, or the first one before any was.
+    pub(crate) state: S::State,
     begun: bool,
-    stopped: Option<SingularStep>,
+    pub(crate) stopped: Option<SingularStep>,
+    pub(crate) room: Room,
 }
 
-impl<M, T, K, A, const N: usize> Orbit<M, T, N, K, A>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-    K: Method,
-    A: Accumulation,
-{
+impl<S: Step> Orbit<S> {
+    /// The orbit of a map from this state.
+    ///
+    /// # Panics
+    /// If the state has not as many numbers as the map's.
     #[inline]
-    pub(crate) fn begin(map: M, eps: T, stages: K::Stages<M::Prepared>, start: SVector<T, N>) -> Self {
-        Self { map, eps, stages, state: State::begin(start), begun: false, stopped: None }
+    pub fn new(map: S, start: S::State) -> Self {
+        let [found, expected] = [start.as_slice().len(), map.dimension()];
+        assert!(found == expected, "a state of {found} numbers for a map of {expected}");
+        Self { map, state: start, begun: false, stopped: None, room: Room::new() }
     }
 
-    /// The map at its ε, by which this orbit goes.
-    pub(crate) fn prepared(&self) -> KahanAt<M, T, N, K> {
-        KahanAt { map: self.map.clone(), eps: self.eps.clone(), stages: self.stages.clone() }
-    }
-
-    /// The map and ε. Not `map()`, a name that iterators need.
-    pub(crate) fn parts(&self) -> (&M, &T) {
-        (&self.map, &self.eps)
-    }
-
-    /// The same orbit by other steps, from where it is.
+    /// The same orbit by another map, from the state that is made of where it is.
     #[inline]
-    pub(crate) fn with_stages<L: Method>(self, stages: L::Stages<M::Prepared>) -> Orbit<M, T, N, L, A> {
-        let Self { map, eps, state, begun, stopped, .. } = self;
-        Orbit { map, eps, stages, state, begun, stopped }
+    pub(crate) fn by<R: Step>(
+        self,
+        by: impl FnOnce(S) -> R,
+        at: impl FnOnce(S::State) -> R::State,
+    ) -> Orbit<R> {
+        let Self { map, state, begun, stopped, room } = self;
+        Orbit { map: by(map), state: at(state), begun, stopped, room }
     }
 
     /// Why the orbit has ended: `Some` from the moment on when a step met a pole of an exact
@@ -121,79 +100,32 @@ where
         self.stopped.as_ref()
     }
 
-    /// `steps` steps on, or as many as there are, or are wanted, each point seen; whether no pole
-    /// was met.
-    #[inline(always)]
-    fn advance(&mut self, steps: u64, seer: &mut impl Sees<T, N>) -> bool {
-        // A state of its own, which the compiler can keep in registers.
-        let mut state = self.state.clone();
-        for step in 1..=steps {
-            if K::run(&self.stages, |step| state.advance(step)).is_none() {
-                self.stopped = Some(SingularStep::pole(self.eps.approximate()));
-                break;
-            }
-            seer.see(step, state.point());
-            if seer.is_done() {
-                break;
-            }
-        }
-        self.state = state;
+    /// So many steps on, or as many as there are; whether no pole was met.
+    #[inline]
+    fn advance(&mut self, steps: u64) -> bool {
+        let advanced = self.map.advance(self.state.as_mut_slice(), steps, &mut self.room);
+        self.stopped = advanced.err().map(|stopped| stopped.why);
         self.stopped.is_none()
     }
-
-    /// Shows the next point that the orbit would yield as that of step 0, and those of the `steps`
-    /// steps after it, or as many as there are.
-    #[inline(always)]
-    pub(crate) fn show(&mut self, steps: u64, seer: &mut impl Sees<T, N>) {
-        if let Some(first) = self.next() {
-            seer.see(0, &first);
-            if !seer.is_done() {
-                self.advance(steps, seer);
-            }
-        }
-    }
 }
 
-/// What sees the points of an orbit, to be inlined into its loop as no closure can be.
-pub(crate) trait Sees<T, const N: usize> {
-    /// The point after so many steps.
-    fn see(&mut self, step: u64, point: &SVector<T, N>);
-
-    /// Whether it has seen enough.
-    fn is_done(&self) -> bool;
-}
-
-/// Nobody does.
-impl<T, const N: usize> Sees<T, N> for () {
-    #[inline(always)]
-    fn see(&mut self, _step: u64, _point: &SVector<T, N>) {}
-
-    #[inline(always)]
-    fn is_done(&self) -> bool {
-        false
-    }
-}
-
-impl<M, T, K, A, const N: usize> Iterator for Orbit<M, T, N, K, A>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-    K: Method,
-    A: Accumulation,
-{
-    type Item = SVector<T, N>;
+impl<S: Step> Iterator for Orbit<S> {
+    type Item = <S::State as Slice<S::Scalar>>::Point;
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         if self.stopped.is_some() {
             return None;
         }
-        if self.begun && K::run(&self.stages, |step| self.state.advance(step)).is_none() {
-            self.stopped = Some(SingularStep::pole(self.eps.approximate()));
-            return None;
+        if self.begun {
+            let Some(next) = self.map.next(&self.state, &mut self.room) else {
+                self.stopped = Some(SingularStep::pole(self.map.eps().approximate()));
+                return None;
+            };
+            self.state = next;
         }
         self.begun = true;
-        Some(self.state.point().clone())
+        Some(self.state.to_point())
     }
 
     #[inline]
@@ -201,35 +133,21 @@ where
         if self.stopped.is_some() {
             return None;
         }
-        // Two loops rather than a sum, which could overflow.
-        let arrived = self.advance(u64::from(self.begun), &mut ()) && self.advance(n as u64, &mut ());
+        // Two runs rather than a sum, which could overflow.
+        let arrived = (!self.begun || self.advance(1)) && (n == 0 || self.advance(n as u64));
         self.begun = true;
-        arrived.then(|| self.state.point().clone())
+        arrived.then(|| self.state.to_point())
     }
 }
 
-impl<M, T, K, A, const N: usize> FusedIterator for Orbit<M, T, N, K, A>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-    K: Method,
-    A: Accumulation,
-{
-}
+impl<S: Step> FusedIterator for Orbit<S> {}
 
-impl<M, T, K, A, const N: usize> fmt::Debug for Orbit<M, T, N, K, A>
-where
-    M: KahanMap<T, N>,
-    T: Scalar,
-    K: Method,
-    A: Accumulation,
-{
+impl<S: Step> fmt::Debug for Orbit<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { eps, state, stopped, .. } = self;
         f.debug_struct("Orbit")
-            .field("eps", eps)
-            .field("point", state.point())
-            .field("stopped", stopped)
+            .field("eps", self.map.eps())
+            .field("point", &self.state.to_point())
+            .field("stopped", &self.stopped)
             .finish_non_exhaustive()
     }
 }

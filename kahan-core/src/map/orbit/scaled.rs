@@ -4,12 +4,10 @@
 
 use core::array::from_fn;
 
-use nalgebra::SVector;
-
 use crate::field::linear::vector;
-use crate::{FloatScalar, KahanMap, Single};
+use crate::{FloatScalar, KahanAt, KahanMap, Slice, Step};
 
-use super::{Accumulation, Compensated, Orbit, Rounded};
+use super::{Compensated, Increments, Orbit};
 
 /// The orbit of a homogeneous field through its scaled form; made by [`Orbit::scaled`].
 ///
@@ -19,17 +17,12 @@ use super::{Accumulation, Compensated, Orbit, Rounded};
 /// again.
 #[derive(Clone, Debug)]
 #[must_use = "an orbit computes nothing until it is iterated"]
-pub struct Scaled<M, T, const N: usize, A = Rounded>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-    A: Accumulation,
-{
-    orbit: Orbit<M, T, N, Single, A>,
-    eps: T,
+pub struct Scaled<S: Step> {
+    orbit: Orbit<S>,
+    eps: S::Scalar,
 }
 
-impl<M, T, const N: usize> Orbit<M, T, N>
+impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
 where
     M: KahanMap<T, N>,
     T: FloatScalar,
@@ -60,69 +53,55 @@ where
     /// let same = Top.orbit(start, 0.05).compensated().nth(1000).unwrap();
     /// assert!((x - same).amax() < 1e-13);
     /// ```
-    pub fn scaled(self) -> Option<Scaled<M, T, N>> {
+    pub fn scaled(self) -> Option<Scaled<KahanAt<M, T, N>>> {
+        let KahanAt { map, eps, .. } = &self.map;
         let origin = vector(from_fn(|_| T::zero()));
         let is_zero = |entry: &T| entry.is_zero();
-        let is_homogeneous = self.map.field(&origin).iter().all(is_zero)
-            && self.map.field_jacobian(&origin).iter().all(is_zero);
+        let is_homogeneous =
+            map.field(&origin).iter().all(is_zero) && map.field_jacobian(&origin).iter().all(is_zero);
         if !is_homogeneous {
             return None;
         }
-        let Self { map, eps, state, begun, .. } = self;
-        let point = vector(from_fn(|i| eps * state[i]));
-        let mut orbit = map.orbit(point, T::one());
-        orbit.begun = begun;
+        let eps = *eps;
+        let orbit = self.by(|at| at.map.at(T::one()), |state| state.map(|entry| eps * entry));
         Some(Scaled { orbit, eps })
     }
 }
 
-impl<M, T, A, const N: usize> Scaled<M, T, N, A>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-    A: Accumulation,
-{
+impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
     /// ε, half the time step of the points that are yielded.
-    pub fn eps(&self) -> T {
+    pub fn eps(&self) -> S::Scalar {
         self.eps
     }
 
     /// The orbit of X = εx at ε = 1: an integral is best evaluated there.
-    pub fn into_inner(self) -> Orbit<M, T, N, Single, A> {
+    pub fn into_inner(self) -> Orbit<S> {
         self.orbit
     }
 
-    fn unscaled(&self, point: SVector<T, N>) -> SVector<T, N> {
-        vector(from_fn(|i| point[i] / self.eps))
-    }
-}
-
-impl<M, T, const N: usize> Scaled<M, T, N>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-{
     /// As [`Orbit::compensated`].
-    pub fn compensated(self) -> Scaled<M, T, N, Compensated> {
+    pub fn compensated(self) -> Scaled<Compensated<S>>
+    where
+        S: Increments,
+    {
         Scaled { orbit: self.orbit.compensated(), eps: self.eps }
     }
 }
 
-impl<M, T, A, const N: usize> Iterator for Scaled<M, T, N, A>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-    A: Accumulation,
-{
-    type Item = SVector<T, N>;
+impl<S: Step<Scalar: FloatScalar>> Iterator for Scaled<S> {
+    type Item = <S::State as Slice<S::Scalar>>::Point;
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        self.orbit.next().map(|point| self.unscaled(point))
+        self.nth(0)
     }
 
     #[inline]
     fn nth(&mut self, n: usize) -> Option<Self::Item> {
-        self.orbit.nth(n).map(|point| self.unscaled(point))
+        let mut point = self.orbit.nth(n)?;
+        for entry in point.as_mut_slice() {
+            *entry /= self.eps;
+        }
+        Some(point)
     }
 }

@@ -6,20 +6,13 @@
 
 use core::iter::from_fn;
 
-use nalgebra::SVector;
 use num_traits::Zero;
 
-use crate::{Constant, FloatScalar, KahanMap, Method, Room, Scalar, Slice, Step};
+use crate::{Constant, FloatScalar, Scalar, Slice, Step};
 
-use super::{Accumulation, Orbit};
+use super::Orbit;
 
-impl<M, T, K, A, const N: usize> Orbit<M, T, N, K, A>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-    K: Method,
-    A: Accumulation,
-{
+impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
     /// The states at these times, counted from the next point of this orbit; a step takes 2ε.
     ///
     /// Between two points the state is that of the map with a part of ε from the first of them: no
@@ -44,19 +37,19 @@ where
     ///     assert!((x[0] - t.sin()).abs() < 1e-4);
     /// }
     /// ```
-    pub fn at_times(self, times: &[T]) -> impl Iterator<Item = SVector<T, N>> {
-        let (map, mut orbit) = (self.prepared(), self);
-        let dt = map.eps + map.eps;
-        let mut place = orbit.next();
+    pub fn at_times(mut self, times: &[S::Scalar]) -> impl Iterator<Item = <Self as Iterator>::Item> {
+        let dt = *self.map.eps() + *self.map.eps();
+        let mut place = self.next();
         let mut made = 0;
         times.iter().map_while(move |&time| {
             // What is no number counts as no step.
             let steps = ((time / dt).approximate() as u64).max(made);
             if steps > made {
-                place = usize::try_from(steps - made - 1).ok().and_then(|skipped| orbit.nth(skipped));
+                place = usize::try_from(steps - made - 1).ok().and_then(|skipped| self.nth(skipped));
                 made = steps;
             }
-            Some(part(&map, place?, time / dt - count(made)))
+            place.as_ref()?;
+            Some(self.part(time / dt - count(made)))
         })
     }
 
@@ -76,38 +69,36 @@ where
     /// let (time, x) = Turn.orbit(vector![0.0, 1.0], 0.005).until(1.0).last().unwrap();
     /// assert!(time == 1.0 && (x[0] - 1.0_f64.sin()).abs() < 1e-4);
     /// ```
-    pub fn until(self, end: T) -> impl Iterator<Item = (T, SVector<T, N>)> {
-        let (map, mut orbit) = (self.prepared(), self);
-        let dt = map.eps + map.eps;
+    pub fn until(mut self, end: S::Scalar) -> impl Iterator<Item = (S::Scalar, <Self as Iterator>::Item)> {
+        let dt = *self.map.eps() + *self.map.eps();
         let parts = end / dt;
         let whole = parts.approximate() as u64;
         let last = whole + u64::from((whole as f64) < parts.approximate());
-        let (mut made, mut before) = (0, None);
+        let (mut made, mut is_at_end) = (0, false);
         from_fn(move || {
             if made < last {
-                let (time, x) = (dt * count(made), orbit.next()?);
+                let (time, x) = (dt * count(made), self.next()?);
                 made += 1;
-                before = Some(x);
                 return Some((time, x));
             }
             // The end of no step is where the orbit begins.
-            if last == 0 && made == 0 {
-                made = 1;
-                before = orbit.next();
+            if is_at_end || (last == 0 && self.next().is_none()) {
+                return None;
             }
-            let x = before.take()?;
-            Some((end, part(&map, x, parts - count(last.saturating_sub(1)))))
+            is_at_end = true;
+            Some((end, self.part(parts - count(last.saturating_sub(1)))))
         })
     }
-}
 
-/// The state a part of a step from `x`.
-fn part<S: Step>(map: &S, mut x: S::State, part: S::Scalar) -> S::State {
-    if !part.is_zero() {
-        // Floats go on at poles.
-        let _ = map.part(&(part * map.eps().clone()), x.as_mut_slice(), &mut Room::new());
+    /// The state a part of a step from the point given last.
+    fn part(&mut self, part: S::Scalar) -> <Self as Iterator>::Item {
+        let mut state = self.state.clone();
+        if !part.is_zero() {
+            // Floats go on at poles.
+            let _ = self.map.part(&(part * *self.map.eps()), state.as_mut_slice(), &mut self.room);
+        }
+        state.to_point()
     }
-    x
 }
 
 fn count<T: Scalar>(steps: u64) -> T {

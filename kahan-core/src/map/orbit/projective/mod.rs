@@ -19,7 +19,7 @@ use std::boxed::Box;
 use nalgebra::SVector;
 
 use crate::step::error::Reason;
-use crate::{Lift, Orbit, PreparedStep, SingularStep};
+use crate::{KahanAt, Lift, Orbit, PreparedStep, SingularStep};
 
 use passage::{Lost, Passage, Place};
 pub use point::ProjectivePoint;
@@ -78,7 +78,7 @@ where
     }
 }
 
-impl<M, T, const N: usize> Orbit<M, T, N>
+impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
 where
     M: Lift<T, N>,
     T: ThroughPoles,
@@ -128,9 +128,9 @@ where
     /// assert!(orbit.stopped().is_none());
     /// ```
     pub fn projective(self) -> Projective<M, T, N> {
-        let Self { map, eps, stages, state, begun, .. } = self;
+        let Self { map: KahanAt { map, eps, prepared }, state, begun, .. } = self;
         let at = if begun { At::point(state) } else { At::First(state) };
-        Projective { map, eps, prepared: stages, at, stopped: None }
+        Projective { map, eps, prepared, at, stopped: None }
     }
 }
 

@@ -1,0 +1,242 @@
+//! A composition at a fixed ε, and orbits by it.
+//!
+//! In: a map at its ε, and a composition. Out: steps that take a state only, each of them the
+//! stages in their order. Those that differ lie in an array of fixed size, so nothing is allocated.
+
+use core::array::from_fn;
+use core::fmt;
+
+use nalgebra::SMatrix;
+
+use crate::map::{columns, side_by_side};
+use crate::step::advance_by_next;
+use crate::{
+    Compensated, FloatScalar, Increments, KahanAt, KahanMap, Orbit, PreparedStep, Room, Scalar, Step, Stopped,
+};
+
+use super::Composition;
+
+/// A [`Composition`] of a map at its ε, half the time step; made by [`KahanAt::composed`].
+///
+/// Each of its steps is the steps of its stages, one after the other.
+#[derive(Clone, Copy)]
+pub struct Composed<S: Step> {
+    pub(super) stages: Palindrome<S>,
+    pub(super) composition: Composition,
+    eps: S::Scalar,
+}
+
+/// Up to 17 steps that read the same from either end.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Palindrome<P> {
+    /// The first `len` are run; the others repeat the middle one.
+    steps: [P; MOST],
+    len: usize,
+}
+
+/// The most steps that differ.
+pub(super) const MOST: usize = 9;
+
+impl<P> Palindrome<P> {
+    /// The palindrome of 2·`len` − 1 steps whose k-th is `step(k)`, `len` from 1 to 9.
+    #[inline]
+    pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
+        Self { steps: from_fn(|k| step(k.min(len - 1))), len }
+    }
+
+    /// How many differ.
+    pub(super) fn len(&self) -> usize {
+        self.len
+    }
+
+    /// The k-th.
+    pub(super) fn at(&self, k: usize) -> &P {
+        &self.steps[k]
+    }
+
+    /// Another one for each.
+    #[inline(always)]
+    pub(super) fn map<'a, Q>(&'a self, of: impl Fn(&'a P) -> Q) -> Palindrome<Q> {
+        Palindrome { steps: self.steps.each_ref().map(of), len: self.len }
+    }
+
+    /// Every step in order.
+    #[inline(always)]
+    pub(super) fn iter(&self) -> impl Iterator<Item = &P> {
+        let distinct = &self.steps[..self.len];
+        let last = 2 * distinct.len() - 2;
+        (0..=last).map(move |k| &distinct[k.min(last - k)])
+    }
+}
+
+impl<S: Step> Composed<S> {
+    /// Of the map that `at` makes at the ε of each stage.
+    fn new(composition: Composition, eps: S::Scalar, at: impl Fn(S::Scalar) -> S) -> Self {
+        let gammas = composition.first_half;
+        let stage = |k: usize| at(S::Scalar::constant(&gammas[k]) * eps.clone());
+        Self { stages: Palindrome::new(gammas.len(), stage), composition, eps }
+    }
+
+    /// The composition.
+    pub fn composition(&self) -> Composition {
+        self.composition
+    }
+
+    /// ε, half the time step of all stages together.
+    pub fn eps(&self) -> &S::Scalar {
+        &self.eps
+    }
+
+    /// The orbit that begins with `x`; it owns a copy of the prepared stages.
+    #[inline]
+    pub fn orbit(&self, x: S::State) -> Orbit<Self>
+    where
+        S: Clone,
+    {
+        Orbit::new(self.clone(), x)
+    }
+
+    /// The state one time step of 2ε later, by all stages in order; not finite where a stage meets
+    /// a pole.
+    #[inline]
+    pub fn step(&self, x: &S::State) -> S::State {
+        let Some(next) = self.next(x, &mut Room::new()) else { unreachable!("compositions are of floats") };
+        next
+    }
+}
+
+impl<S: Step> Step for Composed<S> {
+    type Scalar = S::Scalar;
+    type State = S::State;
+
+    fn dimension(&self) -> usize {
+        self.stages.steps[0].dimension()
+    }
+
+    fn eps(&self) -> &S::Scalar {
+        &self.eps
+    }
+
+    #[inline]
+    fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        advance_by_next(self, x, steps, room)
+    }
+
+    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
+        let [any, ..] = &self.stages.steps;
+        let mut gammas = self.composition.coefficients();
+        gammas.try_for_each(|gamma| any.part(&(S::Scalar::constant(gamma) * eps.clone()), x, room))
+    }
+
+    #[inline(always)]
+    fn next(&self, x: &S::State, room: &mut Room) -> Option<S::State> {
+        let mut next = x.clone();
+        for stage in self.stages.iter() {
+            next = stage.next(&next, room)?;
+        }
+        Some(next)
+    }
+}
+
+impl<M, T, const N: usize> Increments for Composed<KahanAt<M, T, N>>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+{
+    type Carried = SMatrix<T, N, 2>;
+
+    #[inline(always)]
+    fn next_with_carry(&self, x: &SMatrix<T, N, 2>, _room: &mut Room) -> Option<SMatrix<T, N, 2>> {
+        let mut both = columns(x);
+        for stage in self.stages.iter() {
+            let [point, carry] = &both;
+            both = stage.prepared.next_with_carry(point, carry)?;
+        }
+        Some(side_by_side(&both))
+    }
+}
+
+impl<M, T, const N: usize> KahanAt<M, T, N>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+{
+    /// The composition of this map at its ε: a step of it takes the same time 2ε.
+    ///
+    /// ```
+    /// use kahan_core::prelude::*;
+    /// use kahan_core::{Composition, Ensemble};
+    ///
+    /// kahan! {
+    ///     /// Predator and prey.
+    ///     pub struct LotkaVolterra;
+    ///     xdot = x*(1 - y);
+    ///     ydot = y*(x - 1);
+    /// }
+    ///
+    /// let map = LotkaVolterra.at(0.05).composed(Composition::KAHAN_LI_8);
+    /// let mut ponds = Ensemble::new(vec![vector![1.5, 1.0], vector![0.7, 0.7]]);
+    /// ponds.advance(&map, 100);
+    ///
+    /// let alone = map.orbit(vector![1.5, 1.0]).nth(100).unwrap();
+    /// assert!((ponds.point(0).unwrap() - alone).norm() < 1e-12);
+    /// ```
+    pub fn composed(&self, composition: Composition) -> Composed<Self> {
+        Composed::new(composition, self.eps, |eps| self.map.at(eps))
+    }
+}
+
+impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+{
+    /// The same orbit with each step replaced by a composition of steps with γ₁ε, …, γₛε, which has
+    /// a higher order. It goes on from where this orbit is; every stage is prepared once.
+    ///
+    /// A step still takes the time 2ε and yields one point. What survives and what does not, and
+    /// the cost, are said at [`Composition`].
+    ///
+    /// ```
+    /// use kahan_core::Composition;
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// A pendulum's cubic neighbour, ẍ = 6x² − 2.
+    ///     pub struct Weierstrass;
+    ///     xdot = y;
+    ///     ydot = 6*x^2 - 2;
+    /// }
+    ///
+    /// let energy = |x: SVector<f64, 2>| x[1] * x[1] / 2.0 - 2.0 * x[0].powi(3) + 2.0 * x[0];
+    /// let start = vector![-0.5, 0.2];
+    /// let orbit = Weierstrass.orbit(start, 0.01).composed(Composition::KAHAN_LI_8).compensated();
+    /// for x in orbit.take(1000) {
+    ///     assert!((energy(x) - energy(start)).abs() < 1e-14);
+    /// }
+    /// ```
+    #[inline]
+    pub fn composed(self, composition: Composition) -> Orbit<Composed<KahanAt<M, T, N>>> {
+        self.by(|at| at.composed(composition), |state| state)
+    }
+}
+
+impl<M, T, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>>
+where
+    M: KahanMap<T, N>,
+    T: FloatScalar,
+{
+    /// As of an orbit that is not compensated.
+    #[inline]
+    pub fn composed(self, composition: Composition) -> Orbit<Compensated<Composed<KahanAt<M, T, N>>>> {
+        self.by(|Compensated(at)| Compensated(at.composed(composition)), |state| state)
+    }
+}
+
+impl<S: Step> fmt::Debug for Composed<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { composition, eps, .. } = self;
+        f.debug_struct("Composed").field("composition", composition).field("eps", eps).finish_non_exhaustive()
+    }
+}

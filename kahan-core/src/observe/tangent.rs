@@ -1,0 +1,282 @@
+//! Maps that carry tangent vectors along, and what does so as a map of its own.
+//!
+//! In: a map at its ε, a point, vectors there. Out: the vectors at the next point. The number of
+//! variables need not be known while compiling.
+
+#[cfg(feature = "std")]
+use std::vec::Vec;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::composition::{Composed, InOrder, Staged};
+#[cfg(feature = "std")]
+use crate::ensemble::columns::GROUP;
+use crate::field::linear::{determinant, vector};
+use crate::map::{carry, carry_to};
+#[cfg(feature = "std")]
+use crate::{EnsembleScalar, KahanMap, PreparedStep, Room, Stopped};
+use crate::{FloatScalar, KahanAt, Lift, Scalar, Slice, Step};
+
+#[cfg(feature = "std")]
+use super::{Grouped, SideBySide, lanes::ByOneMap};
+
+/// A map that carries tangent vectors along: v ↦ J(x)·v, J = ∂x̃/∂x.
+///
+/// Prepared maps do, compositions of them, maps that are read at run time, and references to these.
+/// A slice of another length than the number of variables panics.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` carries no tangent vectors along for an observer",
+    label = "not a prepared map that can",
+    note = "observers of derivatives take the prepared map: `Lyapunov::new(&map)`"
+)]
+pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
+    /// Replaces the tangent vector `v` at the point `x` by J(x)·v.
+    fn carry(&self, x: &[Self::Scalar], v: &mut Self::State);
+
+    /// The same where x̃ is known, as observers know it, and that saves work; what depends on both
+    /// points alone is computed once for several vectors, likewise.
+    #[inline(always)]
+    fn carry_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
+        self.carry(x, v);
+    }
+
+    /// det J(x)
+    fn det_jacobian(&self, x: &[Self::Scalar]) -> Self::Scalar;
+
+    /// Carries the vectors of a group of trajectories, each by its own map, from the first of its
+    /// points to the last, and writes the squares of their lengths after each step, if there is
+    /// room for them. It may end early after a step that takes one of these out of the range that
+    /// vectors are kept in, and returns the steps taken; `None` where it cannot. Bits are those of
+    /// [`carry_to`](Self::carry_to).
+    #[cfg(feature = "std")]
+    #[doc(hidden)]
+    fn carry_side_by_side<P: Grouped<Self::Scalar>>(
+        _maps: [&Self; GROUP],
+        _work: SideBySide<'_, Self::Scalar, P>,
+    ) -> Option<usize>
+    where
+        Self::Scalar: EnsembleScalar,
+    {
+        None
+    }
+}
+
+impl<M: TangentMap> TangentMap for &M {
+    #[inline(always)]
+    fn carry(&self, x: &[M::Scalar], v: &mut M::State) {
+        M::carry(self, x, v);
+    }
+
+    #[inline(always)]
+    fn carry_to(&self, x: &[M::Scalar], next: &[M::Scalar], v: &mut M::State) {
+        M::carry_to(self, x, next, v);
+    }
+
+    #[inline(always)]
+    fn det_jacobian(&self, x: &[M::Scalar]) -> M::Scalar {
+        M::det_jacobian(self, x)
+    }
+
+    #[cfg(feature = "std")]
+    fn carry_side_by_side<P: Grouped<M::Scalar>>(
+        maps: [&Self; GROUP],
+        work: SideBySide<'_, M::Scalar, P>,
+    ) -> Option<usize>
+    where
+        M::Scalar: EnsembleScalar,
+    {
+        M::carry_side_by_side(maps.map(|map| *map), work)
+    }
+}
+
+macro_rules! implement_for_stages {
+    ($map:ty) => {
+        impl<M, T, const N: usize> TangentMap for $map
+        where
+            M: Lift<T, N>,
+            T: FloatScalar,
+        {
+            #[inline(always)]
+            fn carry(&self, x: &[T], v: &mut SVector<T, N>) {
+                let stages = self.stages(|at| (&at.map, &at.eps));
+                // Floats have a value at every point.
+                if let Some(carried) = carry(stages.in_order().copied(), &point(x), v) {
+                    *v = carried;
+                }
+            }
+
+            #[inline(always)]
+            fn carry_to(&self, x: &[T], next: &[T], v: &mut SVector<T, N>) {
+                let stages = self.stages(|at| (&at.map, &at.eps));
+                if let Some(carried) = carry_to(stages.in_order().copied(), &point(x), &point(next), v) {
+                    *v = carried;
+                }
+            }
+
+            /// By the tangent vectors of all variables.
+            #[inline]
+            fn det_jacobian(&self, x: &[T]) -> T {
+                let mut columns = [vector([T::zero(); N]); N];
+                for (i, column) in columns.iter_mut().enumerate() {
+                    column[i] = T::one();
+                    self.carry(x, column);
+                }
+                determinant::<T, N>(SMatrix::from_fn(|i, j| columns[j][i]))
+            }
+
+            #[cfg(feature = "std")]
+            fn carry_side_by_side<P: Grouped<T>>(
+                maps: [&Self; GROUP],
+                work: SideBySide<'_, T, P>,
+            ) -> Option<usize>
+            where
+                T: EnsembleScalar,
+            {
+                // The vectors of different maps have different constants.
+                let are_one = maps.iter().all(|map| core::ptr::eq(*map, maps[0]));
+                let has_lanes = <<M as KahanMap<T, N>>::Prepared as PreparedStep<_, N>>::HAS_LANES;
+                let level = work.level;
+                if are_one && has_lanes {
+                    T::over_lanes(ByOneMap { map: maps[0], work }, level)
+                } else {
+                    None
+                }
+            }
+        }
+    };
+}
+
+implement_for_stages!(KahanAt<M, T, N>);
+implement_for_stages!(Composed<KahanAt<M, T, N>>);
+
+/// The point at this slice.
+#[inline(always)]
+fn point<T: FloatScalar, const N: usize>(x: &[T]) -> SVector<T, N> {
+    match <[T; N]>::try_from(x) {
+        Ok(entries) => vector(entries),
+        Err(_) => panic!("a point of {} numbers for a map of {N} variables", x.len()),
+    }
+}
+
+/// A map with tangent vectors that it carries along; made by [`KahanAt::tangent`], and of any
+/// [`TangentMap`] by [`new`](Self::new).
+///
+/// As a [`Step`] it has states of (1 + k)·n numbers: a point, then k vectors, one behind the other,
+/// which are neither scaled nor made orthogonal. A [part](Step::part) of a step moves the point
+/// alone.
+///
+/// ```
+/// use kahan_core::prelude::*;
+/// use kahan_core::Orbit;
+///
+/// kahan! {
+///     /// Predator and prey.
+///     pub struct LotkaVolterra;
+///     xdot = x*(1 - y);
+///     ydot = y*(x - 1);
+/// }
+///
+/// let map = LotkaVolterra.at(0.05);
+/// let mut orbit = Orbit::new(map.tangent(), vec![1.5_f64, 1.0, 1.0, -2.0]);
+/// let state = orbit.nth(1).unwrap();
+/// let v = map.jacobian(&vector![1.5, 1.0]) * vector![1.0, -2.0];
+/// assert!((state[2] - v[0]).abs() < 1e-15 && (state[3] - v[1]).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Tangent<S> {
+    map: S,
+    #[cfg_attr(not(feature = "std"), expect(dead_code, reason = "states of any length are vectors"))]
+    vectors: usize,
+}
+
+impl<S> Tangent<S> {
+    /// The map with so many vectors.
+    pub const fn new(map: S, vectors: usize) -> Self {
+        Self { map, vectors }
+    }
+}
+
+impl<M, T, const N: usize> KahanAt<M, T, N>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+{
+    /// This map with a tangent vector that it carries along: v ↦ J(x)·v with J = ∂x̃/∂x.
+    ///
+    /// ```
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! {
+    ///     /// Predator and prey.
+    ///     pub struct LotkaVolterra;
+    ///     xdot = x*(1 - y);
+    ///     ydot = y*(x - 1);
+    /// }
+    ///
+    /// let map = LotkaVolterra.at(0.05);
+    /// let (x, v) = (vector![1.5, 1.0], vector![1.0, -2.0]);
+    /// let carried = map.tangent().carry(&x, &v).unwrap();
+    /// assert!((carried - map.jacobian(&x) * v).norm() < 1e-15);
+    /// ```
+    pub fn tangent(&self) -> Tangent<Self> {
+        Tangent::new(self.clone(), 1)
+    }
+}
+
+impl<M, T, const N: usize> Tangent<KahanAt<M, T, N>>
+where
+    M: Lift<T, N>,
+    T: Scalar,
+{
+    /// J(x)·v; `None` at a pole of an exact scalar.
+    #[inline(always)]
+    pub fn carry(&self, x: &SVector<T, N>, v: &SVector<T, N>) -> Option<SVector<T, N>> {
+        carry([(&self.map.map, &self.map.eps)].into_iter(), x, v)
+    }
+
+    /// The same where x̃ is known, as an orbit's next point is: about half of the work then.
+    #[inline(always)]
+    pub fn carry_to(
+        &self,
+        x: &SVector<T, N>,
+        next: &SVector<T, N>,
+        v: &SVector<T, N>,
+    ) -> Option<SVector<T, N>> {
+        carry_to([(&self.map.map, &self.map.eps)].into_iter(), x, next, v)
+    }
+}
+
+#[cfg(feature = "std")]
+impl<S: TangentMap> Step for Tangent<S> {
+    type Scalar = S::Scalar;
+    type State = Vec<S::Scalar>;
+
+    fn dimension(&self) -> usize {
+        (1 + self.vectors) * self.map.dimension()
+    }
+
+    fn eps(&self) -> &S::Scalar {
+        self.map.eps()
+    }
+
+    fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        let [found, expected] = [x.len(), self.dimension()];
+        assert!(found == expected, "a state of {found} numbers for a map of {expected}");
+        let (point, vectors) = x.split_at_mut(self.map.dimension());
+        let (mut before, mut v) = (S::State::zeros(point.len()), S::State::zeros(point.len()));
+        for _ in 0..steps {
+            before.as_mut_slice().copy_from_slice(point);
+            self.map.advance(point, 1, room)?;
+            for vector in vectors.chunks_exact_mut(point.len()) {
+                v.as_mut_slice().copy_from_slice(vector);
+                self.map.carry_to(before.as_slice(), point, &mut v);
+                vector.copy_from_slice(v.as_slice());
+            }
+        }
+        Ok(())
+    }
+
+    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
+        self.map.part(eps, &mut x[..self.map.dimension()], room)
+    }
+}
