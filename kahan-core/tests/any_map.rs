@@ -1,8 +1,10 @@
 //! What any map at its ε can do, against what each does by its own methods.
 
-use kahan_core::observe::{AtMost, Direction, Drift, Escape, Extrema, Observer, Section, first_crossing};
+use kahan_core::observe::{
+    AtMost, Direction, Drift, Escape, Extrema, Observer, Section, TangentMap, first_crossing,
+};
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Ensemble, LatticeAt, Level, Room, Step};
+use kahan_core::{Compensated, LatticeAt, Level, Orbit, Room, Step, Tangent};
 
 use super::lattices::{Kdv, Ring, Shore, Toda};
 use super::systems::E6;
@@ -67,6 +69,104 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, room: &mut Room) {
     // By its full name, since the trait is in scope.
     LatticeAt::advance(&mut at, &mut expected, STEPS);
     assert_eq!(found, expected);
+}
+
+/// A mode is a map, whose states hold what is carried beside the point.
+#[test]
+fn modes_are_maps() {
+    let (start, mut room) = (vector![0.5, 1.0, 0.25], Room::new());
+    let plain = E6.at(EPS);
+    let composed = plain.composed(Composition::KAHAN_LI_8);
+    let mut carried = [0.5, 1.0, 0.25, 0.0, 0.0, 0.0];
+    let points: Vec<_> = plain.orbit(start).compensated().take(10).collect();
+    Compensated(plain).advance(&mut carried, STEPS, &mut room).unwrap();
+    assert_eq!(&carried[..3], points[STEPS as usize].as_slice());
+    assert!(carried[3..].iter().any(|lacks| *lacks != 0.0));
+    // With what the point lacks an orbit goes on; without, it is another.
+    let last = Orbit::new(Compensated(plain), SMatrix::from_column_slice(&carried)).nth(1).unwrap();
+    assert_eq!(last, plain.orbit(start).compensated().nth(STEPS as usize + 1).unwrap());
+    // A part of a step is the map's, from the point.
+    let (mut part, mut alone) = (carried, [carried[0], carried[1], carried[2]]);
+    Compensated(&plain).part(&0.01, &mut part, &mut room).unwrap();
+    plain.part(&0.01, &mut alone, &mut room).unwrap();
+    assert_eq!((&part[..3], &part[3..]), (&alone[..], &carried[3..]));
+
+    let both = Compensated(composed);
+    let any: &dyn Step<Scalar = f64> = &both;
+    let mut orbit = Orbit::new(any, vec![0.5, 1.0, 0.25, 0.0, 0.0, 0.0]);
+    let expected = composed.orbit(start).compensated().nth(STEPS as usize).unwrap();
+    assert_eq!(orbit.nth(STEPS as usize).unwrap()[..3], *expected.as_slice());
+
+    // Two vectors beside the point, along the map and along its composition.
+    let vectors = [vector![1.0, -2.0, 0.5], vector![0.0, 1.0, 3.0]];
+    let beside: Vec<f64> = [start, vectors[0], vectors[1]].iter().flatten().copied().collect();
+    with_vectors(&plain, &beside);
+    with_vectors(&composed, &beside);
+    let (mut part, mut alone) = (beside.clone(), [0.5, 1.0, 0.25]);
+    Tangent::new(&plain, 2).part(&0.01, &mut part, &mut room).unwrap();
+    plain.part(&0.01, &mut alone, &mut room).unwrap();
+    assert_eq!((&part[..3], &part[3..]), (&alone[..], &beside[3..]));
+
+    // Any step over `f64` on states in `f32`, at an ε that both have.
+    let eps = 1.0 / 32.0;
+    let through = ThroughF64::of_step(E6.at(eps));
+    let single = start.map(|entry| entry as f32);
+    let expected = ThroughF64(E6).orbit(single, eps as f32).nth(STEPS as usize).unwrap();
+    let mut x = single.as_slice().to_vec();
+    through.advance(&mut x, STEPS, &mut room).unwrap();
+    assert_eq!((x.as_slice(), *through.eps()), (expected.as_slice(), eps as f32));
+    let mut x = single.as_slice().to_vec();
+    through.part(&(eps as f32 / 2.0), &mut x, &mut room).unwrap();
+    assert_eq!(x, ThroughF64(E6).step(&single, eps as f32 / 2.0).as_slice());
+}
+
+/// What a map carries along by itself, and as an orbit with vectors beside its point.
+fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, start: &[f64]) {
+    let carried = Orbit::new(Tangent::new(map, 2), start.to_vec()).nth(STEPS as usize).unwrap();
+    let columns = |numbers: &[f64]| SMatrix::<f64, 3, 3>::from_column_slice(numbers);
+    let [mut x, mut v, mut w] = [0, 1, 2].map(|k| columns(start).column(k).into_owned());
+    for _ in 0..STEPS {
+        let next = map.next(&x, &mut Room::new()).unwrap();
+        map.carry_to(x.as_slice(), next.as_slice(), &mut v);
+        map.carry_to(x.as_slice(), next.as_slice(), &mut w);
+        x = next;
+    }
+    assert_eq!(columns(&carried), SMatrix::<f64, 3, 3>::from_columns(&[x, v, w]));
+}
+
+/// Observers see the orbit of a chain, and of a choice at run time, as that of a map in a type.
+#[test]
+fn every_map_has_orbits() {
+    let chain = LatticeMap::at(&Ring, EPS, 5).unwrap();
+    let mut orbit = Orbit::new(&chain, wave(5));
+    let most = orbit.observe(STEPS, Extrema::of(|x: &[f64]| x[2])).unwrap();
+    let points: Vec<_> = Orbit::new(&chain, wave(5)).take(STEPS as usize + 2).collect();
+    let seen = points[..=STEPS as usize].iter().map(|x| x[2]);
+    assert_eq!(most.greatest, seen.fold(f64::NEG_INFINITY, f64::max));
+    assert_eq!(orbit.next(), points.last().cloned());
+    let half = Orbit::new(&chain, wave(5)).at_times(&[EPS]).next().unwrap();
+    assert_eq!(
+        half,
+        Step::next(&LatticeMap::at(&Ring, EPS / 2.0, 5).unwrap(), &wave(5), &mut Room::new()).unwrap()
+    );
+
+    let plain = E6.at(EPS);
+    let any: &dyn Step<Scalar = f64> = &plain;
+    let start = [0.5, 1.0, 0.25];
+    let mut orbits = (Orbit::new(any, start.to_vec()), plain.orbit(start.into()));
+    let found = orbits.0.first_crossing(500, |x| x[2] - 0.2).unwrap();
+    let expected = orbits.1.first_crossing(500, |x| x[2] - 0.2).unwrap();
+    assert_eq!((found.time, found.point.as_slice()), (expected.time, expected.point.as_slice()));
+    // So does a compensated one, whose points and parts are those of the map.
+    let carried = plain.orbit(start.into()).compensated().first_crossing(500, |x| x[2] - 0.2).unwrap();
+    assert_eq!(carried.step, expected.step);
+    assert!((carried.time - expected.time).abs() < 1e-13);
+}
+
+#[test]
+#[should_panic(expected = "a state of 2 numbers for a map of 5")]
+fn an_orbit_of_another_length_panics() {
+    let _ = Orbit::new(&LatticeMap::at(&Ring, EPS, 5).unwrap(), vec![1.0; 2]);
 }
 
 #[test]

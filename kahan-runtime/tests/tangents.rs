@@ -1,7 +1,10 @@
 //! Observers of maps that are read at run time, against those of the macro's.
 
-use kahan_core::observe::{AtMost, Direction, Fli, Lyapunov, MeanLogDet, Observer, Sali, Section, Spectrum};
+use kahan_core::observe::{
+    AtMost, Direction, Fli, Lyapunov, MeanLogDet, Observer, Sali, Section, Spectrum, TangentMap,
+};
 use kahan_core::prelude::*;
+use kahan_core::{Compensated, Orbit, Room, Step};
 use kahan_core::{Composition, KahanMap};
 use kahan_runtime::{Field, MapAt};
 
@@ -87,4 +90,40 @@ fn a_step_allocates_nothing() {
     };
     go(0..10);
     assert_eq!(allocation_counter::measure(|| go(10..50)).count_total, 0);
+}
+
+/// Modes of a map that is read at run time have the bits of its own methods.
+#[test]
+fn modes_are_maps_of_their_own() {
+    let (_, map) = lorenz();
+    let (start, steps) = ([1.0, 2.0, 20.0], 50);
+    let mut room = Room::new();
+    for map in [map.clone(), map.composed(Composition::SUZUKI_4)] {
+        let (mut x, mut carry) = (start, [0.0; 3]);
+        map.advance_with_carry(&mut x, &mut carry, steps).unwrap();
+        let beside = [start, [0.0; 3]].concat();
+        let carried = Orbit::new(Compensated(&map), beside.clone()).nth(steps as usize).unwrap();
+        assert_eq!(carried, [x, carry].concat());
+        let mut at_once = beside;
+        Compensated(map.clone()).advance(&mut at_once, steps, &mut room).unwrap();
+        assert_eq!(at_once, carried);
+
+        let (mut x, mut v) = (start, vec![0.5, -1.0, 2.0]);
+        let beside = [&x[..], &v].concat();
+        for _ in 0..steps {
+            map.carry(&x, &mut v);
+            map.advance(&mut x, 1).unwrap();
+        }
+        let with_vector = Orbit::new(map.tangent(), beside).nth(steps as usize).unwrap();
+        assert_eq!(with_vector, [&x[..], &v].concat());
+
+        // A state that is rounded to `f32` after each step in `f64`.
+        let (mut x, mut rounded) = (start, start.map(|entry| entry as f32));
+        ThroughF64::of_step(&map).advance(&mut rounded, steps, &mut room).unwrap();
+        for _ in 0..steps {
+            map.advance(&mut x, 1).unwrap();
+            x = x.map(|entry| f64::from(entry as f32));
+        }
+        assert_eq!(rounded.map(f64::from), x);
+    }
 }

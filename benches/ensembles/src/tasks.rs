@@ -59,7 +59,7 @@ fn bounds() -> Vec<Task> {
 /// One system on every level, and one trajectory by itself.
 fn system<M, const N: usize>(name: &'static str, map: M, start: [f64; N]) -> Vec<Task>
 where
-    M: KahanMap<f64, N> + Copy + 'static,
+    M: KahanMap<f64, N> + Sync + Copy + 'static,
     M::Prepared: WideStep<f64, N> + Sync,
 {
     let points = (0..POINTS).map(|k| SVector::from(start.map(|x| x * (1.0 + 1e-4 * k as f64)))).collect();
@@ -95,7 +95,7 @@ where
 
 fn advance<M, const N: usize>(ensemble: &Ensemble<f64, N>, at: &KahanAt<M, f64, N>, steps: usize) -> f64
 where
-    M: KahanMap<f64, N>,
+    M: KahanMap<f64, N> + Sync,
     M::Prepared: WideStep<f64, N> + Sync,
 {
     let mut seconds = 0.0;

@@ -1,9 +1,12 @@
 //! Single precision, each step computed in double precision and rounded once.
 //!
 //! In: a map over `f32`. Out: the same map, more accurate: the parameters, ε and the state are the
-//! `f32`s given, lifted into `f64` without an error; x̃ is computed there.
+//! `f32`s given, lifted into `f64` without an error; x̃ is computed there. Or in: any step over
+//! `f64`. Out: the same on states in `f32`.
 
 use core::array::from_fn;
+#[cfg(feature = "std")]
+use std::vec::Vec;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,6 +16,8 @@ use crate::step::error::Reason;
 use crate::{
     KahanMap, Lift, PreparedStep, QuadraticField, Quotients, Scalar, SingularStep, StepCost, WideStep,
 };
+#[cfg(feature = "std")]
+use crate::{Room, Step, Stopped};
 
 /// A map over `f32` whose every step is computed in `f64` and rounded once.
 ///
@@ -47,6 +52,52 @@ pub struct ThroughF64<M>(
     /// The map.
     pub M,
 );
+
+#[cfg(feature = "std")]
+impl<S: Step<Scalar = f64>> ThroughF64<(S, f32)> {
+    /// Any step over `f64` on states in `f32`: a chain, a map that is read at run time, a
+    /// `&dyn Step<Scalar = f64>`. Its own ε and parameters stay doubles, and
+    /// [`eps`](Step::eps) is ε rounded.
+    ///
+    /// Cost: a run allocates a state in `f64`; its steps do not.
+    pub fn of_step(step: S) -> Self {
+        let eps = *step.eps() as f32;
+        Self((step, eps))
+    }
+}
+
+#[cfg(feature = "std")]
+impl<S: Step<Scalar = f64>> Step for ThroughF64<(S, f32)> {
+    type Scalar = f32;
+    type State = Vec<f32>;
+
+    fn dimension(&self) -> usize {
+        self.0.0.dimension()
+    }
+
+    fn eps(&self) -> &f32 {
+        &self.0.1
+    }
+
+    fn advance(&self, x: &mut [f32], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        let mut wide: Vec<f64> = x.iter().copied().map(f64::from).collect();
+        for steps in 0..steps {
+            self.0.0.advance(&mut wide, 1, room).map_err(|stopped| Stopped { steps, ..stopped })?;
+            for (x, wide) in x.iter_mut().zip(&mut wide) {
+                *x = *wide as f32;
+                *wide = f64::from(*x);
+            }
+        }
+        Ok(())
+    }
+
+    fn part(&self, eps: &f32, x: &mut [f32], room: &mut Room) -> Result<(), Stopped> {
+        let mut wide: Vec<f64> = x.iter().copied().map(f64::from).collect();
+        self.0.0.part(&f64::from(*eps), &mut wide, room)?;
+        x.iter_mut().zip(wide).for_each(|(x, wide)| *x = wide as f32);
+        Ok(())
+    }
+}
 
 /// A step over `f64`, taken from a state in `f32` and rounded once.
 #[derive(Clone, Copy, Debug)]

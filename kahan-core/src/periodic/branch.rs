@@ -4,11 +4,11 @@ use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::Parametric;
 use super::cycle::PeriodicPoint;
 use super::newton::{NOTHING, defect, least_norm, slope};
 use super::turns::{Stride, Turn};
 use super::unit::{self, InUnits, Unit};
-use super::{Differentiable, Parametric};
 
 /// A cycle on a branch.
 #[derive(Clone, Debug, PartialEq)]

@@ -13,14 +13,6 @@ impl<M, const N: usize> Differentiable for KahanAt<M, f64, N>
 where
     M: KahanMap<f64, N> + Lift<f64, N>,
 {
-    fn dimension(&self) -> usize {
-        N
-    }
-
-    fn image(&self, x: &[f64]) -> Vec<f64> {
-        self.step(&SVector::from_column_slice(x)).as_slice().to_vec()
-    }
-
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         let jacobian = self.jacobian(&SVector::from_column_slice(x));
         DMatrix::from_fn(N, N, |i, j| jacobian[(i, j)])
@@ -32,14 +24,6 @@ impl<M, const N: usize> Differentiable for KahanAt<M, Dual<f64, 1>, N>
 where
     M: KahanMap<Dual<f64, 1>, N> + Lift<Dual<f64, 1>, N>,
 {
-    fn dimension(&self) -> usize {
-        N
-    }
-
-    fn image(&self, x: &[f64]) -> Vec<f64> {
-        self.step(&fixed(x)).iter().map(|entry| entry.value).collect()
-    }
-
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         let jacobian = self.jacobian(&fixed(x));
         DMatrix::from_fn(N, N, |i, j| jacobian[(i, j)].value)

@@ -34,17 +34,21 @@ use std::vec::Vec;
 
 use nalgebra::DMatrix;
 
+use crate::{Room, Scalar, Step};
+
 pub use branch::{Branch, BranchPoint, branch};
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
 pub use turns::{Change, Turn};
 
-/// A map of points with its derivative.
-pub trait Differentiable {
-    /// The number of variables.
-    fn dimension(&self) -> usize;
-
+/// A map with its derivative.
+pub trait Differentiable: Step<Scalar: From<f64>> {
     /// x̃; not finite at a pole.
-    fn image(&self, x: &[f64]) -> Vec<f64>;
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        let mut image: Vec<Self::Scalar> = x.iter().map(|entry| (*entry).into()).collect();
+        // Floats go on at poles.
+        let _ = self.advance(&mut image, 1, &mut Room::new());
+        image.iter().map(Scalar::approximate).collect()
+    }
 
     /// ∂x̃/∂x; not finite at a pole.
     fn derivative(&self, x: &[f64]) -> DMatrix<f64>;

@@ -5,6 +5,7 @@ use std::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 
 use super::Differentiable;
+use super::unit::InUnits;
 
 /// A defect that is smaller than this, in units of the cycle's size, counts as none: the square of
 /// a rounding. Newton's method would take a cycle at 0 to the end of the range, where numbers have
@@ -12,7 +13,7 @@ use super::Differentiable;
 pub(super) const NOTHING: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
 /// φ(xᵢ) − xᵢ₊₁, one behind the other, the last back to the first; `None` where it is not finite.
-pub(super) fn defect<M: Differentiable>(map: &M, cycle: &DVector<f64>) -> Option<DVector<f64>> {
+pub(super) fn defect<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>) -> Option<DVector<f64>> {
     let n = map.dimension();
     let points = cycle.as_slice().chunks(n);
     let next = points.clone().cycle().skip(1);
@@ -25,7 +26,7 @@ pub(super) fn defect<M: Differentiable>(map: &M, cycle: &DVector<f64>) -> Option
 }
 
 /// The derivative of the defect with respect to all points.
-pub(super) fn slope<M: Differentiable>(map: &M, cycle: &DVector<f64>) -> DMatrix<f64> {
+pub(super) fn slope<M: Differentiable>(map: &InUnits<M>, cycle: &DVector<f64>) -> DMatrix<f64> {
     let n = map.dimension();
     let period = cycle.len() / n;
     let mut slope = DMatrix::zeros(cycle.len(), cycle.len());
@@ -57,7 +58,10 @@ pub(super) fn least_norm(matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<D
 /// A cycle near the given one, with the size of its defect.
 ///
 /// `None` where the map is not finite on the way.
-pub(super) fn closed<M: Differentiable>(map: &M, cycle: DVector<f64>) -> Option<(DVector<f64>, f64)> {
+pub(super) fn closed<M: Differentiable>(
+    map: &InUnits<M>,
+    cycle: DVector<f64>,
+) -> Option<(DVector<f64>, f64)> {
     /// Newton's method doubles digits: what does not converge in so many does not converge.
     const ROUNDS: usize = 60;
 

@@ -4,23 +4,58 @@ use nalgebra::DMatrix;
 use std::vec;
 use std::vec::Vec;
 
-use crate::Dual;
 use crate::prelude::*;
+use crate::{Dual, Room, Step, Stopped};
 
 use super::{Branch, Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
+
+/// A map that has no ε.
+trait ByHand {
+    const DIMENSION: usize;
+
+    fn image(&self, x: &[f64]) -> Vec<f64>;
+}
+
+macro_rules! steps {
+    ($($map:ty),*) => {$(
+        impl Step for $map {
+            type Scalar = f64;
+            type State = Vec<f64>;
+
+            fn dimension(&self) -> usize {
+                Self::DIMENSION
+            }
+
+            fn eps(&self) -> &f64 {
+                &1.0
+            }
+
+            fn advance(&self, x: &mut [f64], steps: u64, _: &mut Room) -> Result<(), Stopped> {
+                (0..steps).for_each(|_| x.copy_from_slice(&ByHand::image(self, x)));
+                Ok(())
+            }
+
+            fn part(&self, _: &f64, _: &mut [f64], _: &mut Room) -> Result<(), Stopped> {
+                unreachable!("nobody looks between the points of a cycle")
+            }
+        }
+    )*};
+}
+
+steps!(Logistic, Henon, SaddleNode, Fifth, Arctangent, Turning, Several, Meeting, Far);
 
 /// x ↦ r x (1 − x).
 struct Logistic(f64);
 
-impl Differentiable for Logistic {
-    fn dimension(&self) -> usize {
-        1
-    }
+impl ByHand for Logistic {
+    const DIMENSION: usize = 1;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         vec![self.0 * x[0] * (1.0 - x[0])]
     }
+}
 
+impl Differentiable for Logistic {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         DMatrix::from_element(1, 1, self.0 * (1.0 - 2.0 * x[0]))
     }
@@ -59,15 +94,15 @@ fn maps_over_dual_numbers_know_how_they_depend_on_what_changes() {
 /// Hénon's map (x, y) ↦ (1 − a x² + y, b x).
 struct Henon(f64, f64);
 
-impl Differentiable for Henon {
-    fn dimension(&self) -> usize {
-        2
-    }
+impl ByHand for Henon {
+    const DIMENSION: usize = 2;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         vec![1.0 - self.0 * x[0] * x[0] + x[1], self.1 * x[0]]
     }
+}
 
+impl Differentiable for Henon {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         DMatrix::from_row_slice(2, 2, &[-2.0 * self.0 * x[0], 1.0, self.1, 0.0])
     }
@@ -83,15 +118,15 @@ impl Parametric for Henon {
 /// x ↦ x + p − x²
 struct SaddleNode(f64);
 
-impl Differentiable for SaddleNode {
-    fn dimension(&self) -> usize {
-        1
-    }
+impl ByHand for SaddleNode {
+    const DIMENSION: usize = 1;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         vec![x[0] + self.0 - x[0] * x[0]]
     }
+}
 
+impl Differentiable for SaddleNode {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         DMatrix::from_element(1, 1, 1.0 - 2.0 * x[0])
     }
@@ -106,16 +141,16 @@ impl Parametric for SaddleNode {
 /// A turn by a fifth of a circle.
 struct Fifth;
 
-impl Differentiable for Fifth {
-    fn dimension(&self) -> usize {
-        2
-    }
+impl ByHand for Fifth {
+    const DIMENSION: usize = 2;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         let image = self.derivative(x) * DMatrix::from_column_slice(2, 1, x);
         image.as_slice().to_vec()
     }
+}
 
+impl Differentiable for Fifth {
     fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
         let (sin, cos) = (core::f64::consts::TAU / 5.0).sin_cos();
         DMatrix::from_row_slice(2, 2, &[cos, -sin, sin, cos])
@@ -182,15 +217,17 @@ fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
     // Fixed points of x̃ = x + a − x²/unit, which begins at 0 for a = 0, in units of `unit`.
     struct Root(f64, f64);
 
-    impl Differentiable for Root {
-        fn dimension(&self) -> usize {
-            1
-        }
+    impl ByHand for Root {
+        const DIMENSION: usize = 1;
 
         fn image(&self, x: &[f64]) -> Vec<f64> {
             vec![0.5 * x[0] + self.0 - x[0] * (x[0] / self.1)]
         }
+    }
 
+    steps!(Root);
+
+    impl Differentiable for Root {
         fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
             DMatrix::from_element(1, 1, 0.5 - 2.0 * (x[0] / self.1))
         }
@@ -218,15 +255,15 @@ fn a_branch_that_begins_at_0_is_the_same_in_every_unit() {
 /// x ↦ x + arctan x
 struct Arctangent;
 
-impl Differentiable for Arctangent {
-    fn dimension(&self) -> usize {
-        1
-    }
+impl ByHand for Arctangent {
+    const DIMENSION: usize = 1;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         vec![x[0] + x[0].atan()]
     }
+}
 
+impl Differentiable for Arctangent {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         DMatrix::from_element(1, 1, 1.0 + 1.0 / (1.0 + x[0] * x[0]))
     }
@@ -295,15 +332,15 @@ fn a_pair_that_leaves_the_circle_is_found_where_it_does() {
 /// x = 0, where the branch turns back, and the other one through −1 at x = 1/4.
 struct Turning(f64);
 
-impl Differentiable for Turning {
-    fn dimension(&self) -> usize {
-        2
-    }
+impl ByHand for Turning {
+    const DIMENSION: usize = 2;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         vec![x[0] + self.0 - x[0] * x[0], (x[0] / 2.0 - 1.125) * x[1]]
     }
+}
 
+impl Differentiable for Turning {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         DMatrix::from_row_slice(2, 2, &[1.0 - 2.0 * x[0], 0.0, x[1] / 2.0, x[0] / 2.0 - 1.125])
     }
@@ -319,15 +356,15 @@ impl Parametric for Turning {
 /// circle at p = 1, 3/4 and 5/4.
 struct Several(f64);
 
-impl Differentiable for Several {
-    fn dimension(&self) -> usize {
-        4
-    }
+impl ByHand for Several {
+    const DIMENSION: usize = 4;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         (self.derivative(x) * DMatrix::from_column_slice(4, 1, x)).as_slice().to_vec()
     }
+}
 
+impl Differentiable for Several {
     fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
         let (sin, cos) = 1f64.sin_cos();
         let mut matrix = DMatrix::zeros(4, 4);
@@ -374,15 +411,15 @@ fn all_changes_of_one_stride_are_told_in_order() {
 /// A linear map with the multipliers 3/2 ± √p.
 struct Meeting(f64);
 
-impl Differentiable for Meeting {
-    fn dimension(&self) -> usize {
-        2
-    }
+impl ByHand for Meeting {
+    const DIMENSION: usize = 2;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         vec![1.5 * x[0] + self.0 * x[1], x[0] + 1.5 * x[1]]
     }
+}
 
+impl Differentiable for Meeting {
     fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
         DMatrix::from_row_slice(2, 2, &[1.5, self.0, 1.0, 1.5])
     }
@@ -428,15 +465,15 @@ fn a_fold_hides_no_other_change() {
 /// x ↦ (x + 1 − px)/2, whose fixed point 1/(1 + p) goes to infinity as p goes to −1.
 struct Far(f64);
 
-impl Differentiable for Far {
-    fn dimension(&self) -> usize {
-        1
-    }
+impl ByHand for Far {
+    const DIMENSION: usize = 1;
 
     fn image(&self, x: &[f64]) -> Vec<f64> {
         vec![(x[0] + 1.0 - self.0 * x[0]) / 2.0]
     }
+}
 
+impl Differentiable for Far {
     fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
         DMatrix::from_element(1, 1, (1.0 - self.0) / 2.0)
     }

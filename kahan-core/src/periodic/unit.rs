@@ -48,35 +48,31 @@ impl<M> InUnits<M> {
     }
 }
 
-impl<M: Differentiable> Differentiable for InUnits<M> {
-    fn dimension(&self) -> usize {
+impl<M: Differentiable> InUnits<M> {
+    /// The number of variables.
+    pub(super) fn dimension(&self) -> usize {
         self.map.dimension()
     }
 
-    fn image(&self, x: &[f64]) -> Vec<f64> {
+    /// x̃
+    pub(super) fn image(&self, x: &[f64]) -> Vec<f64> {
         self.inside(self.map.image(&self.outside(x)))
     }
 
-    fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
+    /// ∂x̃/∂x
+    pub(super) fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         self.map.derivative(&self.outside(x))
     }
 }
 
-impl<M: Parametric> Parametric for InUnits<M> {
-    fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
+impl<M: Parametric> InUnits<M> {
+    /// ∂x̃/∂p
+    pub(super) fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         self.inside(self.map.by_parameter(&self.outside(x)))
     }
 }
 
 impl<M: Differentiable> Differentiable for &M {
-    fn dimension(&self) -> usize {
-        M::dimension(self)
-    }
-
-    fn image(&self, x: &[f64]) -> Vec<f64> {
-        M::image(self, x)
-    }
-
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         M::derivative(self, x)
     }

@@ -35,6 +35,13 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
     }
 }
 
+/// A number that depends on no direction.
+impl<const N: usize> From<f64> for Dual<f64, N> {
+    fn from(value: f64) -> Self {
+        Self::lift(value)
+    }
+}
+
 /// Replaces each entry of a gradient, by itself or with that of another.
 macro_rules! along {
     ($dual:expr, |$own:ident| $value:expr) => {

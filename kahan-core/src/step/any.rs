@@ -26,6 +26,8 @@ use crate::{Scalar, SingularStep};
 /// | of a block of [`kahan!`](crate::kahan), and compositions of it | [`KahanMap::at`](crate::KahanMap::at) | `SVector` |
 /// | of a family, a chain of some sites | [`LatticeMap::at`](crate::LatticeMap::at) | `Vec` |
 /// | of a text that is read at run time | `kahan_runtime::Map::at`, `Lattice::at` | `Vec` |
+/// | with rounding errors carried beside the point; with tangent vectors | [`Compensated`](crate::Compensated), [`Tangent`](crate::Tangent) | point and what is carried: an `SMatrix` with a column each, `Vec` |
+/// | any map over `f64`, on states in `f32` | [`ThroughF64::of_step`](crate::ThroughF64::of_step) | `Vec` |
 /// | a reference to any | `&map`, `&dyn Step<Scalar = f64>` | the map's, `Vec` |
 ///
 /// Bits are those of the map's own methods. A state of another length panics, as dimensions of

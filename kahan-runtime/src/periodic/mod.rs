@@ -11,24 +11,13 @@ mod tests;
 
 use kahan_core::nalgebra::DMatrix;
 use kahan_core::periodic::{Differentiable, Parametric};
+use kahan_core::{Room, Step, Stopped};
 
 use crate::MapAt;
 
 pub use rational::RationalCycle;
 
 impl Differentiable for MapAt<f64> {
-    fn dimension(&self) -> usize {
-        self.map().field().variables().len()
-    }
-
-    /// # Panics
-    /// If `x` has not an entry a variable.
-    fn image(&self, x: &[f64]) -> Vec<f64> {
-        let mut image = vec![0.0; x.len()];
-        assert!(self.step(x, &mut image).is_ok(), "{} numbers for another number of variables", x.len());
-        image
-    }
-
     /// # Panics
     /// If `x` has not an entry a variable.
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
@@ -61,15 +50,31 @@ impl MapAt<f64> {
     }
 }
 
-impl Differentiable for ParametricAt {
+/// Steps are those of the map.
+impl Step for ParametricAt {
+    type Scalar = f64;
+    type State = Vec<f64>;
+
     fn dimension(&self) -> usize {
-        self.at.dimension()
+        Step::dimension(&self.at)
     }
 
-    fn image(&self, x: &[f64]) -> Vec<f64> {
-        self.at.image(x)
+    fn eps(&self) -> &f64 {
+        Step::eps(&self.at)
     }
 
+    #[track_caller]
+    fn advance(&self, x: &mut [f64], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        Step::advance(&self.at, x, steps, room)
+    }
+
+    #[track_caller]
+    fn part(&self, eps: &f64, x: &mut [f64], room: &mut Room) -> Result<(), Stopped> {
+        self.at.part(eps, x, room)
+    }
+}
+
+impl Differentiable for ParametricAt {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         self.at.derivative(x)
     }
