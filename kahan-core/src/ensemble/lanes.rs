@@ -41,15 +41,15 @@ pub trait OverLanes<T> {
 
 /// A float that fills lanes.
 pub(crate) trait InLanes: Sized {
-    /// Numbers in the widest register.
-    const MOST: usize;
+    /// Numbers in a register of 512 bits, the widest there is.
+    const MOST: usize = 64 / size_of::<Self>();
 
     /// Runs work over the lanes of a level or, should the processor lack it, of the baseline.
     fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output;
 }
 
 macro_rules! implement_for_float {
-    ($float:ty, $most:literal, $run:ident) => {
+    ($float:ty) => {
         impl Lanes<$float> for $float {
             type Mask = bool;
 
@@ -74,21 +74,14 @@ macro_rules! implement_for_float {
             }
         }
 
+        #[cfg(not(target_arch = "x86_64"))]
         impl InLanes for $float {
-            const MOST: usize = $most;
-
-            fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output {
-                #[cfg(target_arch = "x86_64")]
-                return super::x86_64::$run(work, level);
-                #[cfg(not(target_arch = "x86_64"))]
-                {
-                    let _ = level;
-                    work.run::<Self>()
-                }
+            fn run<W: OverLanes<Self>>(work: W, _level: Level) -> W::Output {
+                work.run::<Self>()
             }
         }
     };
 }
 
-implement_for_float!(f32, 16, run_over_f32);
-implement_for_float!(f64, 8, run_over_f64);
+implement_for_float!(f32);
+implement_for_float!(f64);

@@ -12,9 +12,9 @@ use crate::step::error::{Reason, pole};
 use crate::{Room, SingularStep, Step, Stopped};
 
 use super::folded::Folded;
-use super::parts::{InParts, Plan};
+use super::parts::{Parted, Plan};
 use super::promise::{Promise, REFINEMENTS};
-use super::scalar::Eliminated;
+use super::scalar::{Eliminated, Solved};
 use super::sites::Site;
 use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Shape};
 
@@ -35,7 +35,7 @@ struct Memory<T: LatticeScalar> {
     form: Form,
     site: Site<T>,
     folded: Folded<T>,
-    parts: Option<InParts<T>>,
+    parts: Option<<T as Solved>::Parts>,
     whole_eliminations: u64,
 }
 
@@ -58,7 +58,7 @@ impl<T: LatticeScalar> Memory<T> {
             form,
             site: Site::of::<S>(),
             folded: folded(sites * S::BLOCK, boundary == Boundary::Periodic, S::LOWER, S::UPPER),
-            parts: plan.map(|plan| InParts::new::<S>(plan, boundary, level)),
+            parts: plan.and_then(|plan| Parted::new::<S>(plan, boundary, level)),
             whole_eliminations: 0,
         }
     }
@@ -67,7 +67,7 @@ impl<T: LatticeScalar> Memory<T> {
     fn step<M: LatticeMap<T>>(&mut self, map: &M, constants: &[T], eps: &T, state: &mut [T]) -> Option<()> {
         let twice = eps.clone() + eps.clone();
         if let Some(parts) = &mut self.parts
-            && T::step_in_parts(parts, map, constants, &twice, &mut self.site, state)
+            && parts.step(map, constants, &twice, &mut self.site, state)
         {
             return Some(());
         }
@@ -103,7 +103,7 @@ impl<T: LatticeScalar> Memory<T> {
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     pub(super) fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
-        let plan = T::PARTS.and_then(|lanes| Plan::new(sites, M::Shape::REACH, lanes));
+        let plan = <T as Solved>::Parts::LANES.and_then(|lanes| Plan::new(sites, M::Shape::REACH, lanes));
         Self::planned(map, eps, sites, plan)
     }
 
@@ -271,8 +271,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// As [`step`](Self::step).
     #[track_caller]
     pub fn advance(&mut self, state: &mut [T], steps: u64) {
+        self.check(state);
+        let Self { map, eps, forward, memory, .. } = self;
         for _ in 0..steps {
-            self.step(state);
+            if memory.step(map, forward, eps, state).is_none() {
+                pole(eps)
+            }
         }
     }
 

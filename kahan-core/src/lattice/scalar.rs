@@ -5,7 +5,6 @@ use std::vec::Vec;
 #[cfg(feature = "exact")]
 use num_traits::Zero;
 
-use crate::ensemble::lanes::InLanes;
 use crate::map::Promised;
 #[cfg(feature = "exact")]
 use crate::scalar::bounded::Limit;
@@ -15,8 +14,7 @@ use crate::{Dd, Pivot, Scalar};
 
 use super::LatticeMap;
 use super::far::eliminated;
-use super::parts::InParts;
-use super::sites::Site;
+use super::parts::{InParts, NoParts, Parted};
 
 /// A scalar of a chain: `f32`, `f64`, [`Dd`], with the feature `exact` also `BigRational`.
 #[diagnostic::on_unimplemented(
@@ -35,14 +33,14 @@ pub(super) trait Solved: Sized {
     /// Wider numbers that tell how good a step is.
     type Near: Judge<Self>;
 
+    /// What steps a long chain in parts, side by side in lanes.
+    type Parts: Parted<Self>;
+
     /// Still wider ones, for what the others leave open: in these nothing underflows.
     type Far: Judge<Self>;
 
     /// u, the relative error of an operation; 0 of an exact scalar.
     const UNIT: f64;
-
-    /// How many parts of a chain are eliminated side by side; none for scalars without lanes.
-    const PARTS: Option<usize> = None;
 
     /// x̃ by elimination over numbers of many digits; none of an exact scalar, whose steps are
     /// exact, and of very long chains.
@@ -56,21 +54,6 @@ pub(super) trait Solved: Sized {
         Self: LatticeScalar,
     {
         None
-    }
-
-    /// One step in parts, if they can vouch for it; otherwise the state stays as it is.
-    fn step_in_parts<M: LatticeMap<Self>>(
-        _parts: &mut InParts<Self>,
-        _map: &M,
-        _constants: &[Self],
-        _twice: &Self,
-        _site: &mut Site<Self>,
-        _state: &mut [Self],
-    ) -> bool
-    where
-        Self: LatticeScalar,
-    {
-        false
     }
 }
 
@@ -116,25 +99,9 @@ judged_in!(f64, Dd: |number| (*number).into(), |value| value.into());
 judged_in!(f64, Wide: |number| number.widen(), |value| f64::narrow(value));
 judged_in!(Dd, Wide: |number| number.widen(), |value| Dd::narrow(value));
 
-/// A float, judged in a wider one; what stands in brackets is how its chains are solved.
+/// A float, judged in a wider one, and what steps its chains in parts.
 macro_rules! implement_for_float {
-    (in lanes: $float:ty, $near:ty) => {
-        implement_for_float! { $float, $near, [
-            const PARTS: Option<usize> = Some(<$float as InLanes>::MOST);
-
-            fn step_in_parts<M: LatticeMap<Self>>(
-                parts: &mut InParts<Self>,
-                map: &M,
-                constants: &[Self],
-                twice: &Self,
-                site: &mut Site<Self>,
-                state: &mut [Self],
-            ) -> bool {
-                parts.step(map, constants, twice, site, state)
-            }
-        ] }
-    };
-    ($float:ty, $near:ty, [$($in_parts:tt)*]) => {
+    ($float:ty, $near:ty, $parts:ty) => {
         impl LatticeScalar for $float {
             fn absolute(&self) -> Self {
                 self.abs()
@@ -142,6 +109,7 @@ macro_rules! implement_for_float {
         }
 
         impl Solved for $float {
+            type Parts = $parts;
             type Near = Bounded<$near>;
             type Far = Bounded<Wide>;
 
@@ -163,15 +131,13 @@ macro_rules! implement_for_float {
                 let is_settled = Long::are_settled(exact.iter().zip(in_range));
                 Some(Eliminated { next, is_promised, is_settled })
             }
-
-            $($in_parts)*
         }
     };
 }
 
-implement_for_float!(in lanes: f32, f64);
-implement_for_float!(in lanes: f64, Dd);
-implement_for_float!(Dd, Wide, []);
+implement_for_float!(f32, f64, InParts<f32>);
+implement_for_float!(f64, Dd, InParts<f64>);
+implement_for_float!(Dd, Wide, NoParts);
 
 #[cfg(feature = "exact")]
 impl LatticeScalar for num_rational::BigRational {
@@ -182,6 +148,7 @@ impl LatticeScalar for num_rational::BigRational {
 
 #[cfg(feature = "exact")]
 impl Solved for num_rational::BigRational {
+    type Parts = NoParts;
     type Near = Self;
     type Far = Self;
 

@@ -17,7 +17,7 @@ use crate::composition::Staged;
 use crate::{KahanMap, WideStep};
 
 use super::columns::Group;
-use super::lanes::{Lanes, OverLanes};
+use super::lanes::{InLanes, Lanes, OverLanes};
 use super::level::{Instructions, Level, Reciprocal};
 use super::sweep::{Register, sweep};
 use super::twice::Twice;
@@ -96,27 +96,28 @@ over_registers! {
 }
 
 macro_rules! run_over_lanes_of {
-    ($run:ident, $float:ty: $sse2:ty, $avx2:ty, $avx512:ty) => {
-        /// Runs work over the lanes of a level or, should the processor lack it, of the baseline.
-        pub(super) fn $run<W: OverLanes<$float>>(work: W, level: Level) -> W::Output {
-            match level {
-                Level::Avx512 if level.is_available() => {
-                    // SAFETY: the processor has AVX-512F; it was asked in the line above.
-                    unsafe { work_on_avx512::<$avx512, _, W>(work) }
+    ($float:ty: $sse2:ty, $avx2:ty, $avx512:ty) => {
+        impl InLanes for $float {
+            fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output {
+                match level {
+                    Level::Avx512 if level.is_available() => {
+                        // SAFETY: the processor has AVX-512F; it was asked in the line above.
+                        unsafe { work_on_avx512::<$avx512, _, W>(work) }
+                    }
+                    Level::Avx2 if level.is_available() => {
+                        // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
+                        unsafe { work_on_avx2::<$avx2, _, W>(work) }
+                    }
+                    _ if W::IS_SMALL => work.run::<Twice<$sse2>>(),
+                    _ => work.run::<$sse2>(),
                 }
-                Level::Avx2 if level.is_available() => {
-                    // SAFETY: the processor has AVX2 and FMA; it was asked in the line above.
-                    unsafe { work_on_avx2::<$avx2, _, W>(work) }
-                }
-                _ if W::IS_SMALL => work.run::<Twice<$sse2>>(),
-                _ => work.run::<$sse2>(),
             }
         }
     };
 }
 
-run_over_lanes_of!(run_over_f32, f32: F32x4, F32x8, F32x16);
-run_over_lanes_of!(run_over_f64, f64: F64x2, F64x4, F64x8);
+run_over_lanes_of!(f32: F32x4, F32x8, F32x16);
+run_over_lanes_of!(f64: F64x2, F64x4, F64x8);
 
 #[target_feature(enable = "avx2,fma")]
 fn work_on_avx2<L: Lanes<T>, T, W: OverLanes<T>>(work: W) -> W::Output

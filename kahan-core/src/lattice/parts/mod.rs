@@ -18,7 +18,6 @@ mod window;
 use std::vec;
 use std::vec::Vec;
 
-use crate::Scalar;
 use crate::ensemble::Level;
 use crate::ensemble::lanes::InLanes;
 
@@ -27,6 +26,7 @@ use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Shape};
 
 pub(super) use kernel::Kernel;
+use passes::{First, Second, divide};
 pub(super) use plan::Plan;
 use scratch::Scratch;
 
@@ -43,50 +43,89 @@ pub(super) struct InParts<T> {
     reduced: Folded<T>,
 }
 
-impl<T: Scalar> InParts<T> {
-    pub(super) fn new<S: Shape>(plan: Plan, boundary: Boundary, level: Level) -> Self {
+/// What steps a long chain of T in parts.
+pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
+    /// How many parts are eliminated side by side; none for scalars without lanes.
+    const LANES: Option<usize>;
+
+    /// The memory of steps, for scalars with lanes.
+    fn new<S: Shape>(plan: Plan, boundary: Boundary, level: Level) -> Option<Self>;
+
+    /// One step, if the parts can vouch for it; otherwise the state stays as it is.
+    fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
+    where
+        M: LatticeMap<T>,
+        T: LatticeScalar;
+}
+
+/// The parts of a scalar without lanes: there are none.
+pub(in crate::lattice) enum NoParts {}
+
+impl<T> Parted<T> for NoParts {
+    const LANES: Option<usize> = None;
+
+    fn new<S: Shape>(_: Plan, _: Boundary, _: Level) -> Option<Self> {
+        None
+    }
+
+    fn step<M>(&mut self, _: &M, _: &[T], _: &T, _: &mut Site<T>, _: &mut [T]) -> bool
+    where
+        M: LatticeMap<T>,
+        T: LatticeScalar,
+    {
+        match *self {}
+    }
+}
+
+impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
+    const LANES: Option<usize> = Some(T::MOST);
+
+    fn new<S: Shape>(plan: Plan, boundary: Boundary, level: Level) -> Option<Self> {
         let separator = S::REACH * S::BLOCK;
         let kept = plan.kept() * S::BLOCK;
         #[cfg(feature = "parallel")]
         let threads = rayon::current_num_threads();
         #[cfg(not(feature = "parallel"))]
         let threads = 1;
-        Self {
+        Some(Self {
             plan,
             level,
             scratch: (0..threads.min(plan.groups())).map(|_| Scratch::new::<S>(&plan)).collect(),
             joints: vec![T::zero(); plan.parts() * joints::size(separator)],
             kept: vec![T::zero(); kept],
             reduced: Folded::new(kept, boundary == Boundary::Periodic, 2 * separator - 1, 2 * separator - 1),
-        }
+        })
     }
 
-    /// One step, if the parts can vouch for it; otherwise the state stays as it is.
-    pub(super) fn step<M>(
-        &mut self,
-        map: &M,
-        constants: &[T],
-        twice: &T,
-        site: &mut Site<T>,
-        state: &mut [T],
-    ) -> bool
+    fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
         M: LatticeMap<T>,
-        T: LatticeScalar + InLanes + Copy + Send + Sync,
     {
         let block = M::Shape::BLOCK;
-        for (place, first, count) in self.plan.kept_runs() {
-            self.kept[place * block..][..count * block]
-                .copy_from_slice(&state[first * block..][..count * block]);
+        let Self { plan, level, scratch, joints, kept, reduced } = self;
+        let (plan, level) = (&*plan, *level);
+        let groups = 0..plan.groups();
+        for (place, first, count) in plan.kept_runs() {
+            kept[place * block..][..count * block].copy_from_slice(&state[first * block..][..count * block]);
         }
-        passes::first(self, map, constants, state);
-        let Self { plan, joints, reduced, .. } = self;
+
+        // The first pass fills the joints.
+        let size = plan.lanes() * joints::size(M::Shape::REACH * block);
+        divide(scratch, groups.clone(), joints, &|group| group * size, &|scratch, groups, joints| {
+            T::run(First { plan, map, constants, state, groups, scratch, joints }, level);
+        });
         if joints::solve(plan, joints, reduced, map, constants, site, state).is_none() {
             return false;
         }
-        passes::second(self, map, constants, twice, state);
-        let gained = self.reduced.solution();
-        for (place, first, count) in self.plan.kept_runs() {
+
+        // The second moves the interiors.
+        let (kept, gained, sites) = (&**kept, reduced.solution(), state.len() / block);
+        let interiors = &mut state[..plan.start(plan.groups()) * block];
+        divide(scratch, groups, interiors, &|group| plan.start(group) * block, &|scratch, groups, state| {
+            let pass = Second { plan, map, constants, twice, kept, gained, sites, groups, scratch, state };
+            T::run(pass, level);
+        });
+        for (place, first, count) in plan.kept_runs() {
             let gained = &gained[place * block..][..count * block];
             for (x, w) in state[first * block..].iter_mut().zip(gained) {
                 *x = w.multiply_add(*twice, *x);

@@ -6,48 +6,18 @@
 
 use core::ops::Range;
 
-use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
+use crate::ensemble::lanes::{Lanes, OverLanes};
 use crate::lattice::{LatticeMap, LatticeScalar, Shape};
 
 use super::group::Parts;
+use super::joints;
 use super::kernel::Kernel;
 use super::plan::Plan;
 use super::scratch::Scratch;
-use super::{InParts, joints};
-
-/// The first pass: fills the joints.
-pub(super) fn first<M, T>(parts: &mut InParts<T>, map: &M, constants: &[T], state: &[T])
-where
-    M: LatticeMap<T>,
-    T: LatticeScalar + InLanes + Copy + Send + Sync,
-{
-    let InParts { plan, level, scratch, joints, .. } = parts;
-    let (plan, level) = (&*plan, *level);
-    let size = plan.lanes() * joints::size(separator::<M::Shape>());
-    divide(scratch, 0..plan.groups(), joints, &|group| group * size, &|scratch, groups, joints| {
-        T::run(First { plan, map, constants, state, groups, scratch, joints }, level);
-    });
-}
-
-/// The second pass: moves the interiors.
-pub(super) fn second<M, T>(parts: &mut InParts<T>, map: &M, constants: &[T], twice: &T, state: &mut [T])
-where
-    M: LatticeMap<T>,
-    T: LatticeScalar + InLanes + Copy + Send + Sync,
-{
-    let InParts { plan, level, scratch, kept, reduced, .. } = parts;
-    let (plan, level, kept, gained) = (&*plan, *level, &**kept, reduced.solution());
-    let sites = state.len() / M::Shape::BLOCK;
-    let state = &mut state[..plan.start(plan.groups()) * M::Shape::BLOCK];
-    let place = |group| plan.start(group) * M::Shape::BLOCK;
-    divide(scratch, 0..plan.groups(), state, &place, &|scratch, groups, state| {
-        T::run(Second { plan, map, constants, twice, kept, gained, sites, groups, scratch, state }, level);
-    });
-}
 
 /// Divides groups, and the numbers that belong to them, among threads, each with a scratch of its
 /// own; `place` is where a group's numbers begin.
-fn divide<T: Send>(
+pub(super) fn divide<T: Send>(
     scratch: &mut [Scratch<T>],
     groups: Range<usize>,
     numbers: &mut [T],
@@ -99,14 +69,15 @@ const fn separator<S: Shape>() -> usize {
     S::REACH * S::BLOCK
 }
 
-struct First<'a, M, T> {
-    plan: &'a Plan,
-    map: &'a M,
-    constants: &'a [T],
-    state: &'a [T],
-    groups: Range<usize>,
-    scratch: &'a mut Scratch<T>,
-    joints: &'a mut [T],
+/// What the first pass does to some groups.
+pub(super) struct First<'a, M, T> {
+    pub(super) plan: &'a Plan,
+    pub(super) map: &'a M,
+    pub(super) constants: &'a [T],
+    pub(super) state: &'a [T],
+    pub(super) groups: Range<usize>,
+    pub(super) scratch: &'a mut Scratch<T>,
+    pub(super) joints: &'a mut [T],
 }
 
 impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T> {
@@ -143,19 +114,20 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T>
     }
 }
 
-struct Second<'a, M, T> {
-    plan: &'a Plan,
-    map: &'a M,
-    constants: &'a [T],
-    twice: &'a T,
+/// What the second does.
+pub(super) struct Second<'a, M, T> {
+    pub(super) plan: &'a Plan,
+    pub(super) map: &'a M,
+    pub(super) constants: &'a [T],
+    pub(super) twice: &'a T,
     /// States of the sites of the reduced system, and what they gain.
-    kept: &'a [T],
-    gained: &'a [T],
-    sites: usize,
-    groups: Range<usize>,
-    scratch: &'a mut Scratch<T>,
+    pub(super) kept: &'a [T],
+    pub(super) gained: &'a [T],
+    pub(super) sites: usize,
+    pub(super) groups: Range<usize>,
+    pub(super) scratch: &'a mut Scratch<T>,
     /// From the first site of the first group on.
-    state: &'a mut [T],
+    pub(super) state: &'a mut [T],
 }
 
 impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T> {
