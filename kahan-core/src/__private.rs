@@ -24,7 +24,7 @@ pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil
 /// What steps chains whose sizes are known at run time only: `kahan-runtime` calls them.
 #[cfg(feature = "std")]
 pub use crate::lattice::{Folded, Row as BandRow, Total, neighbour};
-pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix};
+pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_step};
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};
 pub use crate::undeclared::{Integer, IntegerParameters, WithoutDensity, WithoutIntegrals};

@@ -39,6 +39,7 @@ pub(crate) use orbit::{columns, side_by_side};
 pub use pivot::Pivot;
 #[cfg(feature = "std")]
 pub(crate) use stable::Promised;
+pub use stable::stable_step;
 pub(crate) use tangent::{carry, carry_to};
 pub use through_f64::ThroughF64;
 

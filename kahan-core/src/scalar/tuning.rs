@@ -22,9 +22,21 @@ const BITS_OF_SMALL_DOUBLE_STEPS: u32 = 84;
 
 /// Whether T is U.
 #[inline(always)]
-fn is<T: 'static, U: 'static>() -> bool {
+pub(crate) fn is<T: 'static, U: 'static>() -> bool {
     // The sizes first: a program that is not optimised compares types at every step, and slowly.
     size_of::<T>() == size_of::<U>() && TypeId::of::<T>() == TypeId::of::<U>()
+}
+
+/// The same value as a U, which T is.
+///
+/// # Panics
+/// If T is another type.
+#[inline(always)]
+pub(crate) fn same<T: 'static, U: 'static>(number: &T) -> &U {
+    match (number as &dyn Any).downcast_ref() {
+        Some(number) => number,
+        None => unreachable!("the caller has compared the types"),
+    }
 }
 
 /// Whether T is one of the machine's floats.

@@ -544,7 +544,7 @@ const _: () = {
         where
             T: __kahan::Pivot,
         {
-            __kahan::Pivot::backward_stable_step(self, prepared, x, eps)
+            prepared.promised(self, x)
         }
     }
 };

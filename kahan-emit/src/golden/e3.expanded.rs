@@ -276,7 +276,7 @@ const _: () = {
         where
             T: __kahan::Pivot,
         {
-            __kahan::Pivot::stable_step(self, prepared, x, eps)
+            __kahan::stable_step(self, prepared, x, eps)
         }
         fn det_matrix(&self, x: &__kahan::SVector<T, 3>, eps: T) -> T {
             let [__s_x, __s_y, __s_z] = __kahan::components(x);

@@ -19,11 +19,11 @@ use super::step::{EmittedStep, emit_step};
 /// written here, is a default method.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
-    let stable = quote!(stable_step);
+    let stable = quote!(__kahan::stable_step(self, prepared, x, eps));
     let (items, prepared, promise) = match (&context.derived.couplings, context.derived.step()) {
         (Some(couplings), _) => {
             let prepared = emit_coupled_step(context, couplings);
-            (emit_coupled(context, couplings), prepared, quote!(backward_stable_step))
+            (emit_coupled(context, couplings), prepared, quote!(prepared.promised(self, x)))
         }
         (None, Some(step)) => {
             let EmittedStep { items, prepared, prepare } = emit_step(context, step);
@@ -60,7 +60,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
     }
 }
 
-/// The step with a promise, by this function of the scalar.
+/// The step with a promise, by this call.
 fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream {
     let (scalar, vector) = (&context.scalar, context.vector());
     quote! {
@@ -74,7 +74,7 @@ fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream
         where
             #scalar: __kahan::Pivot,
         {
-            __kahan::Pivot::#promise(self, prepared, x, eps)
+            #promise
         }
     }
 }

@@ -1,7 +1,7 @@
 //! An interpreted system as a Kahan map: every object by its program, or from the field where that
 //! is beyond the budget of terms.
 
-use kahan_core::__private::jacobian_by_duals;
+use kahan_core::__private::{jacobian_by_duals, stable_step};
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::{KahanMap, Lift, Pivot, QuadraticField, Scalar, SingularStep};
 
@@ -88,7 +88,7 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     where
         T: Pivot,
     {
-        T::stable_step(self, prepared, x, eps)
+        stable_step(self, prepared, x, eps)
     }
 
     fn jacobian(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {

@@ -36,7 +36,7 @@ struct Rest<T, const N: usize> {
 
 /// The promised step of a scalar with a wider one.
 #[inline(never)]
-pub(in crate::map) fn in_double_double<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
+pub(super) fn in_double_double<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
     step: &CoupledStep<K, T, P, M, S>,
     x: &SVector<T, N>,
 ) -> Result<SVector<T, N>, SingularStep>
@@ -50,7 +50,7 @@ where
 
 /// The same of the widest scalar.
 #[inline(never)]
-pub(in crate::map) fn in_wide_only<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
+pub(super) fn in_wide_only<K, T, const N: usize, const P: usize, const M: usize, const S: usize>(
     step: &CoupledStep<K, T, P, M, S>,
     x: &SVector<T, N>,
 ) -> Result<SVector<T, N>, SingularStep>

@@ -14,12 +14,14 @@ use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 use crate::field::couplings::Couplings;
 use crate::field::linear::{components, solve_in_place, vector};
+use crate::scalar::tuning::{is, same};
 use crate::step::error::pole;
-use crate::{PreparedStep, Quotients, Scalar, StepCost, WideStep};
+use crate::{Dd, KahanMap, Pivot, PreparedStep, Quotients, Scalar, SingularStep, StepCost, WideStep};
 
+use super::checked::try_step;
 use super::elimination::NoLanes;
 
-pub(super) use backward::{in_double_double, in_wide_only};
+use backward::{in_double_double, in_wide_only};
 pub use formulas::Postfix;
 
 /// The formulas of a field in N variables with P parameters: M entries of f′, and S places in which
@@ -166,6 +168,42 @@ where
         self.solve_by_pivoting(x, &mut velocity)?;
         let time_step = self.eps.clone() + self.eps.clone();
         Some(velocity.map(|entry| time_step.clone() * entry))
+    }
+
+    /// The step with a promise of its backward error, or for a scalar that gives none, a finite one.
+    ///
+    /// # Errors
+    /// As [`KahanMap::try_step`](crate::KahanMap::try_step).
+    pub fn promised<F, const N: usize>(
+        &self,
+        map: &F,
+        x: &SVector<T, N>,
+    ) -> Result<SVector<T, N>, SingularStep>
+    where
+        F: KahanMap<T, N, Prepared = Self>,
+        K: CoupledField<N, P, M, S>,
+        T: Pivot,
+    {
+        if is::<T, f64>() {
+            self.promised_in(x, in_double_double::<K, f64, N, P, M, S>)
+        } else if is::<T, f32>() {
+            self.promised_in(x, in_double_double::<K, f32, N, P, M, S>)
+        } else if is::<T, Dd>() {
+            self.promised_in(x, in_wide_only::<K, Dd, N, P, M, S>)
+        } else {
+            try_step(map, self, x, &self.eps)
+        }
+    }
+
+    /// The step by a function over F, which T is.
+    fn promised_in<F: Copy + 'static, const N: usize>(
+        &self,
+        x: &SVector<T, N>,
+        promised: fn(&CoupledStep<K, F, P, M, S>, &SVector<F, N>) -> Result<SVector<F, N>, SingularStep>,
+    ) -> Result<SVector<T, N>, SingularStep> {
+        let step = CoupledStep::new(*same::<[T; P], [F; P]>(&self.parameters), *same(&self.eps));
+        let next = promised(&step, same(x))?;
+        Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
     }
 
     /// ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε).

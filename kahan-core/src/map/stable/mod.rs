@@ -19,6 +19,57 @@ mod scalars;
 #[cfg(all(test, feature = "exact"))]
 mod tests;
 
-pub(super) use rungs::{beyond, higher, in_next_wider, in_own_precision, in_wide};
+use nalgebra::SVector;
+
+use crate::scalar::tuning::{is, same};
+use crate::{Dd, Lift, Pivot, SingularStep};
+
+use super::checked::try_step;
+
 pub(crate) use scalars::Promised;
 pub(super) use scalars::Widened;
+
+/// The step with the promise that T can give: of a float of this crate the one above; of another
+/// scalar, that a finite result is what the fast step or elimination computes.
+///
+/// A rung prepares the step anew, over values with bounds: a prepared float does not tell how large
+/// the terms of a sum were that it is. In a loop compilers do that once, before its first round.
+#[inline(always)]
+pub fn stable_step<M, T, const N: usize>(
+    map: &M,
+    prepared: &M::Prepared,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Result<SVector<T, N>, SingularStep>
+where
+    M: Lift<T, N>,
+    T: Pivot,
+{
+    // Which scalar it is, is known while compiling.
+    if is::<T, f64>() {
+        promised::<f64, M, T, N>(map, x, eps)
+    } else if is::<T, f32>() {
+        promised::<f32, M, T, N>(map, x, eps)
+    } else if is::<T, Dd>() {
+        promised::<Dd, M, T, N>(map, x, eps)
+    } else {
+        try_step(map, prepared, x, eps)
+    }
+}
+
+/// The step over F, which is T.
+#[inline(always)]
+fn promised<F, M, T, const N: usize>(
+    map: &M,
+    x: &SVector<T, N>,
+    eps: &T,
+) -> Result<SVector<T, N>, SingularStep>
+where
+    F: Promised,
+    M: Lift<T, N>,
+    T: Pivot,
+{
+    let own = map.lift(|number| *same::<T, F>(number));
+    let next = F::promised(&own, same(x), same(eps))?;
+    Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
+}

@@ -1,8 +1,33 @@
 //! Which scalars rungs work in, and which steps are promised in.
 
+use nalgebra::SVector;
+
 use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, PackedDouble, PackedSingle, Pair, Working};
-use crate::{Dd, Pivot};
+use crate::{Dd, Lift, Pivot, SingularStep};
+
+use super::rungs::{beyond, higher, in_next_wider, in_own_precision, in_wide};
+
+/// From the first rung to those behind it.
+macro_rules! promise {
+    (|$map:ident, $x:ident, $eps:ident| $first:expr, else $next:expr) => {
+        /// The step with its promise: by the first rung, or where that proves too little by the next.
+        #[inline(always)]
+        fn promised<M, const N: usize>(
+            $map: &M,
+            $x: &SVector<Self, N>,
+            $eps: &Self,
+        ) -> Result<SVector<Self, N>, SingularStep>
+        where
+            M: Lift<Self, N>,
+        {
+            match $first {
+                Some(next) => Ok(next),
+                None => higher($next, $map, $x, $eps),
+            }
+        }
+    };
+}
 
 /// A scalar that steps can be promised in, and begin in.
 pub(crate) trait Promised: Working + Pivot {
@@ -13,7 +38,14 @@ pub(crate) trait Promised: Working + Pivot {
     fn widen(&self) -> Wide;
     /// The nearest one.
     fn narrow(value: Wide) -> Self;
+
+    promise!(|map, x, eps| in_own_precision(map, x, eps), else in_wide);
 }
+
+/// The variables up to which `f32` works for itself. Steps in more variables multiply so many
+/// factors that products of ordinary numbers leave its range, and nearly every step would be
+/// computed in `f64` after all.
+const MOST_OF_SINGLE: usize = 4;
 
 /// One whose second rung is the next wider scalar.
 pub(crate) trait Widened: Promised {
@@ -57,6 +89,12 @@ impl Widened for f64 {
 impl Promised for f32 {
     type Packed = PackedSingle;
 
+    promise!(|map, x, eps| if const { N > MOST_OF_SINGLE } {
+        in_next_wider(map, x, eps)
+    } else {
+        in_own_precision(map, x, eps)
+    }, else if const { N > MOST_OF_SINGLE } { in_wide } else { beyond });
+
     fn widen(&self) -> Wide {
         Wide::from(*self)
     }
@@ -68,6 +106,8 @@ impl Promised for f32 {
 
 impl Promised for f64 {
     type Packed = PackedDouble;
+
+    promise!(|map, x, eps| in_own_precision(map, x, eps), else beyond);
 
     fn widen(&self) -> Wide {
         Wide::from(*self)
