@@ -16,7 +16,7 @@ mod words;
 
 // The files of `kahan-jit` name what they use by `crate`.
 use kahan_jit::{
-    ComposedOrbit, Constants, Float, Function, Instruction, InstructionSet, Lanes, Orbit, Program, Refusal,
+    ComposedOrbit, Constants, Float, Function, Instruction, InstructionSet, LaneCount, Orbit, Program, Refusal,
     Shape, Sweep,
 };
 

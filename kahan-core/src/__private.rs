@@ -17,13 +17,13 @@ pub use nalgebra::{SMatrix, SVector};
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
-pub use crate::field::couplings::{Couplings, LARGEST_FACTOR, Row};
+pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
-#[cfg(feature = "std")]
-pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
 /// What steps chains whose sizes are known at run time only: `kahan-runtime` calls them.
 #[cfg(feature = "std")]
-pub use crate::lattice::{Folded, Row as BandRow, Total, neighbour};
+pub use crate::lattice::{BandRow, Folded, Total, neighbour};
+#[cfg(feature = "std")]
+pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
 pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_step};
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};

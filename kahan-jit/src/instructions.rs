@@ -68,7 +68,7 @@ impl InstructionSet {
 
 /// How many numbers an instruction works on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Lanes {
+pub enum LaneCount {
     /// One.
     One,
     /// As many as a register holds.
@@ -81,7 +81,7 @@ pub struct Shape {
     /// Its instructions.
     pub instructions: InstructionSet,
     /// How many numbers each of them works on.
-    pub lanes: Lanes,
+    pub lanes: LaneCount,
     /// Whether multiply-adds are rounded once.
     pub fuses: bool,
 }
@@ -95,10 +95,10 @@ impl Shape {
 
     pub(crate) fn form<T: Float>(self) -> Form {
         let width = match (self.lanes, self.instructions) {
-            (Lanes::One, _) => Width::Scalar,
-            (Lanes::All, InstructionSet::Avx) => Width::Bits128,
-            (Lanes::All, InstructionSet::Avx2) => Width::Bits256,
-            (Lanes::All, InstructionSet::Avx512) => Width::Bits512,
+            (LaneCount::One, _) => Width::Scalar,
+            (LaneCount::All, InstructionSet::Avx) => Width::Bits128,
+            (LaneCount::All, InstructionSet::Avx2) => Width::Bits256,
+            (LaneCount::All, InstructionSet::Avx512) => Width::Bits512,
         };
         let element = if T::IS_DOUBLE { Element::Double } else { Element::Single };
         Form { element, width }

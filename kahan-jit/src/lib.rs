@@ -22,7 +22,7 @@ mod routine;
 #[cfg(test)]
 mod tests;
 
-pub use instructions::{Float, InstructionSet, Lanes, Shape};
+pub use instructions::{Float, InstructionSet, LaneCount, Shape};
 pub use program::{Instruction, Program};
 pub use refusal::Refusal;
 pub use routine::{ComposedOrbit, Constants, Function, Orbit, Sweep};

@@ -21,7 +21,7 @@ pub struct Couplings<'a> {
     /// Which variable is eliminated at each turn.
     pub order: &'a [u32],
     /// The rows.
-    pub rows: &'a [Row],
+    pub rows: &'a [CouplingRow],
     /// The column of each entry.
     pub columns: &'a [u32],
     /// Where each block ends, the number of its last row and 1: blocks are solved one after the
@@ -33,19 +33,19 @@ pub struct Couplings<'a> {
 
 /// The places of a row's entries.
 #[derive(Clone, Copy, Debug)]
-pub struct Row {
+pub struct CouplingRow {
     start: u32,
     own: u32,
     diagonal: u32,
     end: u32,
 }
 
-impl Row {
+impl CouplingRow {
     /// A row from its first entry, the first in its own block, the one on the diagonal, and the end
     /// behind its last.
     #[must_use]
     pub const fn new(start: u32, own: u32, diagonal: u32, end: u32) -> Self {
-        Row { start, own, diagonal, end }
+        CouplingRow { start, own, diagonal, end }
     }
 
     fn left(&self) -> core::ops::Range<usize> {
@@ -156,7 +156,7 @@ impl Couplings<'_> {
     /// The most entries in a row of A.
     #[must_use]
     pub fn widest_row(&self) -> usize {
-        let width = |row: &Row| {
+        let width = |row: &CouplingRow| {
             let slopes = self.places.iter().filter(|place| (row.start..row.end).contains(place));
             let others = slopes.filter(|place| **place != row.diagonal);
             1 + others.count()

@@ -12,7 +12,7 @@ use crate::step::error::{Reason, pole};
 use crate::{Room, SingularStep, Step, Stopped};
 
 use super::folded::Folded;
-use super::parts::{Parted, Plan};
+use super::parts::{Parted, Partition};
 use super::promise::{Promise, REFINEMENTS};
 use super::scalar::{Eliminated, Solved};
 use super::sites::Site;
@@ -45,20 +45,20 @@ struct Form {
     shape: TypeId,
     sites: usize,
     boundary: Boundary,
-    plan: Option<Plan>,
+    partition: Option<Partition>,
     level: Level,
 }
 
 impl<T: LatticeScalar> Memory<T> {
     fn new<S: Shape>(form: Form) -> Self {
-        let Form { sites, boundary, plan, level, .. } = form;
+        let Form { sites, boundary, partition, level, .. } = form;
         // A chain in parts is eliminated as a whole where a part meets too small a pivot.
-        let folded = if plan.is_some() { Folded::rarely } else { Folded::new };
+        let folded = if partition.is_some() { Folded::rarely } else { Folded::new };
         Self {
             form,
             site: Site::of::<S>(),
             folded: folded(sites * S::BLOCK, boundary == Boundary::Periodic, S::LOWER, S::UPPER),
-            parts: plan.and_then(|plan| Parted::new::<S>(plan, boundary, level)),
+            parts: partition.and_then(|partition| Parted::new::<S>(partition, boundary, level)),
             whole_eliminations: 0,
         }
     }
@@ -103,12 +103,18 @@ impl<T: LatticeScalar> Memory<T> {
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     pub(super) fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
-        let plan = <T as Solved>::Parts::LANES.and_then(|lanes| Plan::new(sites, M::Shape::REACH, lanes));
-        Self::planned(map, eps, sites, plan)
+        let partition =
+            <T as Solved>::Parts::LANES.and_then(|lanes| Partition::new(sites, M::Shape::REACH, lanes));
+        Self::planned(map, eps, sites, partition)
     }
 
     /// The same, cut as planned or not at all.
-    pub(super) fn planned(map: M, eps: T, sites: usize, plan: Option<Plan>) -> Result<Self, LatticeError> {
+    pub(super) fn planned(
+        map: M,
+        eps: T,
+        sites: usize,
+        partition: Option<Partition>,
+    ) -> Result<Self, LatticeError> {
         if sites == 0 {
             return Err(LatticeError::NoSites);
         }
@@ -126,7 +132,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
             return Err(LatticeError::Undefined);
         }
         let (shape, boundary, level) = (TypeId::of::<M::Shape>(), M::BOUNDARY, Level::best());
-        let memory = Memory::new::<M::Shape>(Form { shape, sites, boundary, plan, level });
+        let memory = Memory::new::<M::Shape>(Form { shape, sites, boundary, partition, level });
         Ok(Self { map, eps, forward, backward, memory, promise })
     }
 

@@ -10,7 +10,7 @@ use std::vec::Vec;
 use crate::Scalar;
 
 use super::LatticeScalar;
-use super::parts::Kernel;
+use super::parts::Passes;
 
 /// What lies beyond the two ends of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,7 +91,7 @@ pub struct Stencil<
 
 /// The sizes of a [`Stencil`] as constants.
 #[expect(private_bounds, reason = "the passes over a chain are nobody else's")]
-pub trait Shape: Kernel + 'static {
+pub trait Shape: Passes + 'static {
     /// Arrays a site.
     const BLOCK: usize;
     /// The largest offset, at least 1.

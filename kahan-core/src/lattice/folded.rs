@@ -65,7 +65,7 @@ pub struct Folded<T> {
 }
 
 /// A row while it is written.
-pub struct Row<'a, T> {
+pub struct BandRow<'a, T> {
     order: Order,
     len: usize,
     /// The place of the first entry.
@@ -73,7 +73,7 @@ pub struct Row<'a, T> {
     entries: &'a mut [T],
 }
 
-impl<T: Scalar> Row<'_, T> {
+impl<T: Scalar> BandRow<'_, T> {
     /// Adds to the entry of an unknown.
     pub fn add(&mut self, unknown: usize, value: T) {
         self.entries[self.order.place(unknown, self.len) - self.first] += value;
@@ -127,7 +127,7 @@ impl<T: Scalar> Folded<T> {
     /// where an exact scalar has no pivot.
     ///
     /// A row may be asked for twice.
-    pub fn solve(&mut self, mut write: impl FnMut(usize, &mut Row<'_, T>)) -> Option<&[T]> {
+    pub fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;
         for index in 0..last {
@@ -148,7 +148,7 @@ impl<T: Scalar> Folded<T> {
     fn eliminate_stretch(
         &mut self,
         begin: usize,
-        write: &mut impl FnMut(usize, &mut Row<'_, T>),
+        write: &mut impl FnMut(usize, &mut BandRow<'_, T>),
     ) -> Option<()> {
         let stride = self.width + 1;
         // What the places before have written already.
@@ -159,7 +159,7 @@ impl<T: Scalar> Folded<T> {
                 let entries = &mut self.window[(rows - place) * stride..][..stride];
                 entries.fill(T::zero());
                 let (order, len) = (self.order, self.len);
-                write(order.unknown(rows, len), &mut Row { order, len, first: place, entries });
+                write(order.unknown(rows, len), &mut BandRow { order, len, first: place, entries });
                 rows += 1;
             }
             self.eliminate(place - begin, rows - place)?;

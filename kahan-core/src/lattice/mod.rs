@@ -23,7 +23,7 @@ mod tests;
 pub use at::LatticeAt;
 pub use error::LatticeError;
 pub use family::{Boundary, Family, Shape, Stencil};
-pub use folded::{Folded, Row};
+pub use folded::{BandRow, Folded};
 pub use map::LatticeMap;
 pub use scalar::LatticeScalar;
 pub use sites::neighbour;

@@ -27,7 +27,7 @@ use super::{Exponent, Observer, TangentMap};
 pub struct Spectrum<M: TangentMap> {
     map: M,
     place: M::State,
-    directions: Vec<Axis<M::State>>,
+    directions: Vec<GrowingVector<M::State>>,
     every: u64,
     /// Steps until they are made orthogonal again.
     until: u64,
@@ -38,7 +38,7 @@ pub struct Spectrum<M: TangentMap> {
 
 /// A tangent vector and what it has grown by.
 #[derive(Clone, Debug)]
-struct Axis<P> {
+struct GrowingVector<P> {
     vector: P,
     /// The square of its length when it was made orthogonal last.
     squared: f64,
@@ -65,7 +65,7 @@ impl<M: TangentMap> Spectrum<M> {
         };
         let direction = |j: usize| {
             let vector = made_of(&map, |i| entry(j, i));
-            Axis { vector, squared: 1.0, growth: Size::ONE, doublings: Doublings::default() }
+            GrowingVector { vector, squared: 1.0, growth: Size::ONE, doublings: Doublings::default() }
         };
         let mut directions: Vec<_> = (0..k).map(direction).collect();
         make_orthogonal(&mut directions);
@@ -93,7 +93,7 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
                 (self.until, self.turns) = (self.every, self.turns + 1);
                 make_orthogonal(&mut self.directions);
                 if self.turns.is_power_of_two() {
-                    for Axis { growth, doublings, .. } in &mut self.directions {
+                    for GrowingVector { growth, doublings, .. } in &mut self.directions {
                         doublings.pass(step, *growth);
                     }
                 }
@@ -105,7 +105,7 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
     fn report(mut self) -> Vec<Exponent> {
         make_orthogonal(&mut self.directions);
         let time = 2.0 * self.map.eps().approximate();
-        let exponent = |direction: &Axis<_>| {
+        let exponent = |direction: &GrowingVector<_>| {
             direction.doublings.exponent(Size::ONE, (self.steps, direction.growth), time)
         };
         self.directions.iter().map(exponent).collect()
@@ -113,14 +113,14 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
 }
 
 /// Makes each vector orthogonal to those before it, and takes its growth down.
-fn make_orthogonal<P, T>(directions: &mut [Axis<P>])
+fn make_orthogonal<P, T>(directions: &mut [GrowingVector<P>])
 where
     P: Slice<T>,
     T: FloatScalar,
 {
     for j in 0..directions.len() {
         let (before, rest) = directions.split_at_mut(j);
-        let Some(Axis { vector, squared, growth, .. }) = rest.first_mut() else { return };
+        let Some(GrowingVector { vector, squared, growth, .. }) = rest.first_mut() else { return };
         for axis in before.iter().map(|direction| direction.vector.as_slice()) {
             let along = dot(axis, vector.as_slice()) / dot(axis, axis);
             for (entry, axis) in vector.as_mut_slice().iter_mut().zip(axis) {

@@ -45,7 +45,7 @@ where
     if scene.tolerance >= FINE
         && let Some(flow) = budget.sure_flow(scene, map, start)
     {
-        let attempt = Attempt { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
+        let attempt = Choice { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
         match attempt.choose(&mut budget) {
             Err(Refusal { is_rough: true, .. }) => {}
             answer => return answer.map_err(|refusal| refusal.why),
@@ -53,7 +53,7 @@ where
     }
     let wide = map.lift::<Dd>(|parameter| Dd::from(*parameter));
     let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
-    let attempt = Attempt { scene, map, x0, flow: &flow, others: &OTHERS };
+    let attempt = Choice { scene, map, x0, flow: &flow, others: &OTHERS };
     attempt.choose(&mut budget).map_err(|refusal| refusal.why)
 }
 
@@ -112,7 +112,7 @@ impl Budget {
 }
 
 /// A scene with a solution to compare with.
-struct Attempt<'a, T, M, const N: usize> {
+struct Choice<'a, T, M, const N: usize> {
     scene: &'a Scene,
     map: &'a M,
     x0: &'a SVector<f64, N>,
@@ -128,7 +128,7 @@ struct Refusal {
     is_rough: bool,
 }
 
-impl<T, M, const N: usize> Attempt<'_, T, M, N>
+impl<T, M, const N: usize> Choice<'_, T, M, N>
 where
     T: FlowScalar,
     M: Lift<f64, N>,
@@ -160,7 +160,7 @@ where
 
 /// Orbits of one scene, compared with the flow while there is work left.
 struct Runs<'a, T, M, const N: usize> {
-    attempt: &'a Attempt<'a, T, M, N>,
+    attempt: &'a Choice<'a, T, M, N>,
     budget: &'a mut Budget,
     /// The time until which some orbit stayed near the flow.
     agreed_until: f64,
@@ -183,7 +183,7 @@ where
             self.is_short_of_work = true;
             return None;
         }
-        let Attempt { scene, map, x0, flow, .. } = *self.attempt;
+        let Choice { scene, map, x0, flow, .. } = *self.attempt;
         let lost = LOST.max(4.0 * scene.tolerance);
         let dt = Dd::from(2.0 * setting.eps);
         let mut along = flow.along::<N>();

@@ -163,7 +163,7 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
     let Couplings { order, rows, columns, blocks, places, .. } = couplings;
     let rows = rows.iter().map(|&Row { start, own, diagonal, end }| {
         let [start, own, diagonal, end] = [start, own, diagonal, end].map(Literal::usize_unsuffixed);
-        quote!(__kahan::Row::new(#start, #own, #diagonal, #end))
+        quote!(__kahan::CouplingRow::new(#start, #own, #diagonal, #end))
     });
     let [order, columns, blocks, places] = [order, columns, blocks, places].map(|numbers| list(numbers));
     quote! {

@@ -62,7 +62,7 @@ pub(crate) struct Allocation {
 
 /// What a routine makes of its lines.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Plan {
+pub(crate) struct RoundPlan {
     /// What becomes of the results.
     pub(crate) ends: Ends,
     /// Whether there are many rounds, and the constants are the same in all of them.
@@ -86,7 +86,7 @@ impl Operation {
 
 impl Allocation {
     /// `registers` is how many there are, at least [`FEWEST_REGISTERS`].
-    pub(crate) fn of(lines: &Lines, registers: u8, plan: Plan) -> Self {
+    pub(crate) fn of(lines: &Lines, registers: u8, plan: RoundPlan) -> Self {
         let first = Allocator::new(lines, registers, plan.ends, &[]).run();
         // Registers that nothing else takes hold what would be read again in each round.
         let left = registers - first.most_taken;
@@ -117,7 +117,7 @@ impl Allocation {
 }
 
 /// Constants and literals that are read in each round, the most used first.
-fn kept(lines: &Lines, plan: Plan, most: usize) -> Vec<usize> {
+fn kept(lines: &Lines, plan: RoundPlan, most: usize) -> Vec<usize> {
     let uses = Uses::of(lines);
     let is_kept = |line: &usize| match lines.lines[*line] {
         Line::Given(Given::Constant(_)) => plan.keeps_constants,

@@ -6,7 +6,7 @@ use iced_x86::{
     RoundingControl,
 };
 
-use crate::{InstructionSet, Lanes, Shape};
+use crate::{InstructionSet, LaneCount, Shape};
 
 use super::{
     Assembler, Binary, Condition, Element, Form, Fused, General, Memory, Order, Source, Vector, Width,
@@ -306,7 +306,7 @@ fn a_set_of_instructions_is_available_where_all_of_them_are() {
     for instructions in InstructionSet::ALL {
         let asked: Vec<String> =
             instructions.extensions().iter().map(|(name, _)| name.to_uppercase()).collect();
-        for lanes in [Lanes::One, Lanes::All] {
+        for lanes in [LaneCount::One, LaneCount::All] {
             let shape = Shape { instructions, lanes, fuses: instructions.has_fused() };
             for form in [shape.form::<f32>(), shape.form::<f64>()] {
                 for instruction in all_operations(form, instructions.registers(), shape.fuses) {

@@ -1,7 +1,7 @@
 //! A program run once.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
-use crate::allocation::{Place, Plan};
+use crate::allocation::{Place, RoundPlan};
 use crate::assembler::{General, Memory};
 use crate::call::{Code, Extent};
 use crate::instructions::{Float, Shape};
@@ -23,7 +23,7 @@ impl<T: Float> Function<T> {
     /// [`Refusal`].
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let (form, width) = (shape.form::<T>(), shape.width::<T>());
-        let plan = Plan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
+        let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
         let mut writer = Writer::begin(program, shape, form, plan, &[])?;
         writer.round(&|_, place| {
             let (base, index) = match place {

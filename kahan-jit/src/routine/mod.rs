@@ -9,7 +9,7 @@ pub use function::Function;
 pub use orbit::{ComposedOrbit, Orbit};
 pub use sweep::{Constants, Sweep};
 
-use crate::allocation::{Allocation, Operand, Operation, Place, Plan};
+use crate::allocation::{Allocation, Operand, Operation, Place, RoundPlan};
 use crate::assembler::{Assembler, Element, Form, General, Memory, Source};
 use crate::lines::{Ends, Given, Lines};
 use crate::{Program, Refusal, Shape};
@@ -38,7 +38,7 @@ impl Writer {
         program: &Program,
         shape: Shape,
         form: Form,
-        plan: Plan,
+        plan: RoundPlan,
         saved: &'static [General],
     ) -> Result<Self, Refusal> {
         let Shape { instructions: set, fuses, .. } = shape;

@@ -1,7 +1,7 @@
 //! A program run many times on one state, which stays in registers.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
-use crate::allocation::{FEWEST_REGISTERS, Place, Plan};
+use crate::allocation::{FEWEST_REGISTERS, Place, RoundPlan};
 use crate::assembler::{Assembler, Condition, General, Memory};
 use crate::call::{Code, Extent};
 use crate::instructions::{Float, Shape};
@@ -34,7 +34,7 @@ impl<T: Float> Orbit<T> {
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let (form, ends) = (shape.form::<T>(), ends(program, shape));
-        let plan = Plan { ends, keeps_constants: true, keeps_literals: true };
+        let plan = RoundPlan { ends, keeps_constants: true, keeps_literals: true };
         let mut writer = Writer::begin(program, shape, form, plan, &[])?;
         let addresses = |_: &mut Assembler, place| address(place, General::Rsi, |index| entry(form, index));
         // States that are carried are read from one array and written to another, which may be the
@@ -93,7 +93,7 @@ impl<T: Float> ComposedOrbit<T> {
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
         let form = shape.form::<T>();
-        let plan = Plan { ends: ends(program, shape), keeps_constants: false, keeps_literals: true };
+        let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false, keeps_literals: true };
         let mut writer = Writer::begin(program, shape, form, plan, &[])?;
         let addresses = |_: &mut Assembler, place| address(place, General::Rax, |index| entry(form, index));
         writer.assembler.test(General::Rcx);

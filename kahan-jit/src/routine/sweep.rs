@@ -1,7 +1,7 @@
 //! A program run over columns: register after register of trajectories, step after step.
 #![expect(unsafe_code, reason = "what code does is known where it is written")]
 
-use crate::allocation::{Place, Plan};
+use crate::allocation::{Place, RoundPlan};
 use crate::assembler::{Assembler, Condition, General, Memory};
 use crate::call::{Code, Extent};
 use crate::instructions::{Float, Shape};
@@ -45,7 +45,7 @@ impl<T: Float> Sweep<T> {
         const SAVED: &[General] = &[General::Rbx, General::R12, General::R13, General::R14, General::R15];
         let form = shape.form::<T>();
         let plan =
-            Plan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared, keeps_literals: true };
+            RoundPlan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared, keeps_literals: true };
         let mut writer = Writer::begin(program, shape, form, plan, SAVED)?;
         let states = program.results().len();
         for (column, pointer) in POINTERS.into_iter().enumerate().take(states) {

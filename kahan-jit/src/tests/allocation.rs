@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::allocation::{Allocation, FEWEST_REGISTERS, Operand, Operation, Place, Plan};
+use crate::allocation::{Allocation, FEWEST_REGISTERS, Operand, Operation, Place, RoundPlan};
 use crate::assembler::{Binary, Fused, Order, Vector};
 use crate::lines::{Ends, Given, Lines};
 use crate::program::{Instruction, Program};
@@ -78,7 +78,7 @@ impl Machine {
 /// Runs what is allocated for a program; the results after so many rounds.
 fn allocated(
     program: &Program,
-    (registers, plan): (u8, Plan),
+    (registers, plan): (u8, RoundPlan),
     fuses: bool,
     (states, constants): (&[f64], &[f64]),
     rounds: usize,
@@ -116,7 +116,7 @@ fn any_number_of_registers_computes_what_the_program_says() {
             }
             let rounds = if ends == Ends::Elsewhere { 1 } else { 3 };
             for (fuses, keeps) in [(false, false), (false, true), (true, false), (true, true)] {
-                let plan = Plan { ends, keeps_constants: keeps, keeps_literals: keeps };
+                let plan = RoundPlan { ends, keeps_constants: keeps, keeps_literals: keeps };
                 let found = allocated(&program, (registers, plan), fuses, (&x, &c), rounds);
                 let expected = (0..rounds).fold(x.clone(), |x, _| run(&program, &x, &c, fuses));
                 let agree = found.iter().zip(&expected).all(|(a, b)| same(*a, *b));
@@ -136,7 +136,7 @@ fn a_last_use_takes_no_instruction_of_its_own() {
     let [a, b, c] = [0, 1, 2].map(|i| program.push(Instruction::State(i)));
     let sum = program.push(Instruction::MultiplyAdd(a, b, c));
     program.set_results(vec![sum]);
-    let plan = Plan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
+    let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
     let round = Allocation::of(&Lines::of(&program, true, plan.ends), 16, plan).round;
     let [
         Operation::Load(..),

@@ -2,12 +2,12 @@
 //! machine has.
 
 use crate::program::Program;
-use crate::{ComposedOrbit, Constants, Float, Function, InstructionSet, Lanes, Orbit, Shape, Sweep};
+use crate::{ComposedOrbit, Constants, Float, Function, InstructionSet, LaneCount, Orbit, Shape, Sweep};
 
 use super::{Draw, random_program, run, same};
 
 /// The shapes that this machine has; the others are reported as not run.
-fn shapes(lanes: Lanes) -> impl Iterator<Item = Shape> {
+fn shapes(lanes: LaneCount) -> impl Iterator<Item = Shape> {
     InstructionSet::ALL.into_iter().flat_map(move |instructions| {
         if !instructions.is_available() {
             println!("not run: this processor has no {instructions:?}");
@@ -62,7 +62,7 @@ fn functions<T: Tested>() {
     let mut draw = Draw(1);
     for case in 0..300 {
         let (program, states, constants) = draw_program(&mut draw, case);
-        for shape in shapes(Lanes::One) {
+        for shape in shapes(LaneCount::One) {
             let (x, c) = (numbers::<T>(&mut draw, states), numbers::<T>(&mut draw, constants));
             let mut found = vec![T::of(7.0); states];
             Function::compile(&program, shape).expect("it compiles").run(&x, &c, &mut found);
@@ -82,7 +82,7 @@ fn lanes_of<T: Tested>() {
     let mut draw = Draw(2);
     for case in 0..200 {
         let (program, states, constants) = draw_program(&mut draw, case);
-        for shape in shapes(Lanes::All) {
+        for shape in shapes(LaneCount::All) {
             let width = shape.width::<T>();
             let (x, c) =
                 (numbers::<T>(&mut draw, states * width), numbers::<T>(&mut draw, constants * width));
@@ -107,7 +107,7 @@ fn orbits<T: Tested>() {
     let mut draw = Draw(3);
     for case in 0..300 {
         let (program, states, constants) = draw_program(&mut draw, case);
-        for shape in shapes(Lanes::One) {
+        for shape in shapes(LaneCount::One) {
             let what = format!("case {case}, {shape:?}");
             let fuses = shape.fuses;
             let x = numbers::<T>(&mut draw, states);
@@ -144,7 +144,7 @@ fn sweeps<T: Tested>() {
     let mut draw = Draw(4);
     for case in 0..150 {
         let (program, states, constants) = draw_program(&mut draw, case);
-        for shape in shapes(Lanes::All).chain(shapes(Lanes::One)) {
+        for shape in shapes(LaneCount::All).chain(shapes(LaneCount::One)) {
             for of in [Constants::Shared, Constants::Own] {
                 let (width, registers) = (shape.width::<T>(), 3);
                 let count = width * registers;
@@ -188,7 +188,7 @@ fn small() -> Program {
     random_program(&mut Draw(5), 3, 2, 20)
 }
 
-const SCALAR: Shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
+const SCALAR: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
 
 #[test]
 #[should_panic(expected = "3 states")]

@@ -1,8 +1,10 @@
 //! Programs without code, and the instructions that code is made of.
 
-use crate::{Constants, Function, Instruction, InstructionSet, Lanes, Orbit, Program, Refusal, Shape, Sweep};
+use crate::{
+    Constants, Function, Instruction, InstructionSet, LaneCount, Orbit, Program, Refusal, Shape, Sweep,
+};
 
-const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
+const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
 
 /// Whether there is no instruction set that could show it.
 fn is_unavailable() -> bool {
@@ -83,7 +85,7 @@ fn wide(values: usize) -> Program {
 const WIDEST: usize = 13_330;
 
 fn run_widest(stack: usize) -> Option<f64> {
-    let shape = Shape { instructions: InstructionSet::best()?, lanes: Lanes::All, fuses: false };
+    let shape = Shape { instructions: InstructionSet::best()?, lanes: LaneCount::All, fuses: false };
     let run = move || {
         let width = shape.width::<f64>();
         let function = Function::<f64>::compile(&wide(WIDEST), shape).expect("it compiles");

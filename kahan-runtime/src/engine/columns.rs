@@ -8,7 +8,7 @@ use core::slice;
 
 use kahan_core::{Composition, Scalar};
 
-use super::lanes::{LANES, Lanes};
+use super::lanes::{EightLanes, LANES};
 use super::scratch::{Local, Scratch, Scratches, with_scratch};
 use super::step::Step;
 use super::{ColumnsOnce, Engine, Instructions, distinct, in_turn};
@@ -50,12 +50,12 @@ impl<T: Scratches> Abreast<T> for T {
     }
 }
 
-impl<T: Scratches> Abreast<T> for Lanes<T> {
+impl<T: Scratches> Abreast<T> for EightLanes<T> {
     const WIDTH: usize = LANES;
 
     #[inline(always)]
     fn gather(value: impl Fn(usize) -> T) -> Self {
-        Lanes(core::array::from_fn(value))
+        EightLanes(core::array::from_fn(value))
     }
 
     #[inline(always)]

@@ -1,14 +1,14 @@
 //! The tables of a field of many variables, as `kahan-core` runs them, on slices.
 
 use kahan_algebra::elimination;
-use kahan_core::__private::{Couplings, Row};
+use kahan_core::__private::{CouplingRow, Couplings};
 use kahan_core::Scalar;
 
 /// Where A(x,ε) has entries.
 #[derive(Debug)]
 pub(crate) struct Tables {
     order: Vec<u32>,
-    rows: Vec<Row>,
+    rows: Vec<CouplingRow>,
     columns: Vec<u32>,
     blocks: Vec<u32>,
     places: Vec<u32>,
@@ -33,7 +33,7 @@ impl Tables {
         let number = |number: &usize| u32::try_from(*number).expect("fewer places than fill the memory");
         let list = |numbers: &[usize]| numbers.iter().map(number).collect();
         let row = |row: &elimination::Row| {
-            Row::new(number(&row.start), number(&row.own), number(&row.diagonal), number(&row.end))
+            CouplingRow::new(number(&row.start), number(&row.own), number(&row.diagonal), number(&row.end))
         };
         Tables {
             order: list(&couplings.order),

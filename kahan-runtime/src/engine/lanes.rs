@@ -16,12 +16,12 @@ pub(crate) const LANES: usize = 8;
 
 /// One number of each of several trajectories.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lanes<T>(pub(crate) [T; LANES]);
+pub struct EightLanes<T>(pub(crate) [T; LANES]);
 
-impl<T: Scalar + Copy> Lanes<T> {
+impl<T: Scalar + Copy> EightLanes<T> {
     #[inline(always)]
     pub(crate) fn splat(value: T) -> Self {
-        Lanes([value; LANES])
+        EightLanes([value; LANES])
     }
 
     #[inline(always)]
@@ -50,14 +50,14 @@ impl<T: Scalar + Copy> Lanes<T> {
 }
 
 operators! {
-    [T: Scalar + Copy] Lanes<T>:
+    [T: Scalar + Copy] EightLanes<T>:
     |a: Self, b| a.zip(b, T::add),
     |a: Self, b| a.zip(b, T::sub),
     |a: Self, b| a.zip(b, T::mul),
     |a: Self, b| a.zip(b, T::div)
 }
 
-impl<T: Scalar + Copy> Neg for Lanes<T> {
+impl<T: Scalar + Copy> Neg for EightLanes<T> {
     type Output = Self;
 
     #[inline(always)]
@@ -66,9 +66,9 @@ impl<T: Scalar + Copy> Neg for Lanes<T> {
     }
 }
 
-impl<T: Scalar + Copy> Zero for Lanes<T> {
+impl<T: Scalar + Copy> Zero for EightLanes<T> {
     fn zero() -> Self {
-        Lanes::splat(T::zero())
+        EightLanes::splat(T::zero())
     }
 
     fn is_zero(&self) -> bool {
@@ -76,16 +76,16 @@ impl<T: Scalar + Copy> Zero for Lanes<T> {
     }
 }
 
-impl<T: Scalar + Copy> One for Lanes<T> {
+impl<T: Scalar + Copy> One for EightLanes<T> {
     fn one() -> Self {
-        Lanes::splat(T::one())
+        EightLanes::splat(T::one())
     }
 }
 
-impl<T: Scalar + Copy> Scalar for Lanes<T> {
+impl<T: Scalar + Copy> Scalar for EightLanes<T> {
     #[inline]
     fn constant(c: &Constant<'_>) -> Self {
-        Lanes::splat(T::constant(c))
+        EightLanes::splat(T::constant(c))
     }
 
     #[inline(always)]

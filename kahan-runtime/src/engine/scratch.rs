@@ -11,7 +11,7 @@ use kahan_core::{Dual, EnsembleScalar, FloatScalar, Scalar};
 use crate::machine::Coded;
 
 use super::couplings::Factors;
-use super::lanes::Lanes;
+use super::lanes::EightLanes;
 
 /// The vectors that steps over V are computed in; what they hold between two calls means nothing.
 #[derive(Clone, Debug)]
@@ -62,7 +62,7 @@ pub trait Scratches: FloatScalar + EnsembleScalar + Coded + Default + Send + Syn
     /// For one state.
     fn single() -> Local<Self>;
     /// For several side by side.
-    fn lanes() -> Local<Lanes<Self>>;
+    fn lanes() -> Local<EightLanes<Self>>;
     /// For derivatives along one direction.
     fn duals() -> Local<Dual<Self, 1>>;
 }
@@ -75,8 +75,8 @@ macro_rules! implement_for_float {
                 &SCRATCH
             }
 
-            fn lanes() -> Local<Lanes<Self>> {
-                thread_local!(static SCRATCH: Cell<Scratch<Lanes<$float>>> = Cell::default());
+            fn lanes() -> Local<EightLanes<Self>> {
+                thread_local!(static SCRATCH: Cell<Scratch<EightLanes<$float>>> = Cell::default());
                 &SCRATCH
             }
 

@@ -5,7 +5,9 @@ use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use kahan_core::FloatScalar;
-use kahan_jit::{ComposedOrbit, Constants, Function, InstructionSet, Lanes, Orbit, Refusal, Shape, Sweep};
+use kahan_jit::{
+    ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Refusal, Shape, Sweep,
+};
 
 use crate::engine::{Engine, Object};
 
@@ -112,7 +114,7 @@ impl Codes {
         T::of(self).orbits.get((kind, is_composed), || {
             let program = kind.program::<T>(engine)?;
             let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
-            let shape = Shape { instructions, lanes: Lanes::One, fuses: kind.fuses };
+            let shape = Shape { instructions, lanes: LaneCount::One, fuses: kind.fuses };
             Some(if is_composed {
                 ComposedOrbit::compile(&program, shape).map(OrbitCode::Composed)
             } else {
@@ -134,7 +136,11 @@ impl Codes {
                 SideBySide::Steps(kind, vectors) => (kind.carrying::<T>(engine, vectors)?, kind.fuses),
                 SideBySide::Integrals => (programs::integrals_behind_the_state::<T>(engine)?, false),
             };
-            Some(Sweep::compile(&program, Shape { instructions, lanes: Lanes::All, fuses }, Constants::Own))
+            Some(Sweep::compile(
+                &program,
+                Shape { instructions, lanes: LaneCount::All, fuses },
+                Constants::Own,
+            ))
         })
     }
 
@@ -142,7 +148,7 @@ impl Codes {
     pub(crate) fn function<T: Coded>(&self, engine: &Engine, object: Object) -> Option<&FunctionCode<T>> {
         let compile = || {
             let program = programs::object::<T>(object, engine)?;
-            let shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::One, fuses: false };
+            let shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
             Function::compile(&program, shape).ok().map(FunctionCode)
         };
         T::of(self).functions.get(object.place())?.get_or_init(compile).as_ref()
@@ -154,7 +160,7 @@ impl Codes {
         engine: &Engine,
         (instructions, fuses): (InstructionSet, bool),
     ) -> Option<Arc<ColumnsCode<T>>> {
-        let shape = Shape { instructions, lanes: Lanes::All, fuses };
+        let shape = Shape { instructions, lanes: LaneCount::All, fuses };
         T::of(self).columns.get(shape, || ColumnsCode::compile(engine, shape))
     }
 }

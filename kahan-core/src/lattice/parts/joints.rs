@@ -4,12 +4,12 @@
 
 use core::ops::Range;
 
-use crate::lattice::folded::{Folded, Row};
+use crate::lattice::folded::{BandRow, Folded};
 use crate::lattice::sites::Site;
 use crate::lattice::{LatticeMap, LatticeScalar, Shape};
 use crate::{Constant, Scalar};
 
-use super::plan::Plan;
+use super::partition::Partition;
 
 /// How many times as large as its pivot an entry of a separator's row may be, 2¹⁰: three digits of
 /// the sixteen.
@@ -24,7 +24,7 @@ pub(super) fn size(separator: usize) -> usize {
 /// What the sites of the reduced system gain; `None` where pivots were too small, or numbers are
 /// not finite.
 pub(super) fn solve<'a, M, T>(
-    plan: &Plan,
+    partition: &Partition,
     joints: &[T],
     reduced: &'a mut Folded<T>,
     map: &M,
@@ -37,25 +37,25 @@ where
     T: LatticeScalar,
 {
     let (block, separator) = (M::Shape::BLOCK, M::Shape::REACH * M::Shape::BLOCK);
-    let (sites, left_over) = (state.len() / block, plan.left_over());
+    let (sites, left_over) = (state.len() / block, partition.left_over());
     let joint = |part: usize| &joints[part * size(separator)..][..size(separator)];
     let most = T::constant(&Constant::integer(GROWTH));
     let is_small = |joint: &[T]| joint.last().is_some_and(|worst| !worst.magnitude_exceeds(&most));
-    if !(0..plan.parts()).all(|part| is_small(joint(part))) {
+    if !(0..partition.parts()).all(|part| is_small(joint(part))) {
         return None;
     }
-    let (left_over_from, place_from) = ((sites - left_over) * block, plan.parts() * separator);
+    let (left_over_from, place_from) = ((sites - left_over) * block, partition.parts() * separator);
     let gained = reduced.solve(|unknown, row| {
         let (before, k) = (unknown / separator, unknown % separator);
         // A row of the part to the left, then of the one to the right.
-        if (1..=plan.parts()).contains(&before) {
+        if (1..=partition.parts()).contains(&before) {
             add(row, joint(before - 1), k, before, separator);
         }
-        if before < plan.parts() {
+        if before < partition.parts() {
             add(row, joint(before), separator + k, before + 1, separator);
         }
         // What no part has seen: couplings among the sites left over, and with the first separator.
-        let add_direct = |row: &mut Row<'_, T>, site: &Site<T>, b, columns: Range<usize>, to: usize| {
+        let add_direct = |row: &mut BandRow<'_, T>, site: &Site<T>, b, columns: Range<usize>, to: usize| {
             for (column, entry) in site.entries::<M::Shape>(M::BOUNDARY, sites, b) {
                 if columns.contains(&column) {
                     row.add(to + column - columns.start, entry.clone());
@@ -78,7 +78,7 @@ where
 }
 
 /// Adds row k of what a part leaves; `right` counts the separator to its right.
-fn add<T: Scalar>(row: &mut Row<'_, T>, joint: &[T], k: usize, right: usize, separator: usize) {
+fn add<T: Scalar>(row: &mut BandRow<'_, T>, joint: &[T], k: usize, right: usize, separator: usize) {
     let columns = 2 * separator + 1;
     let entries = &joint[k * columns..][..columns];
     for c in 0..separator {

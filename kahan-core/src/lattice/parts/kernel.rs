@@ -13,10 +13,10 @@ use crate::ensemble::lanes::Lanes;
 use crate::lattice::{Family, LatticeScalar, Stencil};
 
 use super::scratch::Scratch;
-use super::window::{Row, Window};
+use super::window::{Window, WindowRow};
 
 /// A line's results at one site: f, and for each array its entries, site by site.
-struct Line<L, const B: usize, const SITES: usize> {
+struct SiteLine<L, const B: usize, const SITES: usize> {
     f: [L; B],
     a: [[[L; B]; SITES]; B],
 }
@@ -25,7 +25,7 @@ struct Line<L, const B: usize, const SITES: usize> {
 struct Sweep<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
     window: Window<L, B, R, LOWER, WIDTH>,
     /// The rows of the left separator.
-    border: [[Row<L, B, R, WIDTH>; B]; R],
+    border: [[WindowRow<L, B, R, WIDTH>; B]; R],
     /// The largest multiplier of such a row.
     worst: L,
 }
@@ -35,7 +35,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
 {
     /// Takes in the next row and eliminates a column.
     #[inline(always)]
-    fn take<T>(&mut self, row: Row<L, B, R, WIDTH>)
+    fn take<T>(&mut self, row: WindowRow<L, B, R, WIDTH>)
     where
         L: Lanes<T>,
     {
@@ -63,7 +63,7 @@ impl<L: Lanes<T>, T, const B: usize, const LOWER: usize, const WIDTH: usize>
 {
     /// Takes in the next row, eliminates a column, and keeps its row.
     #[inline(always)]
-    fn take(&mut self, row: Row<L, B, 0, WIDTH>) {
+    fn take(&mut self, row: WindowRow<L, B, 0, WIDTH>) {
         let pivot = self.window.push(row);
         let stride = (WIDTH + 1) * L::WIDTH;
         let kept = &mut self.done[self.count * stride..][..stride];
@@ -76,7 +76,7 @@ impl<L: Lanes<T>, T, const B: usize, const LOWER: usize, const WIDTH: usize>
 }
 
 /// The passes of a [`Shape`](crate::lattice::Shape).
-pub(in crate::lattice) trait Kernel {
+pub(in crate::lattice) trait Passes {
     /// The first pass over parts of `interior` sites and their separators: writes 2S rows of 2S + 1
     /// numbers, S = R·B, first those of the separators to the right, and in each row first the
     /// columns of the separators to the right; and last the largest multiplier of such a row.
@@ -104,7 +104,7 @@ impl<
     const UPPER: usize,
     const SITES: usize,
     const WIDTH: usize,
-> Kernel for Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
+> Passes for Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
     #[inline(always)]
     fn contribute<M, L, T>(constants: &[T], interior: usize, scratch: &mut Scratch<T>)
@@ -116,9 +116,9 @@ impl<
         let constants: [L; C] = from_fn(|k| L::spread(&constants[k]));
         let (x, c) = (scratch.x.entries(), scratch.c.entries());
         // The rows of the left separator, which no part before this one sees to the left.
-        let mut border = [[Row::<L, B, R, WIDTH>::zero(); B]; R];
+        let mut border = [[WindowRow::<L, B, R, WIDTH>::zero(); B]; R];
         for r in 0..R {
-            let Line { f, a } = Self::line::<M, L, T>(&constants, x, c, R + r);
+            let SiteLine { f, a } = Self::line::<M, L, T>(&constants, x, c, R + r);
             for b in 0..B {
                 border[r][b].right = f[b];
                 for k in R - r..SITES {
@@ -170,7 +170,7 @@ impl<
         for r in 0..R {
             // Of the right separator's rows only what leads to the interior: the rest is the next
             // part's.
-            let Line { a, .. } = Self::line::<M, L, T>(&constants, x, c, 2 * R + interior + r);
+            let SiteLine { a, .. } = Self::line::<M, L, T>(&constants, x, c, 2 * R + interior + r);
             for b in 0..B {
                 for k in 0..R - r {
                     for e in 0..B {
@@ -223,7 +223,7 @@ impl<
             }
         }
         for _ in 0..LOWER {
-            sweep.take(Row::zero());
+            sweep.take(WindowRow::zero());
         }
 
         // What the unknowns after the current one gain, beginning with the right separator's.
@@ -261,7 +261,7 @@ impl<
 {
     /// The line of a gathered site.
     #[inline(always)]
-    fn line<M, L, T>(constants: &[L; C], x: &[T], c: &[T], site: usize) -> Line<L, B, SITES>
+    fn line<M, L, T>(constants: &[L; C], x: &[T], c: &[T], site: usize) -> SiteLine<L, B, SITES>
     where
         M: Family<T, Shape = Self>,
         L: Lanes<T>,
@@ -279,7 +279,7 @@ impl<
                 c[k][p] = L::load(seen_c, (k * P + p) * L::WIDTH);
             }
         }
-        let mut line = Line { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
+        let mut line = SiteLine { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
         let a = line.a.as_flattened_mut().as_flattened_mut();
         M::rows(constants, x.as_flattened(), c.as_flattened(), &mut line.f, a);
         line
@@ -287,8 +287,8 @@ impl<
 
     /// A row whose site sees no separator to the left.
     #[inline(always)]
-    fn row<L: Scalar + Copy>(line: &Line<L, B, SITES>, b: usize) -> Row<L, B, R, WIDTH> {
-        let mut row = Row::zero();
+    fn row<L: Scalar + Copy>(line: &SiteLine<L, B, SITES>, b: usize) -> WindowRow<L, B, R, WIDTH> {
+        let mut row = WindowRow::zero();
         row.right = line.f[b];
         let entries = line.a[b].as_flattened();
         for k in 0..WIDTH {
@@ -302,7 +302,11 @@ impl<
 
     /// A row of the first R sites, i of them before its own.
     #[inline(always)]
-    fn row_at_edge<L: Scalar + Copy>(line: &Line<L, B, SITES>, b: usize, i: usize) -> Row<L, B, R, WIDTH> {
+    fn row_at_edge<L: Scalar + Copy>(
+        line: &SiteLine<L, B, SITES>,
+        b: usize,
+        i: usize,
+    ) -> WindowRow<L, B, R, WIDTH> {
         let mut row = Self::row(line, b);
         for k in 0..R - i {
             for e in 0..B {

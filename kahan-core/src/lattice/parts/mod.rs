@@ -10,8 +10,8 @@ mod buffer;
 mod group;
 mod joints;
 mod kernel;
+mod partition;
 mod passes;
-mod plan;
 mod scratch;
 mod window;
 
@@ -25,14 +25,14 @@ use super::folded::Folded;
 use super::sites::Site;
 use super::{Boundary, LatticeMap, LatticeScalar, Shape};
 
-pub(super) use kernel::Kernel;
+pub(super) use kernel::Passes;
+pub(super) use partition::Partition;
 use passes::{First, Second, divide};
-pub(super) use plan::Plan;
 use scratch::Scratch;
 
 /// The memory of steps in parts.
 pub(super) struct InParts<T> {
-    plan: Plan,
+    partition: Partition,
     level: Level,
     /// One for each thread.
     scratch: Vec<Scratch<T>>,
@@ -49,7 +49,7 @@ pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     const LANES: Option<usize>;
 
     /// The memory of steps, for scalars with lanes.
-    fn new<S: Shape>(plan: Plan, boundary: Boundary, level: Level) -> Option<Self>;
+    fn new<S: Shape>(partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
     /// One step, if the parts can vouch for it; otherwise the state stays as it is.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
@@ -64,7 +64,7 @@ pub(in crate::lattice) enum NoParts {}
 impl<T> Parted<T> for NoParts {
     const LANES: Option<usize> = None;
 
-    fn new<S: Shape>(_: Plan, _: Boundary, _: Level) -> Option<Self> {
+    fn new<S: Shape>(_: Partition, _: Boundary, _: Level) -> Option<Self> {
         None
     }
 
@@ -80,18 +80,18 @@ impl<T> Parted<T> for NoParts {
 impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
     const LANES: Option<usize> = Some(T::MOST);
 
-    fn new<S: Shape>(plan: Plan, boundary: Boundary, level: Level) -> Option<Self> {
+    fn new<S: Shape>(partition: Partition, boundary: Boundary, level: Level) -> Option<Self> {
         let separator = S::REACH * S::BLOCK;
-        let kept = plan.kept() * S::BLOCK;
+        let kept = partition.kept() * S::BLOCK;
         #[cfg(feature = "parallel")]
         let threads = rayon::current_num_threads();
         #[cfg(not(feature = "parallel"))]
         let threads = 1;
         Some(Self {
-            plan,
+            partition,
             level,
-            scratch: (0..threads.min(plan.groups())).map(|_| Scratch::new::<S>(&plan)).collect(),
-            joints: vec![T::zero(); plan.parts() * joints::size(separator)],
+            scratch: (0..threads.min(partition.groups())).map(|_| Scratch::new::<S>(&partition)).collect(),
+            joints: vec![T::zero(); partition.parts() * joints::size(separator)],
             kept: vec![T::zero(); kept],
             reduced: Folded::new(kept, boundary == Boundary::Periodic, 2 * separator - 1, 2 * separator - 1),
         })
@@ -102,30 +102,37 @@ impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
         M: LatticeMap<T>,
     {
         let block = M::Shape::BLOCK;
-        let Self { plan, level, scratch, joints, kept, reduced } = self;
-        let (plan, level) = (&*plan, *level);
-        let groups = 0..plan.groups();
-        for (place, first, count) in plan.kept_runs() {
+        let Self { partition, level, scratch, joints, kept, reduced } = self;
+        let (partition, level) = (&*partition, *level);
+        let groups = 0..partition.groups();
+        for (place, first, count) in partition.kept_runs() {
             kept[place * block..][..count * block].copy_from_slice(&state[first * block..][..count * block]);
         }
 
         // The first pass fills the joints.
-        let size = plan.lanes() * joints::size(M::Shape::REACH * block);
+        let size = partition.lanes() * joints::size(M::Shape::REACH * block);
         divide(scratch, groups.clone(), joints, &|group| group * size, &|scratch, groups, joints| {
-            T::run(First { plan, map, constants, state, groups, scratch, joints }, level);
+            T::run(First { partition, map, constants, state, groups, scratch, joints }, level);
         });
-        if joints::solve(plan, joints, reduced, map, constants, site, state).is_none() {
+        if joints::solve(partition, joints, reduced, map, constants, site, state).is_none() {
             return false;
         }
 
         // The second moves the interiors.
         let (kept, gained, sites) = (&**kept, reduced.solution(), state.len() / block);
-        let interiors = &mut state[..plan.start(plan.groups()) * block];
-        divide(scratch, groups, interiors, &|group| plan.start(group) * block, &|scratch, groups, state| {
-            let pass = Second { plan, map, constants, twice, kept, gained, sites, groups, scratch, state };
-            T::run(pass, level);
-        });
-        for (place, first, count) in plan.kept_runs() {
+        let interiors = &mut state[..partition.start(partition.groups()) * block];
+        divide(
+            scratch,
+            groups,
+            interiors,
+            &|group| partition.start(group) * block,
+            &|scratch, groups, state| {
+                let pass =
+                    Second { partition, map, constants, twice, kept, gained, sites, groups, scratch, state };
+                T::run(pass, level);
+            },
+        );
+        for (place, first, count) in partition.kept_runs() {
             let gained = &gained[place * block..][..count * block];
             for (x, w) in state[first * block..].iter_mut().zip(gained) {
                 *x = w.multiply_add(*twice, *x);

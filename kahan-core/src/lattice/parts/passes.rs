@@ -11,8 +11,8 @@ use crate::lattice::{LatticeMap, LatticeScalar, Shape};
 
 use super::group::Parts;
 use super::joints;
-use super::kernel::Kernel;
-use super::plan::Plan;
+use super::kernel::Passes;
+use super::partition::Partition;
 use super::scratch::Scratch;
 
 /// Divides groups, and the numbers that belong to them, among threads, each with a scratch of its
@@ -53,8 +53,8 @@ fn join(first: impl FnOnce(), second: impl FnOnce()) {
 /// The parts of a group that fit the lanes, batch after batch: each with the number of its first
 /// part.
 #[inline(always)]
-fn batches(plan: &Plan, group: usize, width: usize) -> impl Iterator<Item = (usize, Parts)> {
-    let (start, length, lanes) = (plan.start(group), plan.length(group), plan.lanes());
+fn batches(partition: &Partition, group: usize, width: usize) -> impl Iterator<Item = (usize, Parts)> {
+    let (start, length, lanes) = (partition.start(group), partition.length(group), partition.lanes());
     (0..lanes).step_by(width).map(move |k| (group * lanes + k, Parts { start: start + k * length, length }))
 }
 
@@ -71,7 +71,7 @@ const fn separator<S: Shape>() -> usize {
 
 /// What the first pass does to some groups.
 pub(super) struct First<'a, M, T> {
-    pub(super) plan: &'a Plan,
+    pub(super) partition: &'a Partition,
     pub(super) map: &'a M,
     pub(super) constants: &'a [T],
     pub(super) state: &'a [T],
@@ -90,12 +90,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T>
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) {
-        let Self { plan, map, constants, state, groups, scratch, joints } = self;
+        let Self { partition, map, constants, state, groups, scratch, joints } = self;
         let separator = separator::<M::Shape>();
         let columns = M::Shape::LOWER + 2 * separator + 1;
         let mut joints = joints.chunks_exact_mut(joints::size(separator));
         for group in groups {
-            for (_, parts) in batches(plan, group, L::WIDTH) {
+            for (_, parts) in batches(partition, group, L::WIDTH) {
                 parts.gather_all::<M, L, T>(map, state, scratch.x.entries(), scratch.c.entries());
                 M::Shape::contribute::<M, L, T>(constants, parts.length - M::Shape::REACH, scratch);
                 let dense = scratch.dense.entries();
@@ -116,7 +116,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T>
 
 /// What the second does.
 pub(super) struct Second<'a, M, T> {
-    pub(super) plan: &'a Plan,
+    pub(super) partition: &'a Partition,
     pub(super) map: &'a M,
     pub(super) constants: &'a [T],
     pub(super) twice: &'a T,
@@ -137,12 +137,12 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) {
-        let Self { plan, map, constants, twice, kept, gained, sites, groups, scratch, state } = self;
+        let Self { partition, map, constants, twice, kept, gained, sites, groups, scratch, state } = self;
         let (block, reach) = (M::Shape::BLOCK, M::Shape::REACH);
         let separator = reach * block;
-        let first = plan.start(groups.start);
+        let first = partition.start(groups.start);
         for group in groups {
-            for (part, parts) in batches(plan, group, L::WIDTH) {
+            for (part, parts) in batches(partition, group, L::WIDTH) {
                 parts.gather_parameters::<M, L, T>(map, sites, scratch.c.entries());
                 let here = Parts { start: parts.start - first, ..parts };
                 let x = scratch.x.entries();

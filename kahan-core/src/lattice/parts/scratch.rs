@@ -4,7 +4,7 @@ use crate::Scalar;
 use crate::lattice::Shape;
 
 use super::buffer::Buffer;
-use super::plan::Plan;
+use super::partition::Partition;
 
 /// Registers of the sites of a group of parts.
 pub(in crate::lattice) struct Scratch<T> {
@@ -21,16 +21,16 @@ pub(in crate::lattice) struct Scratch<T> {
 }
 
 impl<T: Scalar> Scratch<T> {
-    pub(super) fn new<S: Shape>(plan: &Plan) -> Self {
+    pub(super) fn new<S: Shape>(partition: &Partition) -> Self {
         let (separator, width) = (S::REACH * S::BLOCK, S::LOWER + 1 + S::UPPER);
-        let registers = |count: usize| Buffer::new(count * plan.lanes());
-        let sites = plan.longest() + 3 * S::REACH;
+        let registers = |count: usize| Buffer::new(count * partition.lanes());
+        let sites = partition.longest() + 3 * S::REACH;
         let dense = S::LOWER + 2 * separator;
         Self {
             x: registers(sites * S::BLOCK),
             c: registers(sites * S::PARAMETERS),
             dense: registers(dense * (dense + 1) + 1),
-            done: registers((plan.longest() * S::BLOCK + S::LOWER) * (width + 1)),
+            done: registers((partition.longest() * S::BLOCK + S::LOWER) * (width + 1)),
             known: registers(2 * separator),
         }
     }

@@ -10,7 +10,7 @@ use crate::ensemble::lanes::Lanes;
 
 /// A row, from the current column on.
 #[derive(Clone, Copy)]
-pub(super) struct Row<L, const B: usize, const R: usize, const WIDTH: usize> {
+pub(super) struct WindowRow<L, const B: usize, const R: usize, const WIDTH: usize> {
     pub(super) band: [L; WIDTH],
     /// The entries at the separator to the left.
     pub(super) left: [[L; B]; R],
@@ -18,7 +18,7 @@ pub(super) struct Row<L, const B: usize, const R: usize, const WIDTH: usize> {
     pub(super) right: L,
 }
 
-impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Row<L, B, R, WIDTH> {
+impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> WindowRow<L, B, R, WIDTH> {
     #[inline(always)]
     pub(super) fn zero() -> Self {
         Self { band: [L::zero(); WIDTH], left: [[L::zero(); B]; R], right: L::zero() }
@@ -49,8 +49,8 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Row<L
 
     /// The row with another right-hand side, and nothing of the separator.
     #[inline(always)]
-    pub(super) fn without_left(self, right: L) -> Row<L, B, 0, WIDTH> {
-        Row { band: self.band, left: [], right }
+    pub(super) fn without_left(self, right: L) -> WindowRow<L, B, 0, WIDTH> {
+        WindowRow { band: self.band, left: [], right }
     }
 
     /// Writes the row from `place` on, the band up to its first `columns`.
@@ -97,7 +97,7 @@ fn exchange<L: Lanes<T>, T>(a: &mut L, b: &mut L, mask: L::Mask) {
 
 /// The rows that may still become pivots.
 pub(super) struct Window<L, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize> {
-    pub(super) rows: [Row<L, B, R, WIDTH>; LOWER],
+    pub(super) rows: [WindowRow<L, B, R, WIDTH>; LOWER],
 }
 
 impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const WIDTH: usize>
@@ -106,7 +106,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     /// Before the first row: rows of the identity, for columns before the first.
     #[inline(always)]
     pub(super) fn new() -> Self {
-        let mut rows = [Row::zero(); LOWER];
+        let mut rows = [WindowRow::zero(); LOWER];
         for (k, row) in rows.iter_mut().enumerate() {
             row.band[k] = L::one();
         }
@@ -116,7 +116,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const LOWER: usize, const
     /// Takes in the row whose first entry is at the current column, eliminates that column, and
     /// returns the pivot's row, with its pivot's reciprocal in place of the pivot.
     #[inline(always)]
-    pub(super) fn push<T>(&mut self, row: Row<L, B, R, WIDTH>) -> Row<L, B, R, WIDTH>
+    pub(super) fn push<T>(&mut self, row: WindowRow<L, B, R, WIDTH>) -> WindowRow<L, B, R, WIDTH>
     where
         L: Lanes<T>,
     {

@@ -4,7 +4,7 @@
 use std::vec::Vec;
 
 use crate::ensemble::Level;
-use crate::lattice::parts::Plan;
+use crate::lattice::parts::Partition;
 use crate::lattice::{LatticeAt, Shape};
 use crate::{LatticeMap, LatticeScalar};
 
@@ -31,8 +31,8 @@ pub(super) fn in_short_parts<M: LatticeMap<f64>>(
     level: Level,
 ) -> LatticeAt<M, f64> {
     let reach = <M::Shape as Shape>::REACH;
-    let plan = Plan::with_length(sites, reach, 8, 8 * reach, 1);
-    LatticeAt::planned(map, eps, sites, plan).expect("sites").at_level(level).expect("asked for")
+    let partition = Partition::with_length(sites, reach, 8, 8 * reach, 1);
+    LatticeAt::planned(map, eps, sites, partition).expect("sites").at_level(level).expect("asked for")
 }
 
 fn levels() -> impl Iterator<Item = Level> {

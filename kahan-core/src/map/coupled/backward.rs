@@ -44,7 +44,7 @@ where
     K: CoupledField<N, P, M, S>,
     T: Widened,
 {
-    let attempt = Attempt { step, x: components(x) };
+    let attempt = BackwardStep { step, x: components(x) };
     attempt.promised(|next| attempt.rest(next, T::embed, T::round))
 }
 
@@ -58,17 +58,17 @@ where
     K: CoupledField<N, P, M, S>,
     T: Promised,
 {
-    let attempt = Attempt { step, x: components(x) };
+    let attempt = BackwardStep { step, x: components(x) };
     attempt.promised(|next| attempt.rest_in_wide(next))
 }
 
 /// A step that is to be promised.
-struct Attempt<'a, K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
+struct BackwardStep<'a, K, T, const N: usize, const P: usize, const M: usize, const S: usize> {
     step: &'a CoupledStep<K, T, P, M, S>,
     x: &'a [T; N],
 }
 
-impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> Attempt<'_, K, T, N, P, M, S>
+impl<K, T, const N: usize, const P: usize, const M: usize, const S: usize> BackwardStep<'_, K, T, N, P, M, S>
 where
     K: CoupledField<N, P, M, S>,
     T: Promised,

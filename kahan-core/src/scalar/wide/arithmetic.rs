@@ -8,7 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
-use super::rows::Row;
+use super::rows::DigitRow;
 use super::{Digits, Size};
 use crate::scalar::assignments;
 
@@ -22,7 +22,7 @@ fn common(mut a: u64, mut b: u64) -> u64 {
 
 impl<const D: usize, const M: usize> Digits<D, M> {
     /// Two numbers as rows over one denominator, if that has room.
-    fn over_one_denominator(&self, other: &Self) -> Option<(Row<M>, Row<M>, u64)> {
+    fn over_one_denominator(&self, other: &Self) -> Option<(DigitRow<M>, DigitRow<M>, u64)> {
         if self.denominator == other.denominator {
             return Some((self.row(), other.row(), self.denominator));
         }
@@ -69,14 +69,14 @@ impl<const D: usize, const M: usize> Digits<D, M> {
 }
 
 /// a/b for a divisor other than zero, with what the division leaves as the radius.
-fn ratio<const D: usize, const M: usize>(a: &Row<M>, b: &Row<M>) -> Digits<D, M> {
+fn ratio<const D: usize, const M: usize>(a: &DigitRow<M>, b: &DigitRow<M>) -> Digits<D, M> {
     let (quotient, rest) = a.divided(b);
     Digits::of(&quotient, 1, (rest.size() + rest.without(usize::MAX)) / b.size())
 }
 
 /// A natural number as a row.
-fn integer<const M: usize>(n: u64) -> Row<M> {
-    Row::of_limbs(false, &[n])
+fn integer<const M: usize>(n: u64) -> DigitRow<M> {
+    DigitRow::of_limbs(false, &[n])
 }
 
 impl<const D: usize, const M: usize> Neg for Digits<D, M> {
@@ -149,8 +149,8 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (is_negative, odd, exponent) = divisor.short()?;
         let denominator = self.denominator.checked_mul(odd)?;
-        let factor = Row::of_limbs(is_negative, &[divisor.denominator]);
-        let power = Row::of_significand(1, exponent.checked_neg()?);
+        let factor = DigitRow::of_limbs(is_negative, &[divisor.denominator]);
+        let power = DigitRow::of_significand(1, exponent.checked_neg()?);
         Some(Self::of(&self.row().times(&factor).times(&power), denominator, Size::zero()))
     }
 

@@ -6,7 +6,7 @@
 
 use num_traits::Zero;
 
-use super::rows::{Row, significand};
+use super::rows::{DigitRow, significand};
 use super::{Digits, Size};
 
 /// A format of IEEE 754 that fits 64 bits.
@@ -22,7 +22,7 @@ const SINGLE: Format = Format { precision: 24, lowest: -126 };
 
 impl<const D: usize, const M: usize> From<i64> for Digits<D, M> {
     fn from(n: i64) -> Self {
-        Self::of(&Row::of_significand(n, 0), 1, Size::zero())
+        Self::of(&DigitRow::of_significand(n, 0), 1, Size::zero())
     }
 }
 
@@ -32,7 +32,7 @@ impl<const D: usize, const M: usize> From<f64> for Digits<D, M> {
             return Self::UNDEFINED;
         }
         let (significand, exponent) = significand(x);
-        Self::of(&Row::of_significand(significand, exponent), 1, Size::zero())
+        Self::of(&DigitRow::of_significand(significand, exponent), 1, Size::zero())
     }
 }
 
@@ -50,7 +50,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
 
     /// An integer of any length, its limbs in little-endian order.
     pub(crate) fn from_limbs(negative: bool, limbs: &[u64]) -> Self {
-        Self::of(&Row::of_limbs(negative, limbs), 1, Size::zero())
+        Self::of(&DigitRow::of_limbs(negative, limbs), 1, Size::zero())
     }
 
     /// ±numerator/denominator from limbs of any number.

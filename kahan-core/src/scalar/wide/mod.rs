@@ -39,7 +39,7 @@ use num_traits::Zero;
 pub(crate) use long::{Capacity, Long, level_row};
 pub(crate) use size::Size;
 
-use rows::{Row, leading, size_of};
+use rows::{DigitRow, leading, size_of};
 
 /// What judges a step: numbers of 17 digits of 64 bits.
 pub(crate) type Wide = Digits<17, 40>;
@@ -92,7 +92,7 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     const UNDEFINED: Self = Self { radius: Size { exponent: 0, mantissa: f64::NAN }, ..Self::ZERO };
 
     /// The leading digits of row/denominator, with this radius and what is cut off.
-    fn of(row: &Row<M>, denominator: u64, radius: Size) -> Self {
+    fn of(row: &DigitRow<M>, denominator: u64, radius: Size) -> Self {
         let Some(&(place, _)) = row.digits().first() else {
             return Self { radius: radius + row.without(0) / Size::from(denominator as f64), ..Self::ZERO };
         };
@@ -112,23 +112,23 @@ impl<const D: usize, const M: usize> Digits<D, M> {
     }
 
     /// The numerator.
-    fn row(&self) -> Row<M> {
+    fn row(&self) -> DigitRow<M> {
         let digits = self.digits.iter().zip(&self.below).take(usize::from(self.count));
-        Row::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)))
+        DigitRow::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)))
     }
 
     /// The same number with room for more digits, or the leading ones of it with room for fewer.
     #[cfg(feature = "std")]
     fn with_digits<const E: usize, const K: usize>(&self) -> Digits<E, K> {
         let digits = self.digits.iter().zip(&self.below).take(usize::from(self.count));
-        let row = Row::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)));
+        let row = DigitRow::of_digits(digits.map(|(digit, below)| (self.place - i64::from(*below), *digit)));
         Digits::of(&row, self.denominator, self.radius)
     }
 
     /// 2^power
     #[cfg(feature = "std")]
     fn power_of_two(power: i64) -> Self {
-        Self::of(&Row::of_significand(1, power), 1, Size { exponent: 0, mantissa: 0.0 })
+        Self::of(&DigitRow::of_significand(1, power), 1, Size { exponent: 0, mantissa: 0.0 })
     }
 
     /// How far the value of the formula may be from this: 0 where nothing was cut off, in it or in

@@ -13,7 +13,7 @@ use super::Size;
 /// At most M digits with their places, the leading one first; none is zero. They are those of an
 /// exact sum of two numbers with a common denominator, or of a product's leading half.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row<const M: usize> {
+pub(super) struct DigitRow<const M: usize> {
     digits: [(i64, i64); M],
     /// Where the leading one stands: a row is made from its low end.
     start: usize,
@@ -31,7 +31,7 @@ fn from_here_on((place, digit): (i64, i64)) -> Size {
     Size::from(digit.unsigned_abs() as f64 * (1.0 + 4.0 * f64::EPSILON) + 1.0).scaled(64 * place)
 }
 
-impl<const M: usize> Row<M> {
+impl<const M: usize> DigitRow<M> {
     /// Whether the digits of a quotient are guessed by dividing short rows, not floats.
     const IS_LONG: bool = M > SHORT;
 
@@ -260,8 +260,8 @@ impl<const M: usize> Row<M> {
         Self::of_significand(significand, exponent + up - down)
     }
 
-    fn leading_digits(&self) -> Row<SHORT> {
-        Row::of_digits(self.digits().iter().take(LEADING).copied())
+    fn leading_digits(&self) -> DigitRow<SHORT> {
+        DigitRow::of_digits(self.digits().iter().take(LEADING).copied())
     }
 }
 

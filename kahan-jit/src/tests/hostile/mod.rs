@@ -10,8 +10,8 @@ mod tests;
 use std::fmt::Debug;
 
 use crate::{
-    ComposedOrbit, Constants, Float, Function, Instruction, InstructionSet, Lanes, Orbit, Program, Refusal,
-    Shape, Sweep,
+    ComposedOrbit, Constants, Float, Function, Instruction, InstructionSet, LaneCount, Orbit, Program,
+    Refusal, Shape, Sweep,
 };
 
 use super::draw::Draw;
@@ -152,7 +152,7 @@ impl Case {
         let mut source = Source(bytes);
         let routine = source.choice(&Routine::ALL);
         let instructions = source.choice(&InstructionSet::ALL);
-        let lanes = source.choice(&[Lanes::One, Lanes::All]);
+        let lanes = source.choice(&[LaneCount::One, LaneCount::All]);
         let fuses = source.choice(&[true, false]);
         let shape = Shape { instructions, lanes, fuses };
         let is_double = source.choice(&[true, false]);

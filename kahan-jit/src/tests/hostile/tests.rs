@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::guarded::{Edge, Guarded};
 use super::{Case, Draw, Routine};
 use crate::{
-    ComposedOrbit, Constants, Function, Instruction, InstructionSet, Lanes, Orbit, Program, Shape, Sweep,
+    ComposedOrbit, Constants, Function, Instruction, InstructionSet, LaneCount, Orbit, Program, Shape, Sweep,
 };
 
 #[test]
@@ -28,7 +28,7 @@ fn hostile_programs_are_refused_or_run_within_their_slices() {
     }
 }
 
-const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: Lanes::All, fuses: false };
+const SHAPE: Shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::All, fuses: false };
 
 /// States 0 and 1, constants 0 to 2.
 fn small() -> Program {

@@ -30,14 +30,14 @@ fn slope<S: Scalar>(i: usize, line: usize, effort: usize) -> S {
 
 /// A line through a point, and what the map has made of it.
 #[derive(Clone)]
-struct Line<S, const N: usize> {
+struct ProjectiveLine<S, const N: usize> {
     point: SVector<S, N>,
     /// The derivative of the first point by this one; `None` where it is not followed, or not
     /// known.
     derivative: Option<SMatrix<S, N, N>>,
 }
 
-impl<S: Scalar, const N: usize> Line<S, N> {
+impl<S: Scalar, const N: usize> ProjectiveLine<S, N> {
     /// One step on; `None` where A has no inverse, as far as is known.
     fn advance<M: KahanMap<S, N>>(&mut self, map: &M, eps: &S) -> Option<()> {
         let matrix = map.matrix(&self.point, eps.clone());
@@ -85,7 +85,7 @@ where
     effort: usize,
     taken: usize,
     last: Option<ProjectivePoint<T, N>>,
-    lines: Vec<Line<T::Germ, N>>,
+    lines: Vec<ProjectiveLine<T::Germ, N>>,
 }
 
 impl<M, T, const N: usize> Passage<M, T, N>
@@ -142,12 +142,12 @@ where
     }
 
     /// x + δv
-    fn line(&self, line: usize, delta: &T::Germ) -> Line<T::Germ, N> {
+    fn line(&self, line: usize, delta: &T::Germ) -> ProjectiveLine<T::Germ, N> {
         let along = self.unit.clone() * delta.clone();
         let moved = |i: usize| T::Germ::of(&self.start[i]) + along.clone() * slope(i, line, self.effort);
         let unit = |i, j| if i == j { T::Germ::one() } else { T::Germ::zero() };
         let derivative = (line == 0).then(|| SMatrix::from_fn(unit));
-        Line { point: SVector::from_fn(|i, _| moved(i)), derivative }
+        ProjectiveLine { point: SVector::from_fn(|i, _| moved(i)), derivative }
     }
 
     /// So many steps further; `None` where this effort does not show the point.

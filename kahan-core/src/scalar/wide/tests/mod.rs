@@ -14,7 +14,7 @@ mod sizes;
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-use super::rows::Row;
+use super::rows::DigitRow;
 use super::{FARTHEST, Size, Wide};
 
 /// Limbs of a dense operand.
@@ -102,7 +102,7 @@ impl Wide {
             return Self::UNDEFINED;
         }
         Self::of(
-            &self.row().times(&Row::of_significand(1, power)),
+            &self.row().times(&DigitRow::of_significand(1, power)),
             self.denominator,
             self.radius.scaled(power),
         )

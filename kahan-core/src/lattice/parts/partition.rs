@@ -5,13 +5,13 @@
 //! one length. Nothing else decides it, so that the bits of a step depend on nothing else. The
 //! sites that are left over, at least R of them, close the chain.
 
-/// The sites of a part that a plan aims at: long beside its separator, short enough that a group of
+/// How long a part is meant to be, in sites: long beside its separator, short enough that a group of
 /// parts stays in a cache near the processor.
 const LENGTH: usize = 256;
 
 /// A chain's parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::lattice) struct Plan {
+pub(in crate::lattice) struct Partition {
     sites: usize,
     reach: usize,
     lanes: usize,
@@ -22,7 +22,7 @@ pub(in crate::lattice) struct Plan {
     longer: usize,
 }
 
-impl Plan {
+impl Partition {
     /// The parts of a chain, unless it is too short to be cut.
     pub(in crate::lattice) fn new(sites: usize, reach: usize, lanes: usize) -> Option<Self> {
         Self::with_length(sites, reach, lanes, LENGTH, 4 * reach)
@@ -85,11 +85,19 @@ impl Plan {
 
     /// The site at each place of the reduced system, as runs: first place, first site, how many.
     pub(super) fn kept_runs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
-        let plan = *self;
-        let separators = (0..plan.parts()).map(move |part| {
-            let group = part / plan.lanes;
-            (part * plan.reach, plan.start(group) + part % plan.lanes * plan.length(group), plan.reach)
+        let partition = *self;
+        let separators = (0..partition.parts()).map(move |part| {
+            let group = part / partition.lanes;
+            (
+                part * partition.reach,
+                partition.start(group) + part % partition.lanes * partition.length(group),
+                partition.reach,
+            )
         });
-        separators.chain([(plan.parts() * plan.reach, plan.start(plan.groups), plan.left_over())])
+        separators.chain([(
+            partition.parts() * partition.reach,
+            partition.start(partition.groups),
+            partition.left_over(),
+        )])
     }
 }
