@@ -32,7 +32,7 @@
 //! |---|---|
 //! | write a field, and claim what its map keeps | [`kahan!`], explained in [`language`] |
 //! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
-//! | many steps | [`KahanMap::orbit`], an iterator; [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
+//! | many steps | [`KahanMap::orbit`], an iterator ([`Orbit`]); [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
 //! | states at given times, up to a time, where a function is first zero | [`Orbit::at_times`], [`until`](Orbit::until), [`first_crossing`](Orbit::first_crossing) |
 //! | an orbit through its poles | [`Orbit::projective`], points of projective space |
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
@@ -49,10 +49,11 @@
 //! | what | where |
 //! |---|---|
 //! | a scalar of your own | [`Scalar`], [`Constant`]; [`Pivot`] for `try_step`, [`FloatScalar`] for modes of orbits, [`EnsembleScalar`] |
-//! | a function over any map, and a choice of one at run time | [`Step`], [`&dyn Step`](Step) |
+//! | a function over any map: compiled, composed, a chain, read at run time | `fn f<M: Step<Scalar = f64>>(map: M, start: M::State)` with [`Step`]; [`Orbit::new`] and [`observe::first_crossing`] take any |
+//! | a map that is chosen at run time | `&dyn Step<Scalar = f64>`, which is itself a [`Step`] with `Vec`s as states; maps and chains of a text are those of `kahan-runtime` |
 //! | generic code over systems | [`KahanMap`], [`QuadraticField`], [`Named`], [`Integrals`], [`Lift`] |
 //! | a map written by hand | [`QuadraticField`] and [`KahanMap`] with [`Elimination`] or a [`PreparedStep`] |
-//! | a map in a struct, a loop of your own | [`KahanAt`], which [`KahanMap::at`] prepares |
+//! | a map in a struct, a loop of your own | [`KahanAt<M, T, N>`](KahanAt), which [`KahanMap::at`] prepares; a chain is a [`LatticeAt<M, T>`](LatticeAt) |
 //! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
 //! | errors as one goes | [`Orbit::with_error_estimate`] |
 //! | tangent vectors, an observer of one's own | [`Tangent`], [`observe::Observer`], [`observe::TangentMap`] |

@@ -24,7 +24,7 @@ pub struct Figure {
     /// x₀
     pub start: &'static [(i64, i64)],
     /// How many iterates.
-    pub steps: usize,
+    pub steps: u64,
     /// What the paper says of it.
     pub caption: &'static str,
 }

@@ -17,7 +17,7 @@ struct Test {
     parameters: &'static [&'static str],
     eps: &'static str,
     start: &'static [&'static str],
-    steps: usize,
+    steps: u64,
     limit: f64,
 }
 
@@ -80,7 +80,7 @@ impl Test {
             HeightsOrbit::new(system, &numbers(self.parameters), &number(&self.eps), &numbers(self.start))
                 .expect("the field is defined");
         let survey = Survey::of(&mut orbit, self.steps, |_| ());
-        assert_eq!(survey.heights.len(), self.steps + 1, "{:?}", survey.stopped);
+        assert_eq!(survey.heights.len() as u64, self.steps + 1, "{:?}", survey.stopped);
         (begun.elapsed().as_secs_f64(), survey)
     }
 }

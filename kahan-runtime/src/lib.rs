@@ -7,6 +7,30 @@
 //! of a family chains of any number of sites ([`Lattice`]).
 //! It must not know the catalog: a field comes from its caller. Beside them, how work is spread
 //! over processors ([`threads`]).
+//!
+//! Maps and chains of texts are [`Step`](kahan_core::Step)s, as compiled ones are, so a program can
+//! choose among all of them while it runs:
+//!
+//! ```
+//! use kahan_core::Step;
+//! use kahan_core::observe::first_crossing;
+//! use kahan_runtime::{Field, FieldText, Lattice};
+//!
+//! let eps = 0.01; // half the time step
+//! let spring = Field::parse("qdot = p; pdot = -q;").unwrap().map().unwrap().at(eps);
+//! let text = "for i in periodic { q[i]dot = p[i]; p[i]dot = q[i-1] - 3*q[i] + q[i+1]; }";
+//! let family = FieldText::new(text.to_owned(), "springs".to_owned()).family().unwrap().unwrap();
+//! let none: [(&str, [f64; 1]); 0] = [];
+//! let springs = Lattice::of(&family).at(eps, 5, none).unwrap();
+//!
+//! let choice: [&dyn Step<Scalar = f64>; 2] = [&spring, &springs];
+//! for map in choice {
+//!     // All masses begin at 1, at rest.
+//!     let start = (0..map.dimension()).map(|k| if k % 2 == 0 { 1.0 } else { 0.0 }).collect();
+//!     let crossing = first_crossing(map, start, 1000, |x| x[0]).unwrap();
+//!     assert!((crossing.time - std::f64::consts::FRAC_PI_2).abs() < 1e-4);
+//! }
+//! ```
 
 mod at;
 mod claim;

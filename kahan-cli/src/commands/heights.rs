@@ -33,7 +33,7 @@ pub(crate) struct Heights {
 
     /// The number of steps.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
-    steps: usize,
+    steps: u64,
 
     /// The greatest number of decimal digits of a numerator or denominator.
     #[arg(long, value_name = "D", default_value = "1000000", allow_hyphen_values = true, value_parser = digits)]
@@ -60,8 +60,8 @@ Examples:
   kahan heights e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 400 --json
   kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30";
 
-fn steps(text: &str) -> Result<usize, String> {
-    whole(text, 0, usize::MAX)
+fn steps(text: &str) -> Result<u64, String> {
+    whole(text, 0, u64::MAX)
 }
 
 fn digits(text: &str) -> Result<u64, String> {
@@ -87,7 +87,7 @@ impl Heights {
             .map_err(|_| request.undefined_field())?;
         let mut orbit =
             orbit.within(Bounds { max_digits: Some(self.max_digits), seconds: Some(self.seconds) });
-        let progress = Progress::new(self.steps as u64, "steps");
+        let progress = Progress::new(self.steps, "steps");
         let survey =
             Survey::of(&mut orbit, self.steps, |heights| progress.advance(u64::from(heights.step > 0)));
         progress.finish();

@@ -27,12 +27,11 @@ pub struct Composed<S: Step> {
 }
 
 /// Up to 17 steps that read the same from either end.
-#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Palindrome<P> {
     /// The first `len` are run; the others repeat the middle one.
-    steps: [P; MOST],
-    len: usize,
+    pub(super) steps: [P; MOST],
+    pub(super) len: usize,
 }
 
 /// The most steps that differ.
@@ -43,16 +42,6 @@ impl<P> Palindrome<P> {
     #[inline]
     pub(super) fn new(len: usize, step: impl Fn(usize) -> P) -> Self {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
-    }
-
-    /// How many differ.
-    pub(super) fn len(&self) -> usize {
-        self.len
-    }
-
-    /// The k-th.
-    pub(super) fn at(&self, k: usize) -> &P {
-        &self.steps[k]
     }
 
     /// Another one for each.

@@ -23,6 +23,7 @@ pub trait Staged<T: Scalar, const N: usize>: Step<Scalar = T, State = SVector<T,
 
     /// What is made of the stages that stand at the same place in each of several maps; `None`
     /// where these have different compositions.
+    #[cfg(feature = "std")]
     fn joined<P, const W: usize>(
         each: [&Self; W],
         of: impl Fn([&KahanAt<Self::Map, T, N>; W]) -> P,
@@ -70,6 +71,7 @@ where
         [of(self)]
     }
 
+    #[cfg(feature = "std")]
     #[inline(always)]
     fn joined<P, const W: usize>(each: [&Self; W], of: impl Fn([&Self; W]) -> P) -> Option<[P; 1]> {
         Some([of(each)])
@@ -89,6 +91,7 @@ where
         self.stages.map(of)
     }
 
+    #[cfg(feature = "std")]
     #[inline(always)]
     fn joined<P, const W: usize>(
         each: [&Self; W],
@@ -96,6 +99,6 @@ where
     ) -> Option<Palindrome<P>> {
         let first = each.first()?;
         let are_alike = each.iter().all(|map| map.composition == first.composition);
-        are_alike.then(|| Palindrome::new(first.stages.len(), |k| of(each.map(|map| map.stages.at(k)))))
+        are_alike.then(|| Palindrome::new(first.stages.len, |k| of(each.map(|map| &map.stages.steps[k]))))
     }
 }

@@ -4,6 +4,7 @@
 //! later. However the columns are divided, each trajectory goes through the same operations, so its
 //! bits depend neither on its place nor on the threads.
 
+use crate::composition::Staged;
 use crate::step::error::pole;
 use crate::{Composed, KahanAt, KahanMap, WideStep};
 
@@ -38,32 +39,60 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
     ) -> Result<(), T>;
 }
 
-macro_rules! implement_for_one_map {
-    ($map:ty) => {
-        #[diagnostic::do_not_recommend]
-        impl<M, T, const N: usize> Advances<T, N> for $map
-        where
-            M: KahanMap<T, N, Prepared: WideStep<T, N>>,
-            T: EnsembleScalar,
-            Self: Sync,
-        {
-            #[inline]
-            fn advance(
-                &self,
-                first: usize,
-                columns: Stretch<'_, T, N>,
-                steps: u64,
-                on: Instructions,
-            ) -> Result<(), T> {
-                let sweep = |_, columns: Stretch<'_, T, N>| T::sweep(self, columns, steps, on);
-                divide(first, columns, steps, &sweep, &Option::and).ok_or(*self.eps())
-            }
-        }
-    };
+#[diagnostic::do_not_recommend]
+impl<M, T, const N: usize> Advances<T, N> for KahanAt<M, T, N>
+where
+    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    T: EnsembleScalar,
+    Self: Sync,
+{
+    #[inline]
+    fn advance(
+        &self,
+        first: usize,
+        columns: Stretch<'_, T, N>,
+        steps: u64,
+        on: Instructions,
+    ) -> Result<(), T> {
+        by_one_map(self, first, columns, steps, on)
+    }
 }
 
-implement_for_one_map!(KahanAt<M, T, N>);
-implement_for_one_map!(Composed<KahanAt<M, T, N>>);
+#[diagnostic::do_not_recommend]
+impl<M, T, const N: usize> Advances<T, N> for Composed<KahanAt<M, T, N>>
+where
+    M: KahanMap<T, N, Prepared: WideStep<T, N>>,
+    T: EnsembleScalar,
+    Self: Sync,
+{
+    #[inline]
+    fn advance(
+        &self,
+        first: usize,
+        columns: Stretch<'_, T, N>,
+        steps: u64,
+        on: Instructions,
+    ) -> Result<(), T> {
+        by_one_map(self, first, columns, steps, on)
+    }
+}
+
+/// All columns by one map.
+#[inline]
+fn by_one_map<S, T, const N: usize>(
+    map: &S,
+    first: usize,
+    columns: Stretch<'_, T, N>,
+    steps: u64,
+    on: Instructions,
+) -> Result<(), T>
+where
+    S: Staged<T, N, Map: KahanMap<T, N, Prepared: WideStep<T, N>>> + Sync,
+    T: EnsembleScalar,
+{
+    let sweep = |_, columns: Stretch<'_, T, N>| T::sweep(map, columns, steps, on);
+    divide(first, columns, steps, &sweep, &Option::and).ok_or(*map.eps())
+}
 
 impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     /// Every point, `steps` steps of the map later: x ↦ x̃ that many times, with the ε of `map`

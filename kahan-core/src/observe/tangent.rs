@@ -14,8 +14,8 @@ use crate::ensemble::columns::GROUP;
 use crate::field::linear::{determinant, vector};
 use crate::map::{carry, carry_to};
 #[cfg(feature = "std")]
-use crate::{EnsembleScalar, KahanMap, PreparedStep, Room, Stopped};
-use crate::{FloatScalar, KahanAt, Lift, Scalar, Slice, Step};
+use crate::{EnsembleScalar, KahanMap, PreparedStep, Room, Slice, Stopped};
+use crate::{FloatScalar, KahanAt, Lift, Scalar, Step};
 
 #[cfg(feature = "std")]
 use super::{Grouped, SideBySide, lanes::ByOneMap};

@@ -53,7 +53,7 @@ fn the_points_are_those_of_advancing_and_tangents_those_of_one_trajectory_alone(
         assert_eq!(text(&observed), text(&advanced));
         // Tangents that are not known to be one map's are carried one by one.
         let mut again = ensemble();
-        let alone = || (Sali::new(map.clone()), Fli::new(map.clone()));
+        let alone = || (Sali::new(map), Fli::new(map));
         assert_eq!(text(together), text(again.observe(&map, STEPS, |_| alone())));
     }
 }

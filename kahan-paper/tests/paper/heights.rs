@@ -42,7 +42,7 @@ fn figure(system: &str, data: &Value) -> &'static Figure {
     };
     let has_data = |figure: &&Figure| {
         figure.system == system
-            && Some(figure.steps as u64) == data["iterates"].as_u64()
+            && Some(figure.steps) == data["iterates"].as_u64()
             && are(&[figure.eps], &[data["eps"].as_str().expect("eps")])
             && are(figure.parameters, &texts(&data["params"]))
             && are(figure.start, &texts(&data["x0"]))
@@ -61,7 +61,7 @@ fn check(system: &str, data: &Value) {
     let name = figure.name;
     let measurement = paper().measurement(figure).expect("it is one of all");
     let survey = &measurement.survey;
-    assert_eq!(survey.heights.len(), figure.steps + 1, "{name}");
+    assert_eq!(survey.heights.len() as u64, figure.steps + 1, "{name}");
     let mut compared = 0;
     for (component, variable) in measurement.variables.iter().enumerate() {
         let listed = data["n"].as_array().expect("indices").iter().filter_map(Value::as_u64);

@@ -20,9 +20,12 @@ pub struct Survey {
 
 impl Survey {
     /// Follows an orbit for `steps` steps; `each` sees the heights as they come, h(x₀) first.
-    pub fn of(orbit: &mut HeightsOrbit, steps: usize, mut each: impl FnMut(&Heights)) -> Self {
-        let heights: Vec<Heights> =
-            orbit.take(steps.saturating_add(1)).inspect(|heights| each(heights)).collect();
+    pub fn of(orbit: &mut HeightsOrbit, steps: u64, mut each: impl FnMut(&Heights)) -> Self {
+        let heights: Vec<Heights> = (0..=steps)
+            .zip(orbit.by_ref())
+            .map(|(_, heights)| heights)
+            .inspect(|heights| each(heights))
+            .collect();
         let growth = Growth::of(series(&heights, steepest(&heights)).get(1..).unwrap_or_default());
         let series = series(&heights, largest(&heights));
         let entropy = match series.as_slice() {

@@ -85,9 +85,9 @@ fn a_field_without_a_reduced_map_is_solved_exactly() {
 
 #[test]
 fn linear_fields_grow_linearly_and_what_repeats_is_bounded() {
-    let growth = |text: &str, parameters: &str, eps: &str, start: &str, steps: usize| {
+    let growth = |text: &str, parameters: &str, eps: &str, start: &str, steps: u64| {
         let survey = Survey::of(&mut orbit(&field(text), parameters, eps, start), steps, |_| ());
-        assert_eq!(survey.heights.len(), steps + 1, "{text}");
+        assert_eq!(survey.heights.len() as u64, steps + 1, "{text}");
         survey.growth
     };
     assert_eq!(growth("xdot = a*x;", "1", "1/5", "3/7", 60), Growth::Linear);
@@ -145,7 +145,7 @@ fn an_orbit_ends_at_a_pole_and_says_so() {
 fn bounds_end_an_orbit_and_keep_what_is_known() {
     let endless = |bounds: Bounds| {
         let mut orbit = orbit(&catalog("lv"), "", "9/14", "1/2,5/3").within(bounds);
-        let survey = Survey::of(&mut orbit, usize::MAX, |_| ());
+        let survey = Survey::of(&mut orbit, u64::MAX, |_| ());
         assert_eq!(survey.stopped, orbit.stopped());
         survey
     };
@@ -174,7 +174,7 @@ fn a_field_that_is_undefined_is_refused() {
 /// moves decides nothing.
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
-    let growth = |name: &str, eps: &str, start: &str, steps: usize| {
+    let growth = |name: &str, eps: &str, start: &str, steps: u64| {
         Survey::of(&mut orbit(&catalog(name), "", eps, start), steps, |_| ()).growth
     };
     for steps in [20, 40, 80, 160, 400] {

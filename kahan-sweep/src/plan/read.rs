@@ -442,7 +442,7 @@ impl Reader<'_, '_> {
         let (steps, digits) = (self.steps(table, 1 << 20), table.take("digits"));
         let digits =
             digits.map_or(Some(100_000), |value| whole(value, "digits", (1, 100_000_000), self.mistakes));
-        Some(Heights { steps: steps? as usize, digits: digits? })
+        Some(Heights { steps: steps?, digits: digits? })
     }
 
     fn discover(&mut self, table: &mut Table<'_, '_>) -> Option<Search> {

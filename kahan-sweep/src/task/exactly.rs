@@ -18,7 +18,7 @@ pub(crate) enum Exactly {
 /// How the heights of an exact orbit grow.
 #[derive(Clone, Debug)]
 pub(crate) struct Heights {
-    pub(crate) steps: usize,
+    pub(crate) steps: u64,
     /// The most digits of a numerator or denominator, where the orbit ends.
     pub(crate) digits: u64,
 }

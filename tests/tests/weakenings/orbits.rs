@@ -66,7 +66,7 @@ pub(crate) const ORBITS: &[Weakening] = &[
         "pack(each.map(|_| &each[0].constants[i].0))"),
     of(MAPS, "compositions that are taken to be alike", "kahan-core/src/composition/stages.rs",
         "map.composition == first.composition",
-        "map.stages.len() > 0"),
+        "map.stages.len > 0"),
     of(MAPS, "a group that begins with the first map", "kahan-core/src/ensemble/each.rs",
         "((first + group) * GROUP + lane)",
         "(group * GROUP + lane)"),

@@ -24,8 +24,8 @@ impl Subject<'_> {
         let orbit = HeightsOrbit::new(&self.system, &parameters, &eps, &start).map_err(|_| self.no_map())?;
         let bounds = Bounds { max_digits: Some(MOST_DIGITS), seconds: Some(self.asked.seconds) };
         let mut orbit = orbit.within(bounds);
-        let steps = usize::try_from(self.asked.steps).unwrap_or(usize::MAX);
-        let progress = Progress::new(self.asked.steps, "steps");
+        let steps = self.asked.steps;
+        let progress = Progress::new(steps, "steps");
         let survey = Survey::of(&mut orbit, steps, |heights| progress.advance(u64::from(heights.step > 0)));
         progress.finish();
         let is_exponential = survey.growth == Growth::Exponential;

@@ -199,7 +199,7 @@ where
     fn promised_in<F: Copy + 'static, const N: usize>(
         &self,
         x: &SVector<T, N>,
-        promised: fn(&CoupledStep<K, F, P, M, S>, &SVector<F, N>) -> Result<SVector<F, N>, SingularStep>,
+        promised: impl Fn(&CoupledStep<K, F, P, M, S>, &SVector<F, N>) -> Result<SVector<F, N>, SingularStep>,
     ) -> Result<SVector<T, N>, SingularStep> {
         let step = CoupledStep::new(*same::<[T; P], [F; P]>(&self.parameters), *same(&self.eps));
         let next = promised(&step, same(x))?;
