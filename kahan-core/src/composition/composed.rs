@@ -6,13 +6,8 @@
 use core::array::from_fn;
 use core::fmt;
 
-use nalgebra::SMatrix;
-
-use crate::map::{columns, side_by_side};
 use crate::step::advance_by_next;
-use crate::{
-    Compensated, FloatScalar, Increments, KahanAt, KahanMap, Orbit, PreparedStep, Room, Scalar, Step, Stopped,
-};
+use crate::{Compensated, FloatScalar, Increments, KahanAt, KahanMap, Orbit, Room, Scalar, Step, Stopped};
 
 use super::Composition;
 
@@ -128,21 +123,16 @@ impl<S: Step> Step for Composed<S> {
     }
 }
 
-impl<M, T, const N: usize> Increments for Composed<KahanAt<M, T, N>>
-where
-    M: KahanMap<T, N>,
-    T: FloatScalar,
-{
-    type Carried = SMatrix<T, N, 2>;
+impl<S: Increments> Increments for Composed<S> {
+    type Carried = S::Carried;
 
     #[inline(always)]
-    fn next_with_carry(&self, x: &SMatrix<T, N, 2>, _room: &mut Room) -> Option<SMatrix<T, N, 2>> {
-        let mut both = columns(x);
+    fn next_with_carry(&self, x: &S::Carried, room: &mut Room) -> Option<S::Carried> {
+        let mut next = x.clone();
         for stage in self.stages.iter() {
-            let [point, carry] = &both;
-            both = stage.prepared.next_with_carry(point, carry)?;
+            next = stage.next_with_carry(&next, room)?;
         }
-        Some(side_by_side(&both))
+        Some(next)
     }
 }
 

@@ -35,7 +35,6 @@ pub use lift::Lift;
 pub use orbit::{Compensated, Increments, Orbit, Scaled};
 #[cfg(feature = "std")]
 pub use orbit::{Projective, ProjectivePoint, ThroughPoles};
-pub(crate) use orbit::{columns, side_by_side};
 pub use pivot::Pivot;
 #[cfg(feature = "std")]
 pub(crate) use stable::Promised;

@@ -45,16 +45,16 @@ where
     if scene.tolerance >= FINE
         && let Some(flow) = budget.sure_flow(scene, map, start)
     {
-        let attempt = Choice { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
-        match attempt.choose(&mut budget) {
+        let choice = Choice { scene, map, x0, flow: &flow, others: &OF_DOUBLE };
+        match choice.choose(&mut budget) {
             Err(Refusal { is_rough: true, .. }) => {}
             answer => return answer.map_err(|refusal| refusal.why),
         }
     }
     let wide = map.lift::<Dd>(|parameter| Dd::from(*parameter));
     let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
-    let attempt = Choice { scene, map, x0, flow: &flow, others: &OTHERS };
-    attempt.choose(&mut budget).map_err(|refusal| refusal.why)
+    let choice = Choice { scene, map, x0, flow: &flow, others: &OTHERS };
+    choice.choose(&mut budget).map_err(|refusal| refusal.why)
 }
 
 /// The steps of the map that may still be taken.
@@ -121,7 +121,7 @@ struct Choice<'a, T, M, const N: usize> {
     others: &'static [Scheme],
 }
 
-/// Why an attempt found nothing.
+/// Why a choice found nothing.
 struct Refusal {
     why: NoSetting,
     /// Whether for roundings, so that a wider precision may find more.
@@ -137,7 +137,7 @@ where
         // ε times the rate, on an average, is 4 to begin with: as coarse as compositions, whose
         // stages are shorter, may be.
         let coarsest = (self.flow.turning() / 8.0).ceil().clamp(1.0, MOST_WORK) as u64;
-        let runs = Runs { attempt: self, budget, agreed_until: 0.0, is_short_of_work: false };
+        let runs = Runs { choice: self, budget, agreed_until: 0.0, is_short_of_work: false };
         let mut search = Search::new(runs, self.scene.tolerance, self.others);
         let verdict = search.run(coarsest);
         let Runs { agreed_until, is_short_of_work, .. } = *search.trials();
@@ -160,7 +160,7 @@ where
 
 /// Orbits of one scene, compared with the flow while there is work left.
 struct Runs<'a, T, M, const N: usize> {
-    attempt: &'a Choice<'a, T, M, N>,
+    choice: &'a Choice<'a, T, M, N>,
     budget: &'a mut Budget,
     /// The time until which some orbit stayed near the flow.
     agreed_until: f64,
@@ -173,7 +173,7 @@ where
     M: Lift<f64, N>,
 {
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting {
-        self.attempt.scene.setting(scheme, steps)
+        self.choice.scene.setting(scheme, steps)
     }
 
     fn error(&mut self, setting: &Setting, share: f64) -> Option<f64> {
@@ -183,7 +183,7 @@ where
             self.is_short_of_work = true;
             return None;
         }
-        let Choice { scene, map, x0, flow, .. } = *self.attempt;
+        let Choice { scene, map, x0, flow, .. } = *self.choice;
         let lost = LOST.max(4.0 * scene.tolerance);
         let dt = Dd::from(2.0 * setting.eps);
         let mut along = flow.along::<N>();

@@ -44,8 +44,8 @@ where
     K: CoupledField<N, P, M, S>,
     T: Widened,
 {
-    let attempt = BackwardStep { step, x: components(x) };
-    attempt.promised(|next| attempt.rest(next, T::embed, T::round))
+    let backward = BackwardStep { step, x: components(x) };
+    backward.promised(|next| backward.rest(next, T::embed, T::round))
 }
 
 /// The same of the widest scalar.
@@ -58,8 +58,8 @@ where
     K: CoupledField<N, P, M, S>,
     T: Promised,
 {
-    let attempt = BackwardStep { step, x: components(x) };
-    attempt.promised(|next| attempt.rest_in_wide(next))
+    let backward = BackwardStep { step, x: components(x) };
+    backward.promised(|next| backward.rest_in_wide(next))
 }
 
 /// A step that is to be promised.

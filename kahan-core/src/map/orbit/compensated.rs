@@ -1,7 +1,7 @@
 //! The mode of orbits that floats have and exact numbers have no use for: what rounding takes from
 //! a point is carried beside it.
 
-use nalgebra::{ArrayStorage, SMatrix, SVector};
+use nalgebra::{ArrayStorage, SMatrix};
 
 use crate::field::linear::{components, vector};
 use crate::step::advance_by_next;
@@ -89,22 +89,10 @@ where
 
     #[inline(always)]
     fn next_with_carry(&self, x: &SMatrix<T, N, 2>, _room: &mut Room) -> Option<SMatrix<T, N, 2>> {
-        let [point, carry] = columns(x);
-        Some(side_by_side(&self.prepared.next_with_carry(&point, &carry)?))
+        let [point, carry] = x.data.0.map(vector);
+        let [point, carry] = self.prepared.next_with_carry(&point, &carry)?;
+        Some(SMatrix::from_array_storage(ArrayStorage([*components(&point), *components(&carry)])))
     }
-}
-
-/// A point, and what it lacks.
-#[inline(always)]
-pub(crate) fn columns<T: Copy, const N: usize>(x: &SMatrix<T, N, 2>) -> [SVector<T, N>; 2] {
-    let [point, carry] = x.data.0;
-    [vector(point), vector(carry)]
-}
-
-/// Both as one state.
-#[inline(always)]
-pub(crate) fn side_by_side<T: Copy, const N: usize>([point, carry]: &[SVector<T, N>; 2]) -> SMatrix<T, N, 2> {
-    SMatrix::from_array_storage(ArrayStorage([*components(point), *components(carry)]))
 }
 
 impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {

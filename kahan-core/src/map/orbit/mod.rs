@@ -18,7 +18,6 @@ use core::iter::FusedIterator;
 use crate::{Room, Scalar, SingularStep, Slice, Step};
 
 pub use compensated::{Compensated, Increments};
-pub(crate) use compensated::{columns, side_by_side};
 #[cfg(feature = "std")]
 pub use projective::{Projective, ProjectivePoint, ThroughPoles};
 pub use scaled::Scaled;
