@@ -132,7 +132,9 @@ pub use observe::Tangent;
 pub use scalar::{Constant, Dd, Dual, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
-pub use step::{PreparedStep, Quotients, Room, SingularStep, Slice, Step, StepCost, Stopped, WideStep};
+pub use step::{
+    PointOf, PreparedStep, Quotients, Room, SingularStep, Slice, Step, StepCost, Stopped, WideStep,
+};
 
 pub use nalgebra;
 #[cfg(feature = "exact")]

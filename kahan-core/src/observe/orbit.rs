@@ -1,6 +1,6 @@
 //! Observing one orbit.
 
-use crate::{FloatScalar, Orbit, Scalar, Scaled, Slice, Step};
+use crate::{FloatScalar, Orbit, PointOf, Scaled, Slice, Step};
 
 use super::section::First;
 use super::{Crossing, Direction, Observer, Section};
@@ -44,11 +44,10 @@ impl<S: Step> Orbit<S> {
         // A state of its own, which the compiler can keep in registers.
         let mut state = self.state.clone();
         for step in 1..=steps {
-            let Some(next) = self.map.next(&state, &mut self.room) else {
-                self.stopped = Some(crate::SingularStep::pole(self.map.eps().approximate()));
+            if state.step_by(&self.map, &mut self.room).is_none() {
+                self.stop();
                 break;
-            };
-            state = next;
+            }
             observers.observe(step, state.point());
             if observers.is_done() {
                 break;
@@ -65,7 +64,7 @@ impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
         &mut self,
         steps: u64,
         level: impl Fn(&[S::Scalar]) -> S::Scalar,
-    ) -> Option<Crossing<<Self as Iterator>::Item, S::Scalar>> {
+    ) -> Option<Crossing<PointOf<S>, S::Scalar>> {
         let section = Section::new(self.map.clone(), level, Direction::Both, First(None));
         self.observe(steps, section)
     }

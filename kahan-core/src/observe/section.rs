@@ -6,7 +6,7 @@
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
-use crate::{Constant, FloatScalar, Orbit, Room, Slice, Step};
+use crate::{Constant, FloatScalar, Orbit, PointOf, Room, Slice, Step};
 
 use super::Observer;
 
@@ -157,7 +157,7 @@ where
     M: Step<Scalar = T>,
     F: Fn(&[T]) -> T,
     T: FloatScalar,
-    S: Sink<Crossing<<M::State as Slice<T>>::Point, T>>,
+    S: Sink<Crossing<PointOf<M>, T>>,
 {
     /// The crossings of `level` = 0 by orbits of `map`, handed to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
@@ -170,7 +170,7 @@ where
     /// Illinois method), so that both of them come closer.
     #[cold]
     #[inline(never)]
-    fn crossing(&mut self, step: u64, end: T) -> Crossing<<M::State as Slice<T>>::Point, T> {
+    fn crossing(&mut self, step: u64, end: T) -> Crossing<PointOf<M>, T> {
         let Self { map, level, place: before, room, .. } = self;
         let eps = *map.eps();
         let mut at = |part: T| {
@@ -206,7 +206,7 @@ where
     M: Step<Scalar = T>,
     F: Fn(&[T]) -> T,
     T: FloatScalar,
-    S: Sink<Crossing<<M::State as Slice<T>>::Point, T>>,
+    S: Sink<Crossing<PointOf<M>, T>>,
 {
     type Report = S::Report;
 
@@ -266,7 +266,7 @@ pub fn first_crossing<M, T>(
     start: M::State,
     steps: u64,
     level: impl Fn(&[T]) -> T,
-) -> Option<Crossing<<M::State as Slice<T>>::Point, T>>
+) -> Option<Crossing<PointOf<M>, T>>
 where
     M: Step<Scalar = T>,
     T: FloatScalar,

@@ -108,6 +108,9 @@ pub trait Step {
     }
 }
 
+/// What an orbit of a map yields: a state without what is carried beside its point.
+pub type PointOf<S> = <<S as Step>::State as Slice<<S as Step>::Scalar>>::Point;
+
 /// [`Step::advance`] of a map whose [`next`](Step::next) needs no memory: the state is one of its
 /// own, which compilers keep in registers.
 #[inline(never)]
@@ -156,6 +159,13 @@ pub trait Slice<T>: Clone + fmt::Debug {
 
     /// A copy of the point.
     fn to_point(&self) -> Self::Point;
+
+    /// One step of a map, in place, by that call of it which needs no memory for such states;
+    /// `None` at a pole of an exact scalar.
+    fn step_by<S>(&mut self, map: &S, room: &mut Room) -> Option<()>
+    where
+        S: Step<Scalar = T, State = Self>,
+        T: Scalar;
 }
 
 /// The first column is the point.
@@ -187,6 +197,12 @@ impl<T: Scalar, const N: usize, const C: usize> Slice<T> for SMatrix<T, N, C> {
     fn to_point(&self) -> SVector<T, N> {
         vector(self.data.0[0].clone())
     }
+
+    #[inline(always)]
+    fn step_by<S: Step<Scalar = T, State = Self>>(&mut self, map: &S, room: &mut Room) -> Option<()> {
+        *self = map.next(self, room)?;
+        Some(())
+    }
 }
 
 #[cfg(feature = "std")]
@@ -211,6 +227,10 @@ impl<T: Scalar> Slice<T> for Vec<T> {
 
     fn to_point(&self) -> Self {
         self.clone()
+    }
+
+    fn step_by<S: Step<Scalar = T, State = Self>>(&mut self, map: &S, room: &mut Room) -> Option<()> {
+        map.advance(self, 1, room).ok()
     }
 }
 

@@ -16,7 +16,7 @@ use nalgebra::SVector;
 use crate::Scalar;
 
 pub(crate) use any::advance_by_next;
-pub use any::{Room, Slice, Step, Stopped};
+pub use any::{PointOf, Room, Slice, Step, Stopped};
 pub use cost::StepCost;
 pub use error::SingularStep;
 pub use quotients::Quotients;

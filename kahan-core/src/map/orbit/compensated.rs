@@ -89,8 +89,8 @@ where
 
     #[inline(always)]
     fn next_with_carry(&self, x: &SMatrix<T, N, 2>, _room: &mut Room) -> Option<SMatrix<T, N, 2>> {
-        let [point, carry] = x.data.0.map(vector);
-        let [point, carry] = self.prepared.next_with_carry(&point, &carry)?;
+        let [point, carry] = x.data.0;
+        let [point, carry] = self.prepared.next_with_carry(&vector(point), &vector(carry))?;
         Some(SMatrix::from_array_storage(ArrayStorage([*components(&point), *components(&carry)])))
     }
 }

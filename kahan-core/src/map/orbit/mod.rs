@@ -15,7 +15,7 @@ mod times;
 use core::fmt;
 use core::iter::FusedIterator;
 
-use crate::{Room, Scalar, SingularStep, Slice, Step};
+use crate::{PointOf, Room, Scalar, SingularStep, Slice, Step};
 
 pub use compensated::{Compensated, Increments};
 #[cfg(feature = "std")]
@@ -66,7 +66,7 @@ pub struct Orbit<S: Step> {
     /// The state given last, or the first one before any was.
     pub(crate) state: S::State,
     begun: bool,
-    pub(crate) stopped: Option<SingularStep>,
+    stopped: Option<SingularStep>,
     pub(crate) room: Room,
 }
 
@@ -99,6 +99,11 @@ impl<S: Step> Orbit<S> {
         self.stopped.as_ref()
     }
 
+    /// Ends it at a pole.
+    pub(crate) fn stop(&mut self) {
+        self.stopped = Some(SingularStep::pole(self.map.eps().approximate()));
+    }
+
     /// So many steps on, or as many as there are; whether no pole was met.
     #[inline]
     fn advance(&mut self, steps: u64) -> bool {
@@ -109,19 +114,16 @@ impl<S: Step> Orbit<S> {
 }
 
 impl<S: Step> Iterator for Orbit<S> {
-    type Item = <S::State as Slice<S::Scalar>>::Point;
+    type Item = PointOf<S>;
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         if self.stopped.is_some() {
             return None;
         }
-        if self.begun {
-            let Some(next) = self.map.next(&self.state, &mut self.room) else {
-                self.stopped = Some(SingularStep::pole(self.map.eps().approximate()));
-                return None;
-            };
-            self.state = next;
+        if self.begun && self.state.step_by(&self.map, &mut self.room).is_none() {
+            self.stop();
+            return None;
         }
         self.begun = true;
         Some(self.state.to_point())

@@ -5,7 +5,7 @@
 use core::array::from_fn;
 
 use crate::field::linear::vector;
-use crate::{FloatScalar, KahanAt, KahanMap, Slice, Step};
+use crate::{FloatScalar, KahanAt, KahanMap, PointOf, Slice, Step};
 
 use super::{Compensated, Increments, Orbit};
 
@@ -89,7 +89,7 @@ impl<S: Step<Scalar: FloatScalar>> Scaled<S> {
 }
 
 impl<S: Step<Scalar: FloatScalar>> Iterator for Scaled<S> {
-    type Item = <S::State as Slice<S::Scalar>>::Point;
+    type Item = PointOf<S>;
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {

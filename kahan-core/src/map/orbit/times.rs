@@ -8,7 +8,7 @@ use core::iter::from_fn;
 
 use num_traits::Zero;
 
-use crate::{Constant, FloatScalar, Scalar, Slice, Step};
+use crate::{Constant, FloatScalar, PointOf, Scalar, Slice, Step};
 
 use super::Orbit;
 
@@ -37,7 +37,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
     ///     assert!((x[0] - t.sin()).abs() < 1e-4);
     /// }
     /// ```
-    pub fn at_times(mut self, times: &[S::Scalar]) -> impl Iterator<Item = <Self as Iterator>::Item> {
+    pub fn at_times(mut self, times: &[S::Scalar]) -> impl Iterator<Item = PointOf<S>> {
         let dt = *self.map.eps() + *self.map.eps();
         let mut place = self.next();
         let mut made = 0;
@@ -69,7 +69,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
     /// let (time, x) = Turn.orbit(vector![0.0, 1.0], 0.005).until(1.0).last().unwrap();
     /// assert!(time == 1.0 && (x[0] - 1.0_f64.sin()).abs() < 1e-4);
     /// ```
-    pub fn until(mut self, end: S::Scalar) -> impl Iterator<Item = (S::Scalar, <Self as Iterator>::Item)> {
+    pub fn until(mut self, end: S::Scalar) -> impl Iterator<Item = (S::Scalar, PointOf<S>)> {
         let dt = *self.map.eps() + *self.map.eps();
         let parts = end / dt;
         let whole = parts.approximate() as u64;
@@ -91,7 +91,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
     }
 
     /// The state a part of a step from the point given last.
-    fn part(&mut self, part: S::Scalar) -> <Self as Iterator>::Item {
+    fn part(&mut self, part: S::Scalar) -> PointOf<S> {
         let mut state = self.state.clone();
         if !part.is_zero() {
             // Floats go on at poles.
