@@ -190,7 +190,7 @@ fn a_run_stops_at_a_pole_of_an_exact_scalar() {
 }
 
 #[test]
-#[should_panic(expected = "a point of 2 numbers for a map of 3 variables")]
+#[should_panic(expected = "a state of 2 numbers for a map of 3")]
 fn a_state_of_another_length_panics() {
     let _ = Step::advance(&E6.at(EPS), &mut [0.5, 1.0], 1, &mut Room::new());
 }

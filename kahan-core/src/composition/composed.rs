@@ -6,10 +6,10 @@
 use core::array::from_fn;
 use core::fmt;
 
-use crate::step::advance_by_next;
+use crate::step::advance_by;
 use crate::{Compensated, FloatScalar, Increments, KahanAt, KahanMap, Orbit, Room, Scalar, Step, Stopped};
 
-use super::Composition;
+use super::{Composition, InOrder};
 
 /// A [`Composition`] of a map at its ε, half the time step; made by [`KahanAt::composed`].
 ///
@@ -39,23 +39,15 @@ impl<P> Palindrome<P> {
         Self { steps: from_fn(|k| step(k.min(len - 1))), len }
     }
 
-    /// Another one for each.
+    /// What `of` makes of each.
     #[inline(always)]
     pub(super) fn map<'a, Q>(&'a self, of: impl Fn(&'a P) -> Q) -> Palindrome<Q> {
         Palindrome { steps: self.steps.each_ref().map(of), len: self.len }
     }
-
-    /// Every step in order.
-    #[inline(always)]
-    pub(super) fn iter(&self) -> impl Iterator<Item = &P> {
-        let distinct = &self.steps[..self.len];
-        let last = 2 * distinct.len() - 2;
-        (0..=last).map(move |k| &distinct[k.min(last - k)])
-    }
 }
 
 impl<S: Step> Composed<S> {
-    /// Of the map that `at` makes at the ε of each stage.
+    /// The composition of the map that `at` makes at the ε of each stage.
     fn new(composition: Composition, eps: S::Scalar, at: impl Fn(S::Scalar) -> S) -> Self {
         let gammas = composition.first_half;
         let stage = |k: usize| at(S::Scalar::constant(&gammas[k]) * eps.clone());
@@ -104,19 +96,20 @@ impl<S: Step> Step for Composed<S> {
 
     #[inline]
     fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        advance_by_next(self, x, steps, room)
+        advance_by(x, steps, &self.eps, |state| self.next(state, room))
     }
 
     fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
-        let [any, ..] = &self.stages.steps;
+        // Any stage steps at any ε.
+        let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
-        gammas.try_for_each(|gamma| any.part(&(S::Scalar::constant(gamma) * eps.clone()), x, room))
+        gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, room))
     }
 
     #[inline(always)]
     fn next(&self, x: &S::State, room: &mut Room) -> Option<S::State> {
         let mut next = x.clone();
-        for stage in self.stages.iter() {
+        for stage in self.stages.in_order() {
             next = stage.next(&next, room)?;
         }
         Some(next)
@@ -129,7 +122,7 @@ impl<S: Increments> Increments for Composed<S> {
     #[inline(always)]
     fn next_with_carry(&self, x: &S::Carried, room: &mut Room) -> Option<S::Carried> {
         let mut next = x.clone();
-        for stage in self.stages.iter() {
+        for stage in self.stages.in_order() {
             next = stage.next_with_carry(&next, room)?;
         }
         Some(next)
@@ -197,7 +190,7 @@ where
     /// ```
     #[inline]
     pub fn composed(self, composition: Composition) -> Orbit<Composed<KahanAt<M, T, N>>> {
-        self.by(|at| at.composed(composition), |state| state)
+        self.with_map(|at| at.composed(composition), |state| state)
     }
 }
 
@@ -206,10 +199,10 @@ where
     M: KahanMap<T, N>,
     T: FloatScalar,
 {
-    /// As of an orbit that is not compensated.
+    /// The same of an orbit whose points carry their rounding errors: it keeps them.
     #[inline]
     pub fn composed(self, composition: Composition) -> Orbit<Compensated<Composed<KahanAt<M, T, N>>>> {
-        self.by(|Compensated(at)| Compensated(at.composed(composition)), |state| state)
+        self.with_map(|Compensated(at)| Compensated(at.composed(composition)), |state| state)
     }
 }
 

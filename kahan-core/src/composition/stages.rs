@@ -1,8 +1,8 @@
-//! What a step is made of, for those who run its parts in a way of their own: in lanes, or with
-//! tangent vectors.
+//! The stages of a step, for those who run them in a way of their own: in lanes, or with tangent
+//! vectors.
 //!
-//! In: a map at its ε, or a composition of one. Out: a thing for each of its stages, in their
-//! order.
+//! In: a map at its ε, which is its only stage, or a composition. Out: what a caller makes of each
+//! stage, in the stages' order.
 
 use nalgebra::SVector;
 
@@ -15,22 +15,22 @@ use super::composed::Palindrome;
 pub trait Staged<T: Scalar, const N: usize>: Step<Scalar = T, State = SVector<T, N>> + Clone {
     /// The map of all stages.
     type Map: KahanMap<T, N>;
-    /// A thing for each stage.
+    /// A P for each stage.
     type Stages<P>: InOrder<P>;
 
-    /// What is made of each stage.
+    /// Applies `of` to each stage.
     fn stages<'a, P>(&'a self, of: impl Fn(&'a KahanAt<Self::Map, T, N>) -> P) -> Self::Stages<P>;
 
-    /// What is made of the stages that stand at the same place in each of several maps; `None`
-    /// where these have different compositions.
+    /// Applies `of` to the k-th stages of several maps, for each k; `None` where the maps have
+    /// different compositions.
     #[cfg(feature = "std")]
-    fn joined<P, const W: usize>(
+    fn zip_stages<P, const W: usize>(
         each: [&Self; W],
         of: impl Fn([&KahanAt<Self::Map, T, N>; W]) -> P,
     ) -> Option<Self::Stages<P>>;
 }
 
-/// Things that follow on each other.
+/// Values that a step takes one after the other.
 pub trait InOrder<P> {
     /// Each of them in its turn.
     fn in_order<'a>(&'a self) -> impl Iterator<Item = &'a P>
@@ -54,7 +54,9 @@ impl<P> InOrder<P> for Palindrome<P> {
     where
         P: 'a,
     {
-        self.iter()
+        let distinct = &self.steps[..self.len];
+        let last = 2 * distinct.len() - 2;
+        (0..=last).map(move |k| &distinct[k.min(last - k)])
     }
 }
 
@@ -73,7 +75,7 @@ where
 
     #[cfg(feature = "std")]
     #[inline(always)]
-    fn joined<P, const W: usize>(each: [&Self; W], of: impl Fn([&Self; W]) -> P) -> Option<[P; 1]> {
+    fn zip_stages<P, const W: usize>(each: [&Self; W], of: impl Fn([&Self; W]) -> P) -> Option<[P; 1]> {
         Some([of(each)])
     }
 }
@@ -93,7 +95,7 @@ where
 
     #[cfg(feature = "std")]
     #[inline(always)]
-    fn joined<P, const W: usize>(
+    fn zip_stages<P, const W: usize>(
         each: [&Self; W],
         of: impl Fn([&KahanAt<M, T, N>; W]) -> P,
     ) -> Option<Palindrome<P>> {

@@ -42,7 +42,7 @@ where
             let parts = [part, (part + L::WIDTH) % GROUP];
             let [first, second] = parts.map(|part| {
                 let own = from_fn::<_, GROUP, _>(|lane| maps[(part + lane) % GROUP]);
-                S::joined(own, |each| {
+                S::zip_stages(own, |each| {
                     let prepared = each.map(|at| &at.prepared);
                     WideStep::gather(prepared, |own| L::load(&own.map(|own| *own), 0))
                 })
@@ -73,7 +73,7 @@ where
 {
     /// ε of the map that meets a pole, should one do.
     fn advance(mut self, on: Instructions) -> Result<(), T> {
-        if S::joined(self.maps, |_| ()).is_none() {
+        if S::zip_stages(self.maps, |_| ()).is_none() {
             return self.in_turn(on);
         }
         if cfg!(target_arch = "x86_64") && <S::Map as KahanMap<T, N>>::Prepared::HAS_LANES {

@@ -7,7 +7,7 @@ use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::step::advance_by_next;
+use crate::step::advance_by;
 use crate::step::error::pole;
 use crate::{PreparedStep, Room, Scalar, SingularStep, Step, Stopped};
 
@@ -134,8 +134,8 @@ where
     }
 
     #[inline]
-    fn advance(&self, x: &mut [T], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        advance_by_next(self, x, steps, room)
+    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Room) -> Result<(), Stopped> {
+        advance_by(x, steps, &self.eps, |state| self.prepared.next(state))
     }
 
     fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {

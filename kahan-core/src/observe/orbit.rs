@@ -13,7 +13,8 @@ impl<S: Step> Orbit<S> {
     /// there, and [`stopped`](Self::stopped) says so: the reports are of the points before it. One
     /// whose observers are [done](Observer::is_done) stands at the last point that they saw.
     ///
-    /// It allocates nothing. `BENCHMARKS.md` has the times.
+    /// It allocates nothing where a state is an array, and a copy of the state where it is a `Vec`.
+    /// `BENCHMARKS.md` has the times.
     ///
     /// ```
     /// use kahan_core::observe::Escape;
@@ -44,7 +45,7 @@ impl<S: Step> Orbit<S> {
         // A state of its own, which the compiler can keep in registers.
         let mut state = self.state.clone();
         for step in 1..=steps {
-            if state.step_by(&self.map, &mut self.room).is_none() {
+            if state.step_with(&self.map, &mut self.room).is_none() {
                 self.stop();
                 break;
             }

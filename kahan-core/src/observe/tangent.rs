@@ -6,6 +6,8 @@
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
+use core::array::from_fn;
+
 use nalgebra::{SMatrix, SVector};
 
 use crate::composition::{Composed, InOrder, Staged};
@@ -13,6 +15,7 @@ use crate::composition::{Composed, InOrder, Staged};
 use crate::ensemble::columns::GROUP;
 use crate::field::linear::{determinant, vector};
 use crate::map::{carry, carry_to};
+use crate::step::check_length;
 #[cfg(feature = "std")]
 use crate::{EnsembleScalar, KahanMap, PreparedStep, Room, Slice, Stopped};
 use crate::{FloatScalar, KahanAt, Lift, Scalar, Step};
@@ -33,8 +36,7 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Replaces the tangent vector `v` at the point `x` by J(x)·v.
     fn carry(&self, x: &[Self::Scalar], v: &mut Self::State);
 
-    /// The same where x̃ is known, as observers know it, and that saves work; what depends on both
-    /// points alone is computed once for several vectors, likewise.
+    /// The same where x̃ is known, as observers know it: that saves about half of the work.
     #[inline(always)]
     fn carry_to(&self, x: &[Self::Scalar], _next: &[Self::Scalar], v: &mut Self::State) {
         self.carry(x, v);
@@ -46,8 +48,8 @@ pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Carries the vectors of a group of trajectories, each by its own map, from the first of its
     /// points to the last, and writes the squares of their lengths after each step, if there is
     /// room for them. It may end early after a step that takes one of these out of the range that
-    /// vectors are kept in, and returns the steps taken; `None` where it cannot. Bits are those of
-    /// [`carry_to`](Self::carry_to).
+    /// vectors are kept in, and returns the steps taken; `None` for different maps, and for a step
+    /// that lanes do not run. Bits are those of [`carry_to`](Self::carry_to).
     #[cfg(feature = "std")]
     #[doc(hidden)]
     fn carry_side_by_side<P: Grouped<Self::Scalar>>(
@@ -89,6 +91,7 @@ impl<M: TangentMap> TangentMap for &M {
     }
 }
 
+/// For each map by itself: an implementation for all `Staged<T, N>` would leave N undetermined.
 macro_rules! implement_for_stages {
     ($map:ty) => {
         impl<M, T, const N: usize> TangentMap for $map
@@ -132,7 +135,7 @@ macro_rules! implement_for_stages {
             where
                 T: EnsembleScalar,
             {
-                // The vectors of different maps have different constants.
+                // Lanes share one set of constants, so all must be one map.
                 let are_one = maps.iter().all(|map| core::ptr::eq(*map, maps[0]));
                 let has_lanes = <<M as KahanMap<T, N>>::Prepared as PreparedStep<_, N>>::HAS_LANES;
                 let level = work.level;
@@ -152,10 +155,8 @@ implement_for_stages!(Composed<KahanAt<M, T, N>>);
 /// The point at this slice.
 #[inline(always)]
 fn point<T: FloatScalar, const N: usize>(x: &[T]) -> SVector<T, N> {
-    match <[T; N]>::try_from(x) {
-        Ok(entries) => vector(entries),
-        Err(_) => panic!("a point of {} numbers for a map of {N} variables", x.len()),
-    }
+    check_length(x.len(), N);
+    vector(from_fn(|i| x[i]))
 }
 
 /// A map with tangent vectors that it carries along; made by [`KahanAt::tangent`], and of any
@@ -260,13 +261,12 @@ impl<S: TangentMap> Step for Tangent<S> {
     }
 
     fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        let [found, expected] = [x.len(), self.dimension()];
-        assert!(found == expected, "a state of {found} numbers for a map of {expected}");
+        check_length(x.len(), self.dimension());
         let (point, vectors) = x.split_at_mut(self.map.dimension());
         let (mut before, mut v) = (S::State::zeros(point.len()), S::State::zeros(point.len()));
-        for _ in 0..steps {
+        for steps in 0..steps {
             before.as_mut_slice().copy_from_slice(point);
-            self.map.advance(point, 1, room)?;
+            self.map.advance(point, 1, room).map_err(|stopped| Stopped { steps, ..stopped })?;
             for vector in vectors.chunks_exact_mut(point.len()) {
                 v.as_mut_slice().copy_from_slice(vector);
                 self.map.carry_to(before.as_slice(), point, &mut v);

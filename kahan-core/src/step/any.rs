@@ -75,8 +75,10 @@ pub trait Step {
     /// ε, half the time step.
     fn eps(&self) -> &Self::Scalar;
 
-    /// Replaces `x` by the state so many steps later. No step allocates, but a map does that finds
-    /// no memory of its own in the room.
+    /// Replaces `x` by the state so many steps later.
+    ///
+    /// Its steps do not allocate. A call may, once: a chain where it finds no memory of its own in
+    /// the room, and what wraps a map whose states are vectors.
     ///
     /// # Errors
     /// [`Stopped`] at a pole of an exact scalar; `x` is the point there. Floats go on with numbers
@@ -111,20 +113,20 @@ pub trait Step {
 /// What an orbit of a map yields: a state without what is carried beside its point.
 pub type PointOf<S> = <<S as Step>::State as Slice<<S as Step>::Scalar>>::Point;
 
-/// [`Step::advance`] of a map whose [`next`](Step::next) needs no memory: the state is one of its
-/// own, which compilers keep in registers.
+/// [`Step::advance`] by a step of states that need no memory: the loop has a state of its own,
+/// which compilers keep in registers.
 #[inline(never)]
-pub(crate) fn advance_by_next<S: Step>(
-    map: &S,
-    x: &mut [S::Scalar],
+pub(crate) fn advance_by<T: Scalar, V: Slice<T>>(
+    x: &mut [T],
     steps: u64,
-    room: &mut Room,
+    eps: &T,
+    mut next: impl FnMut(&V) -> Option<V>,
 ) -> Result<(), Stopped> {
-    let mut state = S::State::zeros(x.len());
+    let mut state = V::zeros(x.len());
     state.as_mut_slice().clone_from_slice(x);
     let mut made = 0;
     while made < steps
-        && let Some(after) = map.next(&state, room)
+        && let Some(after) = next(&state)
     {
         state = after;
         made += 1;
@@ -133,7 +135,14 @@ pub(crate) fn advance_by_next<S: Step>(
     if made == steps {
         return Ok(());
     }
-    Err(Stopped { steps: made, why: SingularStep::pole(map.eps().approximate()) })
+    Err(Stopped { steps: made, why: SingularStep::pole(eps.approximate()) })
+}
+
+/// Sees that a state has the numbers that a map takes.
+#[track_caller]
+#[inline]
+pub(crate) fn check_length(found: usize, expected: usize) {
+    assert!(found == expected, "a state of {found} numbers for a map of {expected}");
 }
 
 /// A state as numbers one after the other: those of a point, and behind them what a mode carries
@@ -160,9 +169,10 @@ pub trait Slice<T>: Clone + fmt::Debug {
     /// A copy of the point.
     fn to_point(&self) -> Self::Point;
 
-    /// One step of a map, in place, by that call of it which needs no memory for such states;
-    /// `None` at a pole of an exact scalar.
-    fn step_by<S>(&mut self, map: &S, room: &mut Room) -> Option<()>
+    /// Replaces it by the state one step of a map later: arrays by [`Step::next`], so that they stay
+    /// in registers, vectors by [`Step::advance`], which allocates none. `None` at a pole of an
+    /// exact scalar.
+    fn step_with<S>(&mut self, map: &S, room: &mut Room) -> Option<()>
     where
         S: Step<Scalar = T, State = Self>,
         T: Scalar;
@@ -174,7 +184,7 @@ impl<T: Scalar, const N: usize, const C: usize> Slice<T> for SMatrix<T, N, C> {
 
     #[inline]
     fn zeros(len: usize) -> Self {
-        assert!(len == N * C, "a point of {len} numbers for a map of {} variables", N * C);
+        check_length(len, N * C);
         SMatrix::from_array_storage(ArrayStorage(from_fn(|_| from_fn(|_| T::zero()))))
     }
 
@@ -199,7 +209,7 @@ impl<T: Scalar, const N: usize, const C: usize> Slice<T> for SMatrix<T, N, C> {
     }
 
     #[inline(always)]
-    fn step_by<S: Step<Scalar = T, State = Self>>(&mut self, map: &S, room: &mut Room) -> Option<()> {
+    fn step_with<S: Step<Scalar = T, State = Self>>(&mut self, map: &S, room: &mut Room) -> Option<()> {
         *self = map.next(self, room)?;
         Some(())
     }
@@ -229,7 +239,7 @@ impl<T: Scalar> Slice<T> for Vec<T> {
         self.clone()
     }
 
-    fn step_by<S: Step<Scalar = T, State = Self>>(&mut self, map: &S, room: &mut Room) -> Option<()> {
+    fn step_with<S: Step<Scalar = T, State = Self>>(&mut self, map: &S, room: &mut Room) -> Option<()> {
         map.advance(self, 1, room).ok()
     }
 }

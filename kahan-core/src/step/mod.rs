@@ -15,8 +15,8 @@ use nalgebra::SVector;
 
 use crate::Scalar;
 
-pub(crate) use any::advance_by_next;
 pub use any::{PointOf, Room, Slice, Step, Stopped};
+pub(crate) use any::{advance_by, check_length};
 pub use cost::StepCost;
 pub use error::SingularStep;
 pub use quotients::Quotients;

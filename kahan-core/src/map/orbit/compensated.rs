@@ -4,7 +4,7 @@
 use nalgebra::{ArrayStorage, SMatrix};
 
 use crate::field::linear::{components, vector};
-use crate::step::advance_by_next;
+use crate::step::advance_by;
 use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, Room, Slice, Step, Stopped};
 
 use super::Orbit;
@@ -24,11 +24,8 @@ pub trait Increments: Step {
     /// # Panics
     /// As [`Step::advance`].
     #[inline]
-    fn advance_with_carry(&self, x: &mut [Self::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped>
-    where
-        Self: Sized,
-    {
-        advance_by_next(&Compensated(self), x, steps, room)
+    fn advance_with_carry(&self, x: &mut [Self::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        advance_by(x, steps, self.eps(), |state| self.next_with_carry(state, room))
     }
 }
 
@@ -77,6 +74,11 @@ impl<S: Increments> Increments for &S {
     #[inline(always)]
     fn next_with_carry(&self, x: &S::Carried, room: &mut Room) -> Option<S::Carried> {
         S::next_with_carry(self, x, room)
+    }
+
+    #[inline]
+    fn advance_with_carry(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+        S::advance_with_carry(self, x, steps, room)
     }
 }
 
@@ -139,6 +141,6 @@ impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
             carried.as_mut_slice()[..point.len()].copy_from_slice(point);
             carried
         };
-        self.by(Compensated, carried)
+        self.with_map(Compensated, carried)
     }
 }

@@ -15,6 +15,7 @@ mod times;
 use core::fmt;
 use core::iter::FusedIterator;
 
+use crate::step::check_length;
 use crate::{PointOf, Room, Scalar, SingularStep, Slice, Step};
 
 pub use compensated::{Compensated, Increments};
@@ -35,7 +36,7 @@ pub use scaled::Scaled;
 /// | compensated | [`compensated`](Self::compensated) | [`Compensated<KahanAt<…>>`](Compensated) |
 /// | of higher order | [`composed`](Self::composed) | [`Composed<KahanAt<…>>`](crate::Composed) |
 /// | both | the two, in either order | `Compensated<Composed<KahanAt<…>>>` |
-/// | of a chain, of a map read at run time, of a choice | [`Orbit::new`] | the map, `&map`, `&dyn Step<Scalar = f64>` |
+/// | of a chain, of a map read at run time, of a map chosen at run time | [`Orbit::new`] | the map, `&map`, `&dyn Step<Scalar = f64>` |
 ///
 /// What a mode carries beside the point is not yielded. [`projective`](Self::projective) turns a
 /// plain one into an iterator that goes on at poles.
@@ -77,20 +78,19 @@ impl<S: Step> Orbit<S> {
     /// If the state has not as many numbers as the map's.
     #[inline]
     pub fn new(map: S, start: S::State) -> Self {
-        let [found, expected] = [start.as_slice().len(), map.dimension()];
-        assert!(found == expected, "a state of {found} numbers for a map of {expected}");
+        check_length(start.as_slice().len(), map.dimension());
         Self { map, state: start, begun: false, stopped: None, room: Room::new() }
     }
 
-    /// The same orbit by another map, from the state that is made of where it is.
+    /// Replaces the map and converts the state; keeps whether the orbit has begun or ended.
     #[inline]
-    pub(crate) fn by<R: Step>(
+    pub(crate) fn with_map<R: Step>(
         self,
-        by: impl FnOnce(S) -> R,
-        at: impl FnOnce(S::State) -> R::State,
+        map_of: impl FnOnce(S) -> R,
+        state_of: impl FnOnce(S::State) -> R::State,
     ) -> Orbit<R> {
         let Self { map, state, begun, stopped, room } = self;
-        Orbit { map: by(map), state: at(state), begun, stopped, room }
+        Orbit { map: map_of(map), state: state_of(state), begun, stopped, room }
     }
 
     /// Why the orbit has ended: `Some` from the moment on when a step met a pole of an exact
@@ -121,7 +121,7 @@ impl<S: Step> Iterator for Orbit<S> {
         if self.stopped.is_some() {
             return None;
         }
-        if self.begun && self.state.step_by(&self.map, &mut self.room).is_none() {
+        if self.begun && self.state.step_with(&self.map, &mut self.room).is_none() {
             self.stop();
             return None;
         }

@@ -63,7 +63,7 @@ where
             return None;
         }
         let eps = *eps;
-        let orbit = self.by(|at| at.map.at(T::one()), |state| state.map(|entry| eps * entry));
+        let orbit = self.with_map(|at| at.map.at(T::one()), |state| state.map(|entry| eps * entry));
         Some(Scaled { orbit, eps })
     }
 }

@@ -7,8 +7,8 @@
 //!
 //! | rung | values | what it settles |
 //! |---|---|---|
-//! | 1 | the scalar itself | ordinary points, at less than twice the operations of a step |
-//! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64` | cancellation: near poles, large ε |
+//! | 1 | the scalar itself; not for `f32` in more than four variables | ordinary points, at less than twice the operations of a step |
+//! | 2 | `f64` for `f32`, [`Dd`](crate::Dd) for `f64`; `Dd` has none | cancellation: near poles, large ε |
 //! | 3 | 17 digits of 64 bits, wherever these lie | overflow, underflow, extreme cancellation, by the increment form |
 //! | 4 | the same | the form N/D, where increments cancel against the state |
 //! | 5 | 256 digits, with `std` | elimination on A(x,ε), where terms of the other forms are too far apart |
@@ -32,8 +32,8 @@ pub(super) use scalars::Widened;
 /// The step with the promise that T can give: of a float of this crate the one above; of another
 /// scalar, that a finite result is what the fast step or elimination computes.
 ///
-/// A rung prepares the step anew, over values with bounds: a prepared float does not tell how large
-/// the terms of a sum were that it is. In a loop compilers do that once, before its first round.
+/// A rung prepares the step anew, over values with bounds: prepared floats are rounded, and carry no
+/// bound. In a loop compilers do that once, before its first round.
 #[inline(always)]
 pub fn stable_step<M, T, const N: usize>(
     map: &M,
@@ -47,19 +47,19 @@ where
 {
     // Which scalar it is, is known while compiling.
     if is::<T, f64>() {
-        promised::<f64, M, T, N>(map, x, eps)
+        in_own_type::<f64, M, T, N>(map, x, eps)
     } else if is::<T, f32>() {
-        promised::<f32, M, T, N>(map, x, eps)
+        in_own_type::<f32, M, T, N>(map, x, eps)
     } else if is::<T, Dd>() {
-        promised::<Dd, M, T, N>(map, x, eps)
+        in_own_type::<Dd, M, T, N>(map, x, eps)
     } else {
         try_step(map, prepared, x, eps)
     }
 }
 
-/// The step over F, which is T.
+/// Calls the step of F, the type that T is.
 #[inline(always)]
-fn promised<F, M, T, const N: usize>(
+fn in_own_type<F, M, T, const N: usize>(
     map: &M,
     x: &SVector<T, N>,
     eps: &T,

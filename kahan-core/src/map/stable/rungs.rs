@@ -109,18 +109,22 @@ where
 pub(crate) type Rung<M, T, const N: usize> =
     fn(&M, SVector<T, N>, T, &mut SVector<T, N>) -> Option<SingularStep>;
 
-/// Calls a higher rung.
+/// What a first rung has settled, or what a higher one says, which is called.
 ///
 /// A function that is called reads and writes memory. It is given a copy of the state, and x̃ is
 /// copied out of what it wrote, so that the state of a loop, and x̃ of the first rung, can stay in
 /// registers: ordinary steps do not wait for memory on account of a call that they do not make.
 #[inline(always)]
-pub(crate) fn higher<M, T: Copy, const N: usize>(
+pub(crate) fn or_higher<M, T: Copy, const N: usize>(
+    first: Option<SVector<T, N>>,
     rung: Rung<M, T, N>,
     map: &M,
     x: &SVector<T, N>,
     eps: &T,
 ) -> Result<SVector<T, N>, SingularStep> {
+    if let Some(next) = first {
+        return Ok(next);
+    }
     let mut next: SVector<T, N> = vector(from_fn(|i| x[i]));
     match rung(map, next, *eps, &mut next) {
         None => Ok(vector(from_fn(|i| next[i]))),
@@ -160,7 +164,7 @@ where
     in_next_wider(map, x, eps)
 }
 
-/// The last two rungs, and the report where both fail; x̃ goes to `next`.
+/// Rungs 3 to 5, and the report where all fail; x̃ goes to `next`.
 #[cold]
 #[inline(never)]
 pub(crate) fn in_wide<T, M, const N: usize>(
@@ -208,7 +212,7 @@ where
     report(reason, rounded(&determinant), bound)
 }
 
-/// The last rung: the equation A(x,ε)·(x̃ − x) = 2ε·f(x) itself, solved over numbers of many
+/// Rung 5: the equation A(x,ε)·(x̃ − x) = 2ε·f(x) itself, solved over numbers of many
 /// digits; x̃ goes to `next`, or it says why there is none.
 ///
 /// No formula that was expanded or reduced is in its way, whose terms may be larger than all
@@ -278,7 +282,7 @@ fn by_elimination<T, M, const N: usize>(
     Some(Reason::Digits(Wide::MOST_DIGITS))
 }
 
-/// What the last rungs compute with. Each of its functions is called: it is the same for every
+/// What rungs 3 and 4 compute with. Each of its functions is called: it is the same for every
 /// scalar that comes here, and it has left the stack when the next one begins.
 struct InWide<M, const N: usize> {
     map: M,

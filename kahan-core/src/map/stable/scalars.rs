@@ -6,28 +6,7 @@ use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, PackedDouble, PackedSingle, Pair, Working};
 use crate::{Dd, Lift, Pivot, SingularStep};
 
-use super::rungs::{beyond, higher, in_next_wider, in_own_precision, in_wide};
-
-/// From the first rung to those behind it.
-macro_rules! promise {
-    (|$map:ident, $x:ident, $eps:ident| $first:expr, else $next:expr) => {
-        /// The step with its promise: by the first rung, or where that proves too little by the next.
-        #[inline(always)]
-        fn promised<M, const N: usize>(
-            $map: &M,
-            $x: &SVector<Self, N>,
-            $eps: &Self,
-        ) -> Result<SVector<Self, N>, SingularStep>
-        where
-            M: Lift<Self, N>,
-        {
-            match $first {
-                Some(next) => Ok(next),
-                None => higher($next, $map, $x, $eps),
-            }
-        }
-    };
-}
+use super::rungs::{beyond, in_next_wider, in_own_precision, in_wide, or_higher};
 
 /// A scalar that steps can be promised in, and begin in.
 pub(crate) trait Promised: Working + Pivot {
@@ -39,7 +18,18 @@ pub(crate) trait Promised: Working + Pivot {
     /// The nearest one.
     fn narrow(value: Wide) -> Self;
 
-    promise!(|map, x, eps| in_own_precision(map, x, eps), else in_wide);
+    /// The step with its promise: by the first rung, or where that proves too little by the next.
+    #[inline(always)]
+    fn promised<M, const N: usize>(
+        map: &M,
+        x: &SVector<Self, N>,
+        eps: &Self,
+    ) -> Result<SVector<Self, N>, SingularStep>
+    where
+        M: Lift<Self, N>,
+    {
+        or_higher(in_own_precision(map, x, eps), in_wide, map, x, eps)
+    }
 }
 
 /// The variables up to which `f32` works for itself. Steps in more variables multiply so many
@@ -89,11 +79,21 @@ impl Widened for f64 {
 impl Promised for f32 {
     type Packed = PackedSingle;
 
-    promise!(|map, x, eps| if const { N > MOST_OF_SINGLE } {
-        in_next_wider(map, x, eps)
-    } else {
-        in_own_precision(map, x, eps)
-    }, else if const { N > MOST_OF_SINGLE } { in_wide } else { beyond });
+    #[inline(always)]
+    fn promised<M, const N: usize>(
+        map: &M,
+        x: &SVector<Self, N>,
+        eps: &Self,
+    ) -> Result<SVector<Self, N>, SingularStep>
+    where
+        M: Lift<Self, N>,
+    {
+        if const { N > MOST_OF_SINGLE } {
+            or_higher(in_next_wider(map, x, eps), in_wide, map, x, eps)
+        } else {
+            or_higher(in_own_precision(map, x, eps), beyond, map, x, eps)
+        }
+    }
 
     fn widen(&self) -> Wide {
         Wide::from(*self)
@@ -107,7 +107,17 @@ impl Promised for f32 {
 impl Promised for f64 {
     type Packed = PackedDouble;
 
-    promise!(|map, x, eps| in_own_precision(map, x, eps), else beyond);
+    #[inline(always)]
+    fn promised<M, const N: usize>(
+        map: &M,
+        x: &SVector<Self, N>,
+        eps: &Self,
+    ) -> Result<SVector<Self, N>, SingularStep>
+    where
+        M: Lift<Self, N>,
+    {
+        or_higher(in_own_precision(map, x, eps), beyond, map, x, eps)
+    }
 
     fn widen(&self) -> Wide {
         Wide::from(*self)
