@@ -4,7 +4,7 @@ use kahan_core::observe::{
     AtMost, Direction, Drift, Escape, Extrema, Observer, Section, TangentMap, first_crossing,
 };
 use kahan_core::prelude::*;
-use kahan_core::{Compensated, LatticeAt, Level, Orbit, Room, Step, Tangent};
+use kahan_core::{Compensated, Increments, LatticeAt, Level, Orbit, Room, Step, Tangent};
 
 use super::lattices::{Kdv, Ring, Shore, Toda};
 use super::systems::E6;
@@ -82,6 +82,14 @@ fn modes_are_maps() {
     Compensated(plain).advance(&mut carried, STEPS, &mut room).unwrap();
     assert_eq!(&carried[..3], points[STEPS as usize].as_slice());
     assert!(carried[3..].iter().any(|lacks| *lacks != 0.0));
+    // A state of the map's, by its type and by choice.
+    let map = plain.compensated();
+    assert_eq!(map.state(start.as_slice()), SMatrix::<f64, 3, 2>::from_columns(&[start, SVector::zeros()]));
+    assert_eq!(Orbit::new(map, map.state(start.as_slice())).nth(9).unwrap(), points[9]);
+    let chosen: Box<dyn Step<Scalar = f64>> = Box::new(map);
+    let state = chosen.state(start.as_slice());
+    assert_eq!(state, [0.5, 1.0, 0.25, 0.0, 0.0, 0.0]);
+    assert_eq!(Orbit::new(chosen, state).nth(9).unwrap()[..3], *points[9].as_slice());
     // With what the point lacks an orbit goes on; without, it is another.
     let last = Orbit::new(Compensated(plain), SMatrix::from_column_slice(&carried)).nth(1).unwrap();
     assert_eq!(last, plain.orbit(start).compensated().nth(STEPS as usize + 1).unwrap());

@@ -15,6 +15,9 @@ use super::growth::Size;
 /// Cost: a tangent vector, about that of a step, and its square; see `BENCHMARKS.md`.
 ///
 /// It reports not a number from a pole on.
+///
+/// An [`Observer`](super::Observer) of points, made by `Fli::new(&map)`; `map` is a
+/// [`TangentMap`].
 pub type Fli<M> = Follower<Greatest, M, 1>;
 
 /// The squares of a vector's first and greatest lengths.

@@ -11,6 +11,9 @@ use super::growth::Size;
 /// linearly, so that λ tends to 0 as log(n)/n.
 ///
 /// Cost: a tangent vector, about that of a step; see `BENCHMARKS.md`.
+///
+/// An [`Observer`](super::Observer) of points, made by `Lyapunov::new(&map)`; `map` is a
+/// [`TangentMap`].
 pub type Lyapunov<M> = Follower<Growth, M, 1>;
 
 /// The square of a vector's first length, and those at powers of two.

@@ -12,6 +12,9 @@ use super::growth::Size;
 /// M. Giordano, C. Simó, Physica D 182 (2003) 151.
 ///
 /// Cost: a tangent vector, about that of a step, and a logarithm.
+///
+/// An [`Observer`](super::Observer) of points, made by `Megno::new(&map)`; `map` is a
+/// [`TangentMap`].
 pub type Megno<M> = Follower<MeanGrowth, M, 1>;
 
 /// What the sums of its definition have come to.

@@ -104,8 +104,48 @@ pub use tangent::{Tangent, TangentMap};
 
 /// A question about an orbit whose numbers are of the type T.
 ///
+/// It sees points alone; where states are `Vec`s, as those of a `&dyn Step` are, it sees all of a
+/// state.
+///
+/// ```
+/// use kahan_core::observe::Observer;
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// Growth without limits.
+///     pub struct Growth;
+///     xdot = x;
+/// }
+///
+/// /// Ends the run where x is beyond a bound, and tells the step.
+/// struct Beyond(f64, Option<u64>);
+///
+/// impl Observer<f64> for Beyond {
+///     type Report = Option<u64>;
+///
+///     fn observe(&mut self, step: u64, x: &[f64]) {
+///         self.1 = (x[0] > self.0).then_some(step);
+///     }
+///
+///     fn is_done(&self) -> bool {
+///         self.1.is_some()
+///     }
+///
+///     fn report(self) -> Option<u64> {
+///         self.1
+///     }
+/// }
+///
+/// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, Beyond(2.0, None)), Some(7));
+/// ```
+///
 /// Tuples of up to eight observers, arrays and, with `std`, vectors of them are observers, whose
 /// reports come together; `()` asks nothing.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not observe orbits of numbers of the type `{T}`",
+    label = "not an observer of such orbits",
+    note = "a closure is asked by an observer: `Extrema::of(|x: &[f64]| x[0])`, `Escape::when(…)`, or one of your own, which implements `Observer`"
+)]
 pub trait Observer<T> {
     /// The answer.
     type Report;

@@ -9,9 +9,10 @@ impl<S: Step> Orbit<S> {
     /// Shows the observers the next point of this orbit, x₀, as that of step 0, and the points of
     /// `steps` steps more; then reports.
     ///
-    /// The orbit stands at the last of these points afterwards. An exact one that meets a pole ends
-    /// there, and [`stopped`](Self::stopped) says so: the reports are of the points before it. One
-    /// whose observers are [done](Observer::is_done) stands at the last point that they saw.
+    /// The orbit goes on from there: what is asked of it next begins with the point after the last
+    /// one that was shown, as step 0. An exact orbit that meets a pole ends, and
+    /// [`stopped`](Self::stopped) says so: the reports are of the points before it. Observers that
+    /// are [done](Observer::is_done) end the run at that point.
     ///
     /// It allocates nothing where a state is an array, and a copy of the state where it is a `Vec`.
     /// `BENCHMARKS.md` has the times.
@@ -26,8 +27,13 @@ impl<S: Step> Orbit<S> {
     ///     xdot = x;
     /// }
     ///
-    /// let beyond_two = Escape::when(|x: &[f64]| x[0] > 2.0);
-    /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, beyond_two), Some(7));
+    /// let beyond_two = || Escape::when(|x: &[f64]| x[0] > 2.0);
+    /// assert_eq!(Growth.orbit(vector![1.0], 0.05).observe(100, beyond_two()), Some(7));
+    ///
+    /// // After two points of no interest:
+    /// let mut orbit = Growth.orbit(vector![1.0], 0.05);
+    /// orbit.observe(1, ());
+    /// assert_eq!(orbit.observe(100, beyond_two()), Some(5));
     /// ```
     pub fn observe<O: Observer<S::Scalar>>(&mut self, steps: u64, mut observers: O) -> O::Report {
         if let Some(first) = self.next() {

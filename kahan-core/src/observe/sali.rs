@@ -17,6 +17,9 @@ use super::growth::{Size, square};
 /// Cost: two tangent vectors, which share what depends on the points alone.
 ///
 /// It reports a number from 0 to √2, and not a number from a pole on.
+///
+/// An [`Observer`](super::Observer) of points, made by `Sali::new(&map)`; `map` is a
+/// [`TangentMap`].
 pub type Sali<M> = Follower<Alignment, M, 2>;
 
 /// Alignment is looked at in the end.

@@ -28,9 +28,9 @@ use super::{Grouped, SideBySide, lanes::ByOneMap};
 /// Prepared maps do, compositions of them, maps that are read at run time, and references to these.
 /// A slice of another length than the number of variables panics.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` carries no tangent vectors along for an observer",
-    label = "not a prepared map that can",
-    note = "observers of derivatives take the prepared map: `Lyapunov::new(&map)`"
+    message = "`{Self}` carries no tangent vectors along",
+    label = "not a prepared map of `kahan!`, a composition of one, or a map that is read at run time",
+    note = "observers of derivatives take the map itself, `Lyapunov::new(&map)`, as it is without rounding errors or vectors beside its points; chains carry none"
 )]
 pub trait TangentMap: Step<Scalar: FloatScalar> + Clone {
     /// Replaces the tangent vector `v` at the point `x` by J(x)·v.

@@ -21,14 +21,21 @@ use crate::{Scalar, SingularStep};
 
 /// A map at its ε, half the time step: x ↦ x̃ on states of [`dimension`](Self::dimension) numbers.
 ///
-/// | map | made by | state |
+/// | map | made by | states |
 /// |---|---|---|
-/// | of a block of [`kahan!`](crate::kahan), and compositions of it | [`KahanMap::at`](crate::KahanMap::at) | `SVector` |
+/// | of a block of [`kahan!`](crate::kahan) | [`KahanMap::at`](crate::KahanMap::at) | `SVector` |
+/// | a composition of that | [`KahanAt::composed`](crate::KahanAt::composed) | `SVector` |
 /// | of a family, a chain of some sites | [`LatticeMap::at`](crate::LatticeMap::at) | `Vec` |
 /// | of a text that is read at run time | `kahan_runtime::Map::at`, `Lattice::at` | `Vec` |
-/// | with rounding errors carried beside the point; with tangent vectors | [`Compensated`](crate::Compensated), [`Tangent`](crate::Tangent) | point and what is carried: an `SMatrix` with a column each, `Vec` |
+/// | one of these or of a text, rounding errors beside its points | [`Increments::compensated`](crate::Increments::compensated) | `SMatrix` of two columns, `Vec` |
+/// | the same with tangent vectors beside its points | [`Tangent`](crate::Tangent) | `Vec` |
 /// | any map over `f64`, on states in `f32` | [`ThroughF64::of_step`](crate::ThroughF64::of_step) | `Vec` |
-/// | a reference to any | `&map`, `&dyn Step<Scalar = f64>` | the map's, `Vec` |
+/// | a reference to any | `&map` | the map's |
+/// | any, chosen at run time | `&dyn Step<Scalar = f64>`, `Box<dyn Step<Scalar = f64>>` | `Vec` |
+///
+/// [`state`](Self::state) makes a state of the numbers of a point, whatever the map carries beside
+/// it; [`Orbit::new`](crate::Orbit::new) and [`first_crossing`](crate::observe::first_crossing)
+/// take any map. A chain has no compositions, and carries neither rounding errors nor vectors.
 ///
 /// Bits are those of the map's own methods. A state of another length panics, as dimensions of
 /// nalgebra do. A chain has an `advance` of its own, in memory of its own: where this trait is in
@@ -60,6 +67,11 @@ use crate::{Scalar, SingularStep};
 /// let crests = choice.map(|map| crest(map, &[0.5, 1.0]));
 /// assert!((crests[0] - crests[1]).abs() < 1e-2 && crests[0] != crests[1]);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no map at an ε",
+    label = "not a prepared map, nor a reference to one",
+    note = "`map.at(eps)` prepares a map; one that is chosen at run time is a `&dyn Step<Scalar = f64>`"
+)]
 pub trait Step {
     /// The numbers that a state is made of.
     type Scalar: Scalar;
@@ -97,6 +109,19 @@ pub trait Step {
     /// # Panics
     /// As [`advance`](Self::advance).
     fn part(&self, eps: &Self::Scalar, x: &mut [Self::Scalar], room: &mut Room) -> Result<(), Stopped>;
+
+    /// The state at a point; what the map carries beside it is 0.
+    ///
+    /// # Panics
+    /// If there are more numbers than a state has.
+    fn state(&self, point: &[Self::Scalar]) -> Self::State
+    where
+        Self: Sized,
+    {
+        let mut state = Self::State::zeros(self.dimension());
+        state.as_mut_slice()[..point.len()].clone_from_slice(point);
+        state
+    }
 
     /// x̃; `None` at a pole of an exact scalar.
     #[inline]
@@ -332,24 +357,32 @@ impl<S: Step> Step for &S {
     }
 }
 
+/// One that is chosen at run time: its states are vectors.
 #[cfg(feature = "std")]
-impl<T: Scalar> Step for &(dyn Step<Scalar = T> + '_) {
-    type Scalar = T;
-    type State = Vec<T>;
+macro_rules! implement_for_a_choice {
+    ($($choice:ty),*) => {$(
+        impl<T: Scalar> Step for $choice {
+            type Scalar = T;
+            type State = Vec<T>;
 
-    fn dimension(&self) -> usize {
-        (**self).dimension()
-    }
+            fn dimension(&self) -> usize {
+                (**self).dimension()
+            }
 
-    fn eps(&self) -> &T {
-        (**self).eps()
-    }
+            fn eps(&self) -> &T {
+                (**self).eps()
+            }
 
-    fn advance(&self, x: &mut [T], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        (**self).advance(x, steps, room)
-    }
+            fn advance(&self, x: &mut [T], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+                (**self).advance(x, steps, room)
+            }
 
-    fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
-        (**self).part(eps, x, room)
-    }
+            fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
+                (**self).part(eps, x, room)
+            }
+        }
+    )*};
 }
+
+#[cfg(feature = "std")]
+implement_for_a_choice!(&(dyn Step<Scalar = T> + '_), Box<dyn Step<Scalar = T> + '_>);

@@ -38,17 +38,13 @@ impl<T: MachineFloat> MapAt<T> {
 /// variables, in some tens of milliseconds.
 ///
 /// ```
-/// use kahan_core::observe::{Lyapunov, Observer};
+/// use kahan_core::Orbit;
+/// use kahan_core::observe::Lyapunov;
 /// use kahan_runtime::Field;
 ///
 /// let map = Field::parse("xdot = x*(1 - y); ydot = y*(x - 1);").unwrap().map().unwrap().at(0.05);
-/// let mut exponent = Lyapunov::new(&map);
-/// let mut x = [1.5, 1.0];
-/// for step in 0..=10_000 {
-///     exponent.observe(step, &x);
-///     map.advance(&mut x, 1).unwrap();
-/// }
-/// let exponent = exponent.report();
+/// let mut orbit = Orbit::new(&map, vec![1.5, 1.0]);
+/// let exponent = orbit.observe(10_000, Lyapunov::new(&map));
 /// assert!(exponent.value.abs() < exponent.error);
 /// ```
 impl<T: MachineFloat + FloatScalar> TangentMap for MapAt<T> {

@@ -11,9 +11,23 @@ use super::Orbit;
 
 /// Maps that tell the increments of their steps, so that what rounding takes from a point can be
 /// carried into the next step.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot carry rounding errors beside its points",
+    label = "it does not tell the increments of its steps",
+    note = "prepared maps of `kahan!` do, compositions of them, and maps that are read at run time; chains do not"
+)]
 pub trait Increments: Step {
     /// A point, and behind it what it lacks: twice as many numbers.
     type Carried: Slice<Self::Scalar>;
+
+    /// This map with rounding errors beside its points: see
+    /// [`Orbit::compensated`](crate::Orbit::compensated) for what that cures.
+    fn compensated(self) -> Compensated<Self>
+    where
+        Self: Sized,
+    {
+        Compensated(self)
+    }
 
     /// x̃ and what it lacks, from x and what x lacks; `None` at a pole of an exact scalar.
     fn next_with_carry(&self, x: &Self::Carried, room: &mut Room) -> Option<Self::Carried>;
@@ -33,7 +47,25 @@ pub trait Increments: Step {
 ///
 /// A state has twice the map's numbers: a point, and what it lacks. The orbit is at point + carry,
 /// and the carry is at most about an ulp of the point or of the last increment, whichever is
-/// larger. Begin with zeros for it. A [part](Step::part) of a step moves the point alone.
+/// larger. It begins with zeros, as [`state`](Step::state) makes them. A [part](Step::part) of a
+/// step moves the point alone.
+///
+/// ```
+/// use kahan_core::prelude::*;
+/// use kahan_core::{Increments, Orbit, Step};
+///
+/// kahan! {
+///     /// A circle around the origin.
+///     pub struct Turn;
+///     xdot = y;
+///     ydot = -x;
+/// }
+///
+/// let map = Turn.at(0.05).compensated();
+/// let mut orbit = Orbit::new(&map, map.state(&[1.0, 0.0]));
+/// // The point alone is yielded.
+/// assert_eq!(orbit.nth(100), Turn.orbit(vector![1.0, 0.0], 0.05).compensated().nth(100));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensated<S>(
     /// The map.
