@@ -4,6 +4,8 @@
 //! turns a block into a [`crate::field::Field`] and claims about it. Sums and products are flat
 //! lists, so that a sum of 20 000 terms is as shallow as one of two.
 
+use core::fmt;
+
 use crate::rational::Rational;
 use crate::token::Span;
 
@@ -162,8 +164,8 @@ impl Condition {
         self.left.span.to(self.right.span)
     }
 
-    /// Calls `visit` with every name of the relation and its place, from left to right.
-    pub fn visit_names(&self, visit: &mut dyn FnMut(&str, Span)) {
+    /// Calls `visit` with every value that the relation names and its place, from left to right.
+    pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         self.left.visit_names(visit);
         self.right.visit_names(visit);
     }
@@ -179,11 +181,14 @@ pub struct Expr {
 }
 
 impl Expr {
-    /// Calls `visit` with every name of the expression and its place, from left to right.
-    pub fn visit_names(&self, visit: &mut dyn FnMut(&str, Span)) {
+    /// Calls `visit` with every value that the expression names and its place, from left to right.
+    pub fn visit_names<'a>(&'a self, visit: &mut dyn FnMut(Reference<'a>, Span)) {
         match &self.kind {
             ExprKind::Number(_) => {}
-            ExprKind::Name(name) => visit(name, self.span),
+            ExprKind::Name(name) => visit(Reference::Name(name), self.span),
+            ExprKind::Site { array, offset } => {
+                visit(Reference::Site { array, offset: *offset }, self.span);
+            }
             ExprKind::Sum(terms) => terms.iter().for_each(|term| term.expr.visit_names(visit)),
             ExprKind::Product(factors) => factors.iter().for_each(|factor| factor.expr.visit_names(visit)),
             ExprKind::Negation(inner) | ExprKind::Power(inner, _) | ExprKind::OverSites(inner) => {
@@ -198,8 +203,15 @@ impl Expr {
 pub enum ExprKind {
     /// A literal, exactly.
     Number(Rational),
-    /// An identifier; in a family also a value at a site, written `x[i]`, `x[i+1]`, `x[i-2]`.
+    /// An identifier.
     Name(String),
+    /// In a family a value at a site: `x[i]`, `x[i+1]`, `x[i-2]`.
+    Site {
+        /// `x`
+        array: String,
+        /// How far from site i.
+        offset: i64,
+    },
     /// `a + b − c …`
     Sum(Vec<Term>),
     /// `a * b / c …`
@@ -210,6 +222,42 @@ pub enum ExprKind {
     Power(Box<Expr>, i64),
     /// `sum(a)` over all sites, in a claim of a family.
     OverSites(Box<Expr>),
+}
+
+/// What an expression names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reference<'a> {
+    /// `x`
+    Name(&'a str),
+    /// `x[i+1]`
+    Site {
+        /// `x`
+        array: &'a str,
+        /// How far from site i.
+        offset: i64,
+    },
+}
+
+impl Reference<'_> {
+    /// What it reads the value of: the name, or the array.
+    #[must_use]
+    pub fn base(&self) -> &str {
+        match self {
+            Reference::Name(name) => name,
+            Reference::Site { array, .. } => array,
+        }
+    }
+}
+
+/// As it is written.
+impl fmt::Display for Reference<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Reference::Name(name) => f.write_str(name),
+            Reference::Site { array, offset: 0 } => write!(f, "{array}[i]"),
+            Reference::Site { array, offset } => write!(f, "{array}[i{offset:+}]"),
+        }
+    }
 }
 
 /// One term of a sum.

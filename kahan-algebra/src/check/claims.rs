@@ -6,7 +6,7 @@ use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Component;
 use crate::plan::{Node, Plan, PlanBuilder};
 use crate::rational::Rational;
-use crate::syntax::{self, Block, ClaimBody, ClaimKind, Expr, ExprKind};
+use crate::syntax::{self, Block, ClaimBody, ClaimKind, Expr, ExprKind, Reference};
 use crate::system::{Claim, upper_index};
 use crate::token::Span;
 
@@ -120,6 +120,9 @@ impl Compiler {
         match &expr.kind {
             ExprKind::Number(value) => Ok(self.builder.constant(value)),
             ExprKind::Name(name) => self.name(name, expr.span, scope),
+            ExprKind::Site { array, offset } => {
+                self.name(&Reference::Site { array, offset: *offset }.to_string(), expr.span, scope)
+            }
             ExprKind::Negation(inner) => {
                 let inner = self.node(inner, scope)?;
                 Ok(self.builder.negate(inner))

@@ -96,7 +96,7 @@ fn difference(left: &Expansion, right: &Expansion) -> Polynomial {
 /// mistake already.
 fn names(condition: &syntax::Condition, scope: &mut Scope) -> Result<Option<Vec<Variable>>, Diagnostic> {
     let mut found: Vec<(String, Span)> = Vec::new();
-    condition.visit_names(&mut |name, span| found.push((name.to_owned(), span)));
+    condition.visit_names(&mut |name, span| found.push((name.to_string(), span)));
     let epsilon = scope.symbols.epsilon();
     let mut names: Vec<Variable> = Vec::new();
     for (name, span) in found {

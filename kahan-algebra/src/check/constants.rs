@@ -39,10 +39,13 @@ pub(super) fn evaluate(
 fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagnostic> {
     let mut foreign: Option<(String, Span)> = None;
     let mut poisoned = false;
-    expr.visit_names(&mut |name, span| match scope.constants.get(name) {
-        Some(value) => poisoned |= value.is_none(),
-        None if scope.is_poisoned(name) => poisoned = true,
-        None => foreign = foreign.take().or(Some((name.to_owned(), span))),
+    expr.visit_names(&mut |name, span| {
+        let name = name.to_string();
+        match scope.constants.get(&name) {
+            Some(value) => poisoned |= value.is_none(),
+            None if scope.is_poisoned(&name) => poisoned = true,
+            None => foreign = foreign.take().or(Some((name, span))),
+        }
     });
     if let Some((name, span)) = foreign {
         return Err(Diagnostic::new(

@@ -7,7 +7,7 @@
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::poly::{Budget, Polynomial};
 use crate::rational::Rational;
-use crate::syntax::{Expr, ExprKind, Factor, Term};
+use crate::syntax::{Expr, ExprKind, Factor, Reference, Term};
 use crate::token::Span;
 
 use super::names::{Meaning, Scope};
@@ -60,14 +60,21 @@ struct Expander<'a> {
 }
 
 impl Expander<'_> {
+    fn named(&self, name: &str) -> Expansion {
+        Expansion::polynomial(match self.scope.meaning(name) {
+            Some(Meaning::Variable(variable)) => Polynomial::variable(variable),
+            Some(Meaning::Constant(value)) => Polynomial::constant(value),
+            None => Polynomial::zero(),
+        })
+    }
+
     fn expand(&mut self, expr: &Expr) -> Result<Expansion, Diagnostic> {
         match &expr.kind {
             ExprKind::Number(value) => Ok(Expansion::polynomial(Polynomial::constant(value.clone()))),
-            ExprKind::Name(name) => Ok(Expansion::polynomial(match self.scope.meaning(name) {
-                Some(Meaning::Variable(variable)) => Polynomial::variable(variable),
-                Some(Meaning::Constant(value)) => Polynomial::constant(value),
-                None => Polynomial::zero(),
-            })),
+            ExprKind::Name(name) => Ok(self.named(name)),
+            ExprKind::Site { array, offset } => {
+                Ok(self.named(&Reference::Site { array, offset: *offset }.to_string()))
+            }
             ExprKind::Negation(inner) => {
                 self.expand(inner).map(|inner| Expansion { numerator: -&inner.numerator, ..inner })
             }

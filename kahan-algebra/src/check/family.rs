@@ -3,9 +3,8 @@
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::family::{Family, SiteSum};
 use crate::field::Component;
-use crate::parse::neighbour_name;
 use crate::symbols::Symbols;
-use crate::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead};
+use crate::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead, Reference};
 use crate::token::Span;
 
 use super::constants;
@@ -126,17 +125,16 @@ impl Names {
                 arrays.push(array.text.clone());
             }
         }
-        let used = used_names(block);
         let mut reach = 1;
         let mut at_sites: Vec<String> = Vec::new();
         let mut plain: Vec<String> = Vec::new();
-        for (name, _) in &used {
-            match neighbour(name) {
-                Some((base, offset)) => {
+        for (reference, _) in references(block) {
+            match reference {
+                Reference::Site { array, offset } => {
                     reach = reach.max(offset.unsigned_abs() as usize);
-                    push_new(&mut at_sites, base);
+                    push_new(&mut at_sites, array);
                 }
-                None => push_new(&mut plain, name),
+                Reference::Name(name) => push_new(&mut plain, name),
             }
         }
         let is_constant = |name: &String| block.constants.iter().any(|constant| constant.name.text == **name);
@@ -170,12 +168,11 @@ impl Names {
 
     fn symbols(&self) -> Symbols {
         let reach = self.reach as i64;
-        let states = (-reach..=reach)
-            .flat_map(|offset| self.arrays.iter().map(move |array| neighbour_name(array, offset)));
-        let of_sites = self
-            .site_parameters
-            .iter()
-            .flat_map(|name| (-reach..=reach).map(move |offset| neighbour_name(name, offset)));
+        let at = |array: &String, offset| Reference::Site { array, offset }.to_string();
+        let states =
+            (-reach..=reach).flat_map(|offset| self.arrays.iter().map(move |array| at(array, offset)));
+        let of_sites =
+            self.site_parameters.iter().flat_map(|name| (-reach..=reach).map(move |offset| at(name, offset)));
         Symbols {
             states: states.collect(),
             parameters: self.parameters.iter().cloned().chain(of_sites).collect(),
@@ -184,22 +181,16 @@ impl Names {
 
     /// Reports arrays without an index, once each.
     fn report_plain_arrays(&self, block: &Block, scope: &mut Scope, diagnostics: &mut Diagnostics) {
-        for (name, span) in used_names(block) {
-            let is_at_sites = self.arrays.contains(&name) || self.site_parameters.contains(&name);
-            if is_at_sites && !scope.is_poisoned(&name) {
+        for (reference, span) in references(block) {
+            let Reference::Name(name) = reference else { continue };
+            let is_at_sites = self.arrays.iter().chain(&self.site_parameters).any(|array| array == name);
+            if is_at_sites && !scope.is_poisoned(name) {
                 let message = format!("`{name}` has a value at each site");
                 diagnostics.report(Kind::Name, span, message, format!("write `{name}[i]`"));
-                scope.poison(&name);
+                scope.poison(name);
             }
         }
     }
-}
-
-/// Array and offset of `x[i+1]`.
-fn neighbour(name: &str) -> Option<(&str, i64)> {
-    let (base, index) = name.split_once("[i")?;
-    let offset = index.strip_suffix(']')?;
-    Some((base, if offset.is_empty() { 0 } else { offset.parse().ok()? }))
 }
 
 fn push_new(names: &mut Vec<String>, name: &str) {
@@ -208,18 +199,18 @@ fn push_new(names: &mut Vec<String>, name: &str) {
     }
 }
 
-/// The names of all equations and claims, with their places.
-fn used_names(block: &Block) -> Vec<(String, Span)> {
-    let mut names = Vec::new();
+/// What all equations and claims name, with its places.
+fn references(block: &Block) -> Vec<(Reference<'_>, Span)> {
+    let mut references = Vec::new();
     let equations = block.equations.iter().filter_map(|equation| equation.value.as_ref());
     let claims = block.claims.iter().chain(&block.hamiltonians).filter_map(|claim| match &claim.body {
         Some(ClaimBody::Function(expr)) => Some(expr),
         _ => None,
     });
     for expr in equations.chain(claims) {
-        expr.visit_names(&mut |name, span| names.push((name.to_owned(), span)));
+        expr.visit_names(&mut |reference, span| references.push((reference, span)));
     }
-    names
+    references
 }
 
 /// A claimed sum; `None` where a mistake in it was reported.

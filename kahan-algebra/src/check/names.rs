@@ -8,7 +8,7 @@ use crate::diagnostics::{Diagnostics, Kind};
 use crate::poly::Variable;
 use crate::rational::Rational;
 use crate::symbols::Symbols;
-use crate::syntax::{Block, ClaimBody, Expr, Name};
+use crate::syntax::{Block, ClaimBody, Expr, Name, Reference};
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
@@ -83,10 +83,11 @@ impl Scope {
     /// Reports every name of `expr` that means nothing here; `true` if all mean something and none
     /// is poisoned.
     pub(super) fn resolve(&mut self, expr: &Expr, in_claim: bool, diagnostics: &mut Diagnostics) -> bool {
-        let mut names = Vec::new();
-        expr.visit_names(&mut |name, span| names.push((name.to_owned(), span)));
+        let mut references = Vec::new();
+        expr.visit_names(&mut |reference, span| references.push((reference, span)));
         let mut sound = true;
-        for (name, span) in names {
+        for (reference, span) in references {
+            let name = reference.to_string();
             self.used.insert(name.clone());
             if self.is_poisoned(&name) {
                 sound = false;
@@ -103,14 +104,21 @@ impl Scope {
                 sound = false;
                 // A constant without a value has been reported at its declaration.
                 if !self.constants.contains_key(&name) {
-                    self.report_unknown(&name, span, in_claim, diagnostics);
+                    self.report_unknown(reference, span, in_claim, diagnostics);
                 }
             }
         }
         sound
     }
 
-    fn report_unknown(&mut self, name: &str, span: Span, in_claim: bool, diagnostics: &mut Diagnostics) {
+    fn report_unknown(
+        &mut self,
+        reference: Reference<'_>,
+        span: Span,
+        in_claim: bool,
+        diagnostics: &mut Diagnostics,
+    ) {
+        let name = &*reference.to_string();
         // Who writes `dxdt = …` means `x`: its equation is the mistake.
         if self.misspelt_states.iter().any(|left| left.contains(name)) {
             return;
@@ -127,7 +135,7 @@ impl Scope {
         }
         let help = if name == "ϵ" {
             "for half the time step write `eps` (in claims)".to_owned()
-        } else if let Some((array, _)) = name.split_once('[') {
+        } else if let Reference::Site { array, .. } = reference {
             format!(
                 "give it an equation `{array}[i]dot = …;`, or declare it as a parameter: `struct Name {{ {array} }}`"
             )

@@ -3,9 +3,8 @@
 use crate::diagnostics::{Diagnostics, Kind};
 use crate::family::{Family, Role};
 use crate::field::Component;
-use crate::parse::neighbour_name;
 use crate::poly::Monomial;
-use crate::syntax::Block;
+use crate::syntax::{Block, Reference};
 
 /// Reports parameters of neighbours that are needed where there is no neighbour: they may only
 /// multiply a state that lies as far outside, which is 0.
@@ -47,7 +46,7 @@ fn states(family: &Family, monomial: &Monomial) -> (i64, i64) {
 fn beyond(family: &Family, monomial: &Monomial, (least, most): (i64, i64)) -> Option<String> {
     monomial.powers().iter().find_map(|&(variable, _)| match family.role(variable) {
         Role::SiteParameter { offset, index } if offset < least || offset > most => {
-            Some(neighbour_name(&family.site_parameters[index], offset))
+            Some(Reference::Site { array: &family.site_parameters[index], offset }.to_string())
         }
         _ => None,
     })

@@ -1,7 +1,7 @@
 //! `sum(…)` in the claims of a family: what it sums.
 
 use crate::diagnostics::{Diagnostic, Kind};
-use crate::syntax::{Expr, ExprKind, Factor, Term};
+use crate::syntax::{Expr, ExprKind, Factor, Reference, Term};
 
 /// What a claim sums over all sites: the claim with `sum` taken off, as sums are linear.
 pub(super) fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
@@ -39,7 +39,9 @@ pub(super) fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
             };
             with(ExprKind::Product(factors.iter().map(factor).collect::<Result<_, Diagnostic>>()?))
         }
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Power(..) => Err(outside(expr)),
+        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Site { .. } | ExprKind::Power(..) => {
+            Err(outside(expr))
+        }
     }
 }
 
@@ -58,13 +60,13 @@ fn find_sum(expr: &Expr) -> Option<&Expr> {
         ExprKind::Sum(terms) => terms.iter().find_map(|term| find_sum(&term.expr)),
         ExprKind::Product(factors) => factors.iter().find_map(|factor| find_sum(&factor.expr)),
         ExprKind::Negation(inner) | ExprKind::Power(inner, _) => find_sum(inner),
-        ExprKind::Number(_) | ExprKind::Name(_) => None,
+        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Site { .. } => None,
     }
 }
 
 /// Whether a value at a site occurs.
 fn is_at_sites(expr: &Expr) -> bool {
     let mut found = false;
-    expr.visit_names(&mut |name, _| found |= name.contains('['));
+    expr.visit_names(&mut |name, _| found |= matches!(name, Reference::Site { .. }));
     found
 }

@@ -5,11 +5,10 @@
 //! (2013) 025201).
 
 use crate::diagnostics::{Diagnostic, Kind};
-use crate::parse::neighbour_name;
 use crate::poly::{Monomial, Polynomial};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
-use crate::syntax::Boundary;
+use crate::syntax::{Boundary, Reference};
 use crate::table::Table;
 
 use super::conserved::{longest, plural};
@@ -234,7 +233,7 @@ fn relative(family: &Family, symbols: &Symbols, monomial: &Monomial, site: usize
             let rest = index - states - parameters;
             (&family.site_parameters[rest / sites], rest % sites)
         };
-        neighbour_name(base, place as i64 - site as i64)
+        Reference::Site { array: base, offset: place as i64 - site as i64 }.to_string()
     };
     let factors = monomial.powers().iter().map(|&(variable, exponent)| {
         let name = name(usize::from(variable.0));

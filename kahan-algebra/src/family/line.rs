@@ -116,16 +116,19 @@ impl Family {
     /// The values that a site sees, parameters of sites among them, as states whose names are
     /// identifiers.
     fn line_symbols(&self) -> Symbols {
-        let of_sites = self.symbols.parameters[self.parameters.len()..].iter();
-        let identifier = |name: &String| match name.split_once("[i") {
-            Some((base, "]")) => base.to_owned(),
-            Some((base, offset)) => {
-                let side = if offset.starts_with('-') { "before" } else { "after" };
-                format!("{base}_{side}_{}", offset.trim_matches(|c: char| !c.is_ascii_digit()))
-            }
-            None => name.clone(),
+        let reach = self.reach as i64;
+        let identifier = |array: &String, offset: i64| match offset {
+            0 => array.clone(),
+            1.. => format!("{array}_after_{offset}"),
+            _ => format!("{array}_before_{}", -offset),
         };
-        let names: Vec<String> = self.symbols.states.iter().chain(of_sites).map(identifier).collect();
+        let states = (-reach..=reach)
+            .flat_map(|offset| self.arrays.iter().map(move |array| identifier(array, offset)));
+        let of_sites = self
+            .site_parameters
+            .iter()
+            .flat_map(|name| (-reach..=reach).map(move |offset| identifier(name, offset)));
+        let names: Vec<String> = states.chain(of_sites).collect();
         let is_clear =
             distinct(names.iter().chain(&self.parameters)).len() == names.len() + self.parameters.len();
         let numbered = || (0..names.len()).map(|k| format!("value_{k}")).collect();

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use crate::lexer::lex;
 use crate::prime_field::SplitMix64;
+use crate::syntax::Reference;
 use crate::{Reading, read};
 
 /// A term: its coefficient, and names with the offsets of their sites.
@@ -46,7 +47,7 @@ impl Random {
                     if offset == i64::MAX {
                         name.to_owned()
                     } else {
-                        crate::parse::neighbour_name(name, offset)
+                        Reference::Site { array: name, offset }.to_string()
                     }
                 };
                 format!(
@@ -189,7 +190,7 @@ fn constant_stencils_are_found_where_they_are() {
     let gradient = |s: &str| {
         let at = |more: i64| {
             let offset: i64 = s.parse::<i64>().unwrap() + more;
-            crate::parse::neighbour_name("x", offset)
+            Reference::Site { array: "x", offset }.to_string()
         };
         format!("2*{0}*{1} + {2}^2", at(0), at(1), at(-1))
     };

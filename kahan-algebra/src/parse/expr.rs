@@ -16,7 +16,7 @@ use crate::syntax::{Expr, ExprKind, Factor, Term};
 use crate::token::{Span, TokenKind};
 
 use super::cursor::Cursor;
-use super::family::neighbour;
+use super::family::offset;
 use super::mistakes::{after_operand, check_plain_name, missing_operand};
 use super::number::parse_number;
 use super::{Parsed, error};
@@ -137,8 +137,8 @@ fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
         TokenKind::Identifier => {
             cursor.advance();
             if cursor.has_sites && cursor.is_open(0, '[') {
-                let name = neighbour(cursor, &token.text, span)?;
-                return Ok(Expr { kind: ExprKind::Name(name), span: span.to(cursor.behind()) });
+                let (array, offset) = (token.text.clone(), offset(cursor, &token.text, span)?);
+                return Ok(Expr { kind: ExprKind::Site { array, offset }, span: span.to(cursor.behind()) });
             }
             if cursor.has_sites && token.text == "sum" && cursor.is_open(0, '(') {
                 let inner = atom(cursor, depth)?;

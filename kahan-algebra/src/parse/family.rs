@@ -119,8 +119,8 @@ fn skip_equation(cursor: &mut Cursor<'_>) {
     }
 }
 
-/// Reads the index of `x[i+1]`, whose array was just read, and names the value: `x[i+1]`.
-pub(super) fn neighbour(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<String> {
+/// Reads the index of `x[i+1]`, whose array was just read: how far from site i it is.
+pub(super) fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
     let opening = cursor.position();
     let group = cursor.skip_group();
     let end = cursor.position();
@@ -134,7 +134,7 @@ pub(super) fn neighbour(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Par
         return wrong("the index of a site is `i`, or `i` and an integer");
     }
     match end - opening {
-        3 => Ok(format!("{array}[i]")),
+        3 => Ok(0),
         5 => {
             let sign = match token(opening + 2).map(|token| &token.kind) {
                 Some(TokenKind::Punctuation('+')) => 1,
@@ -153,15 +153,10 @@ pub(super) fn neighbour(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Par
             if offset > FARTHEST {
                 return wrong(&format!("neighbours farther than {FARTHEST} sites are not read"));
             }
-            Ok(name(array, sign * offset))
+            Ok(sign * offset)
         }
         _ => wrong("an index is `i` and one integer"),
     }
-}
-
-/// The value of an array at the site `offset` from site i: `x[i]`, `x[i+1]`, `x[i-2]`.
-pub(crate) fn name(array: &str, offset: i64) -> String {
-    if offset == 0 { format!("{array}[i]") } else { format!("{array}[i{offset:+}]") }
 }
 
 /// The mistake of `x[i]dot = …` outside of a family.

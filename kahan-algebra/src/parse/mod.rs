@@ -20,7 +20,6 @@ use crate::syntax::Block;
 use crate::token::{Span, Token};
 
 use cursor::Cursor;
-pub(crate) use family::name as neighbour_name;
 
 /// What a parsing function gives: its syntax, or the first mistake in it.
 type Parsed<T> = Result<T, Diagnostic>;

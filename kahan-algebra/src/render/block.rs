@@ -1,7 +1,7 @@
 //! A system as a block of `kahan!`, in one canonical layout.
 
 use crate::field::Component;
-use crate::syntax::{ClaimBody, Expr, Header};
+use crate::syntax::{ClaimBody, Expr, Header, Reference};
 use crate::system::{Claim, Condition, System};
 
 use super::claim::claim_text;
@@ -27,14 +27,15 @@ fn used_parameters(system: &System) -> Vec<String> {
 /// Whether a name stands in a relation, or is what it was solved for.
 fn mentions(condition: &Condition, name: &str) -> bool {
     let mut found = false;
-    condition.written.visit_names(&mut |text, _| found |= text == name);
+    condition.written.visit_names(&mut |written, _| found |= written == Reference::Name(name));
     found
 }
 
 /// Whether a name stands in a claim as written.
 fn claim_names(claim: &Claim, name: &str) -> bool {
     let mut found = claim.conditions.iter().any(|condition| mentions(condition, name));
-    let mut look = |expr: &Expr| expr.visit_names(&mut |text, _| found |= text == name);
+    let mut look =
+        |expr: &Expr| expr.visit_names(&mut |written, _| found |= written == Reference::Name(name));
     match &claim.body {
         Some(ClaimBody::Function(expr)) => look(expr),
         Some(ClaimBody::Tensor(entries)) => entries.iter().for_each(|entry| look(&entry.value)),

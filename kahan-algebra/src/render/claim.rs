@@ -1,7 +1,7 @@
 //! Claims as written, and as statements.
 
 use crate::rational::Rational;
-use crate::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Factor};
+use crate::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Factor, Reference};
 use crate::system::{Claim, System};
 
 use super::notation::Notation;
@@ -37,6 +37,9 @@ fn write(expr: &Expr, notation: Notation) -> (String, Level) {
             (notation.number(value), level)
         }
         ExprKind::Name(name) => (notation.name(name), Level::Atom),
+        ExprKind::Site { array, offset } => {
+            (notation.name(&Reference::Site { array, offset: *offset }.to_string()), Level::Atom)
+        }
         ExprKind::Negation(inner) => {
             // −(a·b) is read back as it was written; in LaTeX nothing reads back.
             let level = if notation == Notation::Text { Level::Power } else { Level::Product };

@@ -110,6 +110,7 @@ impl Written {
         match &expr.kind {
             ExprKind::Number(number) => arithmetic.constant(number),
             ExprKind::Name(name) => self.named(arithmetic, name, point),
+            ExprKind::Site { .. } => None,
             ExprKind::Negation(inner) => Some(arithmetic.negate(&value(inner)?)),
             ExprKind::Sum(terms) => {
                 let mut sum: Option<A::Value> = None;

@@ -107,7 +107,7 @@ impl Scope {
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let mut names = Vec::new();
         for value in block.equations.iter().filter_map(|equation| equation.value.as_ref()) {
-            value.visit_names(&mut |name, span| names.push((name.to_owned(), span)));
+            value.visit_names(&mut |name, span| names.push((name.to_string(), span)));
         }
         for (text, span) in names {
             let known = self.is_state_name(&text)
