@@ -63,14 +63,25 @@ pub struct FamilyHead {
 /// `attributes visibility struct Name (; | { param, … })`.
 #[derive(Clone, Debug)]
 pub struct Header {
-    /// Documentation, attributes and visibility as written, in lines.
-    pub prefix: Vec<String>,
+    /// Documentation and attributes.
+    pub attributes: Written,
+    /// `pub`, `pub(crate)`, or nothing.
+    pub visibility: Written,
     /// The type's name.
     pub name: Name,
     /// The parameters in order.
     pub parameters: Vec<Name>,
-    /// Documentation and attributes of each parameter as written, in lines.
-    pub described: Vec<Vec<String>>,
+    /// Documentation and attributes of each parameter.
+    pub described: Vec<Written>,
+}
+
+/// What only Rust understands.
+#[derive(Clone, Debug, Default)]
+pub struct Written {
+    /// As written, in lines.
+    pub lines: Vec<String>,
+    /// Its tokens, if there are some: documentation in a text is none.
+    pub span: Option<Span>,
 }
 
 /// `const NAME = constant expr;`

@@ -1,10 +1,10 @@
 //! The header: `attributes visibility struct Name;` or `… struct Name { a, b }`.
 //!
 //! Parameters are bare names: the macro adds their type, and the type's parameter. Attributes are
-//! skipped, not read; whoever emits Rust keeps them.
+//! not understood; whoever emits Rust finds them at their places.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Block, Header, Name};
+use crate::syntax::{Block, Header, Name, Written};
 use crate::token::{Span, TokenKind};
 
 use super::Parsed;
@@ -29,15 +29,17 @@ pub(super) fn parse_header(cursor: &mut Cursor<'_>, block: &mut Block, diagnosti
 }
 
 fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Header> {
-    let mut prefix = attributes(cursor);
+    let mut attributes = attributes(cursor);
+    let mut visibility = Written::default();
     if cursor.identifier(0) == Some("pub") {
-        let start = cursor.position();
+        let start = cursor.here();
         cursor.advance();
         if cursor.is_open(0, '(') {
             cursor.skip_group();
         }
-        prefix.push(cursor.written_since(start));
-        prefix.extend(docs(cursor));
+        visibility =
+            Written { lines: vec![cursor.written_since(start.first)], span: Some(start.to(cursor.behind())) };
+        attributes.lines.extend(docs(cursor));
     }
     if cursor.identifier(0) != Some("struct") {
         let found = cursor.describe_next();
@@ -58,7 +60,7 @@ fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Head
         diagnostics.push(Diagnostic { kind: Kind::Header, ..missing });
         Name { text: "Nameless".to_owned(), span: cursor.here() }
     });
-    let mut header = Header { prefix, name, parameters: Vec::new(), described: Vec::new() };
+    let mut header = Header { attributes, visibility, name, parameters: Vec::new(), described: Vec::new() };
     if cursor.is_punctuation(0, '<') {
         let start = cursor.here();
         while !cursor.is_at_end()
@@ -171,9 +173,10 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnos
     }
 }
 
-/// Skips attributes; these and documentation as written, in lines.
-fn attributes(cursor: &mut Cursor<'_>) -> Vec<String> {
-    let mut lines = docs(cursor);
+/// Skips documentation and attributes.
+fn attributes(cursor: &mut Cursor<'_>) -> Written {
+    let (begin, mut lines) = (cursor.here(), docs(cursor));
+    let mut span = None;
     while cursor.is_punctuation(0, '#') {
         let start = cursor.position();
         cursor.advance();
@@ -183,8 +186,9 @@ fn attributes(cursor: &mut Cursor<'_>) -> Vec<String> {
         }
         lines.push(cursor.written_since(start));
         lines.extend(docs(cursor));
+        span = Some(begin.to(cursor.behind()));
     }
-    lines
+    Written { lines, span }
 }
 
 /// The documentation before the next token.

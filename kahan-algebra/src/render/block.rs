@@ -46,13 +46,12 @@ fn claim_names(claim: &Claim, name: &str) -> bool {
 
 /// The header with its documentation and attributes as written, and these parameters.
 fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
-    let is_visibility = |line: &&String| line.starts_with("pub");
-    let mut lines: Vec<String> = header.prefix.iter().filter(|line| !is_visibility(line)).cloned().collect();
-    let visibility = header.prefix.iter().find(is_visibility).map_or("pub", String::as_str);
+    let mut lines = header.attributes.lines.clone();
+    let visibility = header.visibility.lines.first().map_or("pub", String::as_str);
     let head = format!("{visibility} struct {}", header.name.text);
     let described = |name: &String| {
         let index = header.parameters.iter().position(|parameter| parameter.text == *name);
-        index.map_or(&[][..], |index| &header.described[index])
+        index.map_or(&[][..], |index| &header.described[index].lines)
     };
     if parameters.is_empty() {
         lines.push(format!("{head};"));

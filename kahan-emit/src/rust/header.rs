@@ -1,55 +1,36 @@
 //! The part of a header that only Rust understands: attributes, documentation, visibility.
 
+use kahan_algebra::syntax::{Header, Written};
 use proc_macro2::TokenStream;
-use syn::parse::{ParseStream, Parser};
+use syn::parse::Parser;
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Ident, Path, Token, Visibility, braced};
+use syn::{Attribute, Path, Token};
+
+use super::tokens::Flat;
 
 /// `attributes visibility struct Name { attributes param, … }` as Rust syntax.
 #[derive(Default)]
 pub(super) struct RustHeader {
     pub(super) attributes: Vec<Attribute>,
-    pub(super) visibility: Option<Visibility>,
-    pub(super) parameters: Vec<(Vec<Attribute>, Ident)>,
-}
-
-/// Reads the header of a block. What the front end has refused is left out here without a word.
-pub(super) fn read(block: TokenStream) -> RustHeader {
-    let mut header = RustHeader::default();
-    let fill = |input: ParseStream<'_>| {
-        let outcome = header.fill(input);
-        // The rest of the block is the front end's.
-        let _: TokenStream = input.parse()?;
-        outcome
-    };
-    // An error here has been reported by the front end; what was understood before it is kept.
-    let _: syn::Result<()> = fill.parse2(block);
-    for attribute in &mut header.attributes {
-        without_our_derives(attribute);
-    }
-    header
+    pub(super) visibility: TokenStream,
+    parameters: Vec<(Vec<Attribute>, String)>,
 }
 
 impl RustHeader {
-    fn fill(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
-        self.attributes = Attribute::parse_outer(input)?;
-        self.visibility = Some(input.parse()?);
-        input.parse::<Token![struct]>()?;
-        input.parse::<Ident>()?;
-        if !input.peek(syn::token::Brace) {
-            return Ok(());
+    /// That of a header, from the tokens that it was read from. What is no attribute has been
+    /// reported, and is left out.
+    pub(super) fn of(header: &Header, input: &Flat) -> Self {
+        let tokens = |written: &Written| written.span.map_or_else(TokenStream::new, |span| input.slice(span));
+        let attributes = |written| Attribute::parse_outer.parse2(tokens(written)).unwrap_or_default();
+        let described = header.described.iter().map(attributes);
+        let names = header.parameters.iter().map(|name| name.text.clone());
+        let mut own = attributes(&header.attributes);
+        own.iter_mut().for_each(without_our_derives);
+        Self {
+            attributes: own,
+            visibility: tokens(&header.visibility),
+            parameters: described.zip(names).collect(),
         }
-        let content;
-        braced!(content in input);
-        while !content.is_empty() {
-            let attributes = Attribute::parse_outer(&content)?;
-            let name = content.parse()?;
-            self.parameters.push((attributes, name));
-            if !content.is_empty() {
-                content.parse::<Token![,]>()?;
-            }
-        }
-        Ok(())
     }
 
     /// The user's attributes of the parameter `name`.

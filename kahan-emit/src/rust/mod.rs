@@ -87,15 +87,15 @@ pub struct Expansion {
 /// Mistakes become `compile_error!` at the places of the tokens.
 #[must_use]
 pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
-    let input = tokens::flatten(block.clone());
+    let input = tokens::flatten(block);
     let reading = kahan_algebra::read(&input.tokens);
-    Expansion { name: reading.system.name().to_owned(), tokens: emit(core, block, &reading, &input) }
+    Expansion { name: reading.system.name().to_owned(), tokens: emit(core, &reading, &input) }
 }
 
-/// Emits a block: its compiler tokens, what the front end read, and the tokens that it read.
-fn emit(core: &TokenStream, block: TokenStream, reading: &Reading, input: &Flat) -> TokenStream {
+/// Emits a block: what the front end read, and the tokens that it read.
+fn emit(core: &TokenStream, reading: &Reading, input: &Flat) -> TokenStream {
     let spans = &input.spans;
-    let header = reading.system.header.as_ref().map(|_| header::read(block));
+    let header = reading.system.header.as_ref().map(|header| RustHeader::of(header, input));
     let errors = emit_errors(&reading.diagnostics, spans);
     if let Some(family) = &reading.family {
         return family::emit_family(core, family, header.as_ref(), input, &errors);

@@ -7,25 +7,34 @@ use proc_macro2::{Delimiter, Group, Spacing, Span, TokenStream, TokenTree};
 pub(crate) struct Flat {
     pub(crate) tokens: Vec<Token>,
     pub(crate) spans: Vec<Span>,
+    /// The compiler's tree that begins with each token, and the number of its last token; a closing
+    /// bracket begins none.
+    trees: Vec<Option<(TokenTree, usize)>>,
 }
 
 /// Flattens a token stream. Nesting costs no stack: open groups wait in a list.
 pub(crate) fn flatten(stream: TokenStream) -> Flat {
-    let mut flat = Flat { tokens: Vec::new(), spans: Vec::new() };
-    let mut open: Vec<(proc_macro2::token_stream::IntoIter, Option<Group>)> =
+    let mut flat = Flat { tokens: Vec::new(), spans: Vec::new(), trees: Vec::new() };
+    let mut open: Vec<(proc_macro2::token_stream::IntoIter, Option<(Group, usize)>)> =
         vec![(stream.into_iter(), None)];
     while let Some((trees, _)) = open.last_mut() {
         match trees.next() {
             Some(TokenTree::Group(group)) => {
                 let (opening, _) = brackets(&group);
                 flat.push(TokenKind::Open(opening), opening.to_string(), group.span_open(), false);
-                open.push((group.stream().into_iter(), Some(group)));
+                open.push((group.stream().into_iter(), Some((group, flat.trees.len()))));
+                flat.trees.push(None);
             }
-            Some(tree) => flat.push_leaf(&tree),
+            Some(tree) => {
+                flat.push_leaf(&tree);
+                flat.trees.push(Some((tree, flat.trees.len())));
+            }
             None => {
-                if let Some((_, Some(group))) = open.pop() {
+                if let Some((_, Some((group, opening)))) = open.pop() {
                     let (_, closing) = brackets(&group);
                     flat.push(TokenKind::Close(closing), closing.to_string(), group.span_close(), false);
+                    flat.trees[opening] = Some((group.into(), flat.trees.len()));
+                    flat.trees.push(None);
                 }
             }
         }
@@ -43,6 +52,17 @@ fn brackets(group: &Group) -> (char, char) {
 }
 
 impl Flat {
+    /// The compiler's tokens of a run that cuts no group.
+    pub(crate) fn slice(&self, span: kahan_algebra::token::Span) -> TokenStream {
+        let mut next = span.first;
+        let trees = core::iter::from_fn(|| {
+            let (tree, last) = self.trees.get(next).filter(|_| next <= span.last)?.as_ref()?;
+            next = last + 1;
+            Some(tree.clone())
+        });
+        trees.collect()
+    }
+
     fn push(&mut self, kind: TokenKind, text: String, span: Span, touches_next: bool) {
         self.tokens.push(Token { kind, text, touches_next, docs: Vec::new() });
         self.spans.push(span);
