@@ -78,6 +78,14 @@ const _: () = {
                         + __t_x_squared_plus_y_squared * (eps.clone() * eps.clone())),
             ])
         }
+        /// The integral `H = y/x`, constant along orbits; `eps` is ε, half the time step.
+        pub fn H<T: __kahan::Scalar>(&self, x: &__kahan::SVector<T, 3>, eps: T) -> T {
+            self.integrals(x, eps)[0].clone()
+        }
+        /// The integral `K = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2))`, constant along orbits; `eps` is ε, half the time step.
+        pub fn K<T: __kahan::Scalar>(&self, x: &__kahan::SVector<T, 3>, eps: T) -> T {
+            self.integrals(x, eps)[1].clone()
+        }
         /// The density ρ of an invariant measure ρ dx: ρ(x̃) det ∂x̃/∂x = ρ(x); `eps` is ε, half the time step.
         ///
         /// Namely

@@ -1,9 +1,10 @@
-//! Accessors of unconditional claims: `integrals`, `density`, `bracket_NAME`.
+//! Accessors of unconditional claims: `integrals` and one of each integral's own name, `density`,
+//! `bracket_NAME`.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::Claim;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::field::{emit_body, emit_vector};
@@ -79,9 +80,16 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
     let count = Literal::usize_unsuffixed(claims.len());
     let result = quote!(__kahan::SVector<#scalar, #count>);
     let body = emit_vector(context, &context.derived.integrals);
+    let mut methods = emit_method(context, &docs::integrals(&claims), "integrals", &result, &body);
+    for (place, claim) in claims.iter().enumerate() {
+        let place = Literal::usize_unsuffixed(place);
+        let body = quote!(self.integrals(x, eps)[#place].clone());
+        let name = name_of_integral(&claim.name.text, names);
+        methods.extend(emit_method(context, &docs::integral(claim), &name, &quote!(#scalar), &body));
+    }
     EmittedClaims {
         constants: items::emit_list("INTEGRALS", "The names of the integrals, in order.", names),
-        methods: emit_method(context, &docs::integrals(&claims), "integrals", &result, &body),
+        methods,
         implementations: quote! {
             impl<#scalar: __kahan::Scalar> __kahan::Integrals<#scalar, #dimension, #count> for #this {
                 fn integral_names(&self) -> &'static [&'static __kahan::str] {
@@ -93,6 +101,23 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
             }
         },
     }
+}
+
+/// The method of an integral: its name, or `integral_NAME` where that is something else already.
+fn name_of_integral(name: &str, integrals: &[String]) -> String {
+    /// Methods of the traits that the macro implements or derives, methods that every type has, and
+    /// the constants of the type.
+    const TAKEN: &str = "field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
+        step_back jacobian det_matrix det_jacobian rational_map reduced_map at orbit lift carry_tangent variables \
+        parameters integral_names integrals density clone clone_from eq ne fmt into try_into to_owned borrow \
+        borrow_mut type_id VARIABLES PARAMETERS INTEGRALS";
+    let is_of_another =
+        name.strip_prefix("integral_").is_some_and(|base| integrals.iter().any(|other| other == base));
+    let is_taken = TAKEN.split_whitespace().any(|taken| taken == name)
+        || name.starts_with("bracket_")
+        || is_of_another
+        || syn::parse_str::<Ident>(name).is_err();
+    if is_taken { format!("integral_{name}") } else { name.to_owned() }
 }
 
 fn emit_density(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {

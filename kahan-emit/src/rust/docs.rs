@@ -128,6 +128,15 @@ pub(super) fn integrals(claims: &[&Claim]) -> TokenStream {
     emit_lines(&lines)
 }
 
+/// The documentation of an integral's own method.
+pub(super) fn integral(claim: &Claim) -> TokenStream {
+    /// What is read at a glance; `integrals` has the others.
+    const SHORT: usize = 120;
+    let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
+    let what = formula.unwrap_or_else(|| claim.name.text.clone());
+    emit_lines(&[format!(" The integral `{what}`, constant along orbits; `eps` is ε, half the time step.")])
+}
+
 /// The documentation of `density`.
 pub(super) fn density(claim: &Claim) -> TokenStream {
     let mut lines = vec![

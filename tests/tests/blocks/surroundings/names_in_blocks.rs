@@ -81,6 +81,9 @@ kahan! {
     ydot = -k*x;
     integral step = x^2 + y^2;
     integral VARIABLES = step^2;
+    integral integral_step = 2*step;
+    integral r#match = 3*step;
+    integral energy = step/2;
     density density = 1/step;
     bracket bracket { {x,y} = 1; }
     bracket type { {x,y} = step; }
@@ -122,8 +125,17 @@ fn claims_may_have_the_names_of_methods() {
     let (x, next) = assert_kahan(&Claims { k: ratio(3, 2) });
     let claims = Claims { k: ratio(3, 2) };
     assert_eq!(claims.integrals(&x, ratio(1, 2)), claims.integrals(&next, ratio(1, 2)));
+    // One by one, by their own names where these are nothing else.
+    let own = [
+        claims.integral_step(&x, ratio(1, 2)),
+        claims.integral_VARIABLES(&x, ratio(1, 2)),
+        claims.integral_integral_step(&x, ratio(1, 2)),
+        claims.integral_match(&x, ratio(1, 2)),
+        claims.energy(&x, ratio(1, 2)),
+    ];
+    assert_eq!(claims.integrals(&x, ratio(1, 2)).as_slice(), own);
     assert_eq!(claims.density(&x, ratio(1, 2)), claims.density(&next, ratio(1, 2)));
     assert_eq!(claims.bracket_bracket(&x, ratio(1, 2))[(1, 0)], ratio(-1, 1));
     assert_eq!(claims.bracket_type(&x, ratio(1, 2)), claims.bracket_type(&next, ratio(1, 2)));
-    assert_eq!(Claims::<BigRational>::INTEGRALS, ["step", "VARIABLES"]);
+    assert_eq!(Claims::<BigRational>::INTEGRALS, ["step", "VARIABLES", "integral_step", "match", "energy"]);
 }
