@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use crate::field::Field;
-use crate::plan::Plan;
+use crate::plan::{Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
 use crate::rational_function::RationalFunction;
@@ -94,6 +94,22 @@ impl Condition {
 }
 
 impl Claim {
+    /// What is claimed, with the values of the names that its conditions are solved for.
+    #[must_use]
+    pub fn where_it_holds(&self) -> Plan {
+        let mut builder = PlanBuilder::default();
+        let outputs = builder.include_mapped(&self.plan, |builder, variable| {
+            let Some(condition) = self.conditions.iter().find(|condition| condition.variable == variable)
+            else {
+                return builder.input(variable);
+            };
+            let above = builder.polynomial(condition.value.numerator());
+            let below = builder.polynomial(condition.value.denominator());
+            builder.divide(above, below)
+        });
+        builder.finish(&outputs)
+    }
+
     /// Whether the claim is made for generic parameters and ε.
     #[must_use]
     pub fn is_unconditional(&self) -> bool {
@@ -120,6 +136,11 @@ impl System {
     /// The unconditional claims of one kind, in order.
     pub fn accessors(&self, kind: ClaimKind) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(move |claim| claim.kind == kind && claim.is_unconditional())
+    }
+
+    /// The claims that are made `when` something holds, in order.
+    pub fn conditional(&self) -> impl Iterator<Item = &Claim> {
+        self.claims.iter().filter(|claim| !claim.is_unconditional())
     }
 
     /// The system's name; `field` where it has none.

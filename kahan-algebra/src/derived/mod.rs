@@ -68,6 +68,9 @@ pub struct Derived {
     /// The brackets that are claimed without `when`: name, and the entries above the diagonal row
     /// by row.
     pub brackets: Vec<(String, Plan)>,
+    /// The claims that are made `when` something holds, in their order: each where it does, with the
+    /// values of the names that are solved for.
+    pub conditional: Vec<Plan>,
     step: OnceLock<Option<StepPlan>>,
     carry: OnceLock<Option<(Symbols, Plan)>>,
 }
@@ -105,6 +108,7 @@ pub fn derive(system: &System) -> Derived {
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
         brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, single(plan))).collect(),
+        conditional: system.conditional().map(|claim| claim.where_it_holds()).collect(),
         step: OnceLock::new(),
         carry: OnceLock::new(),
         system: system.clone(),
@@ -183,6 +187,12 @@ impl Derived {
         }
         functions.extend(self.density.iter().map(|plan| some("density", plan)));
         functions.extend(self.brackets.iter().map(|(name, plan)| some(&format!("bracket {name}"), plan)));
+        functions.extend(
+            self.system
+                .conditional()
+                .zip(&self.conditional)
+                .map(|(claim, plan)| some(&format!("{} {}", claim.kind.keyword(), claim.name.text), plan)),
+        );
         functions
     }
 }

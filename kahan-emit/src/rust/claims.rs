@@ -1,5 +1,6 @@
-//! Accessors of unconditional claims: `integrals` and one of each integral's own name, `density`,
-//! `bracket_NAME`.
+//! Accessors of claims: `integrals` and one of each integral's own name, `density`, `bracket_NAME`.
+//! What is claimed `when` something holds has one of its own, `density_NAME` for a density, in which
+//! the names that the conditions are solved for have their values.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
@@ -30,6 +31,10 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let brackets = context.system.accessors(ClaimKind::Bracket).zip(&context.derived.brackets);
     let brackets = brackets.map(|(claim, (_, plan))| emit_bracket(context, claim, plan));
     emitted.methods.extend(density.into_iter().chain(brackets));
+    let integrals: Vec<String> = context.derived.integral_names.clone();
+    for (claim, plan) in context.system.conditional().zip(&context.derived.conditional) {
+        emitted.methods.extend(emit_conditional(context, claim, plan, &integrals));
+    }
     let this = context.self_type();
     let scalar = &context.scalar;
     let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
@@ -115,9 +120,30 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
         name.strip_prefix("integral_").is_some_and(|base| integrals.iter().any(|other| other == base));
     let is_taken = TAKEN.split_whitespace().any(|taken| taken == name)
         || name.starts_with("bracket_")
+        || name.starts_with("density_")
         || is_of_another
         || syn::parse_str::<Ident>(name).is_err();
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
+}
+
+/// The accessor of a claim that is made `when` something holds.
+fn emit_conditional(context: &Context<'_>, claim: &Claim, plan: &Plan, integrals: &[String]) -> TokenStream {
+    let (bindings, results) = emit_body(context, plan);
+    let (scalar, name) = (&context.scalar, &claim.name.text);
+    let documentation = docs::conditional(context, claim);
+    let one = quote!(#bindings #(#results)*);
+    match claim.kind {
+        ClaimKind::Integral => {
+            emit_method(context, &documentation, &name_of_integral(name, integrals), &quote!(#scalar), &one)
+        }
+        ClaimKind::Density => {
+            emit_method(context, &documentation, &format!("density_{name}"), &quote!(#scalar), &one)
+        }
+        ClaimKind::Bracket => {
+            let body = quote! { #bindings __kahan::antisymmetric([#(#results),*]) };
+            emit_method(context, &documentation, &format!("bracket_{name}"), &context.matrix(), &body)
+        }
+    }
 }
 
 fn emit_density(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {

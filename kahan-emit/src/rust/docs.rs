@@ -1,7 +1,9 @@
 //! Documentation of the generated items: the formulas themselves.
 
 use kahan_algebra::plan::LARGEST_SIZE;
-use kahan_algebra::render::{Formulas, Notation, claim_statement, claim_text, condition_note, folded};
+use kahan_algebra::render::{
+    Formulas, Notation, claim_statement, claim_text, condition_note, condition_text, folded,
+};
 use kahan_algebra::system::Claim;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -135,6 +137,19 @@ pub(super) fn integral(claim: &Claim) -> TokenStream {
     let formula = statement(claim).into_iter().next().filter(|formula| formula.len() <= SHORT);
     let what = formula.unwrap_or_else(|| claim.name.text.clone());
     emit_lines(&[format!(" The integral `{what}`, constant along orbits; `eps` is ε, half the time step.")])
+}
+
+/// The documentation of what is claimed `when` something holds.
+pub(super) fn conditional(context: &Context<'_>, claim: &Claim) -> TokenStream {
+    let (kind, name) = (claim.kind.keyword(), &claim.name.text);
+    let conditions = condition_text(context.system, claim);
+    let mut lines = vec![format!(
+        " The {kind} `{name}` of the map where `{conditions}`, with the values that this gives put in; `eps` is ε, half the time step."
+    )];
+    push_block(&mut lines, "Namely", &statement(claim));
+    lines.push(String::new());
+    lines.push(" At other parameters it says nothing of the map.".to_owned());
+    emit_lines(&lines)
 }
 
 /// The documentation of `density`.

@@ -139,9 +139,9 @@ impl<'a, T: Machine, F: Fn(&[T]) -> [T; 1] + Copy> Running<'a, T, F> {
                 Running::Extrema((0..orbits).map(|_| (0..variables).map(of).collect()).collect())
             }
             Watch::Lyapunov => Running::Lyapunov(maps().map(Lyapunov::new).collect()),
-            Watch::Spectrum => Running::Spectrum(
-                maps().map(|map| Spectrum::new(map, variables, orbit.every)).collect(),
-            ),
+            Watch::Spectrum => {
+                Running::Spectrum(maps().map(|map| Spectrum::new(map, variables, orbit.every)).collect())
+            }
             Watch::LogDet => Running::LogDet(maps().map(MeanLogDet::new).collect()),
             Watch::Fli => Running::Fli(maps().map(Fli::new).collect()),
             Watch::Megno => Running::Megno(maps().map(Megno::new).collect()),
