@@ -38,7 +38,7 @@
 //! | many trajectories | [`Ensemble`], [`Axis`] for grids of initial points |
 //! | what an orbit does: exponents, sections, rotation numbers, drift, extrema | [`observe`]: [`Orbit::observe`], [`Ensemble::observe`] |
 //! | derivatives, determinants | [`KahanMap::jacobian`], [`det_jacobian`](KahanMap::det_jacobian) |
-//! | integrals, a density, brackets | methods of the type that the macro makes: `integrals`, `density`, `bracket_NAME` |
+//! | integrals, a density, brackets | methods of the type that the macro makes: `integrals` and each integral by its name, `density`, `bracket_NAME` |
 //! | a chain of any number of sites | a family `for i in … { … }` in [`kahan!`] makes a [`LatticeMap`], its [`at`](LatticeMap::at) a [`LatticeAt`] |
 //! | another kind of number | `f32`, `f64`, [`Dd`] with twice the digits, `BigRational` with the feature `exact` |
 //! | the cheapest setting that is accurate enough | [`Scene`] |

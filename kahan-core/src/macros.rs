@@ -43,6 +43,7 @@
 /// let end = E6.orbit(start, eps).nth(1000).unwrap();
 /// let after = E6.integrals(&end, eps);
 /// assert!((after - before).norm() < 1e-12);
+/// assert_eq!(E6.h(&end, eps), after[0]);
 ///
 /// // The inverse of a step is the step with −ε.
 /// assert!((E6.step_back(&E6.step(&start, eps), eps) - start).norm() < 1e-15);

@@ -23,7 +23,7 @@ use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
 use crate::symbols::{Symbol, Symbols};
 use crate::syntax::ClaimKind;
-use crate::system::System;
+use crate::system::{Claim, System};
 
 /// The plans of a system. Their inputs are states, parameters and ε, which is half the time step.
 #[derive(Clone, Debug)]
@@ -108,7 +108,7 @@ pub fn derive(system: &System) -> Derived {
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
         brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, single(plan))).collect(),
-        conditional: system.conditional().map(|claim| claim.where_it_holds()).collect(),
+        conditional: system.conditional().map(Claim::where_it_holds).collect(),
         step: OnceLock::new(),
         carry: OnceLock::new(),
         system: system.clone(),

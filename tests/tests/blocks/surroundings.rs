@@ -8,6 +8,7 @@
 #![deny(warnings, missing_docs, unused, clippy::pedantic)]
 
 mod blocks_in_bodies;
+mod conditional;
 mod headers;
 mod items_in_scope;
 mod names_in_blocks;
