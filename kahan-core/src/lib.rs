@@ -30,7 +30,7 @@
 //!
 //! | what | where |
 //! |---|---|
-//! | write a field, and claim what its map keeps | [`kahan!`], explained in [`language`] |
+//! | write a field, and claim what its map keeps | [`kahan!`], explained in [`language`]; [`include_kahan!`] for one in a file |
 //! | one step, forward or back; one with a promised error | [`KahanMap::step`], [`step_back`](KahanMap::step_back), [`try_step`](KahanMap::try_step) |
 //! | many steps | [`KahanMap::orbit`], an iterator ([`Orbit`]); [`compensated`](Orbit::compensated) against rounding, [`composed`](Orbit::composed) for order 4, 6 or 8 ([`Composition`]) |
 //! | states at given times, up to a time, where a function is first zero | [`Orbit::at_times`], [`until`](Orbit::until), [`first_crossing`](Orbit::first_crossing) |

@@ -55,6 +55,23 @@ macro_rules! kahan {
     };
 }
 
+/// Turns the block in a file into its Kahan map, as [`kahan!`](crate::kahan) does with its own
+/// tokens: what stands in the file is what `kahan!` would be given.
+///
+/// The path is relative to the file that the macro stands in, and the compiler reads the block anew
+/// when the file changes. A mistake is shown with its line and a caret, as the command `kahan` shows
+/// it, which reads the same files.
+///
+/// ```ignore
+/// include_kahan!("toda.kahan");
+/// ```
+#[macro_export]
+macro_rules! include_kahan {
+    ($file:tt) => {
+        $crate::__private::kahan_derive::include_kahan! { [$crate] $file }
+    };
+}
+
 /// A state from its entries, of any scalar: `vector![1.0, 2.0]` is an `SVector<f64, 2>`.
 ///
 /// ```

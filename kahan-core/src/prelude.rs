@@ -4,7 +4,7 @@
 pub use crate::{Axis, Ensemble, LatticeMap, Scene};
 pub use crate::{
     Composition, Dd, Integrals, KahanAt, KahanMap, Named, Pivot, QuadraticField, Scalar, SingularStep,
-    ThroughF64, eps_from_dt, kahan, vector,
+    ThroughF64, eps_from_dt, include_kahan, kahan, vector,
 };
 
 pub use nalgebra::{SMatrix, SVector};

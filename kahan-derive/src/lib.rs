@@ -5,6 +5,7 @@
 
 use std::time::Instant;
 
+use kahan_emit::rust::Expansion;
 use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// Expands a block. The first token is `[path]`, the path of the crate that holds `__private`;
@@ -14,11 +15,24 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 pub fn kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let start = Instant::now();
     let (core, block) = split_path(input.into());
-    let expansion = kahan_emit::rust::expand(&core, block);
+    tell(start, kahan_emit::rust::expand(&core, block))
+}
+
+fn tell(start: Instant, expansion: Expansion) -> proc_macro::TokenStream {
     if std::env::var_os("KAHAN_TIMING").is_some() {
         eprintln!("kahan!: {} expanded in {:.2} ms", expansion.name, start.elapsed().as_secs_f64() * 1e3);
     }
     expansion.tokens.into()
+}
+
+/// Expands the block in a file: the tokens are `[path]`, as in [`kahan!`](macro@kahan), and a
+/// literal, the file's path from the file that the literal stands in.
+#[proc_macro]
+pub fn include_kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    let start = Instant::now();
+    let (core, file) = split_path(input.into());
+    let beside = file.clone().into_iter().next().and_then(|literal| literal.span().unwrap().local_file());
+    tell(start, kahan_emit::rust::include(&core, file, beside.as_deref()))
 }
 
 /// Splits off the leading `[path]`.

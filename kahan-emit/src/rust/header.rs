@@ -1,6 +1,6 @@
 //! The part of a header that only Rust understands: attributes, documentation, visibility.
 
-use kahan_algebra::syntax::{Header, Written};
+use kahan_algebra::syntax::Header;
 use proc_macro2::TokenStream;
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
@@ -20,15 +20,14 @@ impl RustHeader {
     /// That of a header, from the tokens that it was read from. What is no attribute has been
     /// reported, and is left out.
     pub(super) fn of(header: &Header, input: &Flat) -> Self {
-        let tokens = |written: &Written| written.span.map_or_else(TokenStream::new, |span| input.slice(span));
-        let attributes = |written| Attribute::parse_outer.parse2(tokens(written)).unwrap_or_default();
+        let attributes = |written| Attribute::parse_outer.parse2(input.rust(written)).unwrap_or_default();
         let described = header.described.iter().map(attributes);
         let names = header.parameters.iter().map(|name| name.text.clone());
         let mut own = attributes(&header.attributes);
         own.iter_mut().for_each(without_our_derives);
         Self {
             attributes: own,
-            visibility: tokens(&header.visibility),
+            visibility: input.rust(&header.visibility),
             parameters: described.zip(names).collect(),
         }
     }

@@ -41,14 +41,19 @@ mod step;
 mod text;
 mod tokens;
 
+use std::fs;
+use std::path::{Path, PathBuf};
+
 use kahan_algebra::diagnostics::Diagnostic;
+use kahan_algebra::render::report;
 use kahan_algebra::system::System;
 use kahan_algebra::token::Span;
 use kahan_algebra::{Derived, Reading, derive};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
+use syn::LitStr;
 
-use tokens::Flat;
+use tokens::{Flat, Source};
 
 use claims::EmittedClaims;
 use header::RustHeader;
@@ -92,11 +97,51 @@ pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     Expansion { name: reading.system.name().to_owned(), tokens: emit(core, &reading, &input) }
 }
 
+/// Expands the block in a file, as `include_kahan!("FILE")` does: `file` is the literal, and
+/// `beside` the file that it stands in. The compiler reads the block anew when the file changes.
+///
+/// Mistakes become one `compile_error!` at the literal, with a caret under each place in the file.
+#[must_use]
+pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> Expansion {
+    let refused =
+        |error: &syn::Error| Expansion { name: "nothing".to_owned(), tokens: error.to_compile_error() };
+    let literal: LitStr = match syn::parse2(file) {
+        Ok(literal) => literal,
+        Err(error) => {
+            let message =
+                "the path of a file is wanted\nhelp: write a literal, `include_kahan!(\"toda.kahan\")`";
+            return refused(&syn::Error::new(error.span(), message));
+        }
+    };
+    let (origin, span) = (literal.value(), literal.span());
+    let path =
+        beside.and_then(Path::parent).map_or_else(|| PathBuf::from(&origin), |folder| folder.join(&origin));
+    let read = fs::canonicalize(&path).and_then(|path| Ok((fs::read_to_string(&path)?, path)));
+    let (text, path) = match read {
+        Ok(read) => read,
+        Err(error) => {
+            let help = "a path is relative to the file that `include_kahan!` stands in";
+            let message = format!("`{}` cannot be read: {error}\nhelp: {help}", path.display());
+            return refused(&syn::Error::new(span, message));
+        }
+    };
+    let input = tokens::of_text(text, origin, span);
+    let reading = kahan_algebra::read(&input.tokens);
+    let path = path.to_string_lossy();
+    let watched = quote!(
+        const _: &[::core::primitive::u8] = ::core::include_bytes!(#path);
+    );
+    let emitted = emit(core, &reading, &input);
+    let is_item = reading.system.header.is_some();
+    let tokens = if is_item { quote!(#watched #emitted) } else { quote!({ #watched #emitted }) };
+    Expansion { name: reading.system.name().to_owned(), tokens }
+}
+
 /// Emits a block: what the front end read, and the tokens that it read.
 fn emit(core: &TokenStream, reading: &Reading, input: &Flat) -> TokenStream {
     let spans = &input.spans;
     let header = reading.system.header.as_ref().map(|header| RustHeader::of(header, input));
-    let errors = emit_errors(&reading.diagnostics, spans);
+    let errors = emit_errors(&reading.diagnostics, input);
     if let Some(family) = &reading.family {
         return family::emit_family(core, family, header.as_ref(), input, &errors);
     }
@@ -106,7 +151,7 @@ fn emit(core: &TokenStream, reading: &Reading, input: &Flat) -> TokenStream {
     let derived = derive(&reading.system);
     let place = reading.system.header.as_ref().map_or(Span::token(0), |header| header.name.span);
     if let Some(mistake) = derived.couplings.as_ref().and_then(|couplings| couplings.too_many(place)) {
-        let errors = [errors, emit_errors(&[mistake], spans)].into_iter().collect();
+        let errors = [errors, emit_errors(&[mistake], input)].into_iter().collect();
         return emit_without_field(reading, header.as_ref(), spans, &errors);
     }
     let context = Context::of(&derived, spans, reading.diagnostics.is_empty());
@@ -167,8 +212,15 @@ fn emit_without_field(
     quote! { #errors #definition }
 }
 
-/// One `compile_error!` a mistake, over its tokens.
-fn emit_errors(diagnostics: &[Diagnostic], spans: &[proc_macro2::Span]) -> TokenStream {
+/// One `compile_error!` a mistake, over its tokens; for all mistakes of a text one.
+fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
+    let spans = &input.spans;
+    if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {
+        let reports = diagnostics.iter().map(|diagnostic| report(diagnostic, text, ranges, origin));
+        let reports = format!("in the file that is included:\n\n{}", reports.collect::<Vec<_>>().join("\n"));
+        let place = spans.first().copied().unwrap_or_else(proc_macro2::Span::call_site);
+        return syn::Error::new(place, reports.trim_end()).to_compile_error();
+    }
     let at = |index: usize| {
         spans.get(index).or(spans.last()).copied().unwrap_or_else(proc_macro2::Span::call_site)
     };

@@ -1,7 +1,21 @@
-//! Compiler tokens to the front end's tokens, groups flattened, with the compiler's span of each.
+//! Compiler tokens, or a text, to the front end's tokens, groups flattened, with the compiler's span
+//! of each.
 
+use std::ops::Range;
+
+use kahan_algebra::lexer::{Lexed, lex};
+use kahan_algebra::syntax::Written;
 use kahan_algebra::token::{Token, TokenKind};
 use proc_macro2::{Delimiter, Group, Spacing, Span, TokenStream, TokenTree};
+
+/// A text that tokens were read from, which has no places that the compiler knows.
+pub(crate) struct Source {
+    pub(crate) text: String,
+    /// The byte range of each token.
+    pub(crate) ranges: Vec<Range<usize>>,
+    /// What reports call it.
+    pub(crate) origin: String,
+}
 
 /// The tokens of a block and where they stand.
 pub(crate) struct Flat {
@@ -10,11 +24,20 @@ pub(crate) struct Flat {
     /// The compiler's tree that begins with each token, and the number of its last token; a closing
     /// bracket begins none.
     trees: Vec<Option<(TokenTree, usize)>>,
+    /// Where the tokens are those of a text.
+    pub(crate) source: Option<Source>,
+}
+
+/// The tokens of a text; all of them stand where `span` is.
+pub(crate) fn of_text(text: String, origin: String, span: Span) -> Flat {
+    let Lexed { tokens, ranges } = lex(&text);
+    let spans = vec![span; tokens.len()];
+    Flat { tokens, spans, trees: Vec::new(), source: Some(Source { text, ranges, origin }) }
 }
 
 /// Flattens a token stream. Nesting costs no stack: open groups wait in a list.
 pub(crate) fn flatten(stream: TokenStream) -> Flat {
-    let mut flat = Flat { tokens: Vec::new(), spans: Vec::new(), trees: Vec::new() };
+    let mut flat = Flat { tokens: Vec::new(), spans: Vec::new(), trees: Vec::new(), source: None };
     let mut open: Vec<(proc_macro2::token_stream::IntoIter, Option<(Group, usize)>)> =
         vec![(stream.into_iter(), None)];
     while let Some((trees, _)) = open.last_mut() {
@@ -52,8 +75,17 @@ fn brackets(group: &Group) -> (char, char) {
 }
 
 impl Flat {
+    /// What only Rust understands, as the compiler's tokens.
+    pub(crate) fn rust(&self, written: &Written) -> TokenStream {
+        match (&self.source, written.span) {
+            (Some(_), _) => written.lines.join("\n").parse().unwrap_or_default(),
+            (None, Some(span)) => self.slice(span),
+            (None, None) => TokenStream::new(),
+        }
+    }
+
     /// The compiler's tokens of a run that cuts no group.
-    pub(crate) fn slice(&self, span: kahan_algebra::token::Span) -> TokenStream {
+    fn slice(&self, span: kahan_algebra::token::Span) -> TokenStream {
         let mut next = span.first;
         let trees = core::iter::from_fn(|| {
             let (tree, last) = self.trees.get(next).filter(|_| next <= span.last)?.as_ref()?;

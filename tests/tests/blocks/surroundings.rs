@@ -10,6 +10,7 @@
 mod blocks_in_bodies;
 mod conditional;
 mod headers;
+mod included;
 mod items_in_scope;
 mod names_in_blocks;
 mod within_macros;

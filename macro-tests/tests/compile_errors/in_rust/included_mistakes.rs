@@ -1,0 +1,9 @@
+//! A file whose block has two mistakes.
+
+use kahan_core::prelude::*;
+
+include_kahan!("mistakes.kahan");
+
+fn main() {
+    let _ = Broken.step(&vector![1.0, 2.0], 0.1);
+}
