@@ -60,6 +60,7 @@ impl System {
             header: self.header.clone(),
             constants: self.constants.clone(),
             field: Field { symbols, components },
+            written: Vec::new(),
             is_field_sound: self.is_field_sound,
             claims: Vec::new(),
         })

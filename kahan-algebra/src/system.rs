@@ -22,6 +22,9 @@ pub struct System {
     pub constants: Vec<(String, Rational)>,
     /// The vector field.
     pub field: Field,
+    /// The right-hand sides of its equations as they were written, in order; none where it was made
+    /// of another field.
+    pub written: Vec<Expr>,
     /// Whether the field is the one that was written; if not, nothing can be said of the claims.
     pub is_field_sound: bool,
     /// The claims, in order.
@@ -130,7 +133,14 @@ impl System {
     pub fn without_field(header: Option<Header>) -> Self {
         let symbols = Symbols { states: Vec::new(), parameters: Vec::new() };
         let field = Field { symbols, components: Vec::new() };
-        System { header, constants: Vec::new(), field, is_field_sound: false, claims: Vec::new() }
+        System {
+            header,
+            constants: Vec::new(),
+            field,
+            written: Vec::new(),
+            is_field_sound: false,
+            claims: Vec::new(),
+        }
     }
 
     /// The unconditional claims of one kind, in order.

@@ -41,6 +41,7 @@ impl System {
             header: None,
             constants: self.constants.clone(),
             field: Field { components: components.collect(), symbols },
+            written: Vec::new(),
             is_field_sound: self.is_field_sound,
             claims: Vec::new(),
         }

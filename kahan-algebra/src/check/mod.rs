@@ -81,5 +81,6 @@ pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
         claims::compile_all(&block, &field.components, &mut scope, diagnostics)
     };
     scope.report_unused(&block, diagnostics);
-    System { header: block.header, constants, field, is_field_sound, claims }
+    let written = block.equations.into_iter().filter_map(|equation| equation.value).collect();
+    System { header: block.header, constants, field, written, is_field_sound, claims }
 }

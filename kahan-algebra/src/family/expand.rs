@@ -51,6 +51,7 @@ impl Family {
             header: self.header.clone(),
             constants: self.constants.clone(),
             field: Field { symbols, components },
+            written: Vec::new(),
             is_field_sound: self.is_sound,
             claims,
         }

@@ -3,15 +3,15 @@
 /// Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the field
 ///
 /// ```text
-/// x0dot = a*x0*x1 - a*x0*x8
-/// x1dot = -x0*x1 + x1*x2
-/// x2dot = -x1*x2 + x2*x3
-/// x3dot = -x2*x3 + x3*x4
-/// x4dot = -x3*x4 + x4*x5
-/// x5dot = -x4*x5 + x5*x6
-/// x6dot = -x5*x6 + x6*x7
-/// x7dot = -x6*x7 + x7*x8
-/// x8dot = x0*x8 - x7*x8
+/// x0dot = a*x0*(x1 - x8)
+/// x1dot = x1*(x2 - x0)
+/// x2dot = x2*(x3 - x1)
+/// x3dot = x3*(x4 - x2)
+/// x4dot = x4*(x5 - x3)
+/// x5dot = x5*(x6 - x4)
+/// x6dot = x6*(x7 - x5)
+/// x7dot = x7*(x8 - x6)
+/// x8dot = x8*(x0 - x7)
 /// ```
 ///
 /// Matrix A(x,ε) = I − ε f′(x), row by row:

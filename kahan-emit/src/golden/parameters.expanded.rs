@@ -1,9 +1,9 @@
 /// Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the field
 ///
 /// ```text
+/// const g = 981/100
 /// xdot = y
-/// ydot = (x*y - 981/100*mu*x + 981/100*nu*x + nu*x*y - 1/10*mu^2*y + 1/10*mu*nu*y
-///     - 1/10*mu^2*nu*y + 1/10*mu*nu^2*y)/(mu - nu + mu*nu - nu^2)
+/// ydot = -g*x/(1 + nu) - (1/10)*mu*y + x*y/(mu - nu)
 /// ```
 ///
 /// Matrix A(x,ε) = I − ε f′(x), row by row:

@@ -2,7 +2,7 @@
 
 use kahan_algebra::plan::LARGEST_SIZE;
 use kahan_algebra::render::{
-    Formulas, Notation, claim_statement, claim_text, condition_note, condition_text, folded,
+    Formulas, Notation, claim_statement, claim_text, condition_note, condition_text, expression_text, folded,
 };
 use kahan_algebra::system::Claim;
 use proc_macro2::TokenStream;
@@ -44,8 +44,10 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     );
     lines.push(String::new());
     lines.push(" ```text".to_owned());
-    let equations = states.iter().zip(formulas.field()).map(|(state, value)| format!("{state}dot = {value}"));
-    push_formulas(&mut lines, &equations.collect::<Vec<_>>());
+    let constants = system.constants.iter().map(|(name, value)| format!("const {name} = {value}"));
+    let written = system.written.iter().map(expression_text);
+    let equations = states.iter().zip(written).map(|(state, value)| format!("{state}dot = {value}"));
+    push_formulas(&mut lines, &constants.chain(equations).collect::<Vec<_>>());
     lines.push(" ```".to_owned());
     push_block(&mut lines, "Matrix A(x,ε) = I − ε f′(x), row by row:", &rows(&formulas));
     match formulas.map() {
