@@ -16,7 +16,8 @@ kahan! {
 /// integral.
 pub(crate) fn run() -> Vec<(f64, u32, f64)> {
     let start = vector![1.5, 1.0];
-    let level = |x: SVector<f64, 2>| x[0] - x[0].ln() + x[1] - x[1].ln();
+    let part = |value: f64| value - value.ln();
+    let level = |x: SVector<f64, 2>| part(x[LotkaVolterra::X]) + part(x[LotkaVolterra::Y]);
     let mut choices = Vec::new();
     for tolerance in [1e-2, 1e-5, 1e-8] {
         let setting =

@@ -25,8 +25,8 @@ struct Description {
 }
 
 /// What each step of a plan computes, in words that make a name; `None` where that would be long,
-/// and for every quotient but that of a constant by ε. `prepared` are the names of the prepared
-/// constants.
+/// where it would begin with a digit, and for every quotient but that of a constant by ε. `prepared`
+/// are the names of the prepared constants.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());
@@ -39,8 +39,11 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
         Operation::Divide(_, divisor) => plan.operations[divisor.0] == eps,
         _ => true,
     };
-    let named = plan.operations.iter().zip(known);
-    named.map(|(operation, known)| Some(known.filter(|_| has_name(operation))?.text)).collect()
+    let named = |(operation, known): (&Operation, Option<Description>)| {
+        let text = known.filter(|_| has_name(operation))?.text;
+        (!text.starts_with(|first: char| first.is_ascii_digit())).then_some(text)
+    };
+    plan.operations.iter().zip(known).map(named).collect()
 }
 
 /// What kind of step this is, for those whose description would be long: a number makes it a name.
@@ -83,10 +86,12 @@ fn describe<'a>(
     }
 }
 
-/// `two_eps` for 2·ε and ε·2, `x_squared`, `eps_x`, `eps_times_one_plus_x`.
+/// `two_eps` for 2·ε and ε·2, `y_times_100`, `x_squared`, `eps_x`, `eps_times_one_plus_x`.
 fn product(a: &Description, b: &Description) -> Description {
     let (first, second) = if b.kind == Kind::Number { (b, a) } else { (a, b) };
-    let text = if a.kind == Kind::Sum || b.kind == Kind::Sum {
+    let text = if first.kind == Kind::Number && first.text.contains(|c: char| c.is_ascii_digit()) {
+        format!("{}_times_{}", second.text, first.text)
+    } else if a.kind == Kind::Sum || b.kind == Kind::Sum {
         format!("{}_times_{}", first.text, second.text)
     } else if a.text == b.text {
         format!("{}_squared", a.text)
@@ -96,15 +101,18 @@ fn product(a: &Description, b: &Description) -> Description {
     Description { text, kind: Kind::Product }
 }
 
+/// `half`, `minus_two`, `100`, `981_over_100`.
 fn number(value: &Rational) -> Option<String> {
     const WORDS: [&str; 11] =
         ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
-    match value.as_small_ratio()? {
-        (1, 2) => Some("half".to_owned()),
+    let (numerator, denominator) = value.as_small_ratio()?;
+    let size = match (numerator.unsigned_abs(), denominator) {
+        (1, 2) => "half".to_owned(),
         (size, 1) => {
             let word = usize::try_from(size).ok().and_then(|size| WORDS.get(size));
-            Some(word.map_or_else(|| format!("n{size}"), |word| (*word).to_owned()))
+            word.map_or_else(|| size.to_string(), |word| (*word).to_owned())
         }
-        (numerator, denominator) => Some(format!("n{numerator}_{denominator}")),
-    }
+        (size, denominator) => format!("{size}_over_{denominator}"),
+    };
+    Some(if numerator < 0 { format!("minus_{size}") } else { size })
 }

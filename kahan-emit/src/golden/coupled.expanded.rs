@@ -58,6 +58,26 @@ const _: () = {
         /// The parameters, in order.
         pub const PARAMETERS: [&'static __kahan::str; 1] = ["a"];
     }
+    impl Coupled<__kahan::f64> {
+        /// Where `x0` stands in a point: `x[Coupled::X0]`.
+        pub const X0: __kahan::usize = 0;
+        /// Where `x1` stands in a point: `x[Coupled::X1]`.
+        pub const X1: __kahan::usize = 1;
+        /// Where `x2` stands in a point: `x[Coupled::X2]`.
+        pub const X2: __kahan::usize = 2;
+        /// Where `x3` stands in a point: `x[Coupled::X3]`.
+        pub const X3: __kahan::usize = 3;
+        /// Where `x4` stands in a point: `x[Coupled::X4]`.
+        pub const X4: __kahan::usize = 4;
+        /// Where `x5` stands in a point: `x[Coupled::X5]`.
+        pub const X5: __kahan::usize = 5;
+        /// Where `x6` stands in a point: `x[Coupled::X6]`.
+        pub const X6: __kahan::usize = 6;
+        /// Where `x7` stands in a point: `x[Coupled::X7]`.
+        pub const X7: __kahan::usize = 7;
+        /// Where `x8` stands in a point: `x[Coupled::X8]`.
+        pub const X8: __kahan::usize = 8;
+    }
     impl<T: __kahan::Scalar> __kahan::QuadraticField<T, 9> for Coupled<T> {
         fn field(&self, x: &__kahan::SVector<T, 9>) -> __kahan::SVector<T, 9> {
             __kahan::vector(

@@ -51,6 +51,14 @@ const _: () = {
         /// The parameters, in order.
         pub const PARAMETERS: [&'static __kahan::str; 3] = ["a", "b", "c"];
     }
+    impl Dense<__kahan::f64> {
+        /// Where `u` stands in a point: `x[Dense::U]`.
+        pub const U: __kahan::usize = 3;
+        /// Where `v` stands in a point: `x[Dense::V]`.
+        pub const V: __kahan::usize = 4;
+        /// Where `w` stands in a point: `x[Dense::W]`.
+        pub const W: __kahan::usize = 5;
+    }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 6> for Dense<T> {
         type Prepared = __kahan::Elimination<Self, T>;
         #[inline]

@@ -127,6 +127,14 @@ const _: () = {
             ])
         }
     }
+    impl E3 {
+        /// Where `x` stands in a point: `x[E3::X]`.
+        pub const X: __kahan::usize = 0;
+        /// Where `y` stands in a point: `x[E3::Y]`.
+        pub const Y: __kahan::usize = 1;
+        /// Where `z` stands in a point: `x[E3::Z]`.
+        pub const Z: __kahan::usize = 2;
+    }
     impl __kahan::Named for E3 {
         fn variables(&self) -> &'static [&'static __kahan::str] {
             &Self::VARIABLES

@@ -84,7 +84,7 @@ const _: () = {
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __c_1 = __kahan::integer::<T>(1);
-            let __t_n100_y = __kahan::integer::<T>(100) * __s_y.clone();
+            let __t_y_times_100 = __kahan::integer::<T>(100) * __s_y.clone();
             let __c_981 = __kahan::integer::<T>(981);
             let __t_mu_minus_nu_minus_one = __p_mu.clone() - __p_nu.clone()
                 - __c_1.clone();
@@ -94,8 +94,8 @@ const _: () = {
             __kahan::matrix([
                 [__kahan::integer::<T>(0), __c_1],
                 [
-                    (__t_n100_y.clone() - __c_981.clone() * __p_mu.clone()
-                        + (__t_n100_y + __c_981) * __p_nu.clone())
+                    (__t_y_times_100.clone() - __c_981.clone() * __p_mu.clone()
+                        + (__t_y_times_100 + __c_981) * __p_nu.clone())
                         * __kahan::ratio::<T>(1, 100) / __sum_1.clone(),
                     -((__p_mu.clone() * __p_mu.clone() - __t_ten_x.clone()
                         + __p_nu.clone()
@@ -168,24 +168,24 @@ const _: () = {
             __state: [T; 2],
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
             let [__e_half_plus_half_nu, __e_constant_1, __e_constant_2, __e_eps,
-            __e_nu_plus_one, __e_mu, __e_nu_minus_mu, __e_n981_times_mu_minus_nu] = __constants;
+            __e_nu_plus_one, __e_mu, __e_nu_minus_mu, __e_mu_minus_nu_times_981] = __constants;
             let [__s_x, __s_y] = __state;
             let __reciprocal_1 = __e_constant_2
                 .get()
                 .subtract_product(__e_half_plus_half_nu.get(), __s_x.clone())
                 .subtract_product(__e_constant_1.get(), __s_y.clone())
                 .reciprocal()?;
-            let __t_nu_plus_one_n100_y = __e_nu_plus_one.get()
+            let __t_nu_plus_one_y_times_100 = __e_nu_plus_one.get()
                 * (__s_y.clone() * __kahan::integer::<T>(100));
-            let __sum_1 = __t_nu_plus_one_n100_y.clone()
-                - __e_n981_times_mu_minus_nu.get();
+            let __sum_1 = __t_nu_plus_one_y_times_100.clone()
+                - __e_mu_minus_nu_times_981.get();
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
             let __numerators = [
                 __e_nu_minus_mu.get()
                     * (__kahan::integer::<T>(981)
                         .multiply_subtract(
                             __e_eps.get() * __s_x.clone(),
-                            __t_nu_plus_one_n100_y,
+                            __t_nu_plus_one_y_times_100,
                         ) * __c_1_100.clone()),
                 __c_1_100
                     * (__e_nu_minus_mu.get()
@@ -206,7 +206,7 @@ const _: () = {
             __state: [T; 2],
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
             let [__e_eps, __e_nu_plus_one, __e_eps_plus_eps_nu, __e_constant_1,
-            __e_eps_nu_minus_eps_mu, __e_constant_2, __e_n981_times_mu_minus_nu] = __constants;
+            __e_eps_nu_minus_eps_mu, __e_constant_2, __e_mu_minus_nu_times_981] = __constants;
             let [__s_x, __s_y] = __state;
             let __t_eps_x = __e_eps.get() * __s_x;
             let __c_100 = __kahan::integer::<T>(100);
@@ -226,7 +226,7 @@ const _: () = {
                         ) * __c_1_100.clone(),
                 )?;
             let __c_981 = __kahan::integer::<T>(981);
-            let __t_nu_plus_one_n100_y = __e_nu_plus_one.get() * (__c_100 * __s_y);
+            let __t_nu_plus_one_y_times_100 = __e_nu_plus_one.get() * (__c_100 * __s_y);
             let __t_ten_eps_y = __t_eps_y.clone() * __kahan::integer::<T>(10);
             let __numerators = [
                 __c_1_100.clone()
@@ -235,7 +235,7 @@ const _: () = {
                             .clone()
                             .multiply_subtract(
                                 __c_981.clone(),
-                                __t_nu_plus_one_n100_y.clone(),
+                                __t_nu_plus_one_y_times_100.clone(),
                             )),
                 __c_1_100
                     * __e_eps_nu_minus_eps_mu
@@ -249,8 +249,8 @@ const _: () = {
                                         .get()
                                         .multiply_subtract(__t_ten_eps_y, __e_constant_2.get()),
                                     __t_eps_x
-                                        * (__t_nu_plus_one_n100_y
-                                            - __e_n981_times_mu_minus_nu.get()),
+                                        * (__t_nu_plus_one_y_times_100
+                                            - __e_mu_minus_nu_times_981.get()),
                                 ),
                         ),
             ];
@@ -266,7 +266,8 @@ const _: () = {
                 || {
                     let __p_mu = &self.mu;
                     let __p_nu = &self.nu;
-                    let __t_n1_20_mu = __kahan::ratio::<T>(1, 20) * __p_mu.clone();
+                    let __t_mu_times_1_over_20 = __kahan::ratio::<T>(1, 20)
+                        * __p_mu.clone();
                     let __t_mu_nu = __p_mu.clone() * __p_nu.clone();
                     let __t_nu_squared = __p_nu.clone() * __p_nu.clone();
                     let __c_1_2 = __kahan::ratio::<T>(1, 2);
@@ -276,12 +277,12 @@ const _: () = {
                     [
                         __c_1_2.clone() + __p_nu.clone() * __c_1_2.clone(),
                         __c_1_2.clone() * __t_nu_eps.clone() + __c_1_2 * eps.clone(),
-                        __p_mu.clone() * __t_n1_20_mu.clone()
-                            - __p_nu.clone() * __t_n1_20_mu.clone()
+                        __p_mu.clone() * __t_mu_times_1_over_20.clone()
+                            - __p_nu.clone() * __t_mu_times_1_over_20.clone()
                             + (__c_981_200.clone() * (__p_mu.clone() * eps.clone())
                                 + __p_mu.clone() * __t_half_over_eps.clone())
-                            + (__t_n1_20_mu.clone() * __t_mu_nu.clone()
-                                - __t_n1_20_mu * __t_nu_squared.clone()
+                            + (__t_mu_times_1_over_20.clone() * __t_mu_nu.clone()
+                                - __t_mu_times_1_over_20 * __t_nu_squared.clone()
                                 + (__t_mu_nu * __t_half_over_eps.clone()
                                     - __t_nu_squared * __t_half_over_eps.clone())
                                 - (__c_981_200 * __t_nu_eps
@@ -298,7 +299,7 @@ const _: () = {
                     let __p_nu = &self.nu;
                     let __t_eps_nu = eps.clone() * __p_nu.clone();
                     let __c_100 = __kahan::integer::<T>(100);
-                    let __t_n100_nu = __p_nu.clone() * __c_100.clone();
+                    let __t_nu_times_100 = __p_nu.clone() * __c_100.clone();
                     let __c_10 = __kahan::integer::<T>(10);
                     let __t_eps_mu = eps.clone() * __p_mu.clone();
                     let __t_eps_mu_ten_nu = __t_eps_mu.clone()
@@ -311,12 +312,12 @@ const _: () = {
                         eps.clone() + __t_eps_nu.clone(),
                         __c_981.clone() * (eps.clone() * __t_eps_mu.clone())
                             - __c_981.clone() * (eps.clone() * __t_eps_nu.clone())
-                            - (__p_nu.clone() * __t_n100_nu.clone()
+                            - (__p_nu.clone() * __t_nu_times_100.clone()
                                 + __t_eps_mu_ten_nu.clone())
                             + (__p_mu.clone() * __t_eps_mu_ten_nu.clone()
                                 - __p_nu.clone() * __t_eps_mu_ten_nu
-                                + (__c_100 * __p_mu.clone() - __t_n100_nu.clone()
-                                    + (__p_mu.clone() * __t_n100_nu
+                                + (__c_100 * __p_mu.clone() - __t_nu_times_100.clone()
+                                    + (__p_mu.clone() * __t_nu_times_100
                                         + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
                         __t_eps_nu - __t_eps_mu,
                         __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
@@ -337,16 +338,17 @@ const _: () = {
                 + __p_nu.clone() * __t_mu_minus_nu_minus_one.clone();
             let __c_10 = __kahan::integer::<T>(10);
             let __c_100 = __kahan::integer::<T>(100);
-            let __t_n100_y = __c_100.clone() * __s_y.clone();
+            let __t_y_times_100 = __c_100.clone() * __s_y.clone();
             let __c_981 = __kahan::integer::<T>(981);
             -((eps.clone()
-                * (eps.clone() * (__t_n100_y.clone() - __p_mu.clone() * __c_981.clone())
+                * (eps.clone()
+                    * (__t_y_times_100.clone() - __p_mu.clone() * __c_981.clone())
                     - __c_10.clone()
                         * (__p_mu.clone() * __p_mu.clone()
                             - __c_10.clone() * __s_x.clone())
                     + __p_nu.clone()
                         * (__c_100.clone() * __s_x.clone()
-                            + (__t_n100_y + __c_981) * eps.clone()
+                            + (__t_y_times_100 + __c_981) * eps.clone()
                             - __p_mu.clone() * (__t_mu_minus_nu_minus_one * __c_10)))
                 - __sum_1.clone() * __c_100) * __kahan::ratio::<T>(1, 100) / __sum_1)
         }
@@ -367,30 +369,30 @@ const _: () = {
             let __product_1 = __p_mu.clone()
                 * (__t_mu_minus_nu_minus_one * __c_10.clone());
             let __c_100 = __kahan::integer::<T>(100);
-            let __t_n100_y = __c_100.clone() * __s_y.clone();
+            let __t_y_times_100 = __c_100.clone() * __s_y.clone();
             let __c_981 = __kahan::integer::<T>(981);
-            let __t_n100_x = __c_100.clone() * __s_x.clone();
-            let __t_n981_mu = __p_mu.clone() * __c_981.clone();
+            let __t_x_times_100 = __c_100.clone() * __s_x.clone();
+            let __t_mu_times_981 = __p_mu.clone() * __c_981.clone();
             let __product_2 = __c_10.clone()
                 * (__p_mu.clone() * __p_mu.clone() - __c_10 * __s_x.clone());
             let __product_3 = __sum_1.clone() * __c_100;
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
             let __product_4 = eps.clone()
-                * (eps.clone() * (__t_n100_y.clone() - __t_n981_mu.clone())
+                * (eps.clone() * (__t_y_times_100.clone() - __t_mu_times_981.clone())
                     - __product_2.clone()
                     + __p_nu.clone()
-                        * (__t_n100_x.clone()
-                            + eps.clone() * (__t_n100_y.clone() + __c_981.clone())
+                        * (__t_x_times_100.clone()
+                            + eps.clone() * (__t_y_times_100.clone() + __c_981.clone())
                             - __product_1.clone()));
             (
                 __kahan::vector([
                     -((eps.clone()
                         * (__s_x.clone()
-                            * (eps.clone() * (__t_n100_y.clone() + __t_n981_mu)
+                            * (eps.clone() * (__t_y_times_100.clone() + __t_mu_times_981)
                                 - __product_2
                                 + __p_nu.clone()
-                                    * (__t_n100_x + (__t_n100_y - __c_981) * eps.clone()
-                                        - __product_1))
+                                    * (__t_x_times_100
+                                        + (__t_y_times_100 - __c_981) * eps.clone() - __product_1))
                             - __s_y.clone()
                                 * (__sum_1.clone() * __kahan::integer::<T>(200)))
                         - __s_x.clone() * __product_3.clone()) * __c_1_100.clone()

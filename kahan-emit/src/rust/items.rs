@@ -1,5 +1,8 @@
 //! The type itself, its names, and the value of a block without a header.
 
+use std::collections::BTreeMap;
+
+use kahan_algebra::syntax::ClaimKind;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
@@ -44,6 +47,33 @@ pub(super) fn emit_struct(context: &Context<'_>, header: Option<&RustHeader>) ->
     });
     let scalar = &context.scalar;
     quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
+}
+
+/// Expands to `impl E6 { pub const X: usize = 0; … }`, where each state stands in a point. Another
+/// constant of the type, a second state or an integral of that name takes it from a state. Of
+/// `E7<T>` one type has them, so that `E7::X` says all.
+pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
+    const TAKEN: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
+    let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
+    let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();
+    let claimed = claims.iter().filter(|claim| claim.kind == ClaimKind::Integral);
+    let others = claimed.map(|claim| claim.name.text.as_str()).chain(TAKEN);
+    let mut owners: BTreeMap<&str, usize> = BTreeMap::new();
+    for name in names.iter().map(String::as_str).chain(others) {
+        *owners.entry(name).or_default() += 1;
+    }
+    let places = states.iter().zip(&names).enumerate().filter_map(|(place, (state, name))| {
+        let constant = syn::parse_str::<Ident>(name).ok().filter(|_| owners[name.as_str()] == 1)?;
+        let documentation = format!(" Where `{state}` stands in a point: `x[{}::{name}]`.", context.name);
+        let place = Literal::usize_unsuffixed(place);
+        Some(quote! {
+            #[doc = #documentation]
+            pub const #constant: __kahan::usize = #place;
+        })
+    });
+    let name = &context.name;
+    let this = if context.has_parameters() { quote!(#name<__kahan::f64>) } else { quote!(#name) };
+    quote! { impl #this { #(#places)* } }
 }
 
 /// Expands to `impl<T> Named for E7<T> { … }`, and what stands for it in the type itself: `pub

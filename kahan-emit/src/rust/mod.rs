@@ -166,6 +166,7 @@ fn emit(core: &TokenStream, reading: &Reading, input: &Flat) -> TokenStream {
 
 fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStream {
     let (named, names) = items::emit_names(context);
+    let places = context.system.header.as_ref().map(|_| items::emit_places(context));
     let field = field::emit_field(context);
     let map = map::emit_map(context);
     let EmittedClaims { constants, methods, implementations } = claims::emit_claims(context);
@@ -183,6 +184,7 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
         const _: () = {
             use #core::__private::{self as __kahan, arguments::*, Clone as _};
             #inherent
+            #places
             #named
             #field
             #map

@@ -139,3 +139,27 @@ fn claims_may_have_the_names_of_methods() {
     assert_eq!(claims.bracket_type(&x, ratio(1, 2)), claims.bracket_type(&next, ratio(1, 2)));
     assert_eq!(Claims::<BigRational>::INTEGRALS, ["step", "VARIABLES", "integral_step", "match", "energy"]);
 }
+
+kahan! {
+    /// States whose constants another state, an integral and a list of the type take, and one whose has none.
+    struct Places { mu }
+    xdot = y;
+    ydot = -mu*x;
+    hdot = 0;
+    variablesdot = 0;
+    Edot = 0;
+    edot = 0;
+    ßdot = h;
+    integral H = mu*x^2 + y^2;
+}
+
+#[test]
+fn a_state_has_a_constant_of_its_name() {
+    // None of these needs the type of the parameter said.
+    assert_eq!([Places::X, Places::Y, Places::SS], [0, 1, 6]);
+    let point = vector![1, 2, 3, 4, 5, 6, 7].map(|state| ratio(state, 1));
+    assert_eq!(Places { mu: ratio(3, 1) }.H(&point, ratio(1, 9)), ratio(3, 1) + point[Places::Y].pow(2));
+    assert_eq!(Places::<f32>::VARIABLES[Places::SS], "ß");
+    // A type without parameters.
+    assert_eq!(argument::x::Y + argument::x::X, 1);
+}
