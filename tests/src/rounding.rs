@@ -101,11 +101,10 @@ fn exact(values: &[Q], variable: Variable) -> Rational {
 fn closed_form(step: &StepPlan, place: &Place, values: &[Q], unit: f64) -> Option<Vec<f64>> {
     let input = |variable| exact(values, variable);
     let constants = running_bound::results(&step.constants, &[], unit, input);
-    let results = running_bound::results(&step.kernel, &constants, unit, input);
+    let results = running_bound::results(&step.kernel.plan, &constants, unit, input);
     let results: Vec<Rounded> = results.into_iter().collect::<Option<_>>()?;
-    let (numerators, reciprocals) = results.split_at(place.x.len());
-    let increments = numerators.iter().zip(&step.reciprocals).map(|(numerator, at)| match at {
-        Some(at) => numerator.times(&reciprocals[*at]).rounded(unit),
+    let increments = step.kernel.factors(&results).map(|(numerator, reciprocal)| match reciprocal {
+        Some(reciprocal) => numerator.times(reciprocal).rounded(unit),
         None => numerator.clone(),
     });
     let increments: Vec<Rounded> = increments.collect();

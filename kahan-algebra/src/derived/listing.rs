@@ -28,21 +28,18 @@ impl StepListing {
     /// The listing of a step; `symbols` are those of its field.
     #[must_use]
     pub fn of(step: &StepPlan, symbols: &Symbols) -> Self {
+        let plan = &step.kernel.plan;
         let prepared = constant_names(&step.constants, symbols);
         let fixed = listed_constants(&step.constants, symbols, &prepared);
-        let named = listed_kernel(&step.kernel, symbols, &prepared, &fixed);
+        let named = listed_kernel(plan, symbols, &prepared, &fixed);
         let name = |node: Node| named[node.0].as_str();
-        let (numerators, quotients) = step.kernel.outputs.split_at(symbols.dimension());
-        let reciprocals: Vec<Option<String>> = step
-            .reciprocals
-            .iter()
-            .map(|place| place.map(|index| name(quotients[index]).to_owned()))
-            .collect();
-        let mut hidden = vec![false; step.kernel.operations.len()];
-        let mut next = Vec::with_capacity(numerators.len());
-        let uses = step.kernel.uses();
-        for ((state, &numerator), reciprocal) in symbols.states.iter().zip(numerators).zip(&reciprocals) {
-            let (sign, numerator) = match step.kernel.operations[numerator.0] {
+        let mut hidden = vec![false; plan.operations.len()];
+        let (mut reciprocals, mut next) = (Vec::new(), Vec::new());
+        let uses = plan.uses();
+        for (state, (&numerator, reciprocal)) in symbols.states.iter().zip(step.kernel.factors(&plan.outputs))
+        {
+            let reciprocal = reciprocal.map(|node| name(*node).to_owned());
+            let (sign, numerator) = match plan.operations[numerator.0] {
                 Operation::Negate(inner) => {
                     // A change of sign that becomes a subtraction is no step.
                     hidden[numerator.0] = uses[numerator.0] == 1;
@@ -51,19 +48,20 @@ impl StepListing {
                 _ => ('+', numerator),
             };
             let is_still =
-                matches!(&step.kernel.operations[numerator.0], Operation::Constant(value) if value.is_zero());
+                matches!(&plan.operations[numerator.0], Operation::Constant(value) if value.is_zero());
             let numerator = name(numerator);
-            next.push(match reciprocal {
+            next.push(match &reciprocal {
                 Some(reciprocal) => format!("{state}~ = {state} {sign} {numerator}*{reciprocal}"),
                 None if is_still => format!("{state}~ = {state}"),
                 None => format!("{state}~ = {state} {sign} {numerator}"),
             });
+            reciprocals.push(reciprocal);
         }
         // A prepared constant that is ε or a parameter itself is not computed, but kept.
         let is_kept = |output: &&Node| matches!(step.constants.operations[output.0], Operation::Input(_));
         let kept = step.constants.outputs.iter().filter(is_kept).map(|output| fixed[output.0].clone());
         let constants = kept.chain(lines(&step.constants, &fixed, |_| false)).collect();
-        let kernel = lines(&step.kernel, &named, |index| hidden[index]);
+        let kernel = lines(plan, &named, |index| hidden[index]);
         StepListing { constants, kernel, reciprocals, next, holds_to: step.holds_to }
     }
 }

@@ -21,28 +21,27 @@ impl Interpreter {
         arithmetic: &A,
         point: &Point<A::Value>,
     ) -> Option<Vec<A::Value>> {
-        let StepPlan { constants, kernel, reciprocals, .. } = step;
-        let prepared = self.run_partly(arithmetic, constants, point, None);
-        let divisors = kernel.operations.iter().filter_map(|operation| match *operation {
+        let plan = &step.kernel.plan;
+        let prepared = self.run_partly(arithmetic, &step.constants, point, None);
+        let divisors = plan.operations.iter().filter_map(|operation| match *operation {
             Operation::Divide(_, divisor) => Some(divisor),
             _ => None,
         });
-        let outputs = kernel.outputs.iter().copied().chain(divisors).collect();
-        let kernel_and_divisors = Plan { operations: kernel.operations.clone(), outputs };
+        let outputs = plan.outputs.iter().copied().chain(divisors).collect();
+        let kernel_and_divisors = Plan { operations: plan.operations.clone(), outputs };
         let values = kernel_and_divisors
             .evaluate_prepared(arithmetic, &prepared, |variable| Some(self.value_of(variable, point, None)));
         let values: Vec<A::Value> = values.into_iter().collect::<Option<_>>()?;
-        let (results, divisors) = values.split_at(kernel.outputs.len());
+        let (results, divisors) = values.split_at(plan.outputs.len());
         // A float has a value where it divides by zero, and still that is a pole.
         if divisors.iter().any(|divisor| arithmetic.is_zero(divisor)) {
             return None;
         }
-        let (numerators, reciprocal_values) = results.split_at(reciprocals.len());
-        let next = |((x, numerator), place): ((_, _), &Option<usize>)| match place {
-            Some(place) => arithmetic.multiply_add(numerator, &reciprocal_values[*place], x),
+        let next = |(x, (numerator, reciprocal)): (_, (_, Option<_>))| match reciprocal {
+            Some(reciprocal) => arithmetic.multiply_add(numerator, reciprocal, x),
             None => arithmetic.add(x, numerator),
         };
-        Some(point.state.iter().zip(numerators).zip(reciprocals).map(next).collect())
+        Some(point.state.iter().zip(step.kernel.factors(results)).map(next).collect())
     }
 
     /// A (x̃ − x)/(2ε) = f

@@ -154,7 +154,7 @@ struct Runner<'a> {
 
 impl<'a> Runner<'a> {
     fn of(step: &'a StepPlan) -> Self {
-        Runner { step, constants: Program::of(&step.constants), kernel: Program::of(&step.kernel) }
+        Runner { step, constants: Program::of(&step.constants), kernel: Program::of(&step.kernel.plan) }
     }
 
     /// The ratios of its errors to what they may be.
@@ -164,15 +164,13 @@ impl<'a> Runner<'a> {
 
     /// The error of one step.
     fn error(&self, trial: &Trial) -> f64 {
-        let n = self.step.reciprocals.len();
         let constants = self.constants.run(short, &trial.inputs, &[]);
         let results = self.kernel.run(short, &trial.inputs, &constants);
-        let mut next = Vec::with_capacity(n);
-        for (i, place) in self.step.reciprocals.iter().enumerate() {
-            let increment = place.map_or(results[i], |place| short(results[i] * results[n + place]));
-            next.push(short(trial.inputs[i] + increment));
-        }
-        trial.error(&next)
+        let next = trial.inputs.iter().zip(self.step.kernel.factors(&results)).map(|(x, (numerator, by))| {
+            let increment = by.map_or(*numerator, |reciprocal| short(numerator * reciprocal));
+            short(x + increment)
+        });
+        trial.error(&next.collect::<Vec<_>>())
     }
 }
 

@@ -7,21 +7,20 @@
 
 use crate::rational::Rational;
 
-use super::{Node, Operation, Plan, PlanBuilder};
+use super::{Kernel, Node, Operation, Plan, PlanBuilder};
 
-/// The kernel, its first outputs being the numerators, with the signs of its reciprocals chosen;
-/// `reciprocals` says for each numerator which of the other outputs it is multiplied by. Cost:
-/// operations · components.
+/// The kernel with the signs of its reciprocals chosen. Cost: operations · components.
 #[must_use]
-pub(super) fn with_signs_of_reciprocals(kernel: Plan, reciprocals: &[Option<usize>]) -> Plan {
-    let (numerators, quotients) = kernel.outputs.split_at(reciprocals.len());
+pub(super) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
+    let plan = &kernel.plan;
     // For each component the division that its reciprocal begins with.
+    let first = |reciprocal: Option<&Node>| reciprocal.and_then(|reciprocal| base(plan, *reciprocal));
     let bases: Vec<Option<Node>> =
-        reciprocals.iter().map(|place| place.and_then(|index| base(&kernel, quotients[index]))).collect();
+        kernel.factors(&plan.outputs).map(|(_, reciprocal)| first(reciprocal)).collect();
     let votes = |of: Node| {
         let mut balance = 0;
-        for (numerator, _) in numerators.iter().zip(&bases).filter(|(_, base)| **base == Some(of)) {
-            balance += match &kernel.operations[numerator.0] {
+        for (numerator, _) in kernel.numerators().iter().zip(&bases).filter(|(_, base)| **base == Some(of)) {
+            balance += match &plan.operations[numerator.0] {
                 Operation::Negate(_) => 1,
                 Operation::Constant(value) if value.is_zero() => 0,
                 _ => -1,
@@ -30,7 +29,7 @@ pub(super) fn with_signs_of_reciprocals(kernel: Plan, reciprocals: &[Option<usiz
         balance
     };
     let is_turned =
-        |base: &Option<Node>| base.is_some_and(|base| votes(base) > 0 && is_only_divided(&kernel, base));
+        |base: &Option<Node>| base.is_some_and(|base| votes(base) > 0 && is_only_divided(plan, base));
     let turned: Vec<bool> = bases.iter().map(is_turned).collect();
     if !turned.contains(&true) {
         return kernel;
@@ -38,21 +37,21 @@ pub(super) fn with_signs_of_reciprocals(kernel: Plan, reciprocals: &[Option<usiz
     let is_turned_base =
         |node: Node| bases.iter().zip(&turned).any(|(base, turned)| *turned && *base == Some(node));
     let mut builder = PlanBuilder::default();
-    let renamed = builder.include_with(&kernel, |builder, index, renamed| {
-        let mut turned = kernel.operations[index].with_operands(|node| renamed[node.0]);
+    let renamed = builder.include_with(plan, |builder, index, renamed| {
+        let mut turned = plan.operations[index].with_operands(|node| renamed[node.0]);
         if let Operation::Divide(dividend, _) = &mut turned
             && is_turned_base(Node(index))
-            && let Some(literal) = dividend_of(&kernel, Node(index))
+            && let Some(literal) = dividend_of(plan, Node(index))
         {
             *dividend = builder.intern(Operation::Constant(-literal));
         }
         builder.intern(turned)
     });
-    let mut outputs: Vec<Node> = kernel.outputs.iter().map(|output| renamed[output.0]).collect();
+    let mut outputs: Vec<Node> = plan.outputs.iter().map(|output| renamed[output.0]).collect();
     for (output, _) in outputs.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
         *output = builder.changed_sign(*output);
     }
-    builder.finish(&outputs)
+    Kernel { plan: builder.finish(&outputs), ..kernel }
 }
 
 impl Plan {

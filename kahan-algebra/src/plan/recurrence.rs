@@ -18,7 +18,7 @@ impl StepPlan {
     /// Cycles a step in an orbit: the largest mean over cycles of up to n steps, in units of 1/60
     /// so that it is an integer.
     pub(super) fn recurrence(&self) -> u64 {
-        let n = self.reciprocals.len();
+        let n = self.kernel.dimension();
         let mut longest = 0;
         let one = self.delays();
         let mut power = one.clone();
@@ -32,27 +32,28 @@ impl StepPlan {
 
     /// Entry (i, j): cycles from x_j to x̃ᵢ; `None` where x̃ᵢ does not depend on x_j.
     fn delays(&self) -> Vec<Vec<Option<u32>>> {
-        let n = self.reciprocals.len();
+        let n = self.kernel.dimension();
         let columns: Vec<Vec<Option<u32>>> = (0..n).map(|j| self.delays_from(j)).collect();
         (0..n).map(|i| columns.iter().map(|column| column[i]).collect()).collect()
     }
 
     fn delays_from(&self, j: usize) -> Vec<Option<u32>> {
-        let mut arrival: Vec<Option<u32>> = Vec::with_capacity(self.kernel.operations.len());
-        for operation in &self.kernel.operations {
+        let plan = &self.kernel.plan;
+        let mut arrival: Vec<Option<u32>> = Vec::with_capacity(plan.operations.len());
+        for operation in &plan.operations {
             let operands = operation.operands().filter_map(|Node(index)| arrival[index]).max();
             arrival.push(match operation {
                 Operation::Input(Variable(index)) => (usize::from(*index) == j).then_some(0),
                 _ => operands.map(|ready| ready + operation.latency()),
             });
         }
-        let n = self.reciprocals.len();
-        let (numerators, reciprocals) = self.kernel.outputs.split_at(n);
-        (0..n)
-            .map(|i| {
-                let numerator = arrival[numerators[i].0];
-                let increment = match self.reciprocals[i] {
-                    Some(place) => numerator.max(arrival[reciprocals[place].0]).map(|ready| ready + MULTIPLY),
+        self.kernel
+            .factors(&plan.outputs)
+            .enumerate()
+            .map(|(i, (numerator, reciprocal))| {
+                let numerator = arrival[numerator.0];
+                let increment = match reciprocal {
+                    Some(reciprocal) => numerator.max(arrival[reciprocal.0]).map(|ready| ready + MULTIPLY),
                     None => numerator,
                 };
                 let itself = (i == j).then_some(0);

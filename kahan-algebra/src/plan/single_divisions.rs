@@ -6,7 +6,7 @@
 //! wait.
 
 use super::signs::{Wanted, with_signs};
-use super::{Node, Operation, PlanBuilder, StepPlan};
+use super::{Kernel, Node, Operation, PlanBuilder, StepPlan};
 
 /// The quotients that one instruction gives.
 const TOGETHER: usize = 2;
@@ -15,13 +15,12 @@ impl StepPlan {
     /// The step with a division a component; `None` where there is no reciprocal that serves all of
     /// them, and nothing else, or where there are too many components.
     pub(super) fn with_single_divisions(&self) -> Option<Self> {
-        let (numerators, reciprocals) = self.kernel.outputs.split_at(self.reciprocals.len());
-        let [reciprocal] = reciprocals else { return None };
-        let is_used =
-            self.kernel.operations.iter().any(|step| step.operands().any(|node| node == *reciprocal));
-        let Operation::Divide(dividend, divisor) = self.kernel.operations[reciprocal.0] else { return None };
-        let Operation::Constant(dividend) = &self.kernel.operations[dividend.0] else { return None };
-        if numerators.len() > TOGETHER || is_used {
+        let (plan, dimension) = (&self.kernel.plan, self.kernel.dimension());
+        let [reciprocal] = self.kernel.reciprocals() else { return None };
+        let is_used = plan.operations.iter().any(|step| step.operands().any(|node| node == *reciprocal));
+        let Operation::Divide(dividend, divisor) = plan.operations[reciprocal.0] else { return None };
+        let Operation::Constant(dividend) = &plan.operations[dividend.0] else { return None };
+        if dimension > TOGETHER || is_used {
             return None;
         }
         let is_negative = dividend.is_negative();
@@ -31,19 +30,19 @@ impl StepPlan {
             _ => return None,
         };
         let mut builder = PlanBuilder::default();
-        let steps = builder.include_all(&self.kernel);
-        let ready = self.kernel.ready();
-        let mut outputs = Vec::with_capacity(numerators.len());
-        for (numerator, place) in numerators.iter().zip(&self.reciprocals) {
-            if place.is_none() {
+        let steps = builder.include_all(plan);
+        let ready = plan.ready();
+        let mut outputs = Vec::with_capacity(dimension);
+        for (numerator, reciprocal) in self.kernel.factors(&plan.outputs) {
+            if reciprocal.is_none() {
                 outputs.push(steps[numerator.0]);
                 continue;
             }
-            let (size, is_negated) = match self.kernel.operations[numerator.0] {
+            let (size, is_negated) = match plan.operations[numerator.0] {
                 Operation::Negate(size) => (size, true),
                 _ => (*numerator, false),
             };
-            let dividend = match self.kernel.operations[size.0] {
+            let dividend = match plan.operations[size.0] {
                 _ if !doubles => steps[size.0],
                 // The factor that is there first is doubled while the other one is computed.
                 Operation::Multiply(a, b) => {
@@ -57,9 +56,10 @@ impl StepPlan {
             outputs.push(if is_negated != is_negative { builder.negate(quotient) } else { quotient });
         }
         // No reciprocal takes a sign any more.
-        let (constants, kernel) =
+        let (constants, plan) =
             with_signs(self.constants.clone(), builder.finish(&outputs), Wanted::Additions);
-        Some(StepPlan { constants, kernel, reciprocals: vec![None; self.reciprocals.len()], ..self.clone() })
+        let kernel = Kernel { plan, reciprocal_of: vec![None; dimension] };
+        Some(StepPlan { constants, kernel, ..self.clone() })
     }
 }
 

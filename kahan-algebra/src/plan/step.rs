@@ -11,7 +11,7 @@ use super::accuracy::{Accuracy, LARGEST_SIZE};
 use super::candidate::Candidate;
 use super::reciprocals::with_signs_of_reciprocals;
 use super::signs::{Wanted, with_signs};
-use super::{Node, Operation, Plan, PlanBuilder, candidates};
+use super::{Kernel, Node, Operation, Plan, PlanBuilder, candidates};
 
 /// What a step costs: the figures that a prepared step carries with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,13 +29,8 @@ pub struct StepCost {
 pub struct StepPlan {
     /// From ε and the parameters to the prepared constants, in order. It has no states.
     pub constants: Plan,
-    /// From the states and the prepared constants ([`Operation::Prepared`]) to the numerators,
-    /// one a component, followed by the reciprocals, each a quotient ±c/d, or ±c/d/d′, c being a
-    /// power of two.
-    pub kernel: Plan,
-    /// For each component the index of its reciprocal among the kernel's reciprocals; `None` where
-    /// there is no division.
-    pub reciprocals: Vec<Option<usize>>,
+    /// What is computed for each state.
+    pub kernel: Kernel,
     /// The plan for lanes, where it is another one: a second division can shorten the chain of one
     /// orbit, but many orbits at once are bound by the divider. Where this plan [divides by
     /// ε](Self::has_inverse_step), also the one for all scalars but floats, and for an ε near zero.
@@ -93,8 +88,8 @@ impl StepPlan {
     /// one, and an addition a component.
     #[must_use]
     pub fn operations(&self) -> usize {
-        let products = self.reciprocals.iter().flatten().count();
-        self.kernel.cost().operations() + products + self.reciprocals.len()
+        let products = self.kernel.reciprocal_of.iter().flatten().count();
+        self.kernel.plan.cost().operations() + products + self.kernel.dimension()
     }
 
     /// What the step costs, as generated code says it.
@@ -103,7 +98,7 @@ impl StepPlan {
         let count = |n: u64| u32::try_from(n).expect("plans have a budget of terms");
         StepCost {
             operations: count(self.operations() as u64),
-            divisions: count(self.kernel.cost().divisions as u64),
+            divisions: count(self.kernel.plan.cost().divisions as u64),
             chain: count(self.cycles()),
         }
     }
@@ -113,20 +108,19 @@ impl StepPlan {
     /// A numerator −n is subtracted rather than negated, as every compiler does it.
     #[must_use]
     pub fn next(&self, symbols: &Symbols) -> Plan {
-        let mut operations = self.kernel.operations.clone();
+        let mut operations = self.kernel.plan.operations.clone();
         let mut push = |operation: Operation| {
             operations.push(operation);
             Node(operations.len() - 1)
         };
-        let (numerators, reciprocals) = self.kernel.outputs.split_at(symbols.dimension());
-        let mut outputs = Vec::with_capacity(numerators.len());
-        for (i, (&numerator, place)) in numerators.iter().zip(&self.reciprocals).enumerate() {
+        let mut outputs = Vec::with_capacity(self.kernel.dimension());
+        for (i, (&numerator, reciprocal)) in self.kernel.factors(&self.kernel.plan.outputs).enumerate() {
             let state = push(Operation::Input(symbols.state(i)));
-            let negated = match self.kernel.operations[numerator.0] {
+            let negated = match self.kernel.plan.operations[numerator.0] {
                 Operation::Negate(inner) => Some(inner),
                 _ => None,
             };
-            outputs.push(push(match (negated, place.map(|place| reciprocals[place])) {
+            outputs.push(push(match (negated, reciprocal.copied()) {
                 (Some(inner), Some(reciprocal)) => Operation::SubtractProduct(state, inner, reciprocal),
                 (Some(inner), None) => Operation::Subtract(state, inner),
                 (None, Some(reciprocal)) => Operation::MultiplyAdd(numerator, reciprocal, state),
@@ -144,7 +138,7 @@ impl StepPlan {
     /// compilers no longer inline them into loops.
     #[must_use]
     pub fn fences_values(&self) -> bool {
-        self.reciprocals.len() == 3
+        self.kernel.dimension() == 3
     }
 
     /// Separates the constants from the kernel.
@@ -167,7 +161,7 @@ impl StepPlan {
         let kernel = kernel.fused();
         let kernel = if doubled.cost().chain > kernel.cost().chain { kernel } else { doubled };
         let (constants, kernel) = with_signs(constants, kernel, Wanted::TurnedConstants);
-        let kernel = with_signs_of_reciprocals(kernel, &places);
-        StepPlan { constants, kernel, reciprocals: places, general: None, holds_to: LARGEST_SIZE }
+        let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
+        StepPlan { constants, kernel, general: None, holds_to: LARGEST_SIZE }
     }
 }

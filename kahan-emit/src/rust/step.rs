@@ -31,7 +31,7 @@ pub(super) struct EmittedStep {
 /// Emits the step of a plan.
 pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
     let scalar = &context.scalar;
-    let step = Kernel::of(context, plan, "__Step");
+    let step = NamedStep::of(context, plan, "__Step");
     let (items, constants) = (step.emit_kernel(), step.emit_constants());
     let (name, count) = (&step.name, step.count());
     let Some(general) = plan.general.as_deref() else {
@@ -41,7 +41,7 @@ pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
             prepare: quote!(Self::Prepared::new(#constants)),
         };
     };
-    let general = Kernel::of(context, general, "__General");
+    let general = NamedStep::of(context, general, "__General");
     let (its_items, its_constants) = (general.emit_kernel(), general.emit_constants());
     let (its_name, its_count) = (&general.name, general.count());
     let (both, at) = if plan.has_inverse_step() {
@@ -57,7 +57,7 @@ pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
 }
 
 /// One straight-line form of a step.
-struct Kernel<'a> {
+struct NamedStep<'a> {
     context: &'a Context<'a>,
     plan: &'a StepPlan,
     name: Ident,
@@ -65,10 +65,10 @@ struct Kernel<'a> {
     names: Vec<String>,
 }
 
-impl<'a> Kernel<'a> {
+impl<'a> NamedStep<'a> {
     fn of(context: &'a Context<'a>, plan: &'a StepPlan, name: &str) -> Self {
         let names = constant_names(&plan.constants, &context.system.field.symbols);
-        Kernel { context, plan, name: format_ident!("{name}"), names }
+        NamedStep { context, plan, name: format_ident!("{name}"), names }
     }
 
     /// The number of constants.
@@ -91,20 +91,21 @@ impl<'a> Kernel<'a> {
 
     /// Expands to `pub struct __Step;` and `impl Kernel<3, 2> for __Step`.
     fn emit_kernel(&self) -> TokenStream {
-        let Kernel { context, plan, name, names } = self;
+        let NamedStep { context, plan, name, names } = self;
         let (scalar, dimension, count) = (&context.scalar, &context.dimension, self.count());
         let n = context.system.field.dimension();
-        let (numerators, reciprocals) = plan.kernel.outputs.split_at(n);
-        let is_shared = reciprocals.len() == 1 && plan.reciprocals.iter().all(Option::is_some);
+        let of_step = &plan.kernel;
+        let reciprocals = of_step.reciprocals();
+        let is_shared = reciprocals.len() == 1 && of_step.reciprocal_of.iter().all(Option::is_some);
         // One result for each use: what is used last is moved.
         let uses: Vec<Node> = if is_shared {
             reciprocals.to_vec()
         } else {
-            plan.reciprocals.iter().flatten().map(|place| reciprocals[*place]).collect()
+            of_step.factors(&of_step.plan.outputs).filter_map(|(_, reciprocal)| reciprocal.copied()).collect()
         };
         let kernel = Plan {
-            operations: plan.kernel.operations.clone(),
-            outputs: numerators.iter().copied().chain(uses).collect(),
+            operations: of_step.plan.operations.clone(),
+            outputs: of_step.numerators().iter().copied().chain(uses).collect(),
         };
         let symbols = &context.system.field.symbols;
         let states = emit_owned_states(&kernel, symbols);
@@ -117,7 +118,7 @@ impl<'a> Kernel<'a> {
         } else if reciprocals.is_empty() {
             quote!(__kahan::Some(__kahan::Quotients::whole([#(#numerators),*])))
         } else {
-            let each = plan.reciprocals.iter().map(|place| match place.and_then(|_| results.next()) {
+            let each = of_step.reciprocal_of.iter().map(|place| match place.and_then(|_| results.next()) {
                 Some(reciprocal) => quote!(__kahan::Some(#reciprocal)),
                 None => quote!(__kahan::None),
             });

@@ -118,11 +118,12 @@ impl<'a> Linear<'a> {
 fn fast(step: &StepPlan, values: &[f64]) -> Vec<f64> {
     let value = |variable: Variable| Some(values[usize::from(variable.0)]);
     let constants = step.constants.evaluate_prepared(&Float64, &[], value);
-    let results = step.kernel.evaluate_prepared(&Float64, &constants, value);
-    let result = |index: usize| results[index].expect("floats have values");
-    let n = step.reciprocals.len();
-    let increment = |i: usize| step.reciprocals[i].map_or(result(i), |place| result(i) * result(n + place));
-    (0..n).map(|i| values[i] + increment(i)).collect()
+    let results = step.kernel.plan.evaluate_prepared(&Float64, &constants, value);
+    let results: Vec<f64> = results.into_iter().map(|result| result.expect("floats have values")).collect();
+    let next = |(x, (numerator, reciprocal)): (_, (&f64, Option<&f64>))| {
+        x + reciprocal.map_or(*numerator, |by| numerator * by)
+    };
+    values.iter().zip(step.kernel.factors(&results)).map(next).collect()
 }
 
 fn error(exact: &[(f64, f64)], next: &[f64]) -> f64 {

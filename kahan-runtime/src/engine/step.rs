@@ -79,9 +79,9 @@ impl Step {
         let symbols = &derived.system.field.symbols;
         Step {
             prepared: Some(Line::of(&plan.constants, symbols)),
-            lines: vec![Line::of_kernel(&plan.kernel, symbols, plan.constants.outputs.len())],
+            lines: vec![Line::of_kernel(&plan.kernel.plan, symbols, plan.constants.outputs.len())],
             couplings: None,
-            reciprocals: plan.reciprocals.clone(),
+            reciprocals: plan.kernel.reciprocal_of.clone(),
         }
     }
 
