@@ -14,6 +14,8 @@
 //! A pivot of 1 beside entries of the size ‖εf′‖ costs that many digits in long steps. Where that
 //! is [too much](super::accuracy), a block is solved whole: S is empty.
 
+use std::ops::Range;
+
 use crate::field::Field;
 use crate::kahan::{polarization, scaled_matrix};
 use crate::poly::{Polynomial, Variable};
@@ -102,13 +104,27 @@ impl<'a> Blocks<'a> {
         self.first > 0
     }
 
+    /// The turns in which blocks are eliminated, `most` of them at most: after some, the rows of each
+    /// stand as they did.
+    pub(super) fn turns(&self, most: usize) -> Range<usize> {
+        let rows = |block: &[usize]| block.len() - self.structure.independent(block).len();
+        let is_as_before =
+            |turn: &usize| self.solved().map(|block| rows(&block)).all(|rows| rows == 0 || turn % rows == 0);
+        0..(1..most).find(is_as_before).unwrap_or(most)
+    }
+
+    /// The blocks that are solved for.
+    fn solved(&self) -> impl Iterator<Item = Vec<usize>> {
+        self.structure.blocks().into_iter().filter(|block| block[0] >= self.first)
+    }
+
     /// The candidate in one manner; `None` where a block is too large.
     pub(super) fn candidate(&self, mut writer: Writer, manner: Manner) -> Option<Candidate> {
         self.put_sums(&mut writer);
         let still = (Signed::plus(writer.draft.zero()), None);
         let mut increments: Vec<Increment> = vec![still; self.field.dimension()];
-        for block in self.structure.blocks().iter().filter(|block| block[0] >= self.first) {
-            self.solve(block, manner, &mut writer, &mut increments)?;
+        for block in self.solved() {
+            self.solve(&block, manner, &mut writer, &mut increments)?;
         }
         let increments = &increments[self.first..];
         let numerator = |(signed, _): &Increment| match signed.negative {

@@ -14,7 +14,6 @@ use super::factored_map::FactoredMap;
 use super::minors::{Determinants, determinants};
 use super::nesting::Goal;
 use super::numerators::{Power, Products};
-use super::scaling::scalings;
 use super::writer::{Entry, Writer};
 
 /// A draft in which the denominator is written.
@@ -58,10 +57,11 @@ pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
     if has_blocks(field, map) {
         let blocks = Blocks::of(field);
         let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
-        for scaling in scalings(field) {
-            let writer = Writer::new(scaling);
+        for writer in Writer::empty(field) {
             candidates.extend(
-                (0..turns).filter_map(|turn| blocks.candidate(writer.clone(), Manner::Eliminating(turn))),
+                blocks
+                    .turns(turns)
+                    .filter_map(|turn| blocks.candidate(writer.clone(), Manner::Eliminating(turn))),
             );
         }
     }
@@ -89,9 +89,7 @@ pub(super) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Cand
         return Vec::new();
     }
     let blocks = Blocks::of(field);
-    let scalings = scalings(field);
-    let whole = scalings.iter().flat_map(|scaling| {
-        let writer = Writer::new(scaling.clone());
+    let whole = Writer::empty(field).into_iter().flat_map(|writer| {
         let blocks = &blocks;
         (0..ORDERS).filter_map(move |rank| {
             blocks.candidate(writer.clone(), Manner::Whole { rank, operations: 2 * best.operations() })
@@ -119,11 +117,8 @@ impl WithDenominator {
 impl FactoredMap<'_> {
     /// The cheapest form of a reduced map.
     fn best(&self) -> Option<Candidate> {
-        let starts: Vec<WithDenominator> = scalings(self.field)
-            .into_iter()
-            .flat_map(|scaling| self.denominators(&Writer::new(scaling)))
-            .collect();
-        let starts = starts.into_iter().map(|mut start| (start.price(), start));
+        let starts = self.empty.iter().flat_map(|empty| self.denominators(empty));
+        let starts = starts.map(|mut start| (start.price(), start));
         let starts = sorted_by_key(starts, |(price, _)| *price);
         let has_determinants = starts.iter().any(|(_, start)| start.numerators.is_some());
         let mut to_try = if has_determinants && self.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };

@@ -12,7 +12,6 @@ use super::draft::Signed;
 use super::factors::{Factored, factored};
 use super::nesting::Goal;
 use super::numerators::{Power, Products};
-use super::scaling::scalings;
 use super::writer::Writer;
 
 /// What all forms of one step are made from.
@@ -21,6 +20,8 @@ pub(super) struct FactoredMap<'a> {
     pub(super) map: &'a RationalMap,
     pub(super) numerators: Vec<Factored>,
     pub(super) denominator: Factored,
+    /// What every form begins with.
+    pub(super) empty: Vec<Writer>,
 }
 
 impl<'a> FactoredMap<'a> {
@@ -40,7 +41,7 @@ impl<'a> FactoredMap<'a> {
             .iter()
             .map(|increment| if increment.is_zero() { zero() } else { next() })
             .collect();
-        FactoredMap { field, map, numerators, denominator }
+        FactoredMap { field, map, numerators, denominator, empty: Writer::empty(field) }
     }
 
     /// The numerators that are not zero.
@@ -107,7 +108,7 @@ impl<'a> FactoredMap<'a> {
         c: &Rational,
         [short, long]: [Power; 2],
     ) -> Option<Candidate> {
-        let mut writer = Writer::new(scalings(self.field).pop()?);
+        let mut writer = self.empty.last()?.clone();
         let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, Goal::Early));
         let reciprocal = writer.reciprocal(c, needed.node);
         // One after the other: side by side, compilers pack two divisions into a slower one.

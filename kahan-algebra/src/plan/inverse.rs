@@ -18,7 +18,7 @@ use super::draft::Signed;
 use super::factored_map::FactoredMap;
 use super::nesting::Goal;
 use super::numerators::Power;
-use super::scaling::{is_power_of_two, over_eps, scalings};
+use super::scaling::{is_power_of_two, over_eps};
 use super::writer::Writer;
 use super::{Operation, StepPlan};
 
@@ -29,8 +29,7 @@ impl FactoredMap<'_> {
     /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them
     /// is rounded twice.
     pub(super) fn over_time_step(&self) -> Vec<Candidate> {
-        let scalings = scalings(self.field);
-        if scalings.iter().any(|scaling| scaling.folds) {
+        if self.empty.iter().any(|writer| writer.scaling.folds) {
             // Constants are one product there, whatever is divided.
             return Vec::new();
         }
@@ -38,12 +37,12 @@ impl FactoredMap<'_> {
         let mut forms = self.two_divisions_over_time_step();
         for power in 1..=degree.min(MOST_POWERS) {
             let (denominator, c) = self.divided(&self.map.reduced.denominator, power);
-            for scaling in &scalings {
-                let mut writer = Writer::new(scaling.clone());
+            for empty in &self.empty {
+                let mut writer = empty.clone();
                 let written = writer.write_scaled(&denominator, Goal::Early);
                 forms.push(self.over_power(power, writer, written, &c));
                 if self.has_sums_of_constants(&denominator) {
-                    let mut writer = Writer::new(scaling.clone());
+                    let mut writer = empty.clone();
                     let written =
                         self.with_coefficients(&mut writer, &denominator.scale(&Rational::new(1, 2)));
                     forms.push(self.over_power(power, writer, written, &(&c * &Rational::new(1, 2))));

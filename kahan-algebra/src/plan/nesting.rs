@@ -57,17 +57,17 @@ struct Estimate {
     parts: Vec<Summand>,
 }
 
-/// Estimates, each made once; clones share them.
-#[derive(Clone, Debug)]
+/// Estimates, each made once.
+#[derive(Debug)]
 pub(super) struct Nesting {
     goal: Goal,
     scaling: Scaling,
-    known: Rc<RefCell<FxHashMap<Polynomial, Rc<Estimate>>>>,
+    known: RefCell<FxHashMap<Polynomial, Rc<Estimate>>>,
 }
 
 impl Nesting {
     pub(super) fn new(goal: Goal, scaling: Scaling) -> Self {
-        Nesting { goal, scaling, known: Rc::default() }
+        Nesting { goal, scaling, known: RefCell::default() }
     }
 
     /// The cheapest form found.

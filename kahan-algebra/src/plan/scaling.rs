@@ -90,8 +90,13 @@ impl Scaling {
     /// a term has fewer powers of ε than states, the states that come first in the order stay
     /// plain.
     pub(super) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
+        let present = polynomial.variables().into_iter().map(|variable| usize::from(variable.0));
+        let present: Vec<usize> = present.filter(|&index| index < self.states).collect();
+        if present.is_empty() {
+            return vec![self.scale(polynomial, &[])];
+        }
         let mut ways: Vec<Polynomial> = Vec::new();
-        for order in orders(self.states) {
+        for order in orders(&present) {
             let scaled = self.scale(polynomial, &order);
             if !ways.contains(&scaled) {
                 ways.push(scaled);
@@ -129,6 +134,9 @@ impl Scaling {
         };
         for variable in order {
             let exponent = monomial.exponent(variable);
+            if exponent == 0 {
+                continue;
+            }
             let scaled = exponent.min(powers_of_eps);
             powers_of_eps -= scaled;
             result = result
@@ -150,9 +158,9 @@ fn is_dissipative(field: &Field) -> bool {
         && !field.symbols.has_state(&divergence)
 }
 
-/// Orders of n states in which each comes first once.
-fn orders(n: usize) -> Vec<Vec<usize>> {
-    (0..n).map(|first| (0..n).map(|i| (first + i) % n).collect()).collect()
+/// Orders of these states in which each comes first once.
+fn orders(states: &[usize]) -> impl Iterator<Item = Vec<usize>> {
+    (0..states.len()).map(|first| [&states[first..], &states[..first]].concat())
 }
 
 /// The coefficient, if it is ±2ᵏ.

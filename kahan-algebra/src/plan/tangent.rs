@@ -15,7 +15,6 @@ use crate::symbols::Symbol;
 use super::accuracy::Accuracy;
 use super::blocks::{Blocks, Manner};
 use super::candidate::Candidate;
-use super::scaling::scalings;
 use super::writer::Writer;
 use super::{Node, Plan};
 
@@ -31,12 +30,13 @@ impl Plan {
     pub(crate) fn of_tangent(variational: &Field) -> Option<Plan> {
         let blocks = Blocks::of_tangent(variational);
         let accuracy = Accuracy::of(variational);
-        let eliminating = |rank| Manner::Eliminating(rank);
-        let whole = |rank| Manner::Whole { rank, operations: MOST_OPERATIONS };
-        let cheapest = |manner: &dyn Fn(usize) -> Manner| {
-            let forms = scalings(variational).into_iter().flat_map(|scaling| {
-                let (writer, blocks) = (Writer::new(scaling), &blocks);
-                (0..ORDERS).filter_map(move |rank| blocks.candidate(writer.clone(), manner(rank)))
+        let eliminating: Vec<Manner> = blocks.turns(ORDERS).map(Manner::Eliminating).collect();
+        let whole = (0..ORDERS).map(|rank| Manner::Whole { rank, operations: MOST_OPERATIONS });
+        let whole: Vec<Manner> = whole.collect();
+        let empty = Writer::empty(variational);
+        let cheapest = |manners: &[Manner]| {
+            let forms = empty.iter().flat_map(|writer| {
+                manners.iter().filter_map(|manner| blocks.candidate(writer.clone(), *manner))
             });
             forms.min_by_key(|form| (form.operations(), form.price())).map(|form| carried(form, variational))
         };

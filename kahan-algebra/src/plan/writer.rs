@@ -6,8 +6,11 @@ mod coefficients;
 mod reuse;
 mod terms;
 
+use std::rc::Rc;
+
 use rustc_hash::FxHashMap;
 
+use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 use crate::table::sorted_by_key;
@@ -15,7 +18,7 @@ use crate::table::sorted_by_key;
 use super::Node;
 use super::draft::{Draft, Signed};
 use super::nesting::{Goal, Nesting, Summand};
-use super::scaling::{INVERSE_STEP, Scaling};
+use super::scaling::{INVERSE_STEP, Scaling, scalings};
 
 /// The most terms of a polynomial for which multiples of others are looked for: their number grows
 /// with its square.
@@ -48,12 +51,17 @@ pub(super) struct Writer {
     /// Sums of constants that were prepared as one.
     coefficients: Vec<Polynomial>,
     /// Forms for `Goal::Early` and `Goal::Few`.
-    nestings: [Nesting; 2],
+    nestings: Rc<[Nesting; 2]>,
 }
 
 impl Writer {
-    pub(super) fn new(scaling: Scaling) -> Self {
-        let nestings = [Goal::Early, Goal::Few].map(|goal| Nesting::new(goal, scaling.clone()));
+    /// An empty one for each way to distribute ε. Its clones share what they estimate of forms.
+    pub(super) fn empty(field: &Field) -> Vec<Self> {
+        scalings(field).into_iter().map(Self::new).collect()
+    }
+
+    fn new(scaling: Scaling) -> Self {
+        let nestings = Rc::new([Goal::Early, Goal::Few].map(|goal| Nesting::new(goal, scaling.clone())));
         Writer {
             draft: Draft::new(&scaling),
             scaling,
@@ -206,7 +214,8 @@ impl Writer {
     }
 
     fn write_nested(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
-        let nesting = self.nestings[usize::from(goal == Goal::Few)].clone();
+        let nestings = Rc::clone(&self.nestings);
+        let nesting = &nestings[usize::from(goal == Goal::Few)];
         let mut fixed = Vec::new();
         let mut terms = Vec::new();
         // Low degrees first: their products can be factors of the others.

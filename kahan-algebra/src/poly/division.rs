@@ -41,7 +41,7 @@ impl Polynomial {
     /// Necessary conditions that cost one pass.
     fn may_be_divisible_by(&self, divisor: &Self) -> bool {
         let (Some(low), Some(divisor_low)) = (self.terms.last(), divisor.terms.last()) else { return true };
-        low.0.div(&divisor_low.0).is_some()
+        divisor_low.0.divides(&low.0)
             && divisor.variables().into_iter().all(|v| divisor.degree_in(v) <= self.degree_in(v))
     }
 }

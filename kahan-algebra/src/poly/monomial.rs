@@ -112,7 +112,7 @@ impl Monomial {
 
     /// The quotient; `None` where `divisor` does not divide.
     pub fn div(&self, divisor: &Self) -> Option<Self> {
-        if divisor.degree > self.degree {
+        if !divisor.divides(self) {
             return None;
         }
         let mut powers = Vec::with_capacity(self.powers.len());
@@ -120,17 +120,36 @@ impl Monomial {
         let mut j = 0;
         for &(variable, exponent) in &self.powers {
             if j < right.len() && right[j].0.0 == variable.0 {
-                let rest = exponent.checked_sub(right[j].1)?;
-                if rest > 0 {
-                    powers.push((variable, rest));
+                if exponent > right[j].1 {
+                    powers.push((variable, exponent - right[j].1));
                 }
                 j += 1;
             } else {
                 powers.push((variable, exponent));
             }
         }
-        // A variable of the divisor that was never met is missing here.
-        (j == right.len()).then(|| Self { degree: self.degree - divisor.degree, powers })
+        Some(Self { degree: self.degree - divisor.degree, powers })
+    }
+
+    /// Whether `multiple` is this times a monomial. It allocates nothing: most divisions fail.
+    pub fn divides(&self, multiple: &Self) -> bool {
+        if self.degree > multiple.degree {
+            return false;
+        }
+        let (left, right): (&[(Variable, u32)], &[(Variable, u32)]) = (&multiple.powers, &self.powers);
+        let (mut i, mut j) = (0, 0);
+        while i < left.len() && j < right.len() {
+            if left[i].0.0 == right[j].0.0 {
+                if left[i].1 < right[j].1 {
+                    return false;
+                }
+                j += 1;
+            } else if left[i].0.0 > right[j].0.0 {
+                return false;
+            }
+            i += 1;
+        }
+        j == right.len()
     }
 
     /// The power.

@@ -35,20 +35,18 @@ impl Writer {
         self.cheapest(&ways, factors, |(nodes, _)| nodes.len())
     }
 
-    /// Of one attempt or more that which makes the fewest steps, its result's own price added; the
-    /// others leave no trace.
+    /// Of one attempt or more that which makes the fewest steps, its result's own price added, the
+    /// first of several; the others leave no trace.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],
         mut write: impl FnMut(&mut Self, &A) -> R,
         price: impl Fn(&R) -> usize,
     ) -> R {
-        if let [only] = attempts {
-            return write(self, only);
-        }
+        let (first, others) = attempts.split_first().expect("there is an attempt");
         let mark = self.mark();
         let mut best: Option<(usize, &A)> = None;
-        for attempt in attempts {
+        for attempt in others {
             let result = write(self, attempt);
             let size = self.draft.kernel_size() + price(&result);
             if best.is_none_or(|(least, _)| size < least) {
@@ -56,8 +54,15 @@ impl Writer {
             }
             self.back_to(&mark);
         }
-        let (_, attempt) = best.expect("there is an attempt");
-        write(self, attempt)
+        // The first comes last: where it is the best, as it often is, it is written already.
+        let result = write(self, first);
+        match best {
+            Some((size, attempt)) if size < self.draft.kernel_size() + price(&result) => {
+                self.back_to(&mark);
+                write(self, attempt)
+            }
+            _ => result,
+        }
     }
 
     fn mark(&self) -> Mark {
