@@ -108,8 +108,9 @@ impl<'a> Blocks<'a> {
     /// stand as they did.
     pub(super) fn turns(&self, most: usize) -> Range<usize> {
         let rows = |block: &[usize]| block.len() - self.structure.independent(block).len();
-        let is_as_before =
-            |turn: &usize| self.solved().map(|block| rows(&block)).all(|rows| rows == 0 || turn % rows == 0);
+        let is_as_before = |turn: &usize| {
+            self.solved().map(|block| rows(&block)).all(|rows| rows == 0 || turn.is_multiple_of(rows))
+        };
         0..(1..most).find(is_as_before).unwrap_or(most)
     }
 

@@ -16,7 +16,7 @@
 //! 6. `minors` and `blocks` write determinants of A, `inverse` writes forms divided by the time
 //!    step.
 //! 7. `candidates` makes the forms of a step and compares their prices (`candidate`, `cost`).
-//! 8. `split` separates prepared constants from the kernel.
+//! 8. `split` separates prepared constants from the `kernel`.
 //! 9. `doubling`, `fuse`, `signs` and `reciprocals` rewrite the kernel: doubled constants,
 //!    multiply-adds, signs.
 //! 10. `single_divisions` gives each component a division of its own.

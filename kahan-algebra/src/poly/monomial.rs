@@ -133,20 +133,17 @@ impl Monomial {
 
     /// Whether `multiple` is this times a monomial. It allocates nothing: most divisions fail.
     pub fn divides(&self, multiple: &Self) -> bool {
-        if self.degree > multiple.degree {
+        let (left, right): (&[_], &[_]) = (&multiple.powers, &self.powers);
+        if self.degree > multiple.degree || right.len() > left.len() {
             return false;
         }
-        let (left, right): (&[(Variable, u32)], &[(Variable, u32)]) = (&multiple.powers, &self.powers);
         let (mut i, mut j) = (0, 0);
         while i < left.len() && j < right.len() {
-            if left[i].0.0 == right[j].0.0 {
-                if left[i].1 < right[j].1 {
-                    return false;
-                }
-                j += 1;
-            } else if left[i].0.0 > right[j].0.0 {
+            let ((v, e), (w, f)): ((Variable, u32), (Variable, u32)) = (left[i], right[j]);
+            if v.0 > w.0 || (v.0 == w.0 && e < f) {
                 return false;
             }
+            j += usize::from(v.0 == w.0);
             i += 1;
         }
         j == right.len()

@@ -41,6 +41,10 @@ impl Writer {
         let mut best: Option<(usize, usize, Multiple)> = None;
         for (index, sum) in self.sums.iter().enumerate().filter(|(_, sum)| sum.len() <= polynomial.len()) {
             let least = best.as_ref().map_or(polynomial.len() - 1, |(left, ..)| *left);
+            // So many terms are left at least.
+            if polynomial.len() - sum.len() >= least {
+                continue;
+            }
             if let Some((left, multiple)) = shortest_rest(polynomial, sum, least) {
                 best = Some((left, index, multiple));
             }
