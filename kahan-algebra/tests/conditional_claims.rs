@@ -1,11 +1,12 @@
 //! Claims `when` relations between parameters and ε hold: solved, proved, refuted on the relation,
 //! put in, written.
 
+use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::prove::{Refutation, Verdict, prove_all, prove_by_normal_form};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, claim_text, condition_note, condition_statement, macro_block};
 use kahan_algebra::system::System;
-use kahan_algebra::{Reading, lexer, read, seed};
+use kahan_algebra::{Reading, derive, lexer, read, seed};
 
 /// x + y + z changes by (p + q + r) x y.
 const SUM: &str = "xdot = p*x*y; ydot = q*x*y; zdot = r*x*y;";
@@ -281,8 +282,18 @@ fn relations_are_written_in_latex() {
     assert_eq!(latex, "a_{1} a_{2} = a_{5} a_{6}, \\varepsilon = \\frac{1}{2}");
 }
 
+/// r stands for −p − q, whatever it is.
 #[test]
-fn a_conditional_claim_has_no_accessor() {
-    let system = sound(&format!("{SUM} integral S = x + y + z when r = -p - q;"));
+fn a_conditional_claim_is_evaluated_where_it_holds() {
+    let system = sound(&format!("{SUM} integral S = r*(x + y + z) when r = -p - q;"));
     assert_eq!(system.accessors(system.claims[0].kind).count(), 0);
+    let derived = derive(&system);
+    let [plan] = &derived.conditional[..] else { panic!("one claim") };
+    let value = |variable| match system.field.symbols.name(variable).as_str() {
+        "p" => Rational::new(1, 2),
+        "q" => Rational::new(1, 3),
+        "r" => Rational::from(7),
+        _ => Rational::from(2),
+    };
+    assert_eq!(plan.evaluate(&Exact, value), [Some(Rational::from(-5))]);
 }
