@@ -11,6 +11,7 @@
 
 use crate::field::Field;
 use crate::symbols::Symbol;
+use crate::table::sorted_by_key;
 
 use super::accuracy::Accuracy;
 use super::blocks::{Blocks, Manner};
@@ -41,8 +42,8 @@ impl Plan {
             forms.min_by_key(|form| (form.operations(), form.price())).map(|form| carried(form, variational))
         };
         let forms = [cheapest(&eliminating), cheapest(&whole)].into_iter().flatten();
-        let kept = forms.filter(|form| accuracy.keeps_tangents(form));
-        kept.min_by_key(|form| form.cost().operations())
+        let cheap_first = sorted_by_key(forms, |form| form.cost().operations());
+        cheap_first.into_iter().find(|form| accuracy.keeps_tangents(form))
     }
 }
 
