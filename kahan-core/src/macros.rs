@@ -59,8 +59,8 @@ macro_rules! kahan {
 /// tokens: what stands in the file is what `kahan!` would be given.
 ///
 /// The path is relative to the file that the macro stands in, and the compiler reads the block anew
-/// when the file changes. A mistake is shown with its line and a caret, as the command `kahan` shows
-/// it, which reads the same files.
+/// when the file changes. A mistake is shown with its line and a caret, as the command `kahan`
+/// shows it, which reads the same files.
 ///
 /// ```ignore
 /// include_kahan!("toda.kahan");

@@ -68,8 +68,8 @@ pub struct Derived {
     /// The brackets that are claimed without `when`: name, and the entries above the diagonal row
     /// by row.
     pub brackets: Vec<(String, Plan)>,
-    /// The claims that are made `when` something holds, in their order: each where it does, with the
-    /// values of the names that are solved for.
+    /// The claims that are made `when` something holds, in their order: each where it does, with
+    /// the values of the names that are solved for.
     pub conditional: Vec<Plan>,
     step: OnceLock<Option<StepPlan>>,
     carry: OnceLock<Option<(Symbols, Plan)>>,

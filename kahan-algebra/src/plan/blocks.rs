@@ -104,8 +104,8 @@ impl<'a> Blocks<'a> {
         self.first > 0
     }
 
-    /// The turns in which blocks are eliminated, `most` of them at most: after some, the rows of each
-    /// stand as they did.
+    /// The turns in which blocks are eliminated, at most `most` of them: after some, the rows of
+    /// each block stand as they did.
     pub(super) fn turns(&self, most: usize) -> Range<usize> {
         let rows = |block: &[usize]| block.len() - self.structure.independent(block).len();
         let is_as_before = |turn: &usize| {

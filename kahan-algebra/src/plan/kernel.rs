@@ -6,10 +6,11 @@ use super::{Node, Plan};
 /// to the factors of the increments: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
-    /// Its results are the numerators, one a component, and then the reciprocals, no two alike, each
-    /// a quotient ±c/d, or ±c/d/d′, c being a power of two.
+    /// Its results are the numerators, one a component, and then the reciprocals, no two alike,
+    /// each a quotient ±c/d, or ±c/d/d′, c being a power of two.
     pub plan: Plan,
-    /// For each component the index of its reciprocal among these; `None` where there is no division.
+    /// For each component the index of its reciprocal among these; `None` where there is no
+    /// division.
     pub reciprocal_of: Vec<Option<usize>>,
 }
 

@@ -25,8 +25,8 @@ struct Description {
 }
 
 /// What each step of a plan computes, in words that make a name; `None` where that would be long,
-/// where it would begin with a digit, and for every quotient but that of a constant by ε. `prepared`
-/// are the names of the prepared constants.
+/// where it would begin with a digit, and for every quotient but that of a constant by ε.
+/// `prepared` are the names of the prepared constants.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
     let mut known: Vec<Option<Description>> = Vec::with_capacity(plan.operations.len());

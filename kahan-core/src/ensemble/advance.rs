@@ -39,6 +39,7 @@ pub trait Advances<T: EnsembleScalar, const N: usize> {
     ) -> Result<(), T>;
 }
 
+// For each kind of map by itself: then the compiler says which points a map would move.
 #[diagnostic::do_not_recommend]
 impl<M, T, const N: usize> Advances<T, N> for KahanAt<M, T, N>
 where

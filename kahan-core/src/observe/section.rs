@@ -221,7 +221,7 @@ where
             let crossing = self.crossing(step - 1, end);
             self.sink.take(crossing);
         }
-        // Behind the point there may be room for what a mode carries, which a part of a step ignores.
+        // What a mode carries behind the point is left as it was: a part of a step ignores it.
         self.place.as_mut_slice()[..x.len()].copy_from_slice(x);
     }
 

@@ -48,9 +48,9 @@ struct GrowingVector<P> {
 }
 
 impl<M: TangentMap> Spectrum<M> {
-    /// The `k` largest exponents of a prepared map, or of a reference to one, the vectors made orthogonal
-    /// every `every` steps: often enough that none of them outgrows another beyond the digits of
-    /// the scalar meanwhile.
+    /// The `k` largest exponents of a prepared map, or of a reference to one; the vectors are made
+    /// orthogonal every `every` steps: often enough that none of them outgrows another beyond the
+    /// digits of the scalar meanwhile.
     ///
     /// # Panics
     /// If there are fewer variables than `k`, or `every` is 0.

@@ -194,8 +194,8 @@ pub trait Slice<T>: Clone + fmt::Debug {
     /// A copy of the point.
     fn to_point(&self) -> Self::Point;
 
-    /// Replaces it by the state one step of a map later: arrays by [`Step::next`], so that they stay
-    /// in registers, vectors by [`Step::advance`], which allocates none. `None` at a pole of an
+    /// Replaces it by the state one step of a map later: arrays by [`Step::next`], so that they
+    /// stay in registers, vectors by [`Step::advance`], which allocates none. `None` at a pole of an
     /// exact scalar.
     fn step_with<S>(&mut self, map: &S, room: &mut Room) -> Option<()>
     where

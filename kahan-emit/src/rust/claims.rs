@@ -1,6 +1,6 @@
 //! Accessors of claims: `integrals` and one of each integral's own name, `density`, `bracket_NAME`.
-//! What is claimed `when` something holds has one of its own, `density_NAME` for a density, in which
-//! the names that the conditions are solved for have their values.
+//! What is claimed `when` something holds has one of its own, `density_NAME` for a density, in
+//! which the names that the conditions are solved for have their values.
 
 use kahan_algebra::plan::Plan;
 use kahan_algebra::syntax::ClaimKind;
@@ -31,9 +31,9 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let brackets = context.system.accessors(ClaimKind::Bracket).zip(&context.derived.brackets);
     let brackets = brackets.map(|(claim, (_, plan))| emit_bracket(context, claim, plan));
     emitted.methods.extend(density.into_iter().chain(brackets));
-    let integrals: Vec<String> = context.derived.integral_names.clone();
+    let integrals = &context.derived.integral_names;
     for (claim, plan) in context.system.conditional().zip(&context.derived.conditional) {
-        emitted.methods.extend(emit_conditional(context, claim, plan, &integrals));
+        emitted.methods.extend(emit_conditional(context, claim, plan, integrals));
     }
     let this = context.self_type();
     let scalar = &context.scalar;
@@ -110,15 +110,14 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
 
 /// The method of an integral: its name, or `integral_NAME` where that is something else already.
 fn name_of_integral(name: &str, integrals: &[String]) -> String {
-    /// Methods of the traits that the macro implements or derives, methods that every type has, and
-    /// the constants of the type.
+    /// Methods of the traits that the macro implements or derives, and methods that every type has.
     const TAKEN: &str = "field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
         step_back jacobian det_matrix det_jacobian rational_map reduced_map at orbit lift carry_tangent variables \
         parameters integral_names integrals density clone clone_from eq ne fmt into try_into to_owned borrow \
-        borrow_mut type_id VARIABLES PARAMETERS INTEGRALS";
+        borrow_mut type_id";
     let is_of_another =
         name.strip_prefix("integral_").is_some_and(|base| integrals.iter().any(|other| other == base));
-    let is_taken = TAKEN.split_whitespace().any(|taken| taken == name)
+    let is_taken = TAKEN.split_whitespace().chain(items::LISTS).any(|taken| taken == name)
         || name.starts_with("bracket_")
         || name.starts_with("density_")
         || is_of_another

@@ -49,15 +49,17 @@ pub(super) fn emit_struct(context: &Context<'_>, header: Option<&RustHeader>) ->
     quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
 }
 
+/// The lists that are constants of a type.
+pub(super) const LISTS: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
+
 /// Expands to `impl E6 { pub const X: usize = 0; … }`, where each state stands in a point. Another
 /// constant of the type, a second state or an integral of that name takes it from a state. Of
 /// `E7<T>` one type has them, so that `E7::X` says all.
 pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
-    const TAKEN: [&str; 3] = ["VARIABLES", "PARAMETERS", "INTEGRALS"];
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
     let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();
     let claimed = claims.iter().filter(|claim| claim.kind == ClaimKind::Integral);
-    let others = claimed.map(|claim| claim.name.text.as_str()).chain(TAKEN);
+    let others = claimed.map(|claim| claim.name.text.as_str()).chain(LISTS);
     let mut owners: BTreeMap<&str, usize> = BTreeMap::new();
     for name in names.iter().map(String::as_str).chain(others) {
         *owners.entry(name).or_default() += 1;

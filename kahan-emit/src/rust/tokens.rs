@@ -1,5 +1,5 @@
-//! Compiler tokens, or a text, to the front end's tokens, groups flattened, with the compiler's span
-//! of each.
+//! Compiler tokens, or a text, to the front end's tokens, groups flattened, with the compiler's
+//! span of each.
 
 use std::ops::Range;
 

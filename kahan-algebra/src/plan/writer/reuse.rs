@@ -41,7 +41,7 @@ impl Writer {
         let mut best: Option<(usize, usize, Multiple)> = None;
         for (index, sum) in self.sums.iter().enumerate().filter(|(_, sum)| sum.len() <= polynomial.len()) {
             let least = best.as_ref().map_or(polynomial.len() - 1, |(left, ..)| *left);
-            // So many terms are left at least.
+            // A multiple of a sum cancels no more terms than the sum has.
             if polynomial.len() - sum.len() >= least {
                 continue;
             }

@@ -60,7 +60,8 @@ macro_rules! dispatch_for_float {
 dispatch_for_float!(sweep_f32, f32: F32x4, F32x8, F32x16, F32x16Estimated);
 dispatch_for_float!(sweep_f64, f64: F64x2, F64x4, F64x8, F64x8Estimated);
 
-/// The stages of a map over registers R, and the columns some steps later, as a function compiled so.
+/// Writes a function, compiled as its attributes say, that sees the stages of a map over registers
+/// R and carries the columns some steps on.
 macro_rules! over_registers {
     ($(#[$attribute:meta])* $name:ident: |$map:ident, $columns:ident, $steps:ident| $body:expr) => {
         $(#[$attribute])*

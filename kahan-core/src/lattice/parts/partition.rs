@@ -5,8 +5,8 @@
 //! one length. Nothing else decides it, so that the bits of a step depend on nothing else. The
 //! sites that are left over, at least R of them, close the chain.
 
-/// How long a part is meant to be, in sites: long beside its separator, short enough that a group of
-/// parts stays in a cache near the processor.
+/// How long a part is meant to be, in sites: long beside its separator, short enough that a group
+/// of parts stays in a cache near the processor.
 const LENGTH: usize = 256;
 
 /// A chain's parts.

@@ -170,7 +170,7 @@ where
         Some(velocity.map(|entry| time_step.clone() * entry))
     }
 
-    /// The step with a promise of its backward error, or for a scalar that gives none, a finite one.
+    /// The step with a promise of its backward error; for a scalar that gives none, a finite step.
     ///
     /// # Errors
     /// As [`KahanMap::try_step`](crate::KahanMap::try_step).

@@ -32,8 +32,8 @@ pub(super) use scalars::Widened;
 /// The step with the promise that T can give: of a float of this crate the one above; of another
 /// scalar, that a finite result is what the fast step or elimination computes.
 ///
-/// A rung prepares the step anew, over values with bounds: prepared floats are rounded, and carry no
-/// bound. In a loop compilers do that once, before its first round.
+/// A rung prepares the step anew, over values with bounds: prepared floats are rounded, and carry
+/// no bound. In a loop compilers do that once, before its first round.
 #[inline(always)]
 pub fn stable_step<M, T, const N: usize>(
     map: &M,

@@ -141,7 +141,7 @@ fn claims_may_have_the_names_of_methods() {
 }
 
 kahan! {
-    /// States whose constants another state, an integral and a list of the type take, and one whose has none.
+    /// Another state, an integral and a list of the type take the constants of some states.
     struct Places { mu }
     xdot = y;
     ydot = -mu*x;
