@@ -150,8 +150,8 @@ pub(crate) const ORBITS: &[Weakening] = &[
         "!reversed.is_zero()"),
     // Tangent vectors.
     of(TANGENTS, "forms that lose the digits of tangent vectors", "kahan-algebra/src/plan/tangent.rs",
-        "forms.filter(|form| accuracy.keeps_tangents(form))",
-        "forms.filter(|_| true)"),
+        ".find(|form| accuracy.keeps_tangents(form))",
+        ".find(|_| true)"),
     of(REMOVABLE, "tangent vectors at removable poles", "kahan-algebra/src/derived/mod.rs",
         "let has_other_poles = self.reduced_map.is_some();",
         "let has_other_poles = false;"),
