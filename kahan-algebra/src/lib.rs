@@ -19,6 +19,7 @@ pub mod family;
 pub mod field;
 pub mod interpret;
 pub mod kahan;
+pub mod kept;
 pub mod lexer;
 pub mod parse;
 pub mod plan;

@@ -2,6 +2,7 @@
 //! are put in.
 
 use crate::field::{Component, Field};
+use crate::kept::Kept;
 use crate::plan::PlanBuilder;
 use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
@@ -56,10 +57,12 @@ impl System {
         let specialisation = Specialisation { field: &self.field, new: &symbols, relations };
         let components = self.field.components.iter().map(|component| specialisation.component(component));
         let components = components.collect::<Option<Vec<_>>>()?;
+        let field = Field { symbols, components };
         Some(System {
             header: self.header.clone(),
             constants: self.constants.clone(),
-            field: Field { symbols, components },
+            kept: Kept::of(&field),
+            field,
             written: Vec::new(),
             is_field_sound: self.is_field_sound,
             claims: Vec::new(),

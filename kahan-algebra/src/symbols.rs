@@ -33,6 +33,12 @@ impl Symbols {
         self.states.len()
     }
 
+    /// How many variables there are: each state twice, the parameters and ε.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        2 * self.states.len() + self.parameters.len() + 1
+    }
+
     /// The variable of a symbol.
     #[must_use]
     pub fn variable(&self, symbol: Symbol) -> Variable {

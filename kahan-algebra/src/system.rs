@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use crate::field::Field;
+use crate::kept::Kept;
 use crate::plan::{Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
@@ -22,6 +23,8 @@ pub struct System {
     pub constants: Vec<(String, Rational)>,
     /// The vector field.
     pub field: Field,
+    /// The same field as plans are made of it: with the sums and divisors that were written.
+    pub kept: Kept,
     /// The right-hand sides of its equations as they were written, in order; none where it was made
     /// of another field.
     pub written: Vec<Expr>,
@@ -136,6 +139,7 @@ impl System {
         System {
             header,
             constants: Vec::new(),
+            kept: Kept::of(&field),
             field,
             written: Vec::new(),
             is_field_sound: false,

@@ -40,6 +40,7 @@ impl System {
         System {
             header: None,
             constants: self.constants.clone(),
+            kept: self.kept.variational(&field.symbols, &symbols),
             field: Field { components: components.collect(), symbols },
             written: Vec::new(),
             is_field_sound: self.is_field_sound,

@@ -10,6 +10,7 @@
 
 mod running_bound;
 
+use kahan_algebra::derive;
 use kahan_algebra::field::{Component, Field};
 use kahan_algebra::kahan::{field_jacobian, scaled_matrix};
 use kahan_algebra::plan::{Plan, StepPlan};
@@ -63,7 +64,7 @@ impl<'a> StepBound<'a> {
     #[must_use]
     pub fn new(subject: &'a Subject, unit: f64) -> Self {
         let field = &subject.system.field;
-        Self { field, parameters: &subject.parameters, step: StepPlan::of(field), unit }
+        Self { field, parameters: &subject.parameters, step: derive(&subject.system).step().cloned(), unit }
     }
 
     /// A bound for each component of x̃; `None` where it cannot promise a digit, because a divisor

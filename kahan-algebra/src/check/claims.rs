@@ -6,17 +6,14 @@ use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Component;
 use crate::plan::{Node, Plan, PlanBuilder};
 use crate::rational::Rational;
-use crate::syntax::{self, Block, ClaimBody, ClaimKind, Expr, ExprKind, Reference};
+use crate::syntax::{self, Block, ClaimBody, ClaimKind, Expr, Reference};
 use crate::system::{Claim, upper_index};
 use crate::token::Span;
 
 use super::conditions;
 use super::entries::entry_places;
-use super::expand::{MOST_BITS, sum_out_of_place};
+use super::lower::{HIGHEST_POWER, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope, expressions};
-
-/// The largest exponent in a claim.
-const HIGHEST_POWER: i64 = 64;
 
 /// Compiles the claims in order. One that is broken keeps its name and a harmless zero, and is not
 /// proved.
@@ -92,7 +89,85 @@ struct Compiler {
     functions: FxHashMap<String, Node>,
 }
 
+/// The operations of one claim after the other.
+struct Operations<'a> {
+    compiler: &'a mut Compiler,
+    scope: &'a Scope,
+}
+
+impl Target for Operations<'_> {
+    type Value = Node;
+
+    fn number(&mut self, value: &Rational) -> Node {
+        self.compiler.builder.constant(value)
+    }
+
+    fn named(&mut self, reference: Reference<'_>, span: Span) -> Result<Node, Diagnostic> {
+        let name = reference.to_string();
+        if let Some(node) = self.compiler.functions.get(&name) {
+            return Ok(*node);
+        }
+        match self.scope.meaning(&name) {
+            Some(Meaning::Variable(variable)) => Ok(self.compiler.builder.input(variable)),
+            Some(Meaning::Constant(value)) => Ok(self.number(&value)),
+            None => Err(Diagnostic::new(
+                Kind::Claim,
+                span,
+                format!("`{name}` is a bracket, not a function"),
+                "a claim may use earlier integrals and densities",
+            )),
+        }
+    }
+
+    fn negate(&mut self, a: Node) -> Node {
+        self.compiler.builder.negate(a)
+    }
+
+    fn sum(&mut self, terms: Vec<(bool, Node)>, _: Span) -> Result<Node, Diagnostic> {
+        let zero = self.number(&Rational::zero());
+        let builder = &mut self.compiler.builder;
+        Ok(terms.into_iter().fold(zero, |sum, (negative, term)| match negative {
+            true => builder.subtract(sum, term),
+            false => builder.add(sum, term),
+        }))
+    }
+
+    fn multiply(&mut self, a: Node, b: Node, _: Span) -> Result<Node, Diagnostic> {
+        Ok(self.compiler.builder.multiply(a, b))
+    }
+
+    fn divide(&mut self, a: Node, b: Node, _: Span) -> Result<Node, Diagnostic> {
+        Ok(self.compiler.builder.divide(a, b))
+    }
+
+    fn power(&mut self, a: Node, exponent: u64, span: Span) -> Result<Node, Diagnostic> {
+        let bits = self.compiler.builder.constant_size(a).map(|value| value.bits().max(1));
+        let is_short_number = bits.is_some_and(|bits| bits.saturating_mul(exponent) <= MOST_BITS);
+        if !is_short_number && exponent > HIGHEST_POWER.unsigned_abs() {
+            return Err(Diagnostic::new(
+                Kind::Exponent,
+                span,
+                format!("exponents in claims go from −{HIGHEST_POWER} to {HIGHEST_POWER}"),
+                "write the claim with smaller powers",
+            ));
+        }
+        Ok(self.compiler.builder.power(a, exponent as u32))
+    }
+
+    fn is_zero(&self, a: &Node) -> bool {
+        self.compiler.builder.is_zero(*a)
+    }
+
+    fn inverts(&self) -> bool {
+        true
+    }
+}
+
 impl Compiler {
+    fn node(&mut self, expr: &Expr, scope: &Scope) -> Result<Node, Diagnostic> {
+        lower(expr, &mut Operations { compiler: self, scope })
+    }
+
     /// The results of a claim whose names and entries are sound.
     fn body(
         &mut self,
@@ -114,95 +189,6 @@ impl Compiler {
                 Ok(upper)
             }
         }
-    }
-
-    fn node(&mut self, expr: &Expr, scope: &Scope) -> Result<Node, Diagnostic> {
-        match &expr.kind {
-            ExprKind::Number(value) => Ok(self.builder.constant(value)),
-            ExprKind::Name(name) => self.name(name, expr.span, scope),
-            ExprKind::Site { array, offset } => {
-                self.name(&Reference::Site { array, offset: *offset }.to_string(), expr.span, scope)
-            }
-            ExprKind::Negation(inner) => {
-                let inner = self.node(inner, scope)?;
-                Ok(self.builder.negate(inner))
-            }
-            ExprKind::Sum(terms) => {
-                let mut sum = self.builder.constant(&Rational::zero());
-                for term in terms {
-                    let node = self.node(&term.expr, scope)?;
-                    sum = if term.negative {
-                        self.builder.subtract(sum, node)
-                    } else {
-                        self.builder.add(sum, node)
-                    };
-                }
-                Ok(sum)
-            }
-            ExprKind::Product(factors) => {
-                let mut product = self.builder.constant(&Rational::one());
-                for factor in factors {
-                    let node = self.node(&factor.expr, scope)?;
-                    product = if factor.divides {
-                        self.divide(product, node, factor.expr.span)?
-                    } else {
-                        self.builder.multiply(product, node)
-                    };
-                }
-                Ok(product)
-            }
-            ExprKind::Power(base, exponent) => self.power(base, *exponent, expr.span, scope),
-            ExprKind::OverSites(_) => Err(sum_out_of_place(expr.span)),
-        }
-    }
-
-    fn name(&mut self, name: &str, span: Span, scope: &Scope) -> Result<Node, Diagnostic> {
-        if let Some(node) = self.functions.get(name) {
-            return Ok(*node);
-        }
-        match scope.meaning(name) {
-            Some(Meaning::Variable(variable)) => Ok(self.builder.input(variable)),
-            Some(Meaning::Constant(value)) => Ok(self.builder.constant(&value)),
-            None => Err(Diagnostic::new(
-                Kind::Claim,
-                span,
-                format!("`{name}` is a bracket, not a function"),
-                "a claim may use earlier integrals and densities",
-            )),
-        }
-    }
-
-    fn power(&mut self, base: &Expr, exponent: i64, span: Span, scope: &Scope) -> Result<Node, Diagnostic> {
-        let node = self.node(base, scope)?;
-        let bits = self.builder.constant_size(node).map(|value| value.bits().max(1));
-        let is_short_number =
-            bits.is_some_and(|bits| bits.saturating_mul(exponent.unsigned_abs()) <= MOST_BITS);
-        if !is_short_number && !(-HIGHEST_POWER..=HIGHEST_POWER).contains(&exponent) {
-            return Err(Diagnostic::new(
-                Kind::Exponent,
-                span,
-                format!("exponents in claims go from −{HIGHEST_POWER} to {HIGHEST_POWER}"),
-                "write the claim with smaller powers",
-            ));
-        }
-        let power = self.builder.power(node, exponent.unsigned_abs() as u32);
-        if exponent >= 0 {
-            return Ok(power);
-        }
-        let one = self.builder.constant(&Rational::one());
-        self.divide(one, power, base.span)
-    }
-
-    fn divide(&mut self, dividend: Node, divisor: Node, span: Span) -> Result<Node, Diagnostic> {
-        if self.builder.is_zero(divisor) {
-            return Err(Diagnostic::new(
-                Kind::ZeroDivisor,
-                span,
-                "this divisor is zero",
-                "correct the divisor, or remove the division",
-            ));
-        }
-        Ok(self.builder.divide(dividend, divisor))
     }
 
     /// The plan of these results, or of zeros where there are none.

@@ -16,7 +16,7 @@ use crate::system::Condition;
 use crate::table::sorted_by_key;
 use crate::token::Span;
 
-use super::expand::{Expansion, expand_in_claim};
+use super::expand::{Expansion, expand_as_written};
 use super::names::Scope;
 
 /// The relations behind `when`, solved; `None` if one is broken.
@@ -53,7 +53,8 @@ fn one_relation(
     let span = condition.span();
     let wrong = |message: &str, help: &str| Diagnostic::new(Kind::Claim, span, message, help);
     let over_budget = |_: OverBudget| too_large(span);
-    let (left, right) = (expand_in_claim(&condition.left, scope)?, expand_in_claim(&condition.right, scope)?);
+    let (left, right) =
+        (expand_as_written(&condition.left, scope)?, expand_as_written(&condition.right, scope)?);
     let is_first = relations.values().next().is_none();
     let divisors = [&left.denominator, &right.denominator];
     let polynomial = difference(&left, &right);

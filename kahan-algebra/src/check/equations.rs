@@ -2,17 +2,22 @@
 
 use crate::diagnostics::{Diagnostic, Diagnostics};
 use crate::field::Component;
-use crate::poly::{Budget, Monomial, Polynomial};
-use crate::rational_function::RationalFunction;
+use crate::kept::{Kept, Values};
+use crate::poly::Monomial;
 use crate::syntax::{Block, Expr, ExprKind};
 use crate::token::Span;
 
-use super::expand::{Expansion, MOST_TERMS, MOST_WORK, expand, too_high, too_large};
+use super::expand::{Expansion, expand, expanded, too_high};
 use super::names::Scope;
 
-/// Expands every equation; a broken one becomes zero.
-pub(super) fn expand_all(block: &Block, scope: &mut Scope, diagnostics: &mut Diagnostics) -> Vec<Component> {
-    let mut components = Vec::new();
+/// Expands every equation, and keeps what is written of it; a broken one becomes zero.
+pub(super) fn expand_all(
+    block: &Block,
+    scope: &mut Scope,
+    diagnostics: &mut Diagnostics,
+) -> (Vec<Component>, Kept) {
+    let mut values = Values::of(&scope.symbols);
+    let (mut components, mut kept) = (Vec::new(), Vec::new());
     let mut seen: Vec<&str> = Vec::new();
     for equation in &block.equations {
         let sound = equation.value.as_ref().filter(|value| scope.resolve(value, false, diagnostics));
@@ -20,50 +25,28 @@ pub(super) fn expand_all(block: &Block, scope: &mut Scope, diagnostics: &mut Dia
             continue;
         }
         seen.push(&equation.state.text);
-        components.push(sound.map_or_else(zero, |value| component(value, scope, diagnostics)));
+        let expansion = sound.and_then(|value| {
+            let expansion = expand(value, scope, &mut values);
+            let expansion = expansion.and_then(|expansion| check_degree(value, expansion, scope));
+            expansion.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
+        });
+        let expansion = expansion.unwrap_or_else(Expansion::zero);
+        kept.push(expansion.kept().clone());
+        components.push(expansion.component());
     }
-    components
-}
-
-fn zero() -> Component {
-    Component { numerator: Polynomial::zero(), denominator: Polynomial::one() }
-}
-
-fn component(value: &Expr, scope: &Scope, diagnostics: &mut Diagnostics) -> Component {
-    let outcome = expand(value, scope).and_then(|expansion| match check_degree(value, &expansion, scope) {
-        Some(diagnostic) => Err(diagnostic),
-        None => reduced(expansion, value.span),
-    });
-    outcome.unwrap_or_else(|diagnostic| {
-        diagnostics.push(diagnostic);
-        zero()
-    })
-}
-
-/// p/q in lowest terms. A constant divisor is a factor of p already.
-pub(super) fn reduced(expansion: Expansion, span: Span) -> Result<Component, Diagnostic> {
-    if expansion.denominator.is_one() {
-        return Ok(Component { numerator: expansion.numerator, denominator: expansion.denominator });
-    }
-    let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-    match RationalFunction::new_within(expansion.numerator, expansion.denominator, &mut budget) {
-        Ok(Some(function)) => Ok(Component {
-            numerator: function.numerator().clone(),
-            denominator: function.denominator().clone(),
-        }),
-        Ok(None) | Err(_) => Err(too_large(span)),
-    }
+    (components, Kept::new(values, kept))
 }
 
 /// Kahan's method is for quadratic fields: no term of degree three or more may be left.
-fn check_degree(value: &Expr, expansion: &Expansion, scope: &Scope) -> Option<Diagnostic> {
+fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Expansion, Diagnostic> {
     let degree = |monomial: &Monomial| monomial.degree_where(|variable| scope.symbols.is_state(variable));
-    let (monomial, _) = expansion.numerator.terms().max_by_key(|(monomial, _)| degree(monomial))?;
-    let highest = degree(monomial);
-    if highest <= 2 {
-        return None;
+    let monomials = expansion.numerator.terms().map(|(monomial, _)| (degree(monomial), monomial));
+    match monomials.max_by_key(|(degree, _)| *degree) {
+        Some((highest @ 3.., monomial)) => {
+            Err(too_high(raising_factor(value, scope), &describe(monomial, scope), highest.into()))
+        }
+        _ => Ok(expansion),
     }
-    Some(too_high(raising_factor(value, scope), &describe(monomial, scope), highest.into()))
 }
 
 /// The term in words, parameters left out.
@@ -84,7 +67,7 @@ fn describe(monomial: &Monomial, scope: &Scope) -> String {
 /// product the factor at which the degree passes two, of a power the whole of it.
 fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
     let degree =
-        |expr: &Expr| expand(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator));
+        |expr: &Expr| expanded(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator));
     match &expr.kind {
         ExprKind::Negation(inner) => raising_factor(inner, scope),
         ExprKind::Sum(terms) => match terms.iter().find(|term| degree(&term.expr) > 2) {

@@ -1,28 +1,31 @@
-//! An expression of an equation, or of a relation behind `when`, to a fraction p/q, p expanded in
-//! states and parameters, q free of states.
+//! Fractions p/q, to which equations, constants and relations behind `when` are lowered: p is
+//! expanded in states and parameters, q is free of states.
 //!
 //! What cancels, cancels: only the result counts, not what it passed through. Sizes are limited, so
-//! that no input hangs the compiler.
+//! that no input hangs the compiler. Beside p/q stands what was written, as far as that loses
+//! nothing: a sum in which a name or the highest degree cancels, and a quotient that has no pole where
+//! its divisor vanishes, stand as they are expanded and reduced; all other sums and divisors are
+//! [kept](crate::kept).
 
 use crate::diagnostics::{Diagnostic, Kind};
-use crate::poly::{Budget, Polynomial};
+use crate::field::Component;
+use crate::kept::Values;
+use crate::poly::{Budget, Polynomial, Variable};
 use crate::rational::Rational;
-use crate::syntax::{Expr, ExprKind, Factor, Reference, Term};
+use crate::rational_function::RationalFunction;
+use crate::syntax::{Expr, Reference};
 use crate::token::Span;
 
+use super::lower::{HIGHEST_POWER, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
 
 /// The largest number of terms of an expansion.
-pub(super) const MOST_TERMS: usize = 100_000;
+const MOST_TERMS: usize = 100_000;
 /// The largest number of products of terms in one expansion.
-pub(super) const MOST_WORK: u64 = 300_000;
+const MOST_WORK: u64 = 300_000;
 /// The largest degree in the states that a power of a sum may have; more does not cancel in
 /// earnest, and takes long.
 const HIGHEST_DEGREE: u64 = 64;
-/// The largest exponent of something that depends on parameters.
-const HIGHEST_PARAMETER_POWER: i64 = 64;
-/// The largest size of a number, in bits.
-pub(super) const MOST_BITS: u64 = 1 << 16;
 
 /// p/q
 #[derive(Clone, Debug)]
@@ -30,198 +33,234 @@ pub(super) struct Expansion {
     pub(super) numerator: Polynomial,
     /// Not zero; 1, or not constant.
     pub(super) denominator: Polynomial,
+    /// The same over the values that are kept; `None` where it is the numerator, and nothing is
+    /// divided by.
+    kept: Option<Polynomial>,
 }
 
 impl Expansion {
     fn polynomial(numerator: Polynomial) -> Self {
-        Expansion { numerator, denominator: Polynomial::one() }
+        Expansion { numerator, denominator: Polynomial::one(), kept: None }
     }
 
     /// Its value, if it is a number.
     pub(super) fn as_constant(&self) -> Option<Rational> {
         if self.denominator.is_one() { self.numerator.as_constant() } else { None }
     }
+
+    /// What stands for what is broken.
+    pub(super) fn zero() -> Self {
+        Expansion::polynomial(Polynomial::zero())
+    }
+
+    /// Numerator and denominator, which are in lowest terms.
+    pub(super) fn component(self) -> Component {
+        Component { numerator: self.numerator, denominator: self.denominator }
+    }
+
+    /// The same over the values that are kept.
+    pub(super) fn kept(&self) -> &Polynomial {
+        self.kept.as_ref().unwrap_or(&self.numerator)
+    }
 }
 
-/// Expands `expr`, whose names all mean something.
-pub(super) fn expand(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
-    Expander { scope, in_claim: false, budget: Budget::new(MOST_TERMS, MOST_WORK) }.expand(expr)
+/// Expands `expr`, whose names all mean something; what is kept of it becomes `values`.
+pub(super) fn expand(expr: &Expr, scope: &Scope, values: &mut Values) -> Result<Expansion, Diagnostic> {
+    let budget = Budget::new(MOST_TERMS, MOST_WORK);
+    lower(expr, &mut Fractions { scope, inverts: false, reduces: true, values, budget })
 }
 
-/// The same in a claim, where exponents may be negative.
+/// The same, of which nothing is kept.
+pub(super) fn expanded(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
+    expand(expr, scope, &mut Values::of(&scope.symbols))
+}
+
+/// The sides of a relation behind `when`: exponents may be negative, nothing is kept, and what is
+/// divided by stays, as the relation must exist where it holds.
+pub(super) fn expand_as_written(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
+    let values = &mut Values::of(&scope.symbols);
+    let budget = Budget::new(MOST_TERMS, MOST_WORK);
+    lower(expr, &mut Fractions { scope, inverts: true, reduces: false, values, budget })
+}
+
+/// A claim in lowest terms: exponents may be negative, and nothing is kept.
 pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
-    Expander { scope, in_claim: true, budget: Budget::new(MOST_TERMS, MOST_WORK) }.expand(expr)
+    let values = &mut Values::of(&scope.symbols);
+    let budget = Budget::new(MOST_TERMS, MOST_WORK);
+    lower(expr, &mut Fractions { scope, inverts: true, reduces: true, values, budget })
 }
 
-struct Expander<'a> {
+struct Fractions<'a> {
     scope: &'a Scope,
-    in_claim: bool,
+    /// Whether exponents may be negative.
+    inverts: bool,
+    /// Whether fractions are brought into lowest terms.
+    reduces: bool,
+    values: &'a mut Values,
     budget: Budget,
 }
 
-impl Expander<'_> {
-    fn named(&self, name: &str) -> Expansion {
-        Expansion::polynomial(match self.scope.meaning(name) {
+impl Target for Fractions<'_> {
+    type Value = Expansion;
+
+    fn number(&mut self, value: &Rational) -> Expansion {
+        Expansion::polynomial(Polynomial::constant(value.clone()))
+    }
+
+    fn named(&mut self, reference: Reference<'_>, _: Span) -> Result<Expansion, Diagnostic> {
+        Ok(Expansion::polynomial(match self.scope.meaning(&reference.to_string()) {
             Some(Meaning::Variable(variable)) => Polynomial::variable(variable),
             Some(Meaning::Constant(value)) => Polynomial::constant(value),
             None => Polynomial::zero(),
-        })
+        }))
     }
 
-    fn expand(&mut self, expr: &Expr) -> Result<Expansion, Diagnostic> {
-        match &expr.kind {
-            ExprKind::Number(value) => Ok(Expansion::polynomial(Polynomial::constant(value.clone()))),
-            ExprKind::Name(name) => Ok(self.named(name)),
-            ExprKind::Site { array, offset } => {
-                Ok(self.named(&Reference::Site { array, offset: *offset }.to_string()))
-            }
-            ExprKind::Negation(inner) => {
-                self.expand(inner).map(|inner| Expansion { numerator: -&inner.numerator, ..inner })
-            }
-            ExprKind::Sum(terms) => self.sum(terms, expr.span),
-            ExprKind::Product(factors) => self.product(factors),
-            ExprKind::Power(base, exponent) => self.power(base, *exponent, expr.span),
-            ExprKind::OverSites(_) => Err(sum_out_of_place(expr.span)),
-        }
+    fn negate(&mut self, a: Expansion) -> Expansion {
+        let kept = a.kept.as_ref().map(|kept| -kept);
+        Expansion { numerator: -&a.numerator, denominator: a.denominator, kept }
     }
 
     /// Terms over the same denominator are added in one go, so that long sums cost a sort.
-    fn sum(&mut self, terms: &[Term], span: Span) -> Result<Expansion, Diagnostic> {
-        let mut groups: Vec<(Polynomial, Vec<Polynomial>)> = Vec::new();
-        let mut length = 0;
-        for term in terms {
-            let Expansion { numerator, denominator } = self.expand(&term.expr)?;
-            let numerator = if term.negative { -&numerator } else { numerator };
-            length += numerator.len();
-            if length > 4 * MOST_TERMS {
-                return Err(too_large(span));
-            }
+    fn sum(&mut self, terms: Vec<(bool, Expansion)>, span: Span) -> Result<Expansion, Diagnostic> {
+        if terms.iter().map(|(_, term)| term.numerator.len()).sum::<usize>() > 4 * MOST_TERMS {
+            return Err(too_large(span));
+        }
+        let kept = terms
+            .iter()
+            .any(|(_, term)| term.kept.is_some())
+            .then(|| Polynomial::sum_of(terms.iter().map(|(negative, term)| (*negative, term.kept()))));
+        let extents = kept.iter().flat_map(|_| terms.iter().map(|(_, term)| self.extent(term)));
+        let extents: Vec<(Vec<Variable>, u32)> = extents.collect();
+        let mut groups: Vec<(Polynomial, Vec<(bool, Polynomial)>)> = Vec::new();
+        for (negative, Expansion { numerator, denominator, .. }) in terms {
             match groups.iter_mut().find(|(known, _)| *known == denominator) {
-                Some((_, numerators)) => numerators.push(numerator),
-                None => groups.push((denominator, vec![numerator])),
+                Some((_, numerators)) => numerators.push((negative, numerator)),
+                None => groups.push((denominator, vec![(negative, numerator)])),
             }
         }
-        let mut total = Expansion::polynomial(Polynomial::zero());
+        let mut total: Option<(Polynomial, Polynomial)> = None;
         for (denominator, numerators) in groups {
-            let terms = numerators.iter().flat_map(Polynomial::terms);
-            let numerator =
-                Polynomial::from_terms(terms.map(|(monomial, value)| (monomial.clone(), value.clone())));
+            let numerator = Polynomial::sum_of(numerators.iter().map(|(negative, of)| (*negative, of)));
             if numerator.len() > MOST_TERMS {
                 return Err(too_large(span));
             }
-            total = if total.numerator.is_zero() {
-                Expansion { numerator, denominator }
-            } else {
-                let left = self.multiply(&total.numerator, &denominator, span)?;
-                let right = self.multiply(&numerator, &total.denominator, span)?;
-                let denominator = self.multiply(&total.denominator, &denominator, span)?;
-                Expansion { numerator: &left + &right, denominator }
-            };
+            total = Some(match total {
+                None => (numerator, denominator),
+                Some((above, below)) => {
+                    let left = self.product(&above, &denominator, span)?;
+                    let right = self.product(&numerator, &below, span)?;
+                    (&left + &right, self.product(&below, &denominator, span)?)
+                }
+            });
         }
-        Ok(total)
+        let (numerator, denominator) = total.unwrap_or_else(|| (Polynomial::zero(), Polynomial::one()));
+        let sum = self.reduced(Expansion { numerator, denominator, kept }, span)?;
+        let (left, reached) = self.extent(&sum);
+        let still_has = |(variables, degree): (Vec<Variable>, u32)| {
+            degree <= reached && variables.iter().all(|variable| left.contains(variable))
+        };
+        Ok(if extents.into_iter().all(still_has) { sum } else { self.expanded(sum) })
     }
 
-    fn product(&mut self, factors: &[Factor]) -> Result<Expansion, Diagnostic> {
-        let mut product = Expansion::polynomial(Polynomial::one());
-        for factor in factors {
-            let span = factor.expr.span;
-            let mut next = self.expand(&factor.expr)?;
-            if factor.divides {
-                self.check_divisor(&next.numerator, span)?;
-                next = Expansion { numerator: next.denominator, denominator: next.numerator };
-            }
-            if let Some(divisor) = next.denominator.as_constant() {
-                let inverse = divisor.recip().expect("a denominator is not zero");
-                next = Expansion::polynomial(next.numerator.scale(&inverse));
-            }
-            product = Expansion {
-                numerator: self.multiply(&product.numerator, &next.numerator, span)?,
-                denominator: self.multiply(&product.denominator, &next.denominator, span)?,
-            };
+    fn multiply(&mut self, a: Expansion, b: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
+        if a.as_constant().is_some_and(|value| value.is_one()) {
+            return Ok(b);
         }
-        Ok(product)
+        let kept = self.kept_product(&a, &b);
+        let numerator = self.product(&a.numerator, &b.numerator, span)?;
+        let denominator = self.product(&a.denominator, &b.denominator, span)?;
+        self.reduced(Expansion { numerator, denominator, kept }, span)
     }
 
-    /// A divisor is not zero and free of states, also after expansion.
-    fn check_divisor(&self, divisor: &Polynomial, span: Span) -> Result<(), Diagnostic> {
-        if divisor.is_zero() {
-            return Err(Diagnostic::new(
-                Kind::ZeroDivisor,
-                span,
-                "this divisor is zero",
-                "correct the divisor, or remove the division",
-            ));
-        }
-        let state = divisor.variables().into_iter().find(|&variable| self.scope.symbols.is_state(variable));
-        state.map_or(Ok(()), |state| {
+    /// A divisor is free of states, also after expansion.
+    fn divide(&mut self, a: Expansion, b: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
+        let Expansion { numerator, denominator, .. } = &b;
+        let variables = numerator.variables();
+        if let Some(state) = variables.into_iter().find(|&variable| self.scope.symbols.is_state(variable)) {
             let state = self.scope.symbols.name(state);
-            Err(Diagnostic::new(
+            return Err(Diagnostic::new(
                 Kind::StateDivisor,
                 span,
-                format!("this divisor depends on the state `{state}`, and the field must be polynomial in the states"),
-                format!("divide by numbers and parameters only, or introduce a new variable for the quotient by `{state}`"),
-            ))
-        })
+                format!(
+                    "this divisor depends on the state `{state}`, and the field must be polynomial in the states"
+                ),
+                format!(
+                    "divide by numbers and parameters only, or introduce a new variable for the quotient by `{state}`"
+                ),
+            ));
+        }
+        let inverse = match numerator.as_constant() {
+            Some(divisor) => {
+                let scale = divisor.recip().expect("a divisor is not zero");
+                Expansion::polynomial(denominator.scale(&scale))
+            }
+            None => Expansion { numerator: denominator.clone(), denominator: numerator.clone(), kept: None },
+        };
+        // 1/(1/p) is p, with its divisor gone.
+        let is_single = inverse.denominator.is_one() || !denominator.is_one();
+        let kept = if is_single { None } else { self.values.quotient(a.kept(), b.kept()) };
+        let numerator = self.product(&a.numerator, &inverse.numerator, span)?;
+        let inverse = self.expanded(inverse);
+        let kept = kept.or_else(|| self.kept_product(&a, &inverse));
+        let denominator = self.product(&a.denominator, &inverse.denominator, span)?;
+        self.reduced(Expansion { numerator, denominator, kept }, span)
     }
 
-    fn power(&mut self, base: &Expr, exponent: i64, span: Span) -> Result<Expansion, Diagnostic> {
+    fn power(&mut self, base: Expansion, exponent: u64, span: Span) -> Result<Expansion, Diagnostic> {
         let wrong = |kind, message: String, help: &str| Err(Diagnostic::new(kind, span, message, help));
-        if exponent < 0 && self.in_claim {
-            let power =
-                Expr { kind: ExprKind::Power(Box::new(base.clone()), exponent.saturating_neg()), span };
-            return self.product(&[Factor { divides: true, expr: power }]);
-        }
-        if exponent < 0 {
-            return wrong(
-                Kind::Exponent,
-                format!("the exponent {exponent} is negative"),
-                "in an equation write a quotient, `1/(…)`; its divisor must be free of states",
-            );
-        }
-        let base = self.expand(base)?;
         let degree = self.scope.symbols.degree(&base.numerator);
-        let is_number = base.as_constant().is_some();
-        if degree == 0 && !is_number && exponent > HIGHEST_PARAMETER_POWER {
+        let number = base.as_constant();
+        if degree == 0 && number.is_none() && exponent > HIGHEST_POWER.unsigned_abs() {
             return wrong(
                 Kind::TooLarge,
-                format!("exponents of parameters go to {HIGHEST_PARAMETER_POWER}"),
+                format!("exponents of parameters go to {HIGHEST_POWER}"),
                 "declare the power as a parameter of its own",
             );
         }
-        let size = base.numerator.terms().map(|(_, value)| value.bits()).max().unwrap_or(0);
-        let is_trivial = base.as_constant().is_some_and(|value| value.is_zero() || value.bits() <= 1);
-        if !is_trivial && is_number && size.saturating_mul(exponent.unsigned_abs()) > MOST_BITS {
-            return wrong(
-                Kind::TooLarge,
-                "this number is too large".to_owned(),
-                "rescale the variables or the time",
-            );
+        if let Some(value) = number {
+            if value.is_zero() || value.bits() <= 1 {
+                // 0, 1 or −1 to any power; 0^0 is 1.
+                let one = exponent == 0 || (value.is_negative() && exponent.is_multiple_of(2));
+                return Ok(self.number(&if one { Rational::one() } else { value }));
+            }
+            if value.bits().saturating_mul(exponent) > MOST_BITS {
+                return wrong(
+                    Kind::TooLarge,
+                    "this number is too large".to_owned(),
+                    "rescale the variables or the time",
+                );
+            }
         }
-        if is_trivial {
-            return Ok(self.trivial_power(&base, exponent));
-        }
-        let reached = u64::from(degree).saturating_mul(exponent.unsigned_abs());
+        let reached = u64::from(degree).saturating_mul(exponent);
         if base.numerator.len() > 1 && reached > HIGHEST_DEGREE {
             return Err(too_high(span, "this power", reached));
         }
-        let exponent_or_most = u32::try_from(exponent).unwrap_or(u32::MAX);
-        let power =
-            |polynomial: &Polynomial, budget: &mut Budget| polynomial.pow_within(exponent_or_most, budget);
-        match (power(&base.numerator, &mut self.budget), power(&base.denominator, &mut self.budget)) {
-            (Ok(numerator), Ok(denominator)) => Ok(Expansion { numerator, denominator }),
-            _ if degree > 0 => Err(too_high(span, "this power", reached)),
-            _ => Err(too_large(span)),
-        }
+        let exponent = u32::try_from(exponent).unwrap_or(u32::MAX);
+        let power = |polynomial: &Polynomial, budget: &mut Budget| polynomial.pow_within(exponent, budget);
+        let powers = (power(&base.numerator, &mut self.budget), power(&base.denominator, &mut self.budget));
+        let (Ok(numerator), Ok(denominator)) = powers else {
+            return Err(if degree > 0 { too_high(span, "this power", reached) } else { too_large(span) });
+        };
+        let kept = match exponent {
+            0 => None,
+            1 => base.kept,
+            _ if base.kept.is_none() && base.numerator.len() < 2 => None,
+            _ => power(&self.values.factor(base.kept()), &mut self.budget).ok(),
+        };
+        Ok(Expansion { numerator, denominator, kept })
     }
 
-    /// 0, 1 or −1 to any power; 0^0 is 1.
-    fn trivial_power(&self, base: &Expansion, exponent: i64) -> Expansion {
-        let value = base.as_constant().expect("the base is 0, 1 or −1");
-        let one = exponent == 0 || (value.is_negative() && exponent % 2 == 0);
-        Expansion::polynomial(Polynomial::constant(if one { Rational::one() } else { value }))
+    fn is_zero(&self, a: &Expansion) -> bool {
+        a.numerator.is_zero()
     }
 
-    fn multiply(&mut self, a: &Polynomial, b: &Polynomial, span: Span) -> Result<Polynomial, Diagnostic> {
+    fn inverts(&self) -> bool {
+        self.inverts
+    }
+}
+
+impl Fractions<'_> {
+    fn product(&mut self, a: &Polynomial, b: &Polynomial, span: Span) -> Result<Polynomial, Diagnostic> {
         if a.is_one() {
             return Ok(b.clone());
         }
@@ -230,16 +269,56 @@ impl Expander<'_> {
         }
         a.mul_within(b, &mut self.budget).map_err(|_| too_large(span))
     }
-}
 
-/// The mistake of a sum over sites where there are none to sum over.
-pub(super) fn sum_out_of_place(span: Span) -> Diagnostic {
-    Diagnostic::new(
-        Kind::Claim,
-        span,
-        "`sum(…)` runs over all sites, and stands in the claims of a family",
-        "in an equation write the neighbours out, as in `x[i-1] + x[i+1]`",
-    )
+    /// The product as it was written, its factors being values where they are sums; `None` where
+    /// that is nothing but the numerator.
+    fn kept_product(&mut self, a: &Expansion, b: &Expansion) -> Option<Polynomial> {
+        let is_sign = |value: Rational| (&value * &value).is_one();
+        let is_single = |of: &Expansion| of.kept.is_none() && of.numerator.len() < 2;
+        if is_single(a) && is_single(b) {
+            return None;
+        }
+        if let Some(sign) = a.as_constant().filter(|value| is_sign(value.clone())) {
+            return b.kept.as_ref().map(|kept| kept.scale(&sign));
+        }
+        if let Some(sign) = b.as_constant().filter(|value| is_sign(value.clone())) {
+            return a.kept.as_ref().map(|kept| kept.scale(&sign));
+        }
+        Some(&self.values.factor(a.kept()) * &self.values.factor(b.kept()))
+    }
+
+    /// The variables on which something depends, and its degree in the states.
+    fn extent(&self, of: &Expansion) -> (Vec<Variable>, u32) {
+        let variables = [of.numerator.variables(), of.denominator.variables()].concat();
+        (variables, self.scope.symbols.degree(&of.numerator))
+    }
+
+    /// In lowest terms. Where that changes it, it does not stand as it was written.
+    fn reduced(&mut self, expansion: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
+        let Expansion { numerator, denominator, kept } = expansion;
+        if denominator.is_one() || !self.reduces {
+            return Ok(Expansion { numerator, denominator, kept });
+        }
+        match RationalFunction::new_within(numerator, denominator, &mut self.budget) {
+            Ok(Some(function)) => {
+                let (numerator, denominator) = (function.numerator().clone(), function.denominator().clone());
+                let kept = kept.filter(|kept| self.values.divide_only_by(kept, &denominator));
+                let reduced = Expansion { numerator, denominator, kept };
+                Ok(if reduced.kept.is_some() { reduced } else { self.expanded(reduced) })
+            }
+            Ok(None) | Err(_) => Err(too_large(span)),
+        }
+    }
+
+    /// What is kept of a fraction that does not stand as it was written: its divisor.
+    fn expanded(&mut self, expansion: Expansion) -> Expansion {
+        if expansion.denominator.is_one() {
+            return Expansion { kept: None, ..expansion };
+        }
+        let kept = self.values.reciprocal(&expansion.denominator);
+        let kept = kept.map(|reciprocal| &expansion.numerator * &reciprocal);
+        Expansion { kept, ..expansion }
+    }
 }
 
 /// The mistake of a term of degree `degree` > 2.
@@ -253,7 +332,7 @@ pub(super) fn too_high(span: Span, term: &str, degree: u64) -> Diagnostic {
 }
 
 /// The mistake of an expansion beyond the limits.
-pub(super) fn too_large(span: Span) -> Diagnostic {
+fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(
         Kind::TooLarge,
         span,

@@ -9,6 +9,7 @@ use crate::token::Span;
 
 use super::constants;
 use super::equations;
+use super::expand::expand_in_claim;
 use super::names::{Scope, is_epsilon};
 use super::outside::values_beyond_the_ends;
 use super::sums::summand;
@@ -28,7 +29,7 @@ pub fn check_family(block: &Block, diagnostics: &mut Diagnostics) -> Option<Fami
     for name in &names.site_parameters {
         scope.mark_used(name);
     }
-    let components = equations::expand_all(block, &mut scope, diagnostics);
+    let (components, _) = equations::expand_all(block, &mut scope, diagnostics);
     let sums = |claims: &[Claim], scope: &mut Scope, diagnostics: &mut Diagnostics| -> Vec<SiteSum> {
         claims.iter().filter_map(|claim| sum(claim, &names.arrays, scope, diagnostics)).collect()
     };
@@ -239,8 +240,7 @@ fn sum(
 }
 
 fn density(written: &Expr, scope: &Scope) -> Result<Component, Diagnostic> {
-    let component =
-        equations::reduced(super::expand::expand_in_claim(&summand(written)?, scope)?, written.span)?;
+    let component = expand_in_claim(&summand(written)?, scope)?.component();
     if component.numerator.contains(scope.symbols.epsilon())
         || component.denominator.contains(scope.symbols.epsilon())
     {

@@ -11,6 +11,7 @@ mod entries;
 mod equations;
 mod expand;
 mod family;
+mod lower;
 mod names;
 mod outside;
 mod spelling;
@@ -68,7 +69,7 @@ pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
     let before = diagnostics.len();
     let mut scope = Scope::new(&block, diagnostics);
     let constants = constants::evaluate(&block, &mut scope, diagnostics);
-    let components = equations::expand_all(&block, &mut scope, diagnostics);
+    let (components, kept) = equations::expand_all(&block, &mut scope, diagnostics);
     let is_field_sound = diagnostics.len() == before
         && block.misspelt_states.is_empty()
         && !block.equations.is_empty()
@@ -82,5 +83,5 @@ pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
     };
     scope.report_unused(&block, diagnostics);
     let written = block.equations.into_iter().filter_map(|equation| equation.value).collect();
-    System { header: block.header, constants, field, written, is_field_sound, claims }
+    System { header: block.header, constants, field, kept, written, is_field_sound, claims }
 }

@@ -14,11 +14,10 @@ pub use listing::StepListing;
 pub use names::{StepName, StepNames, constant_names};
 
 use crate::arithmetic::Arithmetic;
-use crate::elimination::Couplings;
+use crate::elimination::{Couplings, MOST_EXPANDED};
 use crate::field::Field;
-use crate::kahan::{
-    RationalMap, Reduced, bilinear_form, field_jacobian, polarization, scaled_matrix, scaled_rhs,
-};
+use crate::kahan::{RationalMap, bilinear_form, matrix_of, polarization, scaled_rhs};
+use crate::kept::OverConstants;
 use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
 use crate::symbols::{Symbol, Symbols};
@@ -71,6 +70,7 @@ pub struct Derived {
     /// The claims that are made `when` something holds, in their order: each where it does, with
     /// the values of the names that are solved for.
     pub conditional: Vec<Plan>,
+    planned: Planned,
     step: OnceLock<Option<StepPlan>>,
     carry: OnceLock<Option<(Symbols, Plan)>>,
 }
@@ -81,29 +81,31 @@ pub struct Derived {
 /// planned when it is first asked for.
 #[must_use]
 pub fn derive(system: &System) -> Derived {
-    let field = &system.field;
-    let couplings = Couplings::of(field);
-    let map = if couplings.is_some() { None } else { RationalMap::of(field) };
+    let System { field, kept, .. } = system;
+    let map = if field.dimension() > MOST_EXPANDED { None } else { RationalMap::of(field) };
+    let planned = Planned::of(system, map.as_ref());
+    let over = &planned.over;
+    let (values, slopes) = kept.jacobian(&field.symbols);
     let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
     let single = |plan: &Plan| Plan::together([plan]);
+    let constant =
+        |polynomials: &[Polynomial]| over.put_into(&over_divisors(&over.field, by_components(polynomials)));
     Derived {
-        divisors: Plan::of(field.components.iter().map(|component| &component.denominator)),
-        field: over_divisors(
-            field,
-            by_components(field.components.iter().map(|component| &component.numerator)),
-        ),
-        field_jacobian: over_divisors(field, by_rows(&field_jacobian(field))),
-        bilinear: over_divisors(field, by_components(&bilinear_form(field))),
-        polarized: over_divisors(field, by_components(&polarization(field))),
-        matrix: over_divisors(field, by_rows(&scaled_matrix(field))),
-        rhs: over_divisors(field, by_components(&scaled_rhs(field))),
-        det_matrix: map.as_ref().map(|map| over_product(map, [&map.denominator])),
-        rational_map: map
-            .as_ref()
-            .map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
-        reduced_map: map.as_ref().and_then(|map| reduced_map(&field.symbols, &map.reduced)),
+        divisors: kept.divisors(),
+        field: kept.plan(),
+        field_jacobian: values.plan(slopes.iter().flatten()),
+        bilinear: constant(&bilinear_form(&over.field)),
+        polarized: constant(&polarization(&over.field)),
+        matrix: values
+            .plan(matrix_of(slopes.clone(), field.symbols.epsilon(), |_| Polynomial::one()).iter().flatten()),
+        rhs: constant(&scaled_rhs(&over.field)),
+        det_matrix: planned.with_map(|map| over_product(map, [&map.denominator])),
+        rational_map: planned
+            .with_map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
+        reduced_map: planned.reduced_map(),
+        couplings: Couplings::of(&values, &slopes),
         map,
-        couplings,
+        planned,
         integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
@@ -115,12 +117,53 @@ pub fn derive(system: &System) -> Derived {
     }
 }
 
+/// What a step and the map are planned from.
+#[derive(Clone, Debug)]
+struct Planned {
+    over: OverConstants,
+    map: Option<RationalMap>,
+}
+
+impl Planned {
+    /// The field over its constants; the field itself where its `map` has common factors that it has
+    /// not over them.
+    fn of(system: &System, map: Option<&RationalMap>) -> Self {
+        let over = system.kept.over_constants(&system.field);
+        let Some(map) = map else { return Planned { over, map: None } };
+        let own = if over.is_plain() { None } else { RationalMap::of(&over.field) };
+        match own
+            .filter(|own| own.reduced.is_as_short(&over.field.symbols, &map.reduced, &system.field.symbols))
+        {
+            Some(own) => Planned { over, map: Some(own) },
+            None => Planned { over: OverConstants::plain(&system.field), map: Some(map.clone()) },
+        }
+    }
+
+    fn with_map(&self, plan: impl FnOnce(&RationalMap) -> Plan) -> Option<Plan> {
+        self.map.as_ref().map(|map| self.over.put_into(&plan(map)))
+    }
+
+    /// The reduced map, where a factor that depends on states was divided out.
+    fn reduced_map(&self) -> Option<Plan> {
+        let symbols = &self.over.field.symbols;
+        let reduced = &self.map.as_ref()?.reduced;
+        let plan = || Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator]));
+        symbols.has_state(&reduced.common_factor).then(|| self.over.put_into(&plan()))
+    }
+}
+
 impl Derived {
     /// The step in straight lines; `None` where every step eliminates.
     ///
     /// Cost: the first call plans it, which takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
-        let plan = || StepPlan::of_map(&self.system.field, self.map.as_ref());
+        let Planned { over, map } = &self.planned;
+        let plan = || {
+            Some(
+                StepPlan::of_map(&over.field, Some(&over.kept), map.as_ref())?
+                    .mapped(&|plan| over.put_into(plan)),
+            )
+        };
         let written = || if self.couplings.is_some() { None } else { plan() };
         self.step.get_or_init(written).as_ref()
     }
@@ -135,9 +178,10 @@ impl Derived {
     /// Cost: the first call plans it, as that of a step.
     pub fn carry(&self) -> Option<(&Symbols, &Plan)> {
         let plan = || {
-            let variational = self.system.variational().field;
-            let plan = Plan::of_tangent(&variational)?;
-            Some((variational.symbols, plan))
+            let System { field, kept, .. } = self.system.variational();
+            let over = kept.over_constants(&field);
+            let plan = Plan::of_tangent(&over.field)?;
+            Some((field.symbols, over.put_into(&plan)))
         };
         let has_other_poles = self.reduced_map.is_some();
         let planned = || if has_other_poles || self.step().is_none() { None } else { plan() };
@@ -198,10 +242,7 @@ impl Derived {
 }
 
 /// These numerators, each over what the component of the field with its index divides by.
-pub(crate) fn over_divisors<'a>(
-    field: &Field,
-    numerators: impl IntoIterator<Item = (&'a Polynomial, usize)>,
-) -> Plan {
+fn over_divisors<'a>(field: &Field, numerators: impl IntoIterator<Item = (&'a Polynomial, usize)>) -> Plan {
     let mut builder = PlanBuilder::default();
     let mut outputs: Vec<Node> = Vec::new();
     for (numerator, component) in numerators {
@@ -219,11 +260,6 @@ fn by_components<'a>(
     numerators.into_iter().zip(0..)
 }
 
-/// The numerators of a matrix, row by row.
-fn by_rows(rows: &[Vec<Polynomial>]) -> impl Iterator<Item = (&Polynomial, usize)> {
-    rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |entry| (entry, i)))
-}
-
 /// These polynomials over ∏q.
 fn over_product<'a>(map: &RationalMap, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
     let mut builder = PlanBuilder::default();
@@ -234,12 +270,4 @@ fn over_product<'a>(map: &RationalMap, polynomials: impl IntoIterator<Item = &'a
         outputs.push(builder.divide(above, below));
     }
     builder.finish(&outputs)
-}
-
-/// The numerators of the reduced map and its denominator, where a factor that depends on states was
-/// divided out.
-fn reduced_map(symbols: &Symbols, reduced: &Reduced) -> Option<Plan> {
-    symbols
-        .has_state(&reduced.common_factor)
-        .then(|| Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator])))
 }

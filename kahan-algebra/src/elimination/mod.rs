@@ -15,11 +15,10 @@
 mod graph;
 mod orders;
 
-use crate::derived::over_divisors;
 use crate::diagnostics::{Diagnostic, Kind};
-use crate::field::Field;
-use crate::kahan::field_jacobian;
+use crate::kept::Values;
 use crate::plan::{Plan, StepCost, triangular_blocks};
+use crate::poly::Polynomial;
 use crate::table::distinct;
 use crate::token::Span;
 
@@ -71,14 +70,13 @@ pub struct Row {
 }
 
 impl Couplings {
-    /// The couplings of a field with more than [`MOST_EXPANDED`] variables.
+    /// The couplings of a field with more than [`MOST_EXPANDED`] variables, from f′ over its values.
     #[must_use]
-    pub fn of(field: &Field) -> Option<Self> {
-        (field.dimension() > MOST_EXPANDED).then(|| Self::among(field))
+    pub(crate) fn of(values: &Values, slopes: &[Vec<Polynomial>]) -> Option<Self> {
+        (slopes.len() > MOST_EXPANDED).then(|| Self::among(values, slopes))
     }
 
-    fn among(field: &Field) -> Self {
-        let slopes = field_jacobian(field);
+    fn among(values: &Values, slopes: &[Vec<Polynomial>]) -> Self {
         let is_coupled: Vec<Vec<bool>> =
             slopes.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect();
         let graph = Graph::of(&is_coupled);
@@ -106,11 +104,11 @@ impl Couplings {
                 let slope = &slopes[i][order[columns[place]]];
                 if !slope.is_zero() {
                     places.push(place);
-                    written.push((slope, i));
+                    written.push(slope);
                 }
             }
         }
-        let slopes = over_divisors(field, written);
+        let slopes = values.plan(written);
         Couplings { order, rows, columns, blocks: ends, places, slopes }
     }
 

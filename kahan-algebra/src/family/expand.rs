@@ -1,6 +1,7 @@
 //! A family at a given number of sites, as the plain system that a block of equations gives.
 
 use crate::field::{Component, Field};
+use crate::kept::Kept;
 use crate::plan::PlanBuilder;
 use crate::poly::{Monomial, Polynomial};
 use crate::rational::Rational;
@@ -47,10 +48,12 @@ impl Family {
                 .extend(self.components.iter().map(|component| self.moved(component, site, sites, &symbols)));
         }
         let claims = self.integrals.iter().map(|sum| self.claim_at(sum, sites, &symbols)).collect();
+        let field = Field { symbols, components };
         System {
             header: self.header.clone(),
             constants: self.constants.clone(),
-            field: Field { symbols, components },
+            kept: Kept::of(&field),
+            field,
             written: Vec::new(),
             is_field_sound: self.is_sound,
             claims,

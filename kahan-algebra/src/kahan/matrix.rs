@@ -1,7 +1,7 @@
 //! f′(x), the matrix A(x,ε) = I − ε f′(x) and the right-hand side b(x,ε) = x + εBx + 2εc.
 
 use crate::field::Field;
-use crate::poly::Polynomial;
+use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
 
 /// The numerators of f′(x): entry (i, j) is ∂pᵢ/∂xⱼ, over qᵢ.
@@ -15,20 +15,29 @@ pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
         .collect()
 }
 
-/// Â = diag(q) A: entry (i, j) is qᵢδᵢⱼ − ε ∂pᵢ/∂xⱼ.
+/// The matrix with these entries on its diagonal, minus ε times the `slopes`.
 #[must_use]
-pub fn scaled_matrix(field: &Field) -> Vec<Vec<Polynomial>> {
-    let minus_eps = -&Polynomial::variable(field.symbols.epsilon());
-    let mut matrix = field_jacobian(field);
-    for (i, row) in matrix.iter_mut().enumerate() {
+pub(crate) fn matrix_of(
+    mut slopes: Vec<Vec<Polynomial>>,
+    epsilon: Variable,
+    diagonal: impl Fn(usize) -> Polynomial,
+) -> Vec<Vec<Polynomial>> {
+    let minus_eps = -&Polynomial::variable(epsilon);
+    for (i, row) in slopes.iter_mut().enumerate() {
         for (j, entry) in row.iter_mut().enumerate() {
             *entry = &minus_eps * &*entry;
             if i == j {
-                *entry = &*entry + &field.components[i].denominator;
+                *entry = &*entry + &diagonal(i);
             }
         }
     }
-    matrix
+    slopes
+}
+
+/// Â = diag(q) A: entry (i, j) is qᵢδᵢⱼ − ε ∂pᵢ/∂xⱼ.
+#[must_use]
+pub fn scaled_matrix(field: &Field) -> Vec<Vec<Polynomial>> {
+    matrix_of(field_jacobian(field), field.symbols.epsilon(), |i| field.components[i].denominator.clone())
 }
 
 /// b̂ = diag(q) b: entry i is qᵢxᵢ + ε(linear part of pᵢ) + 2ε(constant part of pᵢ).

@@ -7,7 +7,7 @@
 //! them is divided out: where it alone vanishes the map has a removable pole.
 
 use crate::field::Field;
-use crate::poly::{Budget, OverBudget, Polynomial, gcd_all_within};
+use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within};
 use crate::rational::Rational;
 use crate::symbols::Symbols;
 
@@ -85,6 +85,18 @@ impl Reduced {
     #[must_use]
     pub fn terms(&self) -> usize {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
+    }
+
+    /// Whether this has no degree in ε and the states that the `other` form of the same map has not:
+    /// as many factors were divided out. Each has symbols of its own.
+    #[must_use]
+    pub(crate) fn is_as_short(&self, symbols: &Symbols, other: &Reduced, others: &Symbols) -> bool {
+        let degrees = |reduced: &Reduced, symbols: &Symbols| -> Vec<u32> {
+            let varies = |v: Variable| symbols.is_state(v) || v == symbols.epsilon();
+            let all = reduced.increments.iter().chain([&reduced.denominator]);
+            all.map(|polynomial| polynomial.degree_where(varies)).collect()
+        };
+        degrees(self, symbols) == degrees(other, others)
     }
 
     /// x·d + 2εn: the numerators of x̃ over d.

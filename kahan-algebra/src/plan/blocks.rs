@@ -25,14 +25,11 @@ use crate::symbols::Symbol;
 use super::Node;
 use super::candidate::Candidate;
 use super::draft::Signed;
-use super::minors::{self, Determinants, determinants};
+use super::minors::{self, Determinants, MOST_OPERATIONS, determinants};
 use super::nesting::Goal;
 use super::structure::Structure;
 use super::writer::{Entry, Writer};
 
-/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop
-/// is faster.
-const MOST_OPERATIONS: usize = 600;
 /// The most terms of a right-hand side for which all ways to distribute ε are compared.
 const COMPARED_TERMS: usize = 12;
 /// The most terms of an entry that is expanded.

@@ -3,6 +3,7 @@
 
 use crate::field::Field;
 use crate::kahan::{RationalMap, scaled_matrix};
+use crate::kept::Kept;
 use crate::poly::Polynomial;
 use crate::rational::Rational;
 use crate::table::sorted_by_key;
@@ -14,6 +15,7 @@ use super::factored_map::FactoredMap;
 use super::minors::{Determinants, determinants};
 use super::nesting::Goal;
 use super::numerators::{Power, Products};
+use super::products;
 use super::writer::{Entry, Writer};
 
 /// A draft in which the denominator is written.
@@ -50,9 +52,13 @@ pub(super) struct Forms {
     pub(super) over_time_step: Vec<Candidate>,
 }
 
-/// The forms of a field's step: of the reduced map, if that is within the budget, or of A; `None`
+/// The forms of a field's step: from products of sums that are `kept`; of the reduced map, if that is within the budget, or of A; `None`
 /// where the field is too large for straight lines.
-pub(super) fn forms(field: &Field, map: Option<&RationalMap>) -> Option<Forms> {
+pub(super) fn forms(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Forms> {
+    if let Some(kept) = kept {
+        let best = products::candidates(field, kept).into_iter().min_by_key(Candidate::price)?;
+        return Some(Forms { best, two_divisions: None, over_time_step: Vec::new() });
+    }
     let mut candidates: Vec<Candidate> = Vec::new();
     if has_blocks(field, map) {
         let blocks = Blocks::of(field);

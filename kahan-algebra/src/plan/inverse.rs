@@ -13,6 +13,7 @@ use crate::arithmetic::Arithmetic;
 use crate::poly::{Monomial, Polynomial};
 use crate::rational::Rational;
 
+use super::StepPlan;
 use super::candidate::Candidate;
 use super::draft::Signed;
 use super::factored_map::FactoredMap;
@@ -20,7 +21,6 @@ use super::nesting::Goal;
 use super::numerators::Power;
 use super::scaling::{is_power_of_two, over_eps};
 use super::writer::Writer;
-use super::{Operation, StepPlan};
 
 /// The most powers of ε that are divided by: more of them leave the range of a scalar too early.
 const MOST_POWERS: u32 = 2;
@@ -104,13 +104,6 @@ impl FactoredMap<'_> {
 }
 
 impl StepPlan {
-    /// Whether the step divides by ε when it is prepared: then it serves floats only, and an ε that
-    /// is away from zero.
-    #[must_use]
-    pub fn has_inverse_step(&self) -> bool {
-        self.constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)))
-    }
-
     /// The plan that serves this arithmetic at this ε.
     #[must_use]
     pub fn at<A: Arithmetic>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
@@ -120,6 +113,6 @@ impl StepPlan {
     /// The plan that serves every scalar and every ε.
     #[must_use]
     pub fn for_any_step(&self) -> &Self {
-        self.general.as_deref().filter(|_| self.has_inverse_step()).unwrap_or(self)
+        self.general.as_deref().filter(|_| self.has_inverse_step).unwrap_or(self)
     }
 }

@@ -3,6 +3,7 @@
 //! each from those of one row less, so that all the determinants share them; zero entries leave out
 //! what they would multiply.
 
+use crate::poly::Polynomial;
 use crate::table::{Table, sorted_by_key};
 
 use super::draft::{Draft, Signed};
@@ -49,12 +50,11 @@ fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, S
     let mut minors = Table::new();
     for j in 1..first.len() {
         for i in 0..j {
-            let polynomial = &(&first[i].polynomial * &second[j].polynomial)
-                - &(&first[j].polynomial * &second[i].polynomial);
-            if polynomial.is_zero() {
+            let polynomial = minor_of(&first[i], &second[j], &first[j], &second[i]);
+            if polynomial.as_ref().is_some_and(Polynomial::is_zero) {
                 continue;
             }
-            let written = writer.known(&polynomial).unwrap_or_else(|| {
+            let written = polynomial.and_then(|polynomial| writer.known(&polynomial)).unwrap_or_else(|| {
                 let left = times(&mut writer.draft, first[i].written, second[j].written);
                 let right = times(&mut writer.draft, first[j].written, second[i].written);
                 let terms: Vec<Signed> = [left, right.flipped(true)]
@@ -63,10 +63,19 @@ fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, S
                     .collect();
                 writer.draft.signed_sum(&terms)
             });
+            if writer.draft.is_zero(written) {
+                continue;
+            }
             minors.insert(1 << i | 1 << j, written);
         }
     }
     minors
+}
+
+/// ab − cd, where what they compute is known.
+fn minor_of(a: &Entry, b: &Entry, c: &Entry, d: &Entry) -> Option<Polynomial> {
+    let [a, b, c, d] = [a, b, c, d].map(|entry| entry.polynomial.as_ref());
+    Some(&(a? * b?) - &(c? * d?))
 }
 
 fn times(draft: &mut Draft, a: Signed, b: Signed) -> Signed {
@@ -135,3 +144,6 @@ pub(super) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
 
 /// The most minors of one size.
 const MOST_MINORS: usize = 4096;
+/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop is
+/// faster.
+pub(super) const MOST_OPERATIONS: usize = 600;

@@ -42,6 +42,7 @@ mod kernel;
 mod minors;
 mod nesting;
 mod numerators;
+mod products;
 mod reciprocals;
 mod recurrence;
 mod scaling;

@@ -5,6 +5,7 @@ use std::iter::once;
 
 use crate::field::Field;
 use crate::kahan::RationalMap;
+use crate::kept::Kept;
 use crate::symbols::Symbols;
 
 use super::accuracy::{Accuracy, LARGEST_SIZE};
@@ -31,6 +32,9 @@ pub struct StepPlan {
     pub constants: Plan,
     /// What is computed for each state.
     pub kernel: Kernel,
+    /// Whether the step divides by ε when it is prepared: then it serves floats only, and an ε that is
+    /// away from zero.
+    pub has_inverse_step: bool,
     /// The plan for lanes, where it is another one: a second division can shorten the chain of one
     /// orbit, but many orbits at once are bound by the divider. Where this plan [divides by
     /// ε](Self::has_inverse_step), also the one for all scalars but floats, and for an ε near zero.
@@ -46,14 +50,17 @@ impl StepPlan {
     /// stepped by elimination.
     #[must_use]
     pub fn of(field: &Field) -> Option<Self> {
-        Self::of_map(field, RationalMap::of(field).as_ref())
+        Self::of_map(field, None, RationalMap::of(field).as_ref())
     }
 
-    /// The same from a map that has been derived already, or was found to be beyond the budget.
+    /// The same from a map that has been derived already, or was found to be beyond the budget, and
+    /// from the products of sums that are kept of the field.
     #[must_use]
-    pub fn of_map(field: &Field, map: Option<&RationalMap>) -> Option<Self> {
+    pub(crate) fn of_map(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Self> {
+        let is_reduced = |map: &RationalMap| map.reduced.common_factor.as_constant().is_none();
+        let kept = kept.filter(|kept| kept.needs_sums(&field.symbols) && !map.is_some_and(is_reduced));
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
-        let forms = candidates::forms(field, map)?;
+        let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
@@ -66,7 +73,10 @@ impl StepPlan {
         let mut loss = accuracy.loss(&cheapest);
         let mut general = cheapest;
         if loss.is_refused() {
-            let steady = candidates::steady_forms(field, map, &forms.best);
+            let steady = match kept {
+                Some(_) => Vec::new(),
+                None => candidates::steady_forms(field, map, &forms.best),
+            };
             if let Some(steady) = steady.iter().map(plan).find(|form| accuracy.is_kept(form)) {
                 loss = accuracy.loss(&steady);
                 general = steady;
@@ -162,6 +172,16 @@ impl StepPlan {
         let kernel = if doubled.cost().chain > kernel.cost().chain { kernel } else { doubled };
         let (constants, kernel) = with_signs(constants, kernel, Wanted::TurnedConstants);
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        StepPlan { constants, kernel, general: None, holds_to: LARGEST_SIZE }
+        // Parameters divide nothing yet: what is divided by stands for itself.
+        let has_inverse_step =
+            constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
+        StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
+    }
+
+    /// The same step, its constants being what `change` makes of them.
+    #[must_use]
+    pub(crate) fn mapped(self, change: &dyn Fn(&Plan) -> Plan) -> Self {
+        let general = self.general.map(|general| Box::new(general.mapped(change)));
+        StepPlan { constants: change(&self.constants), general, ..self }
     }
 }

@@ -28,10 +28,11 @@ const REUSED: usize = 24;
 /// each of their factors may be a step already.
 const SHARED: usize = 3;
 
-/// An entry of a matrix: its polynomial over scaled symbols, and the step that computes it.
+/// An entry of a matrix: its polynomial over scaled symbols, where it is known, and the step that
+/// computes it.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
-    pub(super) polynomial: Polynomial,
+    pub(super) polynomial: Option<Polynomial>,
     pub(super) written: Signed,
 }
 
@@ -145,7 +146,7 @@ impl Writer {
     pub(super) fn entry(&mut self, polynomial: &Polynomial, goal: Goal) -> Entry {
         let polynomial = self.scaling.scale_first(polynomial);
         let written = self.write(&polynomial, goal);
-        Entry { polynomial, written }
+        Entry { polynomial: Some(polynomial), written }
     }
 
     /// The step that computes this polynomial over scaled symbols, if there is one.

@@ -12,6 +12,15 @@ use super::{Monomial, Polynomial, Term};
 use crate::rational::Rational;
 
 impl Polynomial {
+    /// The sum of all, each with whether it is subtracted. Costs a sort.
+    pub fn sum_of<'a>(summands: impl IntoIterator<Item = (bool, &'a Self)>) -> Self {
+        let terms = summands.into_iter().flat_map(|(negative, summand)| {
+            let signed = move |value: &Rational| if negative { -value } else { value.clone() };
+            summand.terms().map(move |(monomial, value)| (monomial.clone(), signed(value)))
+        });
+        Self::from_terms(terms)
+    }
+
     /// The product with a rational.
     pub fn scale(&self, factor: &Rational) -> Self {
         if factor.is_zero() {

@@ -29,6 +29,16 @@ impl Polynomial {
         }))
     }
 
+    /// The polynomial with `variable` replaced by another polynomial.
+    ///
+    /// # Panics
+    /// Beyond a total degree of 2²⁴.
+    pub fn composed(&self, variable: Variable, value: &Self) -> Self {
+        let degree = self.degree_in(variable);
+        self.homogenised_at(variable, (value, &Self::one()), degree, &mut Budget::unlimited())
+            .expect("total degrees stay below 2^24")
+    }
+
     /// Σ cₖ aᵏ bᵈ⁻ᵏ of self = Σ cₖ `variable`ᵏ: the polynomial at a/b, times bᵈ; d is at least the
     /// degree in the variable.
     ///

@@ -9,16 +9,12 @@
 //! Errors are those of each entry by itself, as each has a formula of its own; of the step they are
 //! those of the largest component, as elimination mixes the components. An error below half an ulp
 //! counts as that.
-//!
-//! What fails today is listed in `losing_digits.txt`, and the list only shrinks: a failure that is
-//! not listed fails the test, and so does a name in the list that holds.
-//! `KAHAN_GOLDEN=overwrite cargo test -p kahan-algebra --test object_plans` takes out what holds.
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
+use std::fs;
 use std::path::Path;
-use std::{env, fs};
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};
@@ -455,23 +451,6 @@ const EXAMPLES: [Example; 4] = [
     },
 ];
 
-/// What fails, for each object the names of systems.
-type Listed = BTreeMap<String, BTreeSet<String>>;
-
-fn path() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/object_plans/losing_digits.txt")
-}
-
-/// The list, a line an object: `f: 003 017 a-common-divisor`.
-fn listed() -> Listed {
-    let text = fs::read_to_string(path()).expect("the list is there");
-    let line = |line: &str| {
-        let (object, names) = line.split_once(':').expect("an object before a colon");
-        (object.to_owned(), names.split_whitespace().map(str::to_owned).collect())
-    };
-    text.lines().map(line).collect()
-}
-
 /// The blocks of the catalog that claim integrals, with the names of their files.
 fn catalog() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../systems/src/catalog");
@@ -489,7 +468,7 @@ fn catalog() -> Vec<(String, String)> {
 }
 
 #[test]
-fn the_digits_of_the_text_are_kept_but_where_it_is_listed() {
+fn the_digits_of_the_text_are_kept() {
     let mut all: Vec<(String, Losses)> = Vec::new();
     for number in 0..FIELDS {
         let name = format!("{number:03}");
@@ -530,48 +509,23 @@ fn the_digits_of_the_text_are_kept_but_where_it_is_listed() {
     }
     assert!(with_integrals >= 15, "{with_integrals} systems of the catalog claim integrals");
 
-    let mut failing = Listed::new();
+    let mut wrong = String::new();
     let mut ratios: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
     for (name, losses) in &all {
         for (object, lost) in &losses.0 {
             ratios.entry(object).or_default().extend(lost);
             if Losses::fail(lost) {
-                failing.entry((*object).to_owned()).or_default().insert(name.clone());
+                let (middle, most) = (median(lost), largest(lost.clone()));
+                let _ = writeln!(
+                    wrong,
+                    "{object} of {name} loses digits: {middle:.1} E in the median, {most:.1e} at most"
+                );
             }
         }
     }
     for (object, ratios) in &ratios {
-        println!(
-            "{object}: {:.1} E in the median, {:.1e} E at most",
-            median(ratios),
-            largest(ratios.clone())
-        );
-    }
-    let listed = listed();
-    let mut kept = Listed::new();
-    let mut wrong = String::new();
-    for object in ratios.keys() {
-        let none = BTreeSet::new();
-        let (listed, failing) = (listed.get(*object).unwrap_or(&none), failing.get(*object).unwrap_or(&none));
-        for name in failing.difference(listed) {
-            let lost = &all.iter().find(|(known, _)| known == name).expect("one of all").1.0[object];
-            let (middle, most) = (median(lost), largest(lost.clone()));
-            let _ = writeln!(
-                wrong,
-                "{object} of {name} loses digits: {middle:.1} E in the median, {most:.1e} at most"
-            );
-        }
-        for name in listed.difference(failing) {
-            let _ = writeln!(wrong, "{object} of {name} loses none any more: take it from the list");
-        }
-        kept.insert((*object).to_owned(), listed.intersection(failing).cloned().collect());
-    }
-    if env::var("KAHAN_GOLDEN").is_ok_and(|mode| mode == "overwrite") {
-        let line = |(object, names): (&String, &BTreeSet<String>)| {
-            let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            format!("{object}: {}\n", names.join(" "))
-        };
-        fs::write(path(), kept.iter().map(line).collect::<String>()).expect("the folder can be written");
+        let (middle, most) = (median(ratios), largest(ratios.clone()));
+        println!("{object}: {middle:.1} E in the median, {most:.1e} E at most");
     }
     assert!(wrong.is_empty(), "{wrong}");
 }

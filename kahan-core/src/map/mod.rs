@@ -92,6 +92,9 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     type Prepared: PreparedStep<T, N>;
 
     /// Prepares the step at ε: what an orbit or [`at`](Self::at) computes once.
+    ///
+    /// # Panics
+    /// Where the field divides by zero at these parameters, for exact scalars.
     fn prepare(&self, eps: &T) -> Self::Prepared;
 
     /// A(x,ε) = I − εf′(x), the matrix of the linear system A(x,ε)·x̃ = b(x,ε).

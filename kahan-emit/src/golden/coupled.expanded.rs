@@ -118,12 +118,12 @@ const _: () = {
         const FIELD: &'static [__kahan::Postfix<'static>] = {
             use __kahan::Postfix::*;
             &[
-                State(1),
-                State(8),
-                Subtract,
                 State(0),
                 Parameter(0),
                 Multiply,
+                State(1),
+                State(8),
+                Subtract,
                 Multiply,
                 Done,
                 State(2),
@@ -274,7 +274,7 @@ const _: () = {
             ] = x;
             let [__p_a] = __parameters;
             [
-                (__s_x1.clone() - __s_x8.clone()) * (__s_x0.clone() * __p_a.clone()),
+                __s_x0.clone() * __p_a.clone() * (__s_x1.clone() - __s_x8.clone()),
                 __s_x1.clone() * (__s_x2.clone() - __s_x0.clone()),
                 __s_x2.clone() * (__s_x3.clone() - __s_x1.clone()),
                 __s_x3.clone() * (__s_x4.clone() - __s_x2.clone()),
@@ -291,7 +291,7 @@ const _: () = {
             let [__p_a] = __parameters;
             let __t_a_x0 = __p_a.clone() * __s_x0.clone();
             [
-                (__s_x1.clone() - __s_x8.clone()) * __p_a.clone(),
+                __p_a.clone() * (__s_x1.clone() - __s_x8.clone()),
                 __t_a_x0.clone(),
                 -__t_a_x0,
                 __s_x3.clone() - __s_x1.clone(),

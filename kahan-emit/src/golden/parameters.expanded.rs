@@ -59,21 +59,19 @@ const _: () = {
             let [__s_x, __s_y] = __kahan::components(x);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __t_mu_minus_nu = __p_mu.clone() - __p_nu.clone();
-            let __t_mu_minus_nu_minus_one = __t_mu_minus_nu.clone()
-                - __kahan::integer::<T>(1);
             let __c_10 = __kahan::integer::<T>(10);
-            let __t_ten_x = __c_10.clone() * __s_x.clone();
+            let __c_1 = __kahan::integer::<T>(1);
             __kahan::vector([
                 __s_y.clone(),
-                -((__s_x.clone() * (__t_mu_minus_nu * __kahan::integer::<T>(981))
-                    + __s_y.clone()
+                (__s_y.clone()
+                    * (__c_10.clone()
                         * (__c_10
-                            * (__p_mu.clone() * __p_mu.clone() - __t_ten_x.clone()
-                                + __p_nu.clone()
-                                    * (__p_mu.clone() * __t_mu_minus_nu_minus_one.clone()
-                                        - __t_ten_x)))) * __kahan::ratio::<T>(1, 100)
-                    / (__p_mu.clone() + __p_nu.clone() * __t_mu_minus_nu_minus_one)),
+                            * (__s_x.clone()
+                                * (__c_1.clone() / (__p_mu.clone() - __p_nu.clone())))
+                            - __p_mu.clone()))
+                    - __kahan::integer::<T>(981)
+                        * (__s_x.clone() * (__c_1.clone() / (__p_nu.clone() + __c_1))))
+                    * __kahan::ratio::<T>(1, 100),
             ])
         }
         fn field_jacobian(
@@ -84,23 +82,17 @@ const _: () = {
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
             let __c_1 = __kahan::integer::<T>(1);
-            let __t_y_times_100 = __kahan::integer::<T>(100) * __s_y.clone();
-            let __c_981 = __kahan::integer::<T>(981);
-            let __t_mu_minus_nu_minus_one = __p_mu.clone() - __p_nu.clone()
-                - __c_1.clone();
-            let __sum_1 = __p_mu.clone()
-                + __p_nu.clone() * __t_mu_minus_nu_minus_one.clone();
-            let __t_ten_x = __kahan::integer::<T>(10) * __s_x.clone();
+            let __reciprocal_1 = __c_1.clone() / (__p_mu.clone() - __p_nu.clone());
             __kahan::matrix([
-                [__kahan::integer::<T>(0), __c_1],
+                [__kahan::integer::<T>(0), __c_1.clone()],
                 [
-                    (__t_y_times_100.clone() - __c_981.clone() * __p_mu.clone()
-                        + (__t_y_times_100 + __c_981) * __p_nu.clone())
-                        * __kahan::ratio::<T>(1, 100) / __sum_1.clone(),
-                    -((__p_mu.clone() * __p_mu.clone() - __t_ten_x.clone()
-                        + __p_nu.clone()
-                            * (__p_mu.clone() * __t_mu_minus_nu_minus_one - __t_ten_x))
-                        * __kahan::ratio::<T>(1, 10) / __sum_1),
+                    (__kahan::integer::<T>(100)
+                        * (__s_y.clone() * __reciprocal_1.clone())
+                        - __kahan::integer::<T>(981)
+                            * (__c_1.clone() / (__p_nu.clone() + __c_1)))
+                        * __kahan::ratio::<T>(1, 100),
+                    (__kahan::integer::<T>(10) * (__reciprocal_1 * __s_x.clone())
+                        - __p_mu.clone()) * __kahan::ratio::<T>(1, 10),
                 ],
             ])
         }
@@ -113,15 +105,11 @@ const _: () = {
             let [__o_x, __o_y] = __kahan::components(y);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __c_1 = __kahan::integer::<T>(1);
-            let __t_nu_plus_one = __p_nu.clone() + __c_1.clone();
             __kahan::vector([
                 __kahan::integer::<T>(0),
-                (__t_nu_plus_one.clone() * (__s_y.clone() * __o_x.clone())
-                    + __t_nu_plus_one * __s_x.clone() * __o_y.clone())
+                (__s_x.clone() * __o_y.clone() + __s_y.clone() * __o_x.clone())
                     * __kahan::ratio::<T>(1, 2)
-                    / (__p_mu.clone()
-                        + __p_nu.clone() * (__p_mu.clone() - __p_nu.clone() - __c_1)),
+                    * (__kahan::integer::<T>(1) / (__p_mu.clone() - __p_nu.clone())),
             ])
         }
         fn polarized(
@@ -133,224 +121,99 @@ const _: () = {
             let [__o_x, __o_y] = __kahan::components(y);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __t_y_plus_y_second = __s_y.clone() + __o_y.clone();
-            let __t_mu_minus_nu_minus_one = __p_mu.clone() - __p_nu.clone()
-                - __kahan::integer::<T>(1);
             let __c_10 = __kahan::integer::<T>(10);
-            let __c_100 = __kahan::integer::<T>(100);
+            let __c_1 = __kahan::integer::<T>(1);
+            let __reciprocal_1 = __c_1.clone() / (__p_mu.clone() - __p_nu.clone());
             let __c_981 = __kahan::integer::<T>(981);
+            let __reciprocal_2 = __c_1.clone() / (__p_nu.clone() + __c_1);
             __kahan::vector([
-                __t_y_plus_y_second.clone() * __kahan::ratio::<T>(1, 2),
-                -((__p_mu.clone()
-                    * (__c_981.clone() * (__s_x.clone() + __o_x.clone())
-                        + __p_mu.clone() * (__t_y_plus_y_second * __c_10.clone()))
-                    - __c_100.clone()
-                        * (__o_y.clone() * __s_x.clone() + __s_y.clone() * __o_x.clone())
-                    + __p_nu.clone()
-                        * (__p_mu.clone()
-                            * ((__s_y.clone() * __t_mu_minus_nu_minus_one.clone()
-                                + __o_y.clone() * __t_mu_minus_nu_minus_one.clone())
-                                * __c_10)
-                            - ((__o_y.clone() * __c_100.clone() + __c_981.clone())
-                                * __s_x.clone()
-                                + (__s_y.clone() * __c_100 + __c_981) * __o_x.clone())))
-                    * __kahan::ratio::<T>(1, 200)
-                    / (__p_mu.clone() + __p_nu.clone() * __t_mu_minus_nu_minus_one)),
+                (__s_y.clone() + __o_y.clone()) * __kahan::ratio::<T>(1, 2),
+                ((__kahan::integer::<T>(100) * (__s_y.clone() * __reciprocal_1.clone())
+                    - __c_981.clone() * __reciprocal_2.clone()) * __o_x.clone()
+                    - (__c_981 * (__s_x.clone() * __reciprocal_2)
+                        + __c_10.clone() * (__s_y.clone() * __p_mu.clone()))
+                    + __o_y.clone()
+                        * (__c_10.clone()
+                            * (__c_10 * (__s_x.clone() * __reciprocal_1)
+                                - __p_mu.clone()))) * __kahan::ratio::<T>(1, 200),
             ])
         }
     }
     pub struct __Step;
-    impl __kahan::Kernel<2, 8> for __Step {
-        const COST: __kahan::StepCost = __kahan::StepCost::of(27, 1, 32);
+    impl __kahan::Kernel<2, 5> for __Step {
+        const COST: __kahan::StepCost = __kahan::StepCost::of(27, 1, 37);
         #[inline(always)]
         fn quotients<T: __kahan::Scalar>(
-            __constants: &[__kahan::Padded<T>; 8],
+            __constants: &[__kahan::Padded<T>; 5],
             __state: [T; 2],
         ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            let [__e_half_plus_half_nu, __e_constant_1, __e_constant_2, __e_eps,
-            __e_nu_plus_one, __e_mu, __e_nu_minus_mu, __e_mu_minus_nu_times_981] = __constants;
+            let [__e_eps, __e_constant_1, __e_constant_2, __e_ten_plus_eps_mu, __e_eps_mu,
+            ] = __constants;
             let [__s_x, __s_y] = __state;
-            let __reciprocal_1 = __e_constant_2
-                .get()
-                .subtract_product(__e_half_plus_half_nu.get(), __s_x.clone())
-                .subtract_product(__e_constant_1.get(), __s_y.clone())
-                .reciprocal()?;
-            let __t_nu_plus_one_y_times_100 = __e_nu_plus_one.get()
-                * (__s_y.clone() * __kahan::integer::<T>(100));
-            let __sum_1 = __t_nu_plus_one_y_times_100.clone()
-                - __e_mu_minus_nu_times_981.get();
-            let __c_1_100 = __kahan::ratio::<T>(1, 100);
-            let __numerators = [
-                __e_nu_minus_mu.get()
-                    * (__kahan::integer::<T>(981)
-                        .multiply_subtract(
-                            __e_eps.get() * __s_x.clone(),
-                            __t_nu_plus_one_y_times_100,
-                        ) * __c_1_100.clone()),
-                __c_1_100
-                    * (__e_nu_minus_mu.get()
-                        * (__e_mu.get()
-                            * (__e_nu_plus_one.get()
-                                * (__s_y.clone() * __kahan::integer::<T>(10))))
-                        + (__s_x * __sum_1.clone() + __sum_1 * (__e_eps.get() * __s_y))),
-            ];
-            __kahan::over(__numerators, __reciprocal_1)
-        }
-    }
-    pub struct __General;
-    impl __kahan::Kernel<2, 7> for __General {
-        const COST: __kahan::StepCost = __kahan::StepCost::of(31, 1, 41);
-        #[inline(always)]
-        fn quotients<T: __kahan::Scalar>(
-            __constants: &[__kahan::Padded<T>; 7],
-            __state: [T; 2],
-        ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-            let [__e_eps, __e_nu_plus_one, __e_eps_plus_eps_nu, __e_constant_1,
-            __e_eps_nu_minus_eps_mu, __e_constant_2, __e_mu_minus_nu_times_981] = __constants;
-            let [__s_x, __s_y] = __state;
-            let __t_eps_x = __e_eps.get() * __s_x;
-            let __c_100 = __kahan::integer::<T>(100);
             let __t_eps_y = __e_eps.get() * __s_y.clone();
+            let __sum_1 = __kahan::integer::<T>(100)
+                .multiply_subtract(
+                    __s_y.clone() * __e_constant_1.get(),
+                    __e_constant_2.get(),
+                );
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
+            let __product_1 = __sum_1.clone() * __c_1_100.clone();
+            let __c_10 = __kahan::integer::<T>(10);
+            let __product_2 = __e_constant_1
+                .get()
+                .multiply_subtract(
+                    __c_10.clone() * __s_x.clone(),
+                    __e_ten_plus_eps_mu.get(),
+                ) * __kahan::ratio::<T>(1, 10);
+            let __product_3 = __c_1_100
+                * __sum_1.multiply_subtract(__s_x, __c_10 * (__s_y * __e_eps_mu.get()));
             let __reciprocal_1 = __kahan::integer::<T>(2)
                 .quotient(
-                    __e_constant_1
-                        .get()
-                        .subtract_product(
-                            __e_nu_plus_one.get(),
-                            __c_100.clone() * __t_eps_x.clone(),
-                        )
-                        .subtract_product(
-                            __e_eps_plus_eps_nu.get(),
-                            __c_100.clone() * __t_eps_y.clone(),
-                        ) * __c_1_100.clone(),
+                    __e_eps.get().multiply_add(__product_1.clone(), __product_2.clone()),
                 )?;
-            let __c_981 = __kahan::integer::<T>(981);
-            let __t_nu_plus_one_y_times_100 = __e_nu_plus_one.get() * (__c_100 * __s_y);
-            let __t_ten_eps_y = __t_eps_y.clone() * __kahan::integer::<T>(10);
             let __numerators = [
-                __c_1_100.clone()
-                    * (__e_eps_nu_minus_eps_mu.get()
-                        * __t_eps_x
-                            .clone()
-                            .multiply_subtract(
-                                __c_981.clone(),
-                                __t_nu_plus_one_y_times_100.clone(),
-                            )),
-                __c_1_100
-                    * __e_eps_nu_minus_eps_mu
-                        .get()
-                        .multiply_add(
-                            __t_eps_y * __c_981,
-                            __t_ten_eps_y
-                                .clone()
-                                .multiply_add(
-                                    __e_nu_plus_one
-                                        .get()
-                                        .multiply_subtract(__t_ten_eps_y, __e_constant_2.get()),
-                                    __t_eps_x
-                                        * (__t_nu_plus_one_y_times_100
-                                            - __e_mu_minus_nu_times_981.get()),
-                                ),
-                        ),
+                (__t_eps_y.clone() * __product_2)
+                    .subtract_product(__e_eps.get(), __product_3.clone()),
+                -__t_eps_y.multiply_add(__product_1, __product_3),
             ];
             __kahan::over(__numerators, __reciprocal_1)
         }
     }
     impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Pendulum<T> {
-        type Prepared = __kahan::StepOverEps<__Step, __General, T, 8, 7>;
+        type Prepared = __kahan::StraightStep<__Step, T, 5>;
         #[inline(always)]
         fn prepare(&self, eps: &T) -> Self::Prepared {
-            Self::Prepared::new(
-                eps,
-                || {
-                    let __p_mu = &self.mu;
-                    let __p_nu = &self.nu;
-                    let __t_mu_times_1_over_20 = __kahan::ratio::<T>(1, 20)
-                        * __p_mu.clone();
-                    let __t_mu_nu = __p_mu.clone() * __p_nu.clone();
-                    let __t_nu_squared = __p_nu.clone() * __p_nu.clone();
-                    let __c_1_2 = __kahan::ratio::<T>(1, 2);
-                    let __t_half_over_eps = __c_1_2.clone() / eps.clone();
-                    let __c_981_200 = __kahan::ratio::<T>(981, 200);
-                    let __t_nu_eps = __p_nu.clone() * eps.clone();
-                    [
-                        __c_1_2.clone() + __p_nu.clone() * __c_1_2.clone(),
-                        __c_1_2.clone() * __t_nu_eps.clone() + __c_1_2 * eps.clone(),
-                        __p_mu.clone() * __t_mu_times_1_over_20.clone()
-                            - __p_nu.clone() * __t_mu_times_1_over_20.clone()
-                            + (__c_981_200.clone() * (__p_mu.clone() * eps.clone())
-                                + __p_mu.clone() * __t_half_over_eps.clone())
-                            + (__t_mu_times_1_over_20.clone() * __t_mu_nu.clone()
-                                - __t_mu_times_1_over_20 * __t_nu_squared.clone()
-                                + (__t_mu_nu * __t_half_over_eps.clone()
-                                    - __t_nu_squared * __t_half_over_eps.clone())
-                                - (__c_981_200 * __t_nu_eps
-                                    + __p_nu.clone() * __t_half_over_eps)),
-                        eps.clone(),
-                        __p_nu.clone() + __kahan::integer::<T>(1),
-                        __p_mu.clone(),
-                        __p_nu.clone() - __p_mu.clone(),
-                        (__p_mu.clone() - __p_nu.clone()) * __kahan::integer::<T>(981),
-                    ]
-                },
-                || {
-                    let __p_mu = &self.mu;
-                    let __p_nu = &self.nu;
-                    let __t_eps_nu = eps.clone() * __p_nu.clone();
-                    let __c_100 = __kahan::integer::<T>(100);
-                    let __t_nu_times_100 = __p_nu.clone() * __c_100.clone();
-                    let __c_10 = __kahan::integer::<T>(10);
-                    let __t_eps_mu = eps.clone() * __p_mu.clone();
-                    let __t_eps_mu_ten_nu = __t_eps_mu.clone()
-                        * (__p_nu.clone() * __c_10.clone());
-                    let __c_981 = __kahan::integer::<T>(981);
-                    let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
-                    [
-                        eps.clone(),
-                        __p_nu.clone() + __kahan::integer::<T>(1),
-                        eps.clone() + __t_eps_nu.clone(),
-                        __c_981.clone() * (eps.clone() * __t_eps_mu.clone())
-                            - __c_981.clone() * (eps.clone() * __t_eps_nu.clone())
-                            - (__p_nu.clone() * __t_nu_times_100.clone()
-                                + __t_eps_mu_ten_nu.clone())
-                            + (__p_mu.clone() * __t_eps_mu_ten_nu.clone()
-                                - __p_nu.clone() * __t_eps_mu_ten_nu
-                                + (__c_100 * __p_mu.clone() - __t_nu_times_100.clone()
-                                    + (__p_mu.clone() * __t_nu_times_100
-                                        + __t_eps_mu.clone() * (__p_mu.clone() * __c_10)))),
-                        __t_eps_nu - __t_eps_mu,
-                        __p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
-                            + (__p_mu.clone() * __t_nu_mu.clone()
-                                - __p_nu.clone() * __t_nu_mu),
-                        __c_981 * (__p_mu.clone() - __p_nu.clone()),
-                    ]
-                },
-            )
+            Self::Prepared::new({
+                let __p_mu = &self.mu;
+                let __p_nu = &self.nu;
+                let __c_1 = __kahan::integer::<T>(1);
+                let __t_eps_mu = eps.clone() * __p_mu.clone();
+                [
+                    eps.clone(),
+                    eps.clone() * (__c_1.clone() / (__p_mu.clone() - __p_nu.clone())),
+                    __kahan::integer::<T>(981)
+                        * (eps.clone() * (__c_1.clone() / (__p_nu.clone() + __c_1))),
+                    __kahan::integer::<T>(10) + __t_eps_mu.clone(),
+                    __t_eps_mu,
+                ]
+            })
         }
         fn det_matrix(&self, x: &__kahan::SVector<T, 2>, eps: T) -> T {
             let [__s_x, __s_y] = __kahan::components(x);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __t_mu_minus_nu_minus_one = __p_mu.clone() - __p_nu.clone()
-                - __kahan::integer::<T>(1);
-            let __sum_1 = __p_mu.clone()
-                + __p_nu.clone() * __t_mu_minus_nu_minus_one.clone();
-            let __c_10 = __kahan::integer::<T>(10);
             let __c_100 = __kahan::integer::<T>(100);
-            let __t_y_times_100 = __c_100.clone() * __s_y.clone();
-            let __c_981 = __kahan::integer::<T>(981);
+            let __c_1 = __kahan::integer::<T>(1);
+            let __reciprocal_1 = __c_1.clone() / (__p_mu.clone() - __p_nu.clone());
+            let __c_10 = __kahan::integer::<T>(10);
             -((eps.clone()
-                * (eps.clone()
-                    * (__t_y_times_100.clone() - __p_mu.clone() * __c_981.clone())
-                    - __c_10.clone()
-                        * (__p_mu.clone() * __p_mu.clone()
-                            - __c_10.clone() * __s_x.clone())
-                    + __p_nu.clone()
-                        * (__c_100.clone() * __s_x.clone()
-                            + (__t_y_times_100 + __c_981) * eps.clone()
-                            - __p_mu.clone() * (__t_mu_minus_nu_minus_one * __c_10)))
-                - __sum_1.clone() * __c_100) * __kahan::ratio::<T>(1, 100) / __sum_1)
+                * (__c_10.clone()
+                    * (__c_10 * (__reciprocal_1.clone() * __s_x.clone())
+                        - __p_mu.clone())
+                    + (__c_100.clone() * (__s_y.clone() * __reciprocal_1)
+                        - __kahan::integer::<T>(981)
+                            * (__c_1.clone() / (__p_nu.clone() + __c_1))) * eps.clone())
+                - __c_100) * __kahan::ratio::<T>(1, 100))
         }
         fn rational_map(
             &self,
@@ -360,49 +223,33 @@ const _: () = {
             let [__s_x, __s_y] = __kahan::components(x);
             let __p_mu = &self.mu;
             let __p_nu = &self.nu;
-            let __t_mu_minus_nu = __p_mu.clone() - __p_nu.clone();
-            let __t_mu_minus_nu_minus_one = __t_mu_minus_nu.clone()
-                - __kahan::integer::<T>(1);
-            let __sum_1 = __p_mu.clone()
-                + __p_nu.clone() * __t_mu_minus_nu_minus_one.clone();
-            let __c_10 = __kahan::integer::<T>(10);
-            let __product_1 = __p_mu.clone()
-                * (__t_mu_minus_nu_minus_one * __c_10.clone());
             let __c_100 = __kahan::integer::<T>(100);
-            let __t_y_times_100 = __c_100.clone() * __s_y.clone();
-            let __c_981 = __kahan::integer::<T>(981);
-            let __t_x_times_100 = __c_100.clone() * __s_x.clone();
-            let __t_mu_times_981 = __p_mu.clone() * __c_981.clone();
-            let __product_2 = __c_10.clone()
-                * (__p_mu.clone() * __p_mu.clone() - __c_10 * __s_x.clone());
-            let __product_3 = __sum_1.clone() * __c_100;
+            let __c_1 = __kahan::integer::<T>(1);
+            let __reciprocal_1 = __c_1.clone() / (__p_mu.clone() - __p_nu.clone());
+            let __product_1 = __c_100.clone() * (__s_y.clone() * __reciprocal_1.clone());
+            let __reciprocal_2 = __c_1.clone() / (__p_nu.clone() + __c_1);
+            let __product_2 = __kahan::integer::<T>(981) * __reciprocal_2.clone();
+            let __c_10 = __kahan::integer::<T>(10);
+            let __product_3 = __c_10.clone()
+                * (__c_10 * (__reciprocal_1 * __s_x.clone()) - __p_mu.clone());
             let __c_1_100 = __kahan::ratio::<T>(1, 100);
-            let __product_4 = eps.clone()
-                * (eps.clone() * (__t_y_times_100.clone() - __t_mu_times_981.clone())
-                    - __product_2.clone()
-                    + __p_nu.clone()
-                        * (__t_x_times_100.clone()
-                            + eps.clone() * (__t_y_times_100.clone() + __c_981.clone())
-                            - __product_1.clone()));
+            let __sum_1 = __product_3.clone()
+                + eps.clone() * (__product_1.clone() - __product_2.clone());
             (
                 __kahan::vector([
                     -((eps.clone()
                         * (__s_x.clone()
-                            * (eps.clone() * (__t_y_times_100.clone() + __t_mu_times_981)
-                                - __product_2
-                                + __p_nu.clone()
-                                    * (__t_x_times_100
-                                        + (__t_y_times_100 - __c_981) * eps.clone() - __product_1))
-                            - __s_y.clone()
-                                * (__sum_1.clone() * __kahan::integer::<T>(200)))
-                        - __s_x.clone() * __product_3.clone()) * __c_1_100.clone()
-                        / __sum_1.clone()),
+                            * (__product_3 + (__product_1 + __product_2) * eps.clone())
+                            - __s_y.clone() * __kahan::integer::<T>(200))
+                        - __c_100.clone() * __s_x.clone()) * __c_1_100.clone()),
                     __c_1_100.clone()
-                        * (__s_y.clone() * (__product_3.clone() + __product_4.clone())
-                            - __t_mu_minus_nu * __kahan::integer::<T>(1962)
-                                * (eps.clone() * __s_x.clone())) / __sum_1.clone(),
+                        * (__c_100.clone() * __s_y.clone()
+                            + eps.clone()
+                                * (__s_y.clone() * __sum_1.clone()
+                                    - __kahan::integer::<T>(1962)
+                                        * (__reciprocal_2 * __s_x.clone()))),
                 ]),
-                -(__c_1_100 * (__product_4 - __product_3) / __sum_1),
+                -(__c_1_100 * (eps.clone() * __sum_1 - __c_100)),
             )
         }
     }
@@ -433,42 +280,34 @@ const _: () = {
             let __p_mu = self.mu.clone();
             let __p_nu = self.nu.clone();
             let __t_two_dy = __kahan::integer::<T>(2) * __s_dy.clone();
-            let __t_one_plus_nu = __kahan::integer::<T>(1) + __p_nu.clone();
+            let __reciprocal_1 = (__p_mu.clone() - __p_nu.clone()).reciprocal()?;
+            let __product_1 = eps.clone() * __reciprocal_1.clone();
             let __c_981 = __kahan::integer::<T>(981);
-            let __t_eps_mu = eps.clone() * __p_mu.clone();
-            let __product_1 = (__c_981.clone() * (eps.clone() * __p_nu.clone())
-                - __c_981.clone() * __t_eps_mu.clone()
-                + __t_one_plus_nu.clone()
-                    * (__kahan::integer::<T>(100) * (__s_y.clone() * eps.clone())))
+            let __reciprocal_2 = (__p_nu + __kahan::integer::<T>(1)).reciprocal()?;
+            let __product_2 = (__kahan::integer::<T>(100)
+                * (__s_y.clone() * __product_1.clone())
+                - __c_981.clone() * (eps.clone() * __reciprocal_2.clone()))
                 * __kahan::ratio::<T>(1, 100);
             let __c_10 = __kahan::integer::<T>(10);
-            let __t_ten_nu = __p_nu.clone() * __c_10.clone();
-            let __t_nu_eps_mu = __p_nu.clone() * __t_eps_mu.clone();
-            let __product_2 = (__p_mu.clone() * __c_10.clone() - __t_ten_nu.clone()
-                + (__p_mu.clone() * __t_ten_nu.clone() + __p_mu.clone() * __t_eps_mu)
-                + (__p_mu.clone() * __t_nu_eps_mu.clone()
-                    - __p_nu.clone() * __t_nu_eps_mu.clone()
-                    - (__p_nu.clone() * __t_ten_nu + __t_nu_eps_mu))
-                - __t_one_plus_nu.clone()
-                    * (__c_10.clone() * (__s_x.clone() * eps.clone())))
+            let __product_3 = (__product_1 * (__s_x.clone() * __c_10.clone())
+                - (__c_10.clone() + eps.clone() * __p_mu.clone()))
                 * __kahan::ratio::<T>(1, 10);
-            let __t_nu_mu = __p_nu.clone() * __p_mu.clone();
-            let __product_3 = ((__p_mu.clone() * __p_mu.clone() - __t_nu_mu.clone()
-                + (__p_mu.clone() * __t_nu_mu.clone() - __p_nu.clone() * __t_nu_mu)
-                - __t_one_plus_nu.clone() * ((__s_x + __o_x) * __kahan::integer::<T>(5)))
-                * (__s_dy.clone() * __c_10)
-                - (__t_one_plus_nu * ((__s_y + __o_y) * __kahan::integer::<T>(50))
-                    - __c_981 * (__p_mu - __p_nu)) * __s_dx.clone())
+            let __c_50 = __kahan::integer::<T>(50);
+            let __product_4 = (__s_dy.clone() * __c_50.clone()
+                * ((__s_x + __o_x) * __reciprocal_1.clone())
+                - __c_10 * (__s_dy.clone() * __p_mu)
+                + (__reciprocal_1 * ((__s_y + __o_y) * __c_50)
+                    - __c_981 * __reciprocal_2) * __s_dx.clone())
                 * __kahan::ratio::<T>(1, 50);
             let __quotient_1 = eps
                 .clone()
-                .quotient(__product_2.clone() - eps.clone() * __product_1.clone())?;
+                .quotient(__product_3.clone() + eps.clone() * __product_2.clone())?;
             __kahan::Some(
                 __kahan::vector([
                     __s_dx
-                        - (eps * __product_3.clone() - __t_two_dy.clone() * __product_2)
+                        + (__t_two_dy.clone() * __product_3 - eps * __product_4.clone())
                             * __quotient_1.clone(),
-                    __s_dy + (__t_two_dy * __product_1 - __product_3) * __quotient_1,
+                    __s_dy - (__t_two_dy * __product_2 + __product_4) * __quotient_1,
                 ]),
             )
         }

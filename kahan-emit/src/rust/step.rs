@@ -44,7 +44,7 @@ pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
     let general = NamedStep::of(context, general, "__General");
     let (its_items, its_constants) = (general.emit_kernel(), general.emit_constants());
     let (its_name, its_count) = (&general.name, general.count());
-    let (both, at) = if plan.has_inverse_step() {
+    let (both, at) = if plan.has_inverse_step {
         (quote!(StepOverEps), quote!(eps,))
     } else {
         (quote!(StepOfOneOrbit), quote!())

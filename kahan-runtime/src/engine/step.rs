@@ -28,7 +28,7 @@ impl Steps {
             Some(plan) => Steps {
                 first: Step::straight(plan, derived),
                 general: plan.general.as_deref().map(|general| Step::straight(general, derived)),
-                divides_by_eps: plan.has_inverse_step(),
+                divides_by_eps: plan.has_inverse_step,
             },
             None => Steps { first: Step::by_elimination(derived), general: None, divides_by_eps: false },
         }

@@ -19,7 +19,7 @@ impl Writer {
     pub(in crate::plan) fn cheapest_entry(&mut self, polynomial: &Polynomial) -> Entry {
         let ways = self.scaling.ways(polynomial);
         let write = |writer: &mut Self, way: &Polynomial| Entry {
-            polynomial: way.clone(),
+            polynomial: Some(way.clone()),
             written: writer.write(way, Goal::Few),
         };
         self.cheapest(&ways, write, |_| 0)

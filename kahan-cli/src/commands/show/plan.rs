@@ -42,7 +42,7 @@ impl PlanSheet {
         let listing = |step: &StepPlan| StepListing::of(step, &system.field.symbols);
         let step = derived.step().map(listing);
         let plan_time = start.elapsed();
-        let inverse = derived.step().filter(|step| step.has_inverse_step());
+        let inverse = derived.step().filter(|step| step.has_inverse_step);
         let general = inverse.map(|step| listing(step.for_any_step()));
         let cost = |(name, plan): (String, Option<Plan>)| (name, plan.as_ref().map(Plan::cost));
         let functions = derived.functions().into_iter().map(cost).collect();

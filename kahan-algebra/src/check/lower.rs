@@ -1,0 +1,117 @@
+//! An expression to what it is lowered to: the one walk over [`Expr`] that gives operations a
+//! meaning.
+//!
+//! Equations, constants and relations are lowered to fractions ([`expand`](super::expand)), claims
+//! to plans ([`claims`](super::claims)). Here stands what both refuse, with its place.
+
+use crate::diagnostics::{Diagnostic, Kind};
+use crate::rational::Rational;
+use crate::syntax::{Expr, ExprKind, Reference};
+use crate::token::Span;
+
+/// The largest exponent of something that is no number.
+pub(super) const HIGHEST_POWER: i64 = 64;
+/// The largest size of a number, in bits.
+pub(super) const MOST_BITS: u64 = 1 << 16;
+
+/// What expressions are lowered to.
+pub(super) trait Target {
+    /// What an expression becomes.
+    type Value;
+
+    /// A literal.
+    fn number(&mut self, value: &Rational) -> Self::Value;
+    /// What a name stands for.
+    fn named(&mut self, reference: Reference<'_>, span: Span) -> Result<Self::Value, Diagnostic>;
+    /// −a
+    fn negate(&mut self, a: Self::Value) -> Self::Value;
+    /// The sum of all, each with whether it is subtracted.
+    fn sum(&mut self, terms: Vec<(bool, Self::Value)>, span: Span) -> Result<Self::Value, Diagnostic>;
+    /// a·b
+    fn multiply(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
+    /// a/b; b is not identically zero.
+    fn divide(&mut self, a: Self::Value, b: Self::Value, span: Span) -> Result<Self::Value, Diagnostic>;
+    /// aⁿ
+    fn power(&mut self, a: Self::Value, exponent: u64, span: Span) -> Result<Self::Value, Diagnostic>;
+    /// Whether this is 0 for all values of its names, as far as that is known.
+    fn is_zero(&self, a: &Self::Value) -> bool;
+    /// Whether exponents may be negative.
+    fn inverts(&self) -> bool;
+}
+
+/// Lowers an expression whose names all mean something.
+pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, Diagnostic> {
+    match &expr.kind {
+        ExprKind::Number(value) => Ok(target.number(value)),
+        ExprKind::Name(name) => target.named(Reference::Name(name), expr.span),
+        ExprKind::Site { array, offset } => {
+            target.named(Reference::Site { array, offset: *offset }, expr.span)
+        }
+        ExprKind::Negation(inner) => {
+            let inner = lower(inner, target)?;
+            Ok(target.negate(inner))
+        }
+        ExprKind::Sum(terms) => {
+            let mut lowered = Vec::with_capacity(terms.len());
+            for term in terms {
+                lowered.push((term.negative, lower(&term.expr, target)?));
+            }
+            target.sum(lowered, expr.span)
+        }
+        ExprKind::Product(factors) => {
+            let mut product = target.number(&Rational::one());
+            for factor in factors {
+                let span = factor.expr.span;
+                let next = lower(&factor.expr, target)?;
+                product = match factor.divides {
+                    true => divide(target, product, next, span)?,
+                    false => target.multiply(product, next, span)?,
+                };
+            }
+            Ok(product)
+        }
+        ExprKind::Power(_, exponent) if *exponent < 0 && !target.inverts() => Err(Diagnostic::new(
+            Kind::Exponent,
+            expr.span,
+            format!("the exponent {exponent} is negative"),
+            "in an equation write a quotient, `1/(…)`; its divisor must be free of states",
+        )),
+        ExprKind::Power(base, exponent) => {
+            let lowered = lower(base, target)?;
+            let power = target.power(lowered, exponent.unsigned_abs(), expr.span)?;
+            if *exponent >= 0 {
+                return Ok(power);
+            }
+            let one = target.number(&Rational::one());
+            divide(target, one, power, base.span)
+        }
+        ExprKind::OverSites(_) => Err(sum_out_of_place(expr.span)),
+    }
+}
+
+fn divide<T: Target>(
+    target: &mut T,
+    dividend: T::Value,
+    divisor: T::Value,
+    span: Span,
+) -> Result<T::Value, Diagnostic> {
+    if target.is_zero(&divisor) {
+        return Err(Diagnostic::new(
+            Kind::ZeroDivisor,
+            span,
+            "this divisor is zero",
+            "correct the divisor, or remove the division",
+        ));
+    }
+    target.divide(dividend, divisor, span)
+}
+
+/// The mistake of a sum over sites where there are none to sum over.
+fn sum_out_of_place(span: Span) -> Diagnostic {
+    Diagnostic::new(
+        Kind::Claim,
+        span,
+        "`sum(…)` runs over all sites, and stands in the claims of a family",
+        "in an equation write the neighbours out, as in `x[i-1] + x[i+1]`",
+    )
+}

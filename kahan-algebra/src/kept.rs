@@ -1,0 +1,456 @@
+//! A field as it was written: its sums that stand as factors and its divisors are values.
+//!
+//! An expanded field can lose digits that its text keeps: `(p - q)*x*y` cancels where p is near q,
+//! `p*x*y - q*x*y` loses what was left. Over a common divisor `x/(1 + nu) + x/(mu - nu)` divides by
+//! a polynomial that cancels where neither divisor does. So plans that run in floats are made from
+//! what is kept here: each component is a polynomial in states, parameters and values, and it
+//! divides by nothing. What holds: with the definitions of the values put in, the components are
+//! those of the [`Field`], which stays the one that is proved, reduced and printed.
+
+use crate::field::{Component, Field};
+use crate::plan::{Node, Plan, PlanBuilder};
+use crate::poly::{Polynomial, Variable};
+use crate::rational::Rational;
+use crate::symbols::{Symbol, Symbols};
+
+/// What a value is, in states, parameters and values before it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Value {
+    /// A sum that was written as a factor.
+    Sum(Polynomial),
+    /// 1 over what was divided by; it is free of states.
+    Reciprocal(Polynomial),
+}
+
+/// The values of a field, by the variables that stand for them: those behind all of its symbols.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Values {
+    first: usize,
+    values: Vec<Value>,
+}
+
+/// A field over its values.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kept {
+    pub(crate) values: Values,
+    /// One polynomial a state.
+    pub(crate) components: Vec<Polynomial>,
+}
+
+/// A field in which the values that are free of states are parameters behind those that it has: a
+/// quadratic field like every other, of which a step can be planned.
+#[derive(Clone, Debug)]
+pub(crate) struct OverConstants {
+    pub(crate) field: Field,
+    /// The same with its sums that depend on states.
+    pub(crate) kept: Kept,
+    /// For each parameter that is a value, which one.
+    places: Vec<usize>,
+    values: Values,
+    /// Those of the field itself.
+    symbols: Symbols,
+}
+
+impl Value {
+    fn polynomial(&self) -> &Polynomial {
+        let (Value::Sum(polynomial) | Value::Reciprocal(polynomial)) = self;
+        polynomial
+    }
+
+    fn renamed(&self, rename: &impl Fn(Variable) -> Variable) -> Self {
+        match self {
+            Value::Sum(sum) => Value::Sum(sum.map_variables(rename)),
+            Value::Reciprocal(divisor) => Value::Reciprocal(divisor.map_variables(rename)),
+        }
+    }
+}
+
+impl Values {
+    /// None yet.
+    pub(crate) fn of(symbols: &Symbols) -> Self {
+        Values { first: symbols.count(), values: Vec::new() }
+    }
+
+    /// The index of the value that this variable stands for.
+    fn place(&self, variable: Variable) -> Option<usize> {
+        usize::from(variable.0).checked_sub(self.first)
+    }
+
+    fn variable(&self, place: usize) -> Option<Variable> {
+        u16::try_from(self.first + place).ok().map(Variable)
+    }
+
+    /// The variable of a value, which is a new one where it is none yet; `None` where there are more
+    /// values than 16 bits can number.
+    fn intern(&mut self, value: Value) -> Option<Variable> {
+        let known = self.values.iter().position(|known| *known == value);
+        let place = known.unwrap_or(self.values.len());
+        let variable = self.variable(place)?;
+        if known.is_none() {
+            self.values.push(value);
+        }
+        Some(variable)
+    }
+
+    /// A polynomial as a factor of a product: a sum becomes a value times a number, a single term
+    /// stays what it is.
+    pub(crate) fn factor(&mut self, polynomial: &Polynomial) -> Polynomial {
+        if polynomial.len() < 2 {
+            return polynomial.clone();
+        }
+        let (mut content, mut sum) = (polynomial.content(), polynomial.primitive_part());
+        let other = Value::Sum(-&sum);
+        if self.values.contains(&other)
+            || (content.is_negative() && !self.values.contains(&Value::Sum(sum.clone())))
+        {
+            (content, sum) = (-content, -&sum);
+        }
+        match self.intern(Value::Sum(sum)) {
+            Some(value) => Polynomial::variable(value).scale(&content),
+            None => polynomial.clone(),
+        }
+    }
+
+    /// A quotient, its divisor being free of states and not 0: what both are multiples of cancels.
+    pub(crate) fn quotient(&mut self, dividend: &Polynomial, divisor: &Polynomial) -> Option<Polynomial> {
+        let (dividend, divisor) = (self.factor(dividend), self.factor(divisor));
+        let common = dividend.monomial_content().gcd(&divisor.monomial_content());
+        let [dividend, divisor] =
+            [dividend, divisor].map(|of| of.div_monomial(&common).expect("all terms have it in common"));
+        Some(&dividend * &self.reciprocal(&divisor)?)
+    }
+
+    /// Whether a polynomial over the values divides by nothing but factors of the `denominator`.
+    pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
+        polynomial.variables().into_iter().filter_map(|variable| self.place(variable)).all(
+            |place| match &self.values[place] {
+                Value::Reciprocal(divisor) => denominator.checked_div(&self.expanded(divisor)).is_some(),
+                Value::Sum(sum) => self.divide_only_by(sum, denominator),
+            },
+        )
+    }
+
+    /// A polynomial with what its values are put in, where all of them are sums.
+    fn expanded(&self, polynomial: &Polynomial) -> Polynomial {
+        polynomial.variables().into_iter().fold(polynomial.clone(), |polynomial, variable| {
+            match self.place(variable).map(|place| &self.values[place]) {
+                Some(value) => polynomial.composed(variable, &self.expanded(value.polynomial())),
+                None => polynomial,
+            }
+        })
+    }
+
+    /// 1 over a polynomial that is free of states and not 0; `None` where there are more values than
+    /// 16 bits can number.
+    pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
+        let inverse = divisor.content().recip().expect("a divisor is not zero");
+        let primitive = divisor.scale(&inverse);
+        if primitive.is_one() {
+            return Some(Polynomial::constant(inverse));
+        }
+        self.intern(Value::Reciprocal(primitive)).map(|value| Polynomial::variable(value).scale(&inverse))
+    }
+
+    /// The slopes of a polynomial in all states that it depends on, from those of the values in it.
+    /// A slope of a value that is a sum becomes a value, too.
+    fn gradient(
+        &mut self,
+        polynomial: &Polynomial,
+        symbols: &Symbols,
+        of_values: &mut Vec<Option<Gradient>>,
+    ) -> Gradient {
+        let mut gradient = Gradient::default();
+        for variable in polynomial.variables() {
+            let slope = polynomial.derivative(variable);
+            if symbols.is_state(variable) {
+                gradient.add(usize::from(variable.0), slope);
+            } else if let Some(place) = self.place(variable) {
+                for (state, inner) in self.gradient_of_value(place, symbols, of_values).0 {
+                    gradient.add(state, &slope * &inner);
+                }
+            }
+        }
+        gradient
+    }
+
+    fn gradient_of_value(
+        &mut self,
+        place: usize,
+        symbols: &Symbols,
+        of_values: &mut Vec<Option<Gradient>>,
+    ) -> Gradient {
+        if of_values.len() <= place {
+            of_values.resize(place + 1, None);
+        }
+        if let Some(known) = &of_values[place] {
+            return known.clone();
+        }
+        let gradient = match self.values[place].clone() {
+            Value::Reciprocal(_) => Gradient::default(),
+            Value::Sum(sum) => {
+                let Gradient(slopes) = self.gradient(&sum, symbols, of_values);
+                Gradient(slopes.into_iter().map(|(state, slope)| (state, self.factor(&slope))).collect())
+            }
+        };
+        of_values[place] = Some(gradient.clone());
+        gradient
+    }
+
+    /// A plan whose inputs may be values, with what they are put in.
+    pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
+        let mut builder = PlanBuilder::default();
+        let mut nodes = Nodes::of(self);
+        let outputs = builder.include_mapped(plan, |builder, variable| match self.place(variable) {
+            Some(place) => nodes.value(builder, place),
+            None => builder.input(variable),
+        });
+        builder.finish(&outputs)
+    }
+
+    /// The plan of polynomials over the values, one result each.
+    pub(crate) fn plan<'a>(&self, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
+        self.put_into(&Plan::of(polynomials))
+    }
+}
+
+/// ∂/∂xᵢ for the states i on which something depends, in no order.
+#[derive(Clone, Debug, Default)]
+struct Gradient(Vec<(usize, Polynomial)>);
+
+impl Gradient {
+    fn add(&mut self, state: usize, slope: Polynomial) {
+        match self.0.iter_mut().find(|(known, _)| *known == state) {
+            Some((_, sum)) => *sum = &*sum + &slope,
+            None => self.0.push((state, slope)),
+        }
+    }
+}
+
+/// Values in a plan under construction, each written once.
+struct Nodes<'a> {
+    values: &'a Values,
+    known: Vec<Option<Node>>,
+}
+
+impl<'a> Nodes<'a> {
+    fn of(values: &'a Values) -> Self {
+        Nodes { values, known: vec![None; values.values.len()] }
+    }
+
+    fn value(&mut self, builder: &mut PlanBuilder, place: usize) -> Node {
+        if let Some(node) = self.known[place] {
+            return node;
+        }
+        let value = &self.values.values[place];
+        let outputs = builder.include_mapped(&Plan::of([value.polynomial()]), |builder, variable| match self
+            .values
+            .place(variable)
+        {
+            Some(place) => self.value(builder, place),
+            None => builder.input(variable),
+        });
+        let node = match value {
+            Value::Sum(_) => outputs[0],
+            Value::Reciprocal(_) => {
+                let one = builder.constant(&Rational::one());
+                builder.divide(one, outputs[0])
+            }
+        };
+        self.known[place] = Some(node);
+        node
+    }
+}
+
+impl Kept {
+    /// These components over values, of which those that none needs are left out.
+    pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
+        let mut kept = Values { first: values.first, values: Vec::new() };
+        let mut renamed: Vec<Option<Variable>> = vec![None; values.values.len()];
+        let mut is_needed = vec![false; values.values.len()];
+        let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
+            for place in polynomial.variables().into_iter().filter_map(|variable| values.place(variable)) {
+                is_needed[place] = true;
+            }
+        };
+        components.iter().for_each(|component| mark(&mut is_needed, component));
+        for place in (0..values.values.len()).rev() {
+            if is_needed[place] {
+                mark(&mut is_needed, values.values[place].polynomial());
+            }
+        }
+        let rename = |renamed: &[Option<Variable>], variable: Variable| match values.place(variable) {
+            Some(place) => renamed[place].expect("values stand behind those that they are made of"),
+            None => variable,
+        };
+        for (place, value) in values.values.iter().enumerate().filter(|(place, _)| is_needed[*place]) {
+            let value = value.renamed(&|variable| rename(&renamed, variable));
+            renamed[place] = kept.intern(value);
+        }
+        let components =
+            components.iter().map(|component| component.map_variables(|variable| rename(&renamed, variable)));
+        Kept { components: components.collect(), values: kept }
+    }
+
+    /// What stands for a field that was made of another one: its polynomials, its denominators being
+    /// divisors.
+    pub(crate) fn of(field: &Field) -> Self {
+        let mut values = Values::of(&field.symbols);
+        let components = field.components.iter().map(|component| {
+            let reciprocal = values.reciprocal(&component.denominator).expect("a state has one divisor");
+            &component.numerator * &reciprocal
+        });
+        let components = components.collect();
+        Kept { values, components }
+    }
+
+    /// What stands for the variational field, whose symbols are `tangent`.
+    pub(crate) fn variational(&self, symbols: &Symbols, tangent: &Symbols) -> Self {
+        let (values, rows) = self.jacobian(symbols);
+        let moved = Values::of(tangent);
+        let rename = |variable: Variable| match values.place(variable) {
+            Some(place) => moved.variable(place).expect("values are fewer than 16 bits can number"),
+            None => tangent.variable(symbols.symbol(variable)),
+        };
+        let along = |row: &Vec<Polynomial>| {
+            let slopes = row.iter().enumerate().filter(|(_, slope)| !slope.is_zero());
+            slopes.fold(Polynomial::zero(), |sum, (k, slope)| {
+                let entry = Polynomial::variable(tangent.state(symbols.dimension() + k));
+                &sum + &(&slope.map_variables(rename) * &entry)
+            })
+        };
+        let components = self.components.iter().map(|component| component.map_variables(rename));
+        let components = components.chain(rows.iter().map(along)).collect();
+        let values = values.values.iter().map(|value| value.renamed(&rename)).collect();
+        Kept::new(Values { values, ..moved }, components)
+    }
+
+    /// The plan of f(x), a component a result.
+    pub(crate) fn plan(&self) -> Plan {
+        self.values.plan(&self.components)
+    }
+
+    /// The plan of everything that is divided by, one result each: where one is zero there is no
+    /// field.
+    pub(crate) fn divisors(&self) -> Plan {
+        self.values.plan(self.values.values.iter().filter_map(|value| match value {
+            Value::Reciprocal(divisor) => Some(divisor),
+            Value::Sum(_) => None,
+        }))
+    }
+
+    /// f′(x) over the values, row by row, and the values with what it has besides.
+    pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Values, Vec<Vec<Polynomial>>) {
+        let mut values = self.values.clone();
+        let mut of_values = Vec::new();
+        let row = |component: &Polynomial| {
+            let mut row = vec![Polynomial::zero(); symbols.dimension()];
+            for (state, slope) in values.gradient(component, symbols, &mut of_values).0 {
+                row[state] = slope;
+            }
+            row
+        };
+        let rows = self.components.iter().map(row).collect();
+        (values, rows)
+    }
+
+    /// The field over those values that are free of states, which become parameters. Where a
+    /// coefficient vanishes once its values are put in, this is the `field` itself.
+    pub(crate) fn over_constants(&self, field: &Field) -> OverConstants {
+        let symbols = &field.symbols;
+        let mut over = symbols.clone();
+        let (mut places, mut moving) = (Vec::new(), Vec::new());
+        for (place, value) in self.values.values.iter().enumerate() {
+            let is_moving = |variable: &Variable| match self.values.place(*variable) {
+                Some(place) => moving.contains(&place),
+                None => symbols.is_state(*variable),
+            };
+            if value.polynomial().variables().iter().any(is_moving) {
+                moving.push(place);
+            } else {
+                over.parameters.push(format!("value {place}"));
+                places.push(place);
+            }
+        }
+        let sums = Values::of(&over);
+        let rename = |variable: Variable| match self.values.place(variable) {
+            Some(place) => match places.binary_search(&place) {
+                Ok(index) => over.parameter(symbols.parameters.len() + index),
+                Err(before) => {
+                    sums.variable(place - before).expect("values are fewer than 16 bits can number")
+                }
+            },
+            None => over.variable(symbols.symbol(variable)),
+        };
+        let values = moving.iter().map(|&place| self.values.values[place].renamed(&rename)).collect();
+        let components = self.components.iter().map(|component| component.map_variables(rename)).collect();
+        let kept = Kept { values: Values { values, ..sums }, components };
+        let states = |polynomial: &Polynomial| -> Vec<_> {
+            let by_states = polynomial.group(|variable| symbols.is_state(variable));
+            by_states.into_iter().map(|(states, _)| states).collect()
+        };
+        let component = |numerator| Component { numerator, denominator: Polynomial::one() };
+        let expanded: Vec<Component> =
+            kept.components.iter().map(|of| component(kept.values.expanded(of))).collect();
+        let is_as_sparse = expanded
+            .iter()
+            .zip(&field.components)
+            .all(|(over, own)| states(&over.numerator) == states(&own.numerator));
+        if !is_as_sparse {
+            return OverConstants::plain(field);
+        }
+        let field = Field { components: expanded, symbols: over };
+        OverConstants { field, kept, places, values: self.values.clone(), symbols: symbols.clone() }
+    }
+
+    /// Whether a step may lose digits that the text keeps if it is planned from expanded sums: where
+    /// a product of two of them is written, or where a constant stands before one, as in `(y - 1)/s`,
+    /// unless it depends on the component's own state and A is as large as the constant.
+    pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
+        let (values, slopes) = self.jacobian(symbols);
+        let is_sum = |variable: Variable| values.place(variable).is_some();
+        self.components.iter().zip(&slopes).enumerate().any(|(i, (component, _))| {
+            component.terms().any(|(monomial, _)| {
+                let sums = monomial.degree_where(is_sum);
+                let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);
+                let depends = |variable: Variable| {
+                    values.expanded(&Polynomial::variable(variable)).contains(symbols.state(i))
+                };
+                let has_own =
+                    monomial.powers().iter().any(|(variable, _)| is_sum(*variable) && depends(*variable));
+                sums > 1 || sums > 0 && monomial.degree_where(is_constant) > 0 && !has_own
+            })
+        })
+    }
+}
+
+impl OverConstants {
+    /// The field itself.
+    pub(crate) fn plain(field: &Field) -> Self {
+        let symbols = field.symbols.clone();
+        let values = Values::of(&symbols);
+        let components = field.components.iter().map(|component| component.numerator.clone()).collect();
+        let kept = Kept { values: values.clone(), components };
+        OverConstants { field: field.clone(), kept, places: Vec::new(), values, symbols }
+    }
+
+    /// Whether no parameter is a value, so that this is the field itself.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.places.is_empty()
+    }
+
+    /// A plan of this field as one of the field itself: what the values are is put in.
+    pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
+        if self.is_plain() {
+            return plan.clone();
+        }
+        let mut builder = PlanBuilder::default();
+        let mut nodes = Nodes::of(&self.values);
+        let first = self.symbols.parameters.len();
+        let outputs =
+            builder.include_mapped(plan, |builder, variable| match self.field.symbols.symbol(variable) {
+                Symbol::Parameter(k) if k >= first => nodes.value(builder, self.places[k - first]),
+                symbol => builder.input(self.symbols.variable(symbol)),
+            });
+        builder.finish(&outputs)
+    }
+}
