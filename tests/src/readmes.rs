@@ -12,6 +12,9 @@ struct Speed;
 #[doc = include_str!("../../kahan-algebra/README.md")]
 struct Algebra;
 
+#[doc = include_str!("../../kahan-factor/README.md")]
+struct Factor;
+
 #[doc = include_str!("../../kahan-emit/README.md")]
 struct Emit;
 

@@ -13,6 +13,7 @@ use kahan_algebra::poly::{Budget, Monomial, Polynomial};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::Notation;
 use kahan_algebra::symbols::Symbols;
+use kahan_factor::factors;
 
 use crate::claims::Formula;
 
@@ -28,7 +29,7 @@ const FEW_TERMS: usize = 12;
 
 /// The irreducible factors that contain states, each once.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
-    let found = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
+    let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
     found.map(|(factor, _)| factor).filter(|factor| symbols.has_state(factor)).collect()
 }
 
@@ -101,7 +102,7 @@ impl Product {
             sums: Vec::new(),
         };
         for polynomial in polynomials {
-            let found = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK));
+            let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK));
             product.content = &product.content * &found.content;
             for (factor, exponent) in found.factors {
                 product.take(factor, exponent);
