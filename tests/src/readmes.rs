@@ -15,6 +15,9 @@ struct Algebra;
 #[doc = include_str!("../../kahan-factor/README.md")]
 struct Factor;
 
+#[doc = include_str!("../../kahan-latex/README.md")]
+struct Latex;
+
 #[doc = include_str!("../../kahan-emit/README.md")]
 struct Emit;
 
