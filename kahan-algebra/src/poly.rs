@@ -1,18 +1,17 @@
 //! Multivariate polynomials over ℚ in a sparse normal form.
 //!
 //! In come variables and rational coefficients; out go sums, products, derivatives, exact
-//! quotients, greatest common divisors and, with the feature `factor`, irreducible factors. What
-//! holds: the terms stand strictly decreasing in graded lexicographic order and none has a zero
-//! coefficient, so equal polynomials are equal as data and every iteration is deterministic. Absent
-//! on purpose: names of variables (whoever renders knows them) and evaluation (the plans evaluate).
+//! quotients and greatest common divisors. What holds: the terms stand strictly decreasing in graded
+//! lexicographic order and none has a zero coefficient, so equal polynomials are equal as data and
+//! every iteration is deterministic. Absent on purpose: names of variables (whoever renders knows
+//! them), evaluation (the plans evaluate), and irreducible factors, for which the macro has no use
+//! (`kahan-factor`).
 
 mod arithmetic;
 mod budget;
 mod calculus;
 mod content;
 mod division;
-#[cfg(feature = "factor")]
-mod factor;
 mod gcd;
 mod images;
 mod monomial;
@@ -23,9 +22,8 @@ mod tests;
 use std::fmt;
 
 pub use budget::{Budget, OverBudget};
-#[cfg(feature = "factor")]
-pub use factor::Factors;
 pub use gcd::{gcd, gcd_all, gcd_all_within, gcd_within};
+pub use images::{RESIDUES_PER_TERM, degree_bounds};
 pub use monomial::{Monomial, Variable};
 
 use crate::rational::Rational;

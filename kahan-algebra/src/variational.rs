@@ -67,7 +67,7 @@ impl Symbols {
 #[cfg(test)]
 mod tests {
     use crate::lexer::lex;
-    use crate::render::Notation;
+    use crate::render::{Notation, Text};
 
     #[test]
     fn tangents_are_carried_by_the_derivative() {
@@ -76,8 +76,8 @@ mod tests {
         let symbols = &system.field.symbols;
         assert_eq!(symbols.states, ["x", "dx", "ddx", "dddx"]);
         let lines = system.field.components.iter().map(|component| {
-            let [above, below] = [&component.numerator, &component.denominator]
-                .map(|of| Notation::Text.polynomial(symbols, of));
+            let [above, below] =
+                [&component.numerator, &component.denominator].map(|of| Text.polynomial(symbols, of));
             format!("({above})/({below})")
         });
         assert_eq!(

@@ -4,7 +4,7 @@
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::prove::{Refutation, Verdict, prove_all, prove_by_normal_form};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Notation, claim_text, condition_note, condition_statement, macro_block};
+use kahan_algebra::render::{claim_text, condition_note, macro_block};
 use kahan_algebra::system::System;
 use kahan_algebra::{Reading, derive, lexer, read, seed};
 
@@ -273,13 +273,6 @@ fn what_relations_were_divided_by_is_said() {
     assert_eq!(note("r = -p - q, eps = 1"), "");
     assert_eq!(note("p*q = r^2"), "q != 0");
     assert_eq!(note("p*q = r^2, eps*p = 1/(r + 1)"), "q != 0, 1 + r != 0");
-}
-
-#[test]
-fn relations_are_written_in_latex() {
-    let system = sound(&format!("{OSCILLATORS} integral G = x*u + y*v when a1*a2 = a5*a6, eps = 1/2;"));
-    let latex = condition_statement(&system, &system.claims[0], Notation::Latex);
-    assert_eq!(latex, "a_{1} a_{2} = a_{5} a_{6}, \\varepsilon = \\frac{1}{2}");
 }
 
 /// r stands for −p − q, whatever it is.

@@ -8,7 +8,7 @@ use std::slice::from_ref;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::render::{Formulas, Notation};
+use kahan_algebra::render::{Formulas, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
@@ -60,7 +60,7 @@ impl<'a> Claims<'a> {
     pub fn new(system: &'a System, parameters: &[(String, Rational)], eps: Option<&Rational>) -> Self {
         let field = &system.field;
         let symbols = &field.symbols;
-        let values = Formulas { field, map: None, notation: Notation::Text }.field();
+        let values = Formulas { field, map: None, notation: &Text }.field();
         let lines: Vec<String> = symbols
             .states
             .iter()

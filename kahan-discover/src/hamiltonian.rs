@@ -198,7 +198,7 @@ impl Hamiltonian {
     /// H̃ in its compact form H + (x̃ − x)·∇H/3, which is another writing of the one in
     /// [`modified`](Self::modified), since x̃ − x = 2ε (I − ε f′)⁻¹ f; x̃ is written `x~` in text.
     #[must_use]
-    pub fn compact(&self, symbols: &Symbols, notation: Notation) -> String {
+    pub fn compact(&self, symbols: &Symbols, notation: &dyn Notation) -> String {
         let written = |function: &RationalFunction| {
             let above = notation.polynomial(symbols, function.numerator());
             match function.as_polynomial() {
@@ -208,18 +208,14 @@ impl Hamiltonian {
         };
         let term = |(i, state): (usize, &String)| {
             let slope = self.hamiltonian.derivative(symbols.state(i));
-            let (name, slope) = (notation.name(state), (!slope.is_zero()).then(|| written(&slope))?);
-            Some(match notation {
-                Notation::Text => format!("({name}~ - {name})*({slope})"),
-                Notation::Latex => format!("(\\widetilde{{{name}}} - {name}) ({slope})"),
-            })
+            let slope = (!slope.is_zero()).then(|| written(&slope))?;
+            let distance = format!("({} - {})", notation.image(state), notation.name(state));
+            Some(notation.product(&[distance, format!("({slope})")]))
         };
         let moved: Vec<String> = symbols.states.iter().enumerate().filter_map(term).collect();
-        let (start, moved) = (written(&self.hamiltonian), moved.join(" + "));
-        match notation {
-            Notation::Text => format!("{start} + ({moved})/3"),
-            Notation::Latex => format!("{start} + \\frac{{1}}{{3}} ({moved})"),
-        }
+        let third = notation.number(&Rational::new(1, 3));
+        let moved = notation.product(&[third, format!("({})", moved.join(" + "))]);
+        format!("{} + {moved}", written(&self.hamiltonian))
     }
 
     /// ∇H̃ at a point of a drawn map, up to a factor: H̃ = H + (x̃ − x)·∇H/3, differentiated.

@@ -3,12 +3,15 @@
 use std::fmt;
 
 use kahan_algebra::rational::Rational;
+use kahan_algebra::render::Notation;
+use kahan_algebra::symbols::Symbols;
 
 use crate::basis::Basis;
 use crate::ceiling::Ceiling;
 use crate::claims::Formula;
 use crate::composition::Survivors;
 use crate::growth::GrowthVerdict;
+use crate::hamiltonian::Hamiltonian;
 use crate::hilbert::Hilbert;
 
 /// What is fixed, and how far to look.
@@ -120,12 +123,19 @@ pub struct HamiltonianReport {
     pub hamiltonian: String,
     /// Whether the modified Hamiltonian was written out and proved as a claim.
     pub modified_is_proved: bool,
-    /// The modified Hamiltonian H + (x̃ − x)·∇H/3 as text, `x~` being the image of x.
-    pub modified: String,
-    /// The same in LaTeX.
-    pub modified_latex: String,
     /// How it is to be given, beside or instead of formulas.
     pub place: ModifiedPlace,
+    /// K and H, to be written in any notation.
+    pub(crate) found: Hamiltonian,
+    pub(crate) symbols: Symbols,
+}
+
+impl HamiltonianReport {
+    /// The modified Hamiltonian H + (x̃ − x)·∇H/3 in a notation, x̃ being the image of x.
+    #[must_use]
+    pub fn modified(&self, notation: &dyn Notation) -> String {
+        self.found.compact(&self.symbols, notation)
+    }
 }
 
 /// How the modified Hamiltonian is to be given.

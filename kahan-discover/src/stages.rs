@@ -7,7 +7,7 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
@@ -173,8 +173,8 @@ pub fn discover(
         tensor: hamiltonian.tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
         hamiltonian: text(symbols, &hamiltonian.hamiltonian),
         modified_is_proved: found.modified_is_proved,
-        modified: hamiltonian.compact(symbols, Notation::Text),
-        modified_latex: hamiltonian.compact(symbols, Notation::Latex),
+        found: hamiltonian.clone(),
+        symbols: symbols.clone(),
         place: found.modified_place,
     });
     let mut report = Report {
@@ -446,7 +446,7 @@ impl Search<'_> {
         if rank(None, true) > all {
             return ModifiedPlace::Alone;
         }
-        let compact = found.compact(&self.field.symbols, Notation::Text).len();
+        let compact = found.compact(&self.field.symbols, &Text).len();
         let long = |index: &usize| {
             let length = integrals[*index].text.len();
             length > LONG && length > FAR_SHORTER * compact
@@ -485,7 +485,7 @@ fn structure(
     let symbols = &system.field.symbols;
     let written = |wanted: u32| -> Vec<String> {
         let chosen = of_flow.found.iter().filter(|polynomial| symbols.degree(polynomial) == wanted);
-        chosen.map(|polynomial| Notation::Text.polynomial(symbols, polynomial)).collect()
+        chosen.map(|polynomial| Text.polynomial(symbols, polynomial)).collect()
     };
     StructureReport {
         divergence: text(symbols, &divergence(&system.field)),
@@ -499,10 +499,10 @@ fn structure(
 }
 
 fn text(symbols: &Symbols, function: &RationalFunction) -> String {
-    let above = Notation::Text.polynomial(symbols, function.numerator());
+    let above = Text.polynomial(symbols, function.numerator());
     match function.as_polynomial() {
         Some(_) => above,
-        None => Notation::Text.quotient(&above, &Notation::Text.polynomial(symbols, function.denominator())),
+        None => Text.quotient(&above, &Text.polynomial(symbols, function.denominator())),
     }
 }
 

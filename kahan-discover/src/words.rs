@@ -2,7 +2,7 @@
 
 mod structure;
 
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::Text;
 
 use crate::basis::Basis;
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL};
@@ -198,7 +198,7 @@ fn formulas(report: &Report) -> Vec<String> {
     }
     if in_bases > 0 {
         let list = |basis: &Basis| {
-            let terms = basis.term_texts(&report.variables, Notation::Text);
+            let terms = basis.term_texts(&report.variables, &Text);
             let text = terms.join(", ");
             if text.len() <= MOST_CHARACTERS { text } else { format!("{} terms", terms.len()) }
         };

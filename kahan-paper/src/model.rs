@@ -7,7 +7,7 @@ use kahan_algebra::lexer::lex;
 use kahan_algebra::plan::Plan;
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::system::System;
 use kahan_algebra::{Derived, check, derive, parse};
 
@@ -65,7 +65,7 @@ impl Model {
     /// `f1 := …; f2 := …;`: the components of the field as definitions.
     pub(super) fn field_definitions(&self) -> String {
         let symbols = &self.system().field.symbols;
-        let text = |polynomial: &Polynomial| Notation::Text.polynomial(symbols, polynomial);
+        let text = |polynomial: &Polynomial| Text.polynomial(symbols, polynomial);
         let components = self.system().field.components.iter().enumerate();
         components
             .map(|(index, component)| {

@@ -7,7 +7,8 @@ use std::time::Instant;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Notation, claim_statement};
+use kahan_algebra::render::claim_statement;
+use kahan_latex::Latex;
 
 use kahan_runtime::threads;
 use kahan_systems::registry::{all, find};
@@ -68,7 +69,7 @@ impl Paper {
                 let system = self.models.get(claim.system).map(Model::system);
                 let declared = system.and_then(|system| system.claims.get(*index));
                 let statements =
-                    declared.map(|declared| claim_statement(declared, Notation::Latex)).unwrap_or_default();
+                    declared.map(|declared| claim_statement(declared, &Latex)).unwrap_or_default();
                 statements.into_iter().map(|(left, right)| format!("{left} = {right}")).collect()
             }
         }

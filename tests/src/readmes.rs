@@ -12,6 +12,12 @@ struct Speed;
 #[doc = include_str!("../../kahan-algebra/README.md")]
 struct Algebra;
 
+#[doc = include_str!("../../kahan-factor/README.md")]
+struct Factor;
+
+#[doc = include_str!("../../kahan-latex/README.md")]
+struct Latex;
+
 #[doc = include_str!("../../kahan-emit/README.md")]
 struct Emit;
 

@@ -14,6 +14,7 @@ use kahan_algebra::system::System;
 use kahan_algebra::{Derived, derive};
 use kahan_core::Lift;
 use kahan_core::prelude::*;
+use kahan_factor::factors;
 use kahan_runtime::Field;
 use kahan_runtime::heights::HeightsOrbit;
 use kahan_runtime::interpreted::Interpreted;
@@ -43,7 +44,7 @@ fn removable_poles(derived: &Derived, parameters: &[Rational], seed: u64) -> Vec
     let symbols = &derived.system.field.symbols;
     let n = symbols.dimension();
     let common = &derived.map.as_ref().expect("within the budget").reduced.common_factor;
-    let factors = common.factors(&mut Budget::new(500, 10_000_000));
+    let factors = factors(common, &mut Budget::new(500, 10_000_000));
     let of_states = |factor: &&Polynomial| factor.variables().iter().any(|v| symbols.is_state(*v));
     let factor = factors.factors.iter().map(|(factor, _)| factor).find(of_states).expect("a common factor");
     let mut draws = SplitMix64::new(seed);

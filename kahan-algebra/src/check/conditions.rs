@@ -9,7 +9,7 @@ use crate::field::Component;
 use crate::poly::{OverBudget, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::relations::{Obstacle, Relations};
-use crate::render::Notation;
+use crate::render::{Notation, Text};
 use crate::symbols::Symbols;
 use crate::syntax;
 use crate::system::Condition;
@@ -177,7 +177,7 @@ fn explain(obstacle: &Obstacle, span: Span, is_first: bool, symbols: &Symbols) -
                 .to_owned(),
         ),
         Obstacle::Product(a, b) => {
-            let text = |factor: &Polynomial| Notation::Text.polynomial(symbols, factor);
+            let text = |factor: &Polynomial| Text.polynomial(symbols, factor);
             let (a, b) = (text(a), text(b));
             (
                 format!("this relation is a product, which holds where {a} = 0 and where {b} = 0"),

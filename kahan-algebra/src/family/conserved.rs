@@ -8,7 +8,7 @@
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::poly::Polynomial;
 use crate::rational_function::RationalFunction;
-use crate::render::Notation;
+use crate::render::{Notation, Text};
 use crate::symbols::Symbols;
 
 use super::hamiltonian::stencil;
@@ -65,7 +65,7 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
     for sites in 1..=longest(family) {
         let symbols = family.symbols_at(sites);
         if let Some(left) = derivative(family, integral, sites, &symbols) {
-            let text = Notation::Text.polynomial(&symbols, &left);
+            let text = Text.polynomial(&symbols, &left);
             return Err(Diagnostic::new(
                 Kind::FalseClaim,
                 name.span,

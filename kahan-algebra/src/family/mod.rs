@@ -14,7 +14,7 @@ mod tests;
 use crate::field::Component;
 use crate::poly::Variable;
 use crate::rational::Rational;
-use crate::render::Notation;
+use crate::render::{Notation, Text};
 use crate::symbols::{Symbol, Symbols};
 use crate::syntax::{Boundary, Expr, Header, Name};
 use crate::token::Span;
@@ -130,12 +130,12 @@ impl Family {
     /// The equations, expanded: `x[i]dot = x[i]*x[i+1] - x[i]*x[i-1]`.
     pub fn equations(&self) -> impl Iterator<Item = String> {
         self.arrays.iter().zip(&self.components).map(|(array, component)| {
-            let polynomial = |polynomial| Notation::Text.polynomial(&self.symbols, polynomial);
+            let polynomial = |polynomial| Text.polynomial(&self.symbols, polynomial);
             let above = polynomial(&component.numerator);
             let right = if component.denominator.is_one() {
                 above
             } else {
-                Notation::Text.quotient(&above, &polynomial(&component.denominator))
+                Text.quotient(&above, &polynomial(&component.denominator))
             };
             format!("{array}[i]dot = {right}")
         })

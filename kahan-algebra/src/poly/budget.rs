@@ -18,7 +18,7 @@ const MAX_DEGREE: u64 = 1 << 24;
 pub struct Budget {
     max_terms: usize,
     /// The term products that may still be formed.
-    pub(super) work: u64,
+    work: u64,
 }
 
 /// The computation would exceed its budget of terms or of work.
@@ -34,6 +34,11 @@ impl Budget {
     /// No limit but that on degrees.
     pub fn unlimited() -> Self {
         Self::new(usize::MAX, u64::MAX)
+    }
+
+    /// The term products that may still be formed.
+    pub fn work_left(&self) -> u64 {
+        self.work
     }
 
     /// Takes `work` off the budget.
@@ -135,7 +140,7 @@ impl Polynomial {
     }
 
     /// The machine words of the longest coefficient.
-    pub(super) fn coefficient_words(&self) -> u64 {
+    pub fn coefficient_words(&self) -> u64 {
         let mut bits = 0;
         for (_, coefficient) in &self.terms {
             bits = bits.max(coefficient.bits());

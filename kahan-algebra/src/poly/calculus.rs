@@ -78,6 +78,18 @@ impl Polynomial {
             .collect()
     }
 
+    /// The coefficient of the highest power of `variable`; 0 for 0.
+    pub fn leading_coefficient_in(&self, variable: Variable) -> Self {
+        let degree = self.degree_in(variable);
+        let power = Monomial::power(variable, degree);
+        Self::from_sorted(
+            self.terms()
+                .filter(|(monomial, _)| monomial.exponent(variable) == degree)
+                .filter_map(|(monomial, coefficient)| Some((monomial.div(&power)?, coefficient.clone())))
+                .collect(),
+        )
+    }
+
     /// The polynomial as one in the variables that `belongs` picks, its coefficients polynomials in
     /// the others.
     pub fn group(&self, mut belongs: impl FnMut(Variable) -> bool) -> Table<Monomial, Self> {

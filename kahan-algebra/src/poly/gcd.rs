@@ -156,7 +156,7 @@ fn subresultants(
         let divisor = lead.mul_within(&scale.pow_within(gap, budget)?, budget)?;
         let next = remainder.div_within(&divisor, budget)?.expect("subresultants divide exactly");
         upper = std::mem::replace(&mut lower, next.primitive_part());
-        lead = leading_coefficient(&upper, main);
+        lead = upper.leading_coefficient_in(main);
         // h ← g^δ h^(1-δ), up to a rational factor as everything here
         if gap > 0 {
             let numerator = lead.pow_within(gap, budget)?;
@@ -175,30 +175,17 @@ fn pseudo_remainder(
     budget: &mut Budget,
 ) -> Result<Polynomial, OverBudget> {
     let degree = divisor.degree_in(main);
-    let lead = leading_coefficient(divisor, main);
+    let lead = divisor.leading_coefficient_in(main);
     let mut rest = dividend.clone();
     let mut steps_left = (dividend.degree_in(main) + 1).saturating_sub(degree);
     while !rest.is_zero() && rest.degree_in(main) >= degree {
         let shift = Monomial::power(main, rest.degree_in(main) - degree);
-        let subtrahend = leading_coefficient(&rest, main).mul_within(divisor, budget)?.mul_monomial(&shift);
+        let subtrahend = rest.leading_coefficient_in(main).mul_within(divisor, budget)?.mul_monomial(&shift);
         rest = lead.mul_within(&rest, budget)? - subtrahend;
         budget.admit(rest.len())?;
         steps_left -= 1;
     }
     rest.mul_within(&lead.pow_within(steps_left, budget)?, budget)
-}
-
-/// The coefficient of the highest power of `main`.
-pub(super) fn leading_coefficient(polynomial: &Polynomial, main: Variable) -> Polynomial {
-    let degree = polynomial.degree_in(main);
-    let power = Monomial::power(main, degree);
-    Polynomial::from_sorted(
-        polynomial
-            .terms()
-            .filter(|(monomial, _)| monomial.exponent(main) == degree)
-            .filter_map(|(monomial, coefficient)| Some((monomial.div(&power)?, coefficient.clone())))
-            .collect(),
-    )
 }
 
 /// The part that is primitive as a polynomial in `main`, with coprime integer coefficients.

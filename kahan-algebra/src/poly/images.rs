@@ -20,8 +20,9 @@ use crate::table::Table;
 /// Where the images are taken.
 const FIELD: PrimeField = PrimeField::MERSENNE_61;
 
-/// About that many products of residues take as long as one product of terms.
-pub(super) const RESIDUES_PER_TERM: u64 = 32;
+/// About that many products of residues take as long as one product of terms: what work modulo a
+/// prime is charged to a [`Budget`] by.
+pub const RESIDUES_PER_TERM: u64 = 32;
 
 /// Coefficients in F_p by exponent, without zeros at the end.
 type Univariate = Vec<u64>;
@@ -29,7 +30,13 @@ type Univariate = Vec<u64>;
 /// For each variable that both contain, an upper bound of the degree of gcd(a, b) in it. Both must
 /// be primitive. Costs a few multiplications in F_p for each factor of each term, and one
 /// univariate gcd a variable.
-pub(super) fn degree_bounds(
+///
+/// # Errors
+/// Beyond the budget.
+///
+/// # Panics
+/// If a coefficient of one that is not primitive has a denominator that 2^61 − 1 divides.
+pub fn degree_bounds(
     a: &Polynomial,
     b: &Polynomial,
     budget: &mut Budget,

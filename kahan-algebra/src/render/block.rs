@@ -6,7 +6,7 @@ use crate::system::{Claim, Condition, System};
 
 use super::claim::claim_text;
 use super::formula::Formulas;
-use super::notation::Notation;
+use super::notation::Text;
 
 /// The parameters that something still depends on once the equations are expanded.
 fn used_parameters(system: &System) -> Vec<String> {
@@ -81,7 +81,7 @@ pub fn macro_block(system: &System) -> String {
     for (name, value) in names.filter(|(name, _)| in_claims(name)) {
         lines.push(format!("    const {name} = {value};"));
     }
-    let field = Formulas { field: &system.field, map: None, notation: Notation::Text }.field();
+    let field = Formulas { field: &system.field, map: None, notation: &Text }.field();
     for (state, value) in system.field.symbols.states.iter().zip(field) {
         lines.push(format!("    {state}dot = {value};"));
     }

@@ -1,13 +1,10 @@
 //! The objects of a system as formulas.
 
-use num_bigint::BigInt;
-
 use crate::field::{Component, Field};
 use crate::kahan::{RationalMap, bilinear_form, field_jacobian, scaled_matrix, scaled_rhs};
 use crate::poly::Polynomial;
-use crate::rational::Rational;
 
-use super::notation::{Notation, parenthesize};
+use super::notation::Notation;
 
 /// Writes the objects of one field in one notation.
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +14,7 @@ pub struct Formulas<'a> {
     /// Its map in closed form; `None` beyond the budget.
     pub map: Option<&'a RationalMap>,
     /// The notation.
-    pub notation: Notation,
+    pub notation: &'a dyn Notation,
 }
 
 /// A matrix of formulas.
@@ -33,27 +30,7 @@ impl Formulas<'_> {
         if component.denominator.is_one() || polynomial.is_zero() {
             return self.polynomial(polynomial);
         }
-        let (above, below) = (polynomial, &component.denominator);
-        match self.notation {
-            Notation::Text => self.notation.quotient(&self.polynomial(above), &self.polynomial(below)),
-            Notation::Latex => self.fraction(above, below),
-        }
-    }
-
-    /// One line between whole numbers: (½ x y)/a is xy/(2a), and −x/a has its sign in front.
-    fn fraction(&self, above: &Polynomial, below: &Polynomial) -> String {
-        // Both keep their signs: a denominator that begins with 1 does so here, too.
-        let (numerator, denominator) = (above.content().abs(), below.content().abs());
-        let Some(factor) = numerator.checked_div(&denominator) else { return self.polynomial(above) };
-        let is_negative = above.terms().all(|(_, coefficient)| coefficient.is_negative());
-        let whole = |part: &Polynomial, content: &Rational, times: BigInt| {
-            let scale = Rational::from(times).checked_div(content);
-            scale.map_or_else(|| part.clone(), |scale| part.scale(&scale))
-        };
-        let above = whole(above, &numerator, factor.numerator());
-        let below = whole(below, &denominator, factor.denominator());
-        let (above, sign) = if is_negative { (above.scale(&Rational::from(-1)), "-") } else { (above, "") };
-        format!("{sign}{}", self.notation.quotient(&self.polynomial(&above), &self.polynomial(&below)))
+        self.notation.fraction(&self.field.symbols, polynomial, &component.denominator)
     }
 
     fn over_each(&self, polynomials: &[Polynomial]) -> Vec<String> {
@@ -98,36 +75,12 @@ impl Formulas<'_> {
     #[must_use]
     pub fn map(&self) -> Option<Vec<String>> {
         let map = self.map?;
-        let below = self.polynomial(&map.reduced.denominator);
-        let rows = map.reduced.increments.iter().enumerate().map(|(i, increment)| {
-            let state = self.notation.name(&self.field.symbols.states[i]);
+        let symbols = &self.field.symbols;
+        let rows = map.reduced.increments.iter().zip(&symbols.states).map(|(increment, state)| {
             if increment.is_zero() {
-                return state;
+                return self.notation.name(state);
             }
-            let above = self.polynomial(increment);
-            match self.notation {
-                Notation::Text if below == "1" => format!("{state} + 2*eps*{}", parenthesize(&above)),
-                Notation::Text => {
-                    format!("{state} + 2*eps*{}/{}", parenthesize(&above), parenthesize(&below))
-                }
-                Notation::Latex if above == "1" && below == "1" => format!("{state} + 2\\varepsilon"),
-                Notation::Latex if below == "1" => {
-                    let is_plain = above.starts_with(char::is_alphabetic) || above.starts_with('\\');
-                    let factor = if is_plain && !above.contains(" + ") && !above.contains(" - ") {
-                        format!("\\,{above}")
-                    } else {
-                        format!("\\left({above}\\right)")
-                    };
-                    format!("{state} + 2\\varepsilon{factor}")
-                }
-                Notation::Latex => {
-                    let quotient = self.fraction(increment, &map.reduced.denominator);
-                    match quotient.strip_prefix('-') {
-                        Some(size) => format!("{state} - 2\\varepsilon\\,{size}"),
-                        None => format!("{state} + 2\\varepsilon\\,{quotient}"),
-                    }
-                }
-            }
+            self.notation.moved(symbols, state, increment, &map.reduced.denominator)
         });
         Some(rows.collect())
     }
@@ -136,14 +89,10 @@ impl Formulas<'_> {
     #[must_use]
     pub fn determinant(&self) -> Option<String> {
         let map = self.map?;
-        let above = self.polynomial(&map.denominator);
         Some(if map.divisor.is_one() {
-            above
+            self.polynomial(&map.denominator)
         } else {
-            match self.notation {
-                Notation::Text => self.notation.quotient(&above, &self.polynomial(&map.divisor)),
-                Notation::Latex => self.fraction(&map.denominator, &map.divisor),
-            }
+            self.notation.fraction(&self.field.symbols, &map.denominator, &map.divisor)
         })
     }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_core::periodic::{Branch, Change, PeriodicPoint, Stability, branch, periodic_point};
 use kahan_runtime::{Field, MapAt, RationalCycle};
@@ -363,7 +363,7 @@ fn word(stability: Stability) -> &'static str {
 /// The characteristic polynomial, in z.
 fn polynomial(exact: &RationalCycle) -> String {
     let symbols = Symbols { states: vec!["z".to_owned()], parameters: Vec::new() };
-    Notation::Text.polynomial(&symbols, &exact.polynomial)
+    Text.polynomial(&symbols, &exact.polynomial)
 }
 
 fn change(change: Change) -> &'static str {

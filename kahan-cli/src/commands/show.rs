@@ -5,9 +5,10 @@ mod plan;
 mod sheet;
 
 use clap::Args;
-use kahan_algebra::render::{Notation, macro_block};
+use kahan_algebra::render::{Notation, Text, macro_block};
 use kahan_algebra::system::System;
 use kahan_emit::rust;
+use kahan_latex::Latex;
 use serde_json::json;
 
 use crate::printing::{Answer, Refusal};
@@ -82,7 +83,7 @@ impl Show {
         if self.as_macro && !self.json {
             return Ok(Answer::text(macro_block(&system) + "\n"));
         }
-        let notation = if self.latex { Notation::Latex } else { Notation::Text };
+        let notation: &dyn Notation = if self.latex { &Latex } else { &Text };
         let sheet = Sheet::of(&block, &system, notation);
         Ok(match (self.json, self.latex) {
             (true, _) => Answer::json(&sheet.json()),

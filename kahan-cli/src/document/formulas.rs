@@ -1,9 +1,10 @@
 //! The formulas of a system as the library derives them from its field.
 
 use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::render::{Formulas, Notation, claim_statement, latex_matrix};
+use kahan_algebra::render::{Formulas, Notation, claim_statement};
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
+use kahan_latex::{Latex, breaking};
 use maud::{Markup, html};
 
 use super::math::{LINE, display, displays, inline};
@@ -11,9 +12,8 @@ use super::math::{LINE, display, displays, inline};
 /// The field, A and b, the determinant and the map, in lowest terms.
 pub(crate) fn derived(system: &System) -> Markup {
     let map = RationalMap::of(&system.field);
-    let formulas = Formulas { field: &system.field, map: map.as_ref(), notation: Notation::Latex };
-    let states: Vec<String> =
-        system.field.symbols.states.iter().map(|state| Notation::Latex.name(state)).collect();
+    let formulas = Formulas { field: &system.field, map: map.as_ref(), notation: &Latex };
+    let states: Vec<String> = system.field.symbols.states.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {
         states.iter().zip(values).map(|(state, value)| format!("\\{accent}{{{state}}} = {value}")).collect()
     };
@@ -47,10 +47,10 @@ fn is_homogeneous(system: &System) -> bool {
 /// What a claim says, a formula each.
 pub(crate) fn statements(claim: &Claim) -> Markup {
     let index = match claim.kind {
-        ClaimKind::Bracket => format!("_{{{}}}", Notation::Latex.name(&claim.name.text)),
+        ClaimKind::Bracket => format!("_{{{}}}", Latex.name(&claim.name.text)),
         _ => String::new(),
     };
-    let statements = claim_statement(claim, Notation::Latex).into_iter();
+    let statements = claim_statement(claim, &Latex).into_iter();
     let formulas: Vec<String> = statements.map(|(left, right)| format!("{left}{index} = {right}")).collect();
     displays(&formulas, LINE)
 }
@@ -62,5 +62,5 @@ fn column(entries: Vec<String>) -> Vec<Vec<String>> {
 fn matrix(rows: &[Vec<String>]) -> String {
     /// The characters of what stands before a matrix.
     const BEFORE: usize = 10;
-    latex_matrix("pmatrix", rows, LINE - BEFORE)
+    breaking::matrix("pmatrix", rows, LINE - BEFORE)
 }

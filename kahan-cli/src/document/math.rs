@@ -1,6 +1,6 @@
 //! Formulas: LaTeX to MathML, which browsers set without a script.
 
-use kahan_algebra::render::{latex_box, latex_display};
+use kahan_latex::breaking;
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Event, Parser, ParserError, Storage, push_mathml};
@@ -20,13 +20,13 @@ const CELL: usize = 44;
 /// A formula of at most so many characters a line. It scrolls in its box only where the window
 /// itself is narrower.
 pub(crate) fn display(latex: &str, width: usize) -> Markup {
-    let latex = latex_display(latex, width);
+    let latex = breaking::display(latex, width);
     html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }
 }
 
 /// A formula in a cell of a table: in display style, without a box.
 pub(crate) fn cell(latex: &str) -> Markup {
-    inline(&format!("\\displaystyle {}", latex_box(latex, CELL)))
+    inline(&format!("\\displaystyle {}", breaking::boxed(latex, CELL)))
 }
 
 /// Several formulas, each on lines of its own.

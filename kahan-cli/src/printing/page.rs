@@ -2,11 +2,12 @@
 //! matrices.
 
 use kahan_algebra::render::{
-    MatrixText, Notation, PAGE_WIDTH, claim_statement, condition_statement, condition_text, latex_equation,
-    lines,
+    MatrixText, Notation, claim_statement, condition_statement, condition_text, lines,
 };
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
+use kahan_latex::Latex;
+use kahan_latex::breaking::{self, PAGE_WIDTH};
 
 use super::layout::{matrix_within, screen_width};
 
@@ -49,15 +50,15 @@ impl Page {
         let when = if condition.is_empty() { String::new() } else { format!(", when {condition}") };
         self.line(&format!("% {} {name}{when}{source}", claim.kind.keyword()));
         let index = match claim.kind {
-            ClaimKind::Bracket => format!("_{{{}}}", Notation::Latex.name(name)),
+            ClaimKind::Bracket => format!("_{{{}}}", Latex.name(name)),
             _ => String::new(),
         };
-        let statements = claim_statement(claim, Notation::Latex).into_iter();
+        let statements = claim_statement(claim, &Latex).into_iter();
         let mut rows: Vec<String> = statements
-            .map(|(left, right)| latex_equation(&format!("{left}{index}"), &right, PAGE_WIDTH))
+            .map(|(left, right)| breaking::equation(&format!("{left}{index}"), &right, PAGE_WIDTH))
             .collect();
         if !claim.is_unconditional() {
-            rows.push(format!("&\\text{{where }} {}", condition_statement(system, claim, Notation::Latex)));
+            rows.push(format!("&\\text{{where }} {}", condition_statement(system, claim, &Latex)));
         }
         self.display(&aligned(rows));
     }

@@ -1,6 +1,6 @@
 //! `kahan show --latex`: names, fractions, lines that fit a page, and LaTeX that is whole.
 
-use kahan_algebra::render::{PAGE_WIDTH, latex_width};
+use kahan_latex::breaking::{self, PAGE_WIDTH};
 use kahan_measure::random_fields::numbered;
 use kahan_systems::registry::all;
 
@@ -78,7 +78,7 @@ fn assert_fits(page: &str) {
         if row.starts_with("\\begin") || row.starts_with("\\end") {
             continue;
         }
-        assert!(latex_width(row) <= PAGE_WIDTH + 8, "{} characters: {row}", latex_width(row));
+        assert!(breaking::width_of(row) <= PAGE_WIDTH + 8, "{} characters: {row}", breaking::width_of(row));
     }
 }
 

@@ -16,7 +16,7 @@ mod proof;
 mod tests;
 
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Notation, Text};
 
 use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
@@ -81,12 +81,12 @@ impl Basis {
     /// The monomials in the language of `kahan!`, for states of these names.
     #[must_use]
     pub fn monomial_texts(&self, states: &[String]) -> Vec<String> {
-        self.monomials.iter().map(|exponents| monomial_text(states, exponents, Notation::Text)).collect()
+        self.monomials.iter().map(|exponents| monomial_text(states, exponents, &Text)).collect()
     }
 
     /// The terms in a notation, for states of these names: sums of monomials.
     #[must_use]
-    pub fn term_texts(&self, states: &[String], notation: Notation) -> Vec<String> {
+    pub fn term_texts(&self, states: &[String], notation: &dyn Notation) -> Vec<String> {
         let text = |term: &Term| {
             let mut text = String::new();
             // From the highest monomial on, as formulas are written, unless that is subtracted.
@@ -102,9 +102,9 @@ impl Basis {
                     (false, true) => " - ",
                 };
                 let size = factor.unsigned_abs();
-                let times = if notation == Notation::Text { "*" } else { " " };
-                let factor = if size == 1 { String::new() } else { format!("{size}{times}") };
-                text += &format!("{sign}{factor}{}", monomial_text(states, &self.monomials[place], notation));
+                let monomial = monomial_text(states, &self.monomials[place], notation);
+                text += sign;
+                text += &if size == 1 { monomial } else { notation.product(&[size.to_string(), monomial]) };
             }
             text
         };
@@ -113,16 +113,12 @@ impl Basis {
 
     /// The relation in a notation: `c0 + c1*(x^2 + y^2) = 0`, its coefficients numbered by term.
     #[must_use]
-    pub fn relation(&self, states: &[String], notation: Notation) -> String {
+    pub fn relation(&self, states: &[String], notation: &dyn Notation) -> String {
         let texts = self.term_texts(states, notation).into_iter();
         let summand = |(number, text): (usize, String)| {
             let text = if self.terms[number].len() > 1 { format!("({text})") } else { text };
-            match (notation, text.as_str()) {
-                (Notation::Text, "1") => format!("c{number}"),
-                (Notation::Text, _) => format!("c{number}*{text}"),
-                (Notation::Latex, "1") => format!("c_{{{number}}}"),
-                (Notation::Latex, _) => format!("c_{{{number}}} {text}"),
-            }
+            let coefficient = notation.name(&format!("c{number}"));
+            if text == "1" { coefficient } else { notation.product(&[coefficient, text]) }
         };
         let summands: Vec<String> = texts.enumerate().map(summand).collect();
         format!("{} = 0", summands.join(" + "))
@@ -208,18 +204,14 @@ impl Basis {
 /// Coefficients are joined whose quotient is a whole number up to this size.
 const LARGEST_FACTOR: i64 = 4;
 
-fn monomial_text(states: &[String], exponents: &[u32], notation: Notation) -> String {
-    let power = |(name, exponent): (&String, &u32)| match (exponent, notation) {
-        (0, _) => None,
-        (1, _) => Some(notation.name(name)),
-        (_, Notation::Text) => Some(format!("{name}^{exponent}")),
-        (_, Notation::Latex) => Some(format!("{}^{{{exponent}}}", notation.name(name))),
-    };
-    let powers: Vec<String> = states.iter().zip(exponents).filter_map(power).collect();
-    match powers.is_empty() {
-        true => "1".to_owned(),
-        false => powers.join(if notation == Notation::Text { "*" } else { " " }),
-    }
+fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) -> String {
+    let powers: Vec<String> = states
+        .iter()
+        .zip(exponents)
+        .filter(|(_, exponent)| **exponent > 0)
+        .map(|(name, exponent)| notation.power(&notation.name(name), i64::from(*exponent)))
+        .collect();
+    if powers.is_empty() { "1".to_owned() } else { notation.product(&powers) }
 }
 
 /// Of bases found by [`candidates`] those that give, together with integrals whose gradients at

@@ -147,7 +147,7 @@ fn monomials_with_equal_coefficients_are_joined() {
             wrong.terms[term][1].1 += 1;
             assert_eq!(prove(&wrong, &setting, &field, &Deadline::never()), None);
         }
-        texts.extend(basis.term_texts(states, Notation::Text));
+        texts.extend(basis.term_texts(states, &Text));
     }
     assert!(texts.iter().any(|text| text == "m1^2 + m2^2"), "{texts:?}");
 }

@@ -20,7 +20,7 @@ use std::time::Instant;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
@@ -77,9 +77,7 @@ impl Pattern {
     /// The curve in words.
     #[must_use]
     pub fn name(&self, symbols: &Symbols) -> String {
-        self.curve
-            .as_ref()
-            .map_or_else(|| "infinity".to_owned(), |curve| Notation::Text.polynomial(symbols, curve))
+        self.curve.as_ref().map_or_else(|| "infinity".to_owned(), |curve| Text.polynomial(symbols, curve))
     }
 }
 

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::relations::Relations;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
@@ -108,7 +108,7 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
     if left.terms().all(|(_, value)| value.is_negative()) {
         (left, right) = (-&left, -&right);
     }
-    let text = |side: &Polynomial| Notation::Text.polynomial(symbols, side);
+    let text = |side: &Polynomial| Text.polynomial(symbols, side);
     format!("{} = {}", text(&left), text(&right))
 }
 

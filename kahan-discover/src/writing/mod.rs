@@ -11,8 +11,9 @@ mod tests;
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
+use kahan_factor::factors;
 
 use crate::claims::Formula;
 
@@ -28,7 +29,7 @@ const FEW_TERMS: usize = 12;
 
 /// The irreducible factors that contain states, each once.
 pub(crate) fn state_factors(symbols: &Symbols, polynomial: &Polynomial) -> Vec<Polynomial> {
-    let found = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
+    let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK)).factors.into_iter();
     found.map(|(factor, _)| factor).filter(|factor| symbols.has_state(factor)).collect()
 }
 
@@ -101,7 +102,7 @@ impl Product {
             sums: Vec::new(),
         };
         for polynomial in polynomials {
-            let found = polynomial.factors(&mut Budget::new(MOST_TERMS, MOST_WORK));
+            let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK));
             product.content = &product.content * &found.content;
             for (factor, exponent) in found.factors {
                 product.take(factor, exponent);
@@ -133,7 +134,7 @@ impl Product {
             if polynomial.len() < FEW_TERMS {
                 continue;
             }
-            let mut best = Notation::Text.polynomial(symbols, polynomial);
+            let mut best = Text.polynomial(symbols, polynomial);
             let mut scale = None;
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
@@ -158,7 +159,7 @@ impl Product {
 /// content · front · ∏ sums; a sum stands alone without parentheses.
 fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &[(Sum, u32)]) -> String {
     let text = |sum: &Sum| match sum {
-        Sum::Plain(polynomial) => Notation::Text.polynomial(symbols, polynomial),
+        Sum::Plain(polynomial) => Text.polynomial(symbols, polynomial),
         Sum::Written(text) => text.clone(),
     };
     if let ([(sum, 1)], true, true) = (sums, front.is_one(), content.is_one()) {
@@ -168,10 +169,10 @@ fn product_text(symbols: &Symbols, content: &Rational, front: &Monomial, sums: &
         let own = text(sum);
         let is_atom = is_group(&own) || !own.contains([' ', '*', '/', '-']);
         let own = if is_atom { own } else { format!("({own})") };
-        Notation::Text.power(&own, i64::from(*exponent))
+        Text.power(&own, i64::from(*exponent))
     };
     let mut parts: Vec<String> = sums.iter().map(in_parentheses).collect();
-    let front = Notation::Text.polynomial(symbols, &Polynomial::term(front.clone(), content.clone()));
+    let front = Text.polynomial(symbols, &Polynomial::term(front.clone(), content.clone()));
     match front.as_str() {
         "1" if !parts.is_empty() => {}
         "-1" if !parts.is_empty() => parts[0].insert(0, '-'),

@@ -3,7 +3,7 @@
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::Notation;
+use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::{Symbol, Symbols};
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
@@ -91,7 +91,7 @@ pub(super) fn by_powers(
     }
     let content = content.checked_div(coefficient)?;
     let scale = Scale { content, front, front_below: factor.clone() };
-    let base_text = Notation::Text.polynomial(symbols, &base);
+    let base_text = Text.polynomial(symbols, &base);
     let base_text = if base.len() > 1 { format!("({base_text})") } else { base_text };
     let mut text = String::new();
     let (mut is_first, mut is_negative) = (true, false);
@@ -110,7 +110,7 @@ pub(super) fn by_powers(
             (false, false) => " + ",
         };
         product.content = product.content.abs();
-        let power = Notation::Text.power(&base_text, i64::from(exponent));
+        let power = Text.power(&base_text, i64::from(exponent));
         product.sums.extend((exponent > 0).then_some((Sum::Written(power), 1)));
         text.push_str(sign);
         text.push_str(&product_text(symbols, &product.content, &product.front, &product.sums));

@@ -2,7 +2,7 @@
 
 use kahan_algebra::plan::LARGEST_SIZE;
 use kahan_algebra::render::{
-    Formulas, Notation, claim_statement, claim_text, condition_note, condition_text, expression_text, folded,
+    Formulas, Text, claim_statement, claim_text, condition_note, condition_text, expression_text, folded,
 };
 use kahan_algebra::system::Claim;
 use proc_macro2::TokenStream;
@@ -33,8 +33,7 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     }
     let system = context.system;
     let states = &system.field.symbols.states;
-    let formulas =
-        Formulas { field: &system.field, map: context.derived.map.as_ref(), notation: Notation::Text };
+    let formulas = Formulas { field: &system.field, map: context.derived.map.as_ref(), notation: &Text };
     let mut lines = Vec::new();
     if follows {
         lines.push(String::new());
@@ -175,8 +174,5 @@ pub(super) fn bracket(claim: &Claim) -> TokenStream {
 }
 
 fn statement(claim: &Claim) -> Vec<String> {
-    claim_statement(claim, Notation::Text)
-        .into_iter()
-        .map(|(name, value)| format!("{name} = {value}"))
-        .collect()
+    claim_statement(claim, &Text).into_iter().map(|(name, value)| format!("{name} = {value}")).collect()
 }

@@ -4,6 +4,7 @@ mod call;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Level, Notation};
+use kahan_latex::Latex;
 
 use super::{Formula, Item, Relation, Statement, parse};
 use call::{FUNCTIONS, OPEN_ENDED, call};
@@ -69,7 +70,7 @@ fn decimal(value: &Rational, digit: &Rational) -> Option<String> {
 
 /// A name; `H_eps` is H(ε), `H_hat` Ĥ, `P12` has indices, `detA` is det A, a word stands upright.
 fn name(text: &str) -> String {
-    let written = |stem| Notation::Latex.name(stem);
+    let written = |stem| Latex.name(stem);
     match (text.strip_suffix("_eps"), text.strip_suffix("_hat"), text.strip_prefix("det")) {
         (Some(stem), ..) => format!("{}(\\varepsilon)", written(stem)),
         (_, Some(stem), _) => format!("\\widehat{{{}}}", written(stem)),
@@ -100,7 +101,7 @@ fn write(formula: &Formula) -> (String, Level) {
     match formula {
         Formula::Number(value) => {
             let level = if value.is_integer() { Level::Atom } else { Level::Product };
-            (Notation::Latex.number(value), level)
+            (Latex.number(value), level)
         }
         Formula::Name(text) => (name(text), Level::Atom),
         Formula::Negation(inner) => (format!("-{}", at_least(inner, Level::Product)), Level::Sum),

@@ -2,12 +2,14 @@
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Formulas, Notation, PAGE_WIDTH, latex_equation, lines as breakable};
+use kahan_algebra::render::{Formulas, Notation, Text, lines as breakable};
 use kahan_algebra::system::System;
 use kahan_discover::Report;
 use kahan_discover::basis::Basis;
 use kahan_discover::claims::Formula;
 use kahan_discover::report::HamiltonianReport;
+use kahan_latex::Latex;
+use kahan_latex::breaking::{self, PAGE_WIDTH};
 use serde_json::{Map, Value, json};
 
 use crate::printing::Refusal;
@@ -111,8 +113,12 @@ impl Discovery {
 
     /// The modified Hamiltonian in its compact form.
     fn modified(&self, hamiltonian: &HamiltonianReport) -> String {
-        let [states, images] = self.states_and_images(Notation::Text);
-        format!("H~ = {}, where {images} is the image of {states}{}", hamiltonian.modified, self.condition())
+        let [states, images] = self.states_and_images(&Text);
+        format!(
+            "H~ = {}, where {images} is the image of {states}{}",
+            hamiltonian.modified(&Text),
+            self.condition()
+        )
     }
 
     /// `, when a = 1, eps = 1/2`, or empty.
@@ -127,11 +133,8 @@ impl Discovery {
     fn bases(&self) -> impl Iterator<Item = [String; 2]> {
         let variables = &self.report.variables;
         self.report.bases.iter().enumerate().map(|(number, basis)| {
-            let relation = basis.relation(variables, Notation::Text);
-            [
-                format!("basis {}{}: {relation}", number + 1, self.condition()),
-                evaluation(basis, Notation::Text),
-            ]
+            let relation = basis.relation(variables, &Text);
+            [format!("basis {}{}: {relation}", number + 1, self.condition()), evaluation(basis, &Text, "")]
         })
     }
 
@@ -157,14 +160,13 @@ impl Discovery {
     }
 
     /// A point and its image, as vectors.
-    pub(in super::super) fn states_and_images(&self, notation: Notation) -> [String; 2] {
-        let names = || self.report.variables.iter().map(|state| notation.name(state));
-        let image = |name: String| match notation {
-            Notation::Text => format!("{name}~"),
-            Notation::Latex => format!("\\widetilde{{{name}}}"),
-        };
+    pub(in super::super) fn states_and_images(&self, notation: &dyn Notation) -> [String; 2] {
+        let states = self.report.variables.iter();
         let vector = |entries: Vec<String>| format!("({})", entries.join(", "));
-        [vector(names().collect()), vector(names().map(image).collect())]
+        [
+            vector(states.clone().map(|state| notation.name(state)).collect()),
+            vector(states.map(|state| notation.image(state)).collect()),
+        ]
     }
 
     /// The field with what is to be read as its claims: an integral that the compact form of the
@@ -180,7 +182,7 @@ impl Discovery {
 
     fn with_claims(&self, but: Option<usize>) -> Result<System, Refusal> {
         let symbols = &self.system.field.symbols;
-        let values = Formulas { field: &self.system.field, map: None, notation: Notation::Text }.field();
+        let values = Formulas { field: &self.system.field, map: None, notation: &Text }.field();
         let equations =
             symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
         let items: Vec<String> = equations.chain(self.claims(but).into_iter().map(str::to_owned)).collect();
@@ -196,21 +198,21 @@ impl Discovery {
 
     pub(super) fn latex(&self) -> Result<String, Refusal> {
         let system = self.readable()?;
-        let notation = Notation::Latex;
+        let notation = &Latex;
         let mut page = Page::default();
         page.line(&format!("% {}", self.name));
         let values = Formulas { field: &system.field, map: None, notation }.field();
         let states =
             system.field.symbols.states.iter().map(|state| format!("\\dot {}", notation.name(state)));
         page.display(&aligned(
-            states.zip(&values).map(|(left, right)| latex_equation(&left, right, PAGE_WIDTH)).collect(),
+            states.zip(&values).map(|(left, right)| breaking::equation(&left, right, PAGE_WIDTH)).collect(),
         ));
         for claim in &system.claims {
             page.claim(&system, claim, None);
         }
         if let Some(hamiltonian) = self.report.compact() {
             page.line(&format!("% modified Hamiltonian{}", self.condition()));
-            let equation = latex_equation("\\widetilde{H}", &hamiltonian.modified_latex, PAGE_WIDTH);
+            let equation = breaking::equation("\\widetilde{H}", &hamiltonian.modified(notation), PAGE_WIDTH);
             let [states, images] = self.states_and_images(notation);
             let image = format!("&\\text{{where }} {images} \\text{{ is the image of }} {states}");
             page.display(&aligned(vec![equation, image]));
@@ -219,8 +221,8 @@ impl Discovery {
             page.line(&format!("% Hirota-Kimura basis {}{}", number + 1, self.condition()));
             let relation = basis.relation(&self.report.variables, notation);
             let left = relation.strip_suffix(" = 0").unwrap_or(&relation);
-            page.display(&aligned(vec![latex_equation("0", left, PAGE_WIDTH)]));
-            page.line(&evaluation(basis, notation));
+            page.display(&aligned(vec![breaking::equation("0", left, PAGE_WIDTH)]));
+            page.line(&evaluation(basis, notation, "$"));
         }
         Ok(page.text)
     }
@@ -273,15 +275,16 @@ fn hamiltonian_object(found: &HamiltonianReport) -> Value {
         "H": found.hamiltonian,
         "modified_is_proved": found.modified_is_proved,
         // At any point x and its image x~.
-        "modified": found.modified,
+        "modified": found.modified(&Text),
     })
 }
 
-/// Which coefficients of a basis are integrals, and how they are found from an orbit.
-pub(in super::super) fn evaluation(basis: &Basis, notation: Notation) -> String {
-    let quotient = |(above, below): (usize, usize)| match notation {
-        Notation::Text => format!("c{above}/c{below}"),
-        Notation::Latex => format!("$c_{{{above}}}/c_{{{below}}}$"),
+/// Which coefficients of a basis are integrals, and how they are found from an orbit; formulas stand
+/// between marks.
+pub(in super::super) fn evaluation(basis: &Basis, notation: &dyn Notation, mark: &str) -> String {
+    let quotient = |(above, below): (usize, usize)| {
+        let [above, below] = [above, below].map(|number| notation.name(&format!("c{number}")));
+        format!("{mark}{above}/{below}{mark}")
     };
     let quotients: Vec<String> = basis.quotients().into_iter().map(quotient).collect();
     let are = match quotients.len() {
@@ -309,7 +312,7 @@ fn basis_object(basis: &Basis, variables: &[String]) -> Value {
         "monomials": monomials,
         "integrals": quotients,
         // Sums of monomials whose coefficients are equal.
-        "terms": basis.term_texts(variables, Notation::Text),
+        "terms": basis.term_texts(variables, &Text),
         "points": basis.points(),
         "outcome": if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
     })

@@ -2,10 +2,11 @@
 //! `kahan discover` found.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Notation, condition_text, latex_matrix, macro_block};
+use kahan_algebra::render::{Text, condition_text, macro_block};
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use kahan_discover::hilbert::default_degree;
+use kahan_latex::{Latex, breaking};
 use maud::{Markup, html};
 
 use super::super::discover::{Discover, Discovery, evaluation};
@@ -112,17 +113,17 @@ fn findings(claimed: &System, discovery: &Discovery) -> Markup {
         }
         @if let Some(hamiltonian) = &report.structure.hamiltonian {
             p { "The flow is Hamiltonian: f = K ∇H with a constant antisymmetric K." }
-            (display(&format!("K = {}", latex_matrix("pmatrix", &hamiltonian.tensor, LINE)), LINE))
+            (display(&format!("K = {}", breaking::matrix("pmatrix", &hamiltonian.tensor, LINE)), LINE))
         }
         @if let Some(hamiltonian) = report.compact() {
-            @let [states, images] = discovery.states_and_images(Notation::Text);
+            @let [states, images] = discovery.states_and_images(&Text);
             p { "The modified Hamiltonian, where " (readable(&images)) " is the image of " (readable(&states)) ":" }
-            (display(&format!("\\widetilde{{H}} = {}", hamiltonian.modified_latex), LINE))
+            (display(&format!("\\widetilde{{H}} = {}", hamiltonian.modified(&Latex)), LINE))
         }
         @for basis in &report.bases {
             p { "A Hirota–Kimura basis, " @if basis.proof.is_none() { "as seen modulo primes" } @else { "proved" } ":" }
-            (display(&basis.relation(&report.variables, Notation::Latex), LINE))
-            p { (readable(&evaluation(basis, Notation::Text))) }
+            (display(&basis.relation(&report.variables, &Latex), LINE))
+            p { (readable(&evaluation(basis, &Text, ""))) }
         }
         ul { @for sentence in &report.sentences { li { (readable(sentence)) } } }
         (rows("Numbers of the search", &numbers))

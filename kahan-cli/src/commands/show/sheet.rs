@@ -2,10 +2,10 @@
 
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 use kahan_algebra::render::{
-    Formulas, MatrixText, Notation, PAGE_WIDTH, claim_text, condition_note, condition_text, latex_box,
-    latex_equation, latex_matrix, latex_width, macro_block,
+    Formulas, MatrixText, Notation, claim_text, condition_note, condition_text, macro_block,
 };
 use kahan_algebra::system::{Claim, System};
+use kahan_latex::breaking::{self, PAGE_WIDTH};
 use serde_json::{Value, json};
 
 use crate::printing::page::{Page, aligned, column, matrix, singletons};
@@ -15,7 +15,7 @@ use crate::reading::Block;
 pub(super) struct Sheet<'a> {
     block: &'a Block,
     system: &'a System,
-    notation: Notation,
+    notation: &'a dyn Notation,
     field: Vec<String>,
     field_jacobian: MatrixText,
     matrix: MatrixText,
@@ -29,7 +29,7 @@ pub(super) struct Sheet<'a> {
 
 impl<'a> Sheet<'a> {
     /// Derives the formulas of a system.
-    pub(super) fn of(block: &'a Block, system: &'a System, notation: Notation) -> Self {
+    pub(super) fn of(block: &'a Block, system: &'a System, notation: &'a dyn Notation) -> Self {
         let map = RationalMap::of(&system.field);
         let formulas = Formulas { field: &system.field, map: map.as_ref(), notation };
         Sheet {
@@ -156,7 +156,7 @@ impl<'a> Sheet<'a> {
         page.display(&matrix_latex("Q(x,x')", "pmatrix", &singletons(&self.bilinear)));
         let determinant = "D = \\det A(x,\\varepsilon)";
         page.display(&match &self.determinant {
-            Some(expanded) => aligned(vec![latex_equation(determinant, expanded, PAGE_WIDTH)]),
+            Some(expanded) => aligned(vec![breaking::equation(determinant, expanded, PAGE_WIDTH)]),
             None => matrix_latex(determinant, "vmatrix", &self.matrix),
         });
         match &self.map {
@@ -167,7 +167,7 @@ impl<'a> Sheet<'a> {
         }
         if let Some(factor) = &self.removed_factor {
             page.line("% divided out of the numerators and D:");
-            page.display(&latex_box(factor, PAGE_WIDTH));
+            page.display(&breaking::boxed(factor, PAGE_WIDTH));
         }
         page.display(
             "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
@@ -182,12 +182,12 @@ impl<'a> Sheet<'a> {
 
     fn equations_latex(&self, left: impl Fn(&str) -> String, right: &[String]) -> Vec<String> {
         let states = self.states().iter().map(|state| self.notation.name(state));
-        states.zip(right).map(|(state, value)| latex_equation(&left(&state), value, PAGE_WIDTH)).collect()
+        states.zip(right).map(|(state, value)| breaking::equation(&left(&state), value, PAGE_WIDTH)).collect()
     }
 }
 
 /// `left = matrix` in LaTeX.
 fn matrix_latex(left: &str, environment: &str, rows: &[Vec<String>]) -> String {
-    let room = PAGE_WIDTH.saturating_sub(latex_width(left) + 3);
-    format!("{left} = {}", latex_matrix(environment, rows, room))
+    let room = PAGE_WIDTH.saturating_sub(breaking::width_of(left) + 3);
+    format!("{left} = {}", breaking::matrix(environment, rows, room))
 }

@@ -1,9 +1,10 @@
 //! Seeded random products, among them such whose factors are irreducible by a theorem.
 
-use super::{factors, p, product};
-use crate::poly::{Monomial, Polynomial, Variable};
-use crate::prime_field::SplitMix64;
-use crate::rational::Rational;
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+
+use super::{all_factors, p, product};
 
 /// No more than so many terms of that degree, without a content.
 pub(super) fn random_factor(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u64) -> Polynomial {
@@ -34,7 +35,7 @@ fn random_products_have_the_factors_of_their_factors() {
                 continue;
             }
             whole = &whole * &product(&[(factor.clone(), exponent)]);
-            for (part, multiplicity) in factors(&factor) {
+            for (part, multiplicity) in all_factors(&factor) {
                 match expected.iter_mut().find(|(known, _)| *known == part) {
                     Some((_, sum)) => *sum += multiplicity * exponent,
                     None => expected.push((part, multiplicity * exponent)),
@@ -42,7 +43,7 @@ fn random_products_have_the_factors_of_their_factors() {
             }
         }
         assert!(whole.degree() > 0, "a product of constants");
-        let found = factors(&whole);
+        let found = all_factors(&whole);
         assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
         assert!(expected.iter().all(|factor| found.contains(factor)), "{found:?} {expected:?}");
     }
@@ -61,9 +62,9 @@ fn irreducible_factors_stay_so_in_other_variables() {
         for (exponent, coefficient) in whole.coefficients_in(Variable(0)) {
             moved = &moved + &(&coefficient * &product(&[(p("a + 1"), exponent)]));
         }
-        assert_eq!(factors(&whole).len(), factors(&turned).len(), "{whole:?}");
+        assert_eq!(all_factors(&whole).len(), all_factors(&turned).len(), "{whole:?}");
         let without_a = |all: Vec<(Polynomial, u32)>| all.into_iter().map(|(_, e)| e).sum::<u32>();
-        assert_eq!(without_a(factors(&whole)), without_a(factors(&moved)), "{whole:?}");
+        assert_eq!(without_a(all_factors(&whole)), without_a(all_factors(&moved)), "{whole:?}");
     }
 }
 
@@ -119,7 +120,7 @@ fn products_of_irreducible_factors_come_back_exactly() {
                 given.push((factor, exponent));
             }
         }
-        let found = factors(&product(&given));
+        let found = all_factors(&product(&given));
         assert_eq!(found.len(), given.len(), "round {round}: {given:?} became {found:?}");
         assert!(given.iter().all(|factor| found.contains(factor)), "round {round}: {given:?} {found:?}");
     }
@@ -132,14 +133,14 @@ fn factors_have_irreducible_images_elsewhere() {
     let mut seen = 0;
     for _ in 0..30 {
         let whole = &random_factor(&mut rng, 3, 5, 4) * &random_factor(&mut rng, 3, 4, 4);
-        for (factor, _) in factors(&whole) {
+        for (factor, _) in all_factors(&whole) {
             let Some(main) = factor.variables().into_iter().next_back() else { continue };
             let has_image = (0..60).any(|_| {
                 let others = factor.variables().into_iter().filter(|variable| *variable != main);
                 let image = others.fold(factor.clone(), |image, variable| {
                     image.substitute(variable, &Rational::from(100 + rng.below(1000) as i64))
                 });
-                let found = factors(&image);
+                let found = all_factors(&image);
                 image.degree() == factor.degree_in(main) && matches!(found.as_slice(), [(_, 1)])
             });
             assert!(has_image, "{factor:?}");

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use kahan_algebra::poly::{Monomial, Polynomial, Variable};
+use kahan_algebra::prime_field::PrimeField;
+use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 
 use super::lifted;
 use super::sparse::Residues;
-use crate::poly::{Monomial, Polynomial, Variable};
-use crate::prime_field::PrimeField;
-use crate::rational::Rational;
 
 /// Integer coefficients modulo a product of primes.
 #[derive(Default)]

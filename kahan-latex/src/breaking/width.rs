@@ -4,7 +4,7 @@ use super::pieces::closing;
 
 /// About how many characters wide a formula is when it is set.
 #[must_use]
-pub fn latex_width(formula: &str) -> usize {
+pub fn width_of(formula: &str) -> usize {
     let mut width = 0;
     let mut at = 0;
     while let Some(c) = formula[at..].chars().next() {
@@ -37,13 +37,13 @@ fn command(rest: &str) -> (usize, usize) {
             let above = letters + 1..closing(rest, letters + 1);
             let below = (above.end + 2).min(rest.len());
             let below = below..closing(rest, below);
-            let size = latex_width(&rest[above]).max(latex_width(&rest[below.clone()]));
+            let size = width_of(&rest[above]).max(width_of(&rest[below.clone()]));
             (size, (below.end + 1).min(rest.len()))
         }
         "\\begin" => {
             let named = rest.find('}').map_or(rest.len(), |end| end + 1);
             let end = closing(rest, named);
-            let size = rest[named..end].split("\\\\").map(latex_width).max().unwrap_or(0);
+            let size = rest[named..end].split("\\\\").map(width_of).max().unwrap_or(0);
             (size, rest[end..].find('}').map_or(rest.len(), |brace| end + brace + 1))
         }
         "\\left" | "\\right" | "\\mathit" | "\\mathrm" | "\\text" | "\\operatorname" | "\\widetilde"

@@ -1,7 +1,7 @@
 //! Square-free decomposition: f = ∏ fₖ^k with fₖ square-free and pairwise coprime (Yun, "On
 //! square-free decomposition algorithms", SYMSAC 1976).
 
-use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
+use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
 
 /// The decomposition of a primitive polynomial, and whether the budget sufficed; where it did not,
 /// what is left stands undecomposed.

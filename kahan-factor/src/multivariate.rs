@@ -6,13 +6,13 @@
 //! multivariate polynomial factoring algorithm", Math. Comp. 32, 1978), until their product is the
 //! polynomial. They are then irreducible, as their images are.
 
+use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable};
+use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+use kahan_algebra::rational::Rational;
+
 use super::combined::Combined;
 use super::sparse::{self, Problem};
 use super::{Powers, irreducible, univariate, without_monomial};
-use crate::poly::gcd::leading_coefficient;
-use crate::poly::{Budget, OverBudget, Polynomial, Variable};
-use crate::prime_field::{PrimeField, SplitMix64};
-use crate::rational::Rational;
 
 /// How often new points are taken where the factors of an image cannot be lifted; they grow from
 /// round to round.
@@ -204,7 +204,7 @@ struct Lead {
 
 impl Lead {
     fn of(whole: &Polynomial, main: Variable, budget: &mut Budget) -> Result<Option<Self>, OverBudget> {
-        let whole = leading_coefficient(whole, main);
+        let whole = whole.leading_coefficient_in(main);
         let (mut factors, core) = without_monomial(&whole);
         let Some(others) = irreducible(&core, budget)? else { return Ok(None) };
         factors.extend(others);

@@ -11,21 +11,21 @@ mod tests;
 mod width;
 
 use pieces::{factors, insides, split, terms};
-pub use width::latex_width;
+pub use width::width_of;
 
 /// The characters of a line of text on a usual page.
 pub const PAGE_WIDTH: usize = 80;
 
 /// The formula in lines of about `width` characters; one that fits is left as it is.
 #[must_use]
-pub fn latex_lines(formula: &str, width: usize) -> Vec<String> {
-    if latex_width(formula) <= width {
+pub fn lines(formula: &str, width: usize) -> Vec<String> {
+    if width_of(formula) <= width {
         return vec![formula.to_owned()];
     }
     let mut lines = Vec::new();
     let mut taken = 0;
     for term in terms(formula) {
-        let size = latex_width(term);
+        let size = width_of(term);
         if size > width {
             lines.extend(factors_in_lines(term, width));
             // What follows a broken term begins a line.
@@ -49,8 +49,8 @@ pub fn latex_lines(formula: &str, width: usize) -> Vec<String> {
 
 /// The formula as one box of about `width` characters: with several lines where it needs them.
 #[must_use]
-pub fn latex_box(formula: &str, width: usize) -> String {
-    match &latex_lines(formula, width)[..] {
+pub fn boxed(formula: &str, width: usize) -> String {
+    match &lines(formula, width)[..] {
         [one] => one.clone(),
         lines => format!("\\begin{{aligned}}\n& {}\n\\end{{aligned}}", lines.join(" \\\\\n& ")),
     }
@@ -58,27 +58,27 @@ pub fn latex_box(formula: &str, width: usize) -> String {
 
 /// `left = right` as rows of an `aligned`; further lines are indented.
 #[must_use]
-pub fn latex_equation(left: &str, right: &str, width: usize) -> String {
-    let room = width.saturating_sub(latex_width(left) + 3).max(NARROWEST);
-    format!("{left} &= {}", latex_lines(right, room).join(" \\\\\n&\\quad "))
+pub fn equation(left: &str, right: &str, width: usize) -> String {
+    let room = width.saturating_sub(width_of(left) + 3).max(NARROWEST);
+    format!("{left} &= {}", lines(right, room).join(" \\\\\n&\\quad "))
 }
 
 /// A formula with or without a relation (`left = right`), in as many lines as it needs, as one
 /// display.
 #[must_use]
-pub fn latex_display(formula: &str, width: usize) -> String {
-    if latex_width(formula) <= width {
+pub fn display(formula: &str, width: usize) -> String {
+    if width_of(formula) <= width {
         return formula.to_owned();
     }
     let sides = split(formula, |rest| RELATIONS.iter().any(|sign| rest.starts_with(sign)));
-    let [left, right] = sides[..] else { return latex_box(formula, width) };
+    let [left, right] = sides[..] else { return boxed(formula, width) };
     let (sign, right) = right.split_once(' ').unwrap_or(("", right));
-    let rows = if latex_width(left) * 3 <= width {
-        let room = width.saturating_sub(latex_width(left) + 3);
-        format!("{left} &{sign} {}", latex_lines(right, room).join(" \\\\\n&\\quad "))
+    let rows = if width_of(left) * 3 <= width {
+        let room = width.saturating_sub(width_of(left) + 3);
+        format!("{left} &{sign} {}", lines(right, room).join(" \\\\\n&\\quad "))
     } else {
-        let left = latex_lines(left, width).join(" \\\\\n&\\quad ");
-        let right = latex_lines(right, width.saturating_sub(5)).join(" \\\\\n&\\qquad ");
+        let left = lines(left, width).join(" \\\\\n&\\quad ");
+        let right = lines(right, width.saturating_sub(5)).join(" \\\\\n&\\qquad ");
         format!("& {left} \\\\\n&\\quad {sign} {right}")
     };
     format!("\\begin{{aligned}}\n{rows}\n\\end{{aligned}}")
@@ -90,15 +90,15 @@ const RELATIONS: [&str; 4] = [" = ", " \\coloneqq ", " \\neq ", " \\approx "];
 /// A matrix in the environment `name`, with `width` characters for all columns; wide entries have
 /// several lines.
 #[must_use]
-pub fn latex_matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
+pub fn matrix(name: &str, rows: &[Vec<String>], width: usize) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns)
-        .map(|column| rows.iter().filter_map(|row| row.get(column)).map(|cell| latex_width(cell)).max())
+        .map(|column| rows.iter().filter_map(|row| row.get(column)).map(|cell| width_of(cell)).max())
         .map(Option::unwrap_or_default)
         .collect();
     let allowed = shares(&widths, width.saturating_sub(2 * columns));
     let row = |row: &Vec<String>| {
-        let cells = row.iter().zip(&allowed).map(|(cell, &allowed)| latex_box(cell, allowed));
+        let cells = row.iter().zip(&allowed).map(|(cell, &allowed)| boxed(cell, allowed));
         cells.collect::<Vec<_>>().join(" & ")
     };
     let rows: Vec<String> = rows.iter().map(row).collect();
@@ -135,7 +135,7 @@ fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
     let mut taken = 0;
     for factor in factors(term) {
         let factor = narrowed(factor, width);
-        let size = latex_width(&factor);
+        let size = width_of(&factor);
         match lines.last_mut() {
             Some(line) if taken + size <= width => append(line, &factor),
             Some(_) => {
@@ -151,18 +151,18 @@ fn factors_in_lines(term: &str, width: usize) -> Vec<String> {
 
 /// A factor with the inside of its fraction or parenthesis in several lines, if it is too wide.
 fn narrowed(factor: &str, width: usize) -> String {
-    if latex_width(factor) <= width {
+    if width_of(factor) <= width {
         return factor.to_owned();
     }
     let Some(insides) = insides(factor) else { return factor.to_owned() };
     let (Some(first), Some(last)) = (insides.first(), insides.last()) else { return factor.to_owned() };
-    let around = latex_width(&factor[..first.start]) + latex_width(&factor[last.end..]);
+    let around = width_of(&factor[..first.start]) + width_of(&factor[last.end..]);
     let room = width.saturating_sub(around).max(NARROWEST);
     let mut out = String::new();
     let mut at = 0;
     for inside in &insides {
         out.push_str(&factor[at..inside.start]);
-        out.push_str(&latex_box(&factor[inside.clone()], room));
+        out.push_str(&boxed(&factor[inside.clone()], room));
         at = inside.end;
     }
     out + &factor[at..]

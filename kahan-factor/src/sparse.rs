@@ -10,13 +10,13 @@
 
 use std::collections::BTreeMap;
 
+use kahan_algebra::poly::{Budget, OverBudget, Polynomial, RESIDUES_PER_TERM, Variable};
+use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+use kahan_algebra::table::Table;
+
 use super::dense::{self, Dense};
 use super::series::{self, Question, Rows};
 use super::vandermonde;
-use crate::poly::images::RESIDUES_PER_TERM;
-use crate::poly::{Budget, OverBudget, Polynomial, Variable};
-use crate::prime_field::{PrimeField, SplitMix64};
-use crate::table::Table;
 
 /// A polynomial over F_p: coefficients by exponents, the main variable first.
 pub(super) type Residues = BTreeMap<Vec<u32>, u64>;

@@ -1,7 +1,7 @@
 //! Dense polynomials in one variable over a prime field: coefficients by exponent, without zeros at
 //! the end.
 
-use crate::prime_field::PrimeField;
+use kahan_algebra::prime_field::PrimeField;
 
 /// Coefficients by exponent.
 pub(super) type Dense = Vec<u64>;

@@ -1,6 +1,6 @@
 //! Lines, boxes and matrices of formulas that are too wide.
 
-use super::{latex_box, latex_display, latex_equation, latex_lines, latex_matrix, latex_width};
+use super::{boxed, display, equation, lines, matrix, width_of};
 
 #[test]
 fn widths_are_about_what_the_eye_sees() {
@@ -15,29 +15,29 @@ fn widths_are_about_what_the_eye_sees() {
         ("\\begin{aligned} & a + b \\\\ & c \\end{aligned} d", 6),
         ("\\{x,y\\}", 5),
     ] {
-        assert_eq!(latex_width(formula), width, "{formula}");
+        assert_eq!(width_of(formula), width, "{formula}");
     }
 }
 
 #[test]
 fn sums_break_before_a_sign_and_products_between_factors() {
-    assert_eq!(latex_lines("a + b - c + d", 8), ["a + b", "- c + d"]);
-    assert_eq!(latex_lines("aaaa bbbb cccc", 9), ["aaaa bbbb", "\\cdot cccc"]);
-    assert_eq!(latex_lines("\\dot {x} y", 1), ["\\dot {x}", "\\cdot y"]);
-    assert_eq!(latex_lines("a + b", 5), ["a + b"]);
+    assert_eq!(lines("a + b - c + d", 8), ["a + b", "- c + d"]);
+    assert_eq!(lines("aaaa bbbb cccc", 9), ["aaaa bbbb", "\\cdot cccc"]);
+    assert_eq!(lines("\\dot {x} y", 1), ["\\dot {x}", "\\cdot y"]);
+    assert_eq!(lines("a + b", 5), ["a + b"]);
 }
 
 #[test]
 fn fractions_and_parentheses_break_inside() {
     let sum = ["aaaaaaaa"; 4].join(" + ");
     let two = "\\begin{aligned}\n& aaaaaaaa + aaaaaaaa \\\\\n& + aaaaaaaa + aaaaaaaa\n\\end{aligned}";
-    assert_eq!(latex_box(&sum, 24), two);
+    assert_eq!(boxed(&sum, 24), two);
     assert_eq!(
-        latex_lines(&format!("x + 2\\varepsilon\\,\\frac{{{sum}}}{{b}}"), 26),
+        lines(&format!("x + 2\\varepsilon\\,\\frac{{{sum}}}{{b}}"), 26),
         ["x".to_owned(), format!("+ 2\\varepsilon\\,\\frac{{{two}}}{{b}}")]
     );
     assert_eq!(
-        latex_lines(&format!("b \\left({sum}\\right)^{{2}}"), 23),
+        lines(&format!("b \\left({sum}\\right)^{{2}}"), 23),
         ["b".to_owned(), format!("\\cdot \\left({two}\\right)^{{2}}")]
     );
 }
@@ -45,25 +45,25 @@ fn fractions_and_parentheses_break_inside() {
 #[test]
 fn statements_break_at_their_relation() {
     let sum = ["aaaaaaaa"; 4].join(" + ");
-    assert_eq!(latex_display("a = b", 10), "a = b");
+    assert_eq!(display("a = b", 10), "a = b");
     assert_eq!(
-        latex_display(&format!("f = {sum}"), 25),
+        display(&format!("f = {sum}"), 25),
         "\\begin{aligned}\nf &= aaaaaaaa + aaaaaaaa \\\\\n&\\quad + aaaaaaaa + aaaaaaaa\n\\end{aligned}"
     );
     assert_eq!(
-        latex_display(&format!("{sum} \\neq 0"), 28),
+        display(&format!("{sum} \\neq 0"), 28),
         "\\begin{aligned}\n& aaaaaaaa + aaaaaaaa \\\\\n&\\quad + aaaaaaaa + aaaaaaaa \\\\\n&\\quad \\neq 0\n\\end{aligned}"
     );
-    assert!(latex_width(&latex_display(&sum, 25)) <= 25);
+    assert!(width_of(&display(&sum, 25)) <= 25);
 }
 
 #[test]
 fn equations_and_matrices_stay_within_the_width() {
     let sum = ["aaaaaaaa"; 6].join(" - ");
-    let equation = latex_equation("\\dot{x}", &sum, 40);
+    let equation = equation("\\dot{x}", &sum, 40);
     assert_eq!(equation.matches("\\\\\n&\\quad - ").count(), 1, "{equation}");
     let rows = vec![vec!["1".to_owned(), sum.clone()], vec![sum, "0".to_owned()]];
-    let matrix = latex_matrix("pmatrix", &rows, 60);
-    assert!(latex_width(&matrix) <= 60, "{matrix}");
+    let matrix = matrix("pmatrix", &rows, 60);
+    assert!(width_of(&matrix) <= 60, "{matrix}");
     assert_eq!(matrix.matches("\\begin{aligned}").count(), 2);
 }

@@ -1,10 +1,12 @@
 //! What the budget does: counts, so the same on every machine.
 
+use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational::Rational;
+
 use super::random::{random_factor, random_irreducible};
 use super::{assert_sound, p, product};
-use crate::poly::{Budget, Monomial, Polynomial, Variable};
-use crate::prime_field::SplitMix64;
-use crate::rational::Rational;
+use crate::factors;
 
 #[test]
 fn an_exhausted_budget_leaves_square_free_parts() {
@@ -12,7 +14,7 @@ fn an_exhausted_budget_leaves_square_free_parts() {
         product(&[(p("x^2 + y"), 2), (p("x^2 + z*y^2 + 3"), 2), (p("x*y*z"), 1), (p("x^3 - z^3 + y^3"), 1)]);
     let mut is_complete = false;
     for work in [0, 10, 100, 1000, 3000, 10_000, 10_000_000] {
-        let factors = polynomial.factors(&mut Budget::new(100_000, work));
+        let factors = factors(&polynomial, &mut Budget::new(100_000, work));
         assert_sound(&polynomial, &factors);
         let largest = factors.factors.iter().map(|(factor, _)| factor.degree()).max().unwrap();
         // The square of a product of degree 5 is seen as one, at least.
@@ -21,14 +23,14 @@ fn an_exhausted_budget_leaves_square_free_parts() {
         is_complete = factors.is_complete;
     }
     assert!(is_complete);
-    assert!(!polynomial.factors(&mut Budget::new(100_000, 0)).is_complete);
+    assert!(!factors(&polynomial, &mut Budget::new(100_000, 0)).is_complete);
 }
 
 /// The squares are in what the coefficients of x share, so they are sought there apart.
 #[test]
 fn an_exhausted_budget_leaves_square_free_contents() {
     let given = [(p("u^2 + v"), 2), (p("v^2*w^2 + u^3 + 1"), 3), (p("x*w + y^2"), 1)];
-    let factors = product(&given).factors(&mut Budget::new(100_000, 0));
+    let factors = factors(&product(&given), &mut Budget::new(100_000, 0));
     assert!(!factors.is_complete);
     assert_sound(&product(&given), &factors);
     assert_eq!(factors.factors.len(), 3);
@@ -40,8 +42,8 @@ fn equal_inputs_have_equal_answers() {
     let whole = product(&[(p("x^2*y + z^3 - t"), 2), (p("t^2*y + z^2*x - 5"), 1)]);
     let budget = Budget::new(100_000, 20_000_000);
     let (mut first, mut second) = (budget.clone(), budget);
-    assert_eq!(whole.factors(&mut first), whole.factors(&mut second));
-    assert_eq!(first.work, second.work);
+    assert_eq!(factors(&whole, &mut first), factors(&whole, &mut second));
+    assert_eq!(first.work_left(), second.work_left());
 }
 
 /// The work for a product of random irreducible factors, and that they are found.
@@ -49,9 +51,9 @@ fn work(rng: &mut SplitMix64, variables: u16, terms: u64, degree: u32, count: us
     let given: Vec<(Polynomial, u32)> =
         (0..count).map(|_| (random_irreducible(rng, variables, terms, degree), 1)).collect();
     let mut budget = Budget::new(100_000, u64::MAX);
-    let found = product(&given).factors(&mut budget);
+    let found = factors(&product(&given), &mut budget);
     assert!(found.is_complete && found.factors.len() == count, "{found:?}");
-    u64::MAX - budget.work
+    u64::MAX - budget.work_left()
 }
 
 /// Ten million last a few seconds at most.
@@ -80,7 +82,7 @@ fn one_irreducible_image_is_enough() {
         whole = &whole + &Polynomial::term(Monomial::power(Variable(index), 9), Rational::ONE);
     }
     let mut budget = Budget::new(100_000, 100_000);
-    let factors = whole.factors(&mut budget);
+    let factors = factors(&whole, &mut budget);
     assert!(factors.is_complete && factors.factors.len() == 1);
 }
 
@@ -91,7 +93,7 @@ fn tall_polynomials_keep_to_the_budget() {
         ["x^2 - y^1048575", "x^1048576 - 1", "x^70000 - y^1048576 + z^3", "x^2*y^999999 - z^1000000*x + 5"]
     {
         let polynomial = p(text).primitive_part();
-        let factors = polynomial.factors(&mut Budget::new(100_000, 1_000_000));
+        let factors = factors(&polynomial, &mut Budget::new(100_000, 1_000_000));
         assert!(!factors.is_complete, "{text}");
         assert_eq!(factors.factors, [(polynomial, 1)]);
     }
@@ -99,8 +101,8 @@ fn tall_polynomials_keep_to_the_budget() {
 
 fn spent(polynomial: &Polynomial) -> u64 {
     let mut budget = Budget::new(100_000, u64::MAX);
-    assert!(polynomial.factors(&mut budget).is_complete);
-    u64::MAX - budget.work
+    assert!(factors(polynomial, &mut budget).is_complete);
+    u64::MAX - budget.work_left()
 }
 
 /// What is linear in a variable needs no image, only coefficients without a common factor.

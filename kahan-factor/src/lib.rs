@@ -3,10 +3,11 @@
 //! In goes a polynomial, out come a rational number and powers of irreducible primitive polynomials
 //! whose product it is. The steps: rational content and monomial; contents in a main variable,
 //! found as common factors of its shortest coefficient; a polynomial that is primitive and linear
-//! in it is irreducible. Else all other variables become integers ([`multivariate`]), the
-//! polynomial in one variable that is left is factored ([`univariate`]), and its factors are
-//! lifted, one variable after another ([`sparse`]). Powers are lifted as such, so that square-free
-//! parts, whose gcds are dear, are only sought where the budget runs out.
+//! in it is irreducible. Else all other variables become integers (`multivariate`), the
+//! polynomial in one variable that is left is factored (`univariate`), and its factors are
+//! lifted, one variable after another (`sparse`). Powers are lifted as such, so that square-free
+//! parts, whose gcds are dear, are only sought where the budget runs out. The crate must not know
+//! vector fields, nor names of variables.
 //!
 //! What holds: division decides what a factor is, and an irreducible image that a factor is
 //! irreducible; seeded random points decide only how fast, and a budget of work, never a clock,
@@ -16,6 +17,9 @@
 //! Zippel, EUROSAM 1979; Geddes, Czapor and Labahn, Algorithms for Computer Algebra, 1992, chapters
 //! 6 and 8. Absent on purpose: recombination of multivariate factors; new points, at which fewer
 //! factors fall apart, serve as well (Hilbert's irreducibility theorem).
+//!
+//! Modules in reading order: `square_free`, `multivariate`; `sparse`, `series`, `vandermonde`,
+//! `combined` (its lifts); `univariate`, `modular`, `lifted`; `dense`.
 
 mod combined;
 mod dense;
@@ -30,11 +34,8 @@ mod tests;
 mod univariate;
 mod vandermonde;
 
-use super::gcd::leading_coefficient;
-use super::images::degree_bounds;
-use super::{Budget, OverBudget, Polynomial, Variable};
-use crate::rational::Rational;
-use crate::table::{sorted_by, sorted_by_key};
+use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable, degree_bounds};
+use kahan_algebra::rational::Rational;
 
 /// A polynomial as content · ∏ factor^exponent.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,32 +53,30 @@ pub struct Factors {
 const SQUARE_FREE_TERMS: usize = 20_000;
 const SQUARE_FREE_WORK: u64 = 4_000_000;
 
-impl Polynomial {
-    /// The irreducible factors over ℚ (Zassenhaus 1969, in several variables after Wang 1978).
-    ///
-    /// Where the budget does not suffice, what resists is returned square-free and `is_complete` is
-    /// false; if the gcds for that become too long as well, it is returned as it is. Either way the
-    /// product is this polynomial. Costs, for what is irreducible, a pass over the terms a variable
-    /// and a factorisation in one variable; for factors of t terms in n variables, about n·t lifts
-    /// in two variables. A budget of ten million lasts a few seconds at most.
-    pub fn factors(&self, budget: &mut Budget) -> Factors {
-        if self.is_zero() {
-            return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
-        }
-        let (mut factors, core) = without_monomial(self);
-        let found = irreducible(&core, budget).ok().flatten();
-        let is_complete = found.is_some();
-        factors.extend(found.unwrap_or_else(|| {
-            square_free::square_free(&core, &mut Budget::new(SQUARE_FREE_TERMS, SQUARE_FREE_WORK))
-        }));
-        let factors = sorted_by(factors, |(left, _), (right, _)| {
-            let key = |polynomial: &Self| (polynomial.degree(), polynomial.len());
-            key(left).cmp(&key(right)).then_with(|| right.terms().cmp(left.terms()))
-        });
-        let factors = Factors { content: self.content(), factors, is_complete };
-        debug_assert_eq!(factors.product(), *self);
-        factors
+/// The irreducible factors over ℚ (Zassenhaus 1969, in several variables after Wang 1978).
+///
+/// Where the budget does not suffice, what resists is returned square-free and `is_complete` is
+/// false; if the gcds for that become too long as well, it is returned as it is. Either way the
+/// product is the polynomial. Costs, for what is irreducible, a pass over the terms a variable and
+/// a factorisation in one variable; for factors of t terms in n variables, about n·t lifts in two
+/// variables. A budget of ten million lasts a few seconds at most.
+pub fn factors(polynomial: &Polynomial, budget: &mut Budget) -> Factors {
+    if polynomial.is_zero() {
+        return Factors { content: Rational::ZERO, factors: Vec::new(), is_complete: true };
     }
+    let (mut factors, core) = without_monomial(polynomial);
+    let found = irreducible(&core, budget).ok().flatten();
+    let is_complete = found.is_some();
+    factors.extend(found.unwrap_or_else(|| {
+        square_free::square_free(&core, &mut Budget::new(SQUARE_FREE_TERMS, SQUARE_FREE_WORK))
+    }));
+    factors.sort_by(|(left, _), (right, _)| {
+        let key = |polynomial: &Polynomial| (polynomial.degree(), polynomial.len());
+        key(left).cmp(&key(right)).then_with(|| right.terms().cmp(left.terms()))
+    });
+    let factors = Factors { content: polynomial.content(), factors, is_complete };
+    debug_assert_eq!(factors.product(), *polynomial);
+    factors
 }
 
 impl Factors {
@@ -119,7 +118,7 @@ fn irreducible(polynomial: &Polynomial, budget: &mut Budget) -> Result<Option<Po
 fn main_variable(polynomial: &Polynomial) -> Option<Variable> {
     polynomial.variables().into_iter().min_by_key(|&variable| {
         let degree = polynomial.degree_in(variable);
-        (degree > 1, leading_coefficient(polynomial, variable).len() * degree as usize)
+        (degree > 1, polynomial.leading_coefficient_in(variable).len() * degree as usize)
     })
 }
 
@@ -130,8 +129,8 @@ fn content(
     main: Variable,
     budget: &mut Budget,
 ) -> Result<Option<(Powers, Polynomial)>, OverBudget> {
-    let coefficients = polynomial.coefficients_in(main).into_values();
-    let mut coefficients = sorted_by_key(coefficients, Polynomial::len);
+    let mut coefficients: Vec<Polynomial> = polynomial.coefficients_in(main).into_values().collect();
+    coefficients.sort_by_key(Polynomial::len);
     for coefficient in &mut coefficients {
         *coefficient = without_monomial(coefficient).1;
     }

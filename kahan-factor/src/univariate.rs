@@ -5,6 +5,9 @@
 //! and products of few of them are tried. The degrees that sums of degrees modulo several primes
 //! allow settle most irreducible polynomials before.
 
+use kahan_algebra::poly::{Budget, Monomial, OverBudget, Polynomial, RESIDUES_PER_TERM, Variable};
+use kahan_algebra::prime_field::{PrimeField, SplitMix64, is_prime_u64};
+use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
@@ -12,10 +15,6 @@ use num_traits::{Signed, Zero};
 use super::dense::{self, Dense};
 use super::lifted::{self, Lifted};
 use super::{modular, square_free};
-use crate::poly::images::RESIDUES_PER_TERM;
-use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable};
-use crate::prime_field::{PrimeField, SplitMix64, is_prime_u64};
-use crate::rational::Rational;
 
 /// Coefficients by exponent, the last one positive.
 pub(super) type Integers = Vec<BigInt>;

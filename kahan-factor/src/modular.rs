@@ -4,8 +4,9 @@
 //! Zassenhaus, "A new algorithm for factoring polynomials over finite fields", Math. Comp. 36,
 //! 1981). The random choices are seeded and change how long it takes, never what is found.
 
+use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+
 use super::dense::{self, Dense};
-use crate::prime_field::{PrimeField, SplitMix64};
 
 /// The product of all irreducible factors of one degree.
 pub(super) struct EqualDegree {

@@ -1,15 +1,15 @@
 //! Factors modulo a prime p become factors modulo a power of p (Hensel's lemma, one power of p a
 //! step).
 
+use kahan_algebra::poly::{Budget, OverBudget};
+use kahan_algebra::prime_field::PrimeField;
+use kahan_algebra::rational::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
 use super::dense::{self, Dense};
 use super::univariate::Integers;
-use crate::poly::{Budget, OverBudget};
-use crate::prime_field::PrimeField;
-use crate::rational::Rational;
 
 /// Monic polynomials whose product is, up to a unit, a given one modulo `modulus`.
 pub(super) struct Lifted {

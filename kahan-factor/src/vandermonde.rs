@@ -1,7 +1,8 @@
 //! Linear systems whose rows are powers of the same numbers: Σ cᵢ·mᵢ^k = vₖ.
 
+use kahan_algebra::prime_field::PrimeField;
+
 use super::dense::{self, Dense};
-use crate::prime_field::PrimeField;
 
 /// For each node mᵢ and each column v the cᵢ with Σ cᵢ·mᵢ^k = vₖ, k from 1 on; `None` where nodes
 /// agree.

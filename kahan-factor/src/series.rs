@@ -7,8 +7,9 @@
 //! section 6.6). Powers of a factor are lifted as one, and their root is taken at the end, so
 //! nothing has to be square-free.
 
+use kahan_algebra::prime_field::PrimeField;
+
 use super::dense::{self, Dense};
-use crate::prime_field::PrimeField;
 
 /// A polynomial in x and y, or x and t: for each power of x the coefficients by powers of the
 /// other.

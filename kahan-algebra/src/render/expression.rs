@@ -1,0 +1,75 @@
+//! Expressions as they were written.
+
+use crate::syntax::{Expr, ExprKind, Reference};
+
+use super::notation::{Notation, Text};
+
+/// How tightly an expression binds, for parentheses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// A sum, or a negation.
+    Sum,
+    /// A product or a quotient.
+    Product,
+    /// A power, or a call of a function.
+    Power,
+    /// A name, or an integer.
+    Atom,
+}
+
+/// An expression as it was written.
+#[must_use]
+pub fn expression_text(expr: &Expr) -> String {
+    write(expr).0
+}
+
+fn write(expr: &Expr) -> (String, Level) {
+    match &expr.kind {
+        ExprKind::Number(value) => {
+            let level = if value.is_integer() { Level::Atom } else { Level::Product };
+            (value.to_string(), level)
+        }
+        ExprKind::Name(name) => (name.clone(), Level::Atom),
+        ExprKind::Site { array, offset } => {
+            (Reference::Site { array, offset: *offset }.to_string(), Level::Atom)
+        }
+        // −(a·b) is read back as it was written.
+        ExprKind::Negation(inner) => (format!("-{}", at_least(inner, Level::Power)), Level::Sum),
+        ExprKind::Sum(terms) => {
+            let mut text = String::new();
+            for (index, term) in terms.iter().enumerate() {
+                text.push_str(match (index, term.negative) {
+                    (0, false) => "",
+                    (0, true) => "-",
+                    (_, false) => " + ",
+                    (_, true) => " - ",
+                });
+                let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
+                text.push_str(&at_least(&term.expr, level));
+            }
+            (text, Level::Sum)
+        }
+        ExprKind::Product(factors) => {
+            let mut text = String::new();
+            for (index, factor) in factors.iter().enumerate() {
+                if index > 0 {
+                    text.push(if factor.divides { '/' } else { '*' });
+                }
+                // A sign at the front needs no parentheses: −a·b is (−a)·b.
+                let signed = index == 0 && matches!(factor.expr.kind, ExprKind::Negation(_));
+                let level = if signed { Level::Sum } else { Level::Power };
+                text.push_str(&at_least(&factor.expr, level));
+            }
+            (text, Level::Product)
+        }
+        ExprKind::OverSites(inner) => (format!("sum({})", write(inner).0), Level::Atom),
+        ExprKind::Power(base, exponent) => {
+            (Text.power(&at_least(base, Level::Atom), *exponent), Level::Power)
+        }
+    }
+}
+
+fn at_least(expr: &Expr, level: Level) -> String {
+    let (text, own) = write(expr);
+    if own >= level { text } else { format!("({text})") }
+}

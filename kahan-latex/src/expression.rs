@@ -1,0 +1,101 @@
+//! Expressions as they were written, in LaTeX.
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Level, Notation};
+use kahan_algebra::syntax::{Expr, ExprKind, Factor, Reference};
+
+use crate::notation::Latex;
+
+/// An expression, and how tightly it binds.
+pub(crate) fn write(expr: &Expr) -> (String, Level) {
+    match &expr.kind {
+        ExprKind::Number(value) => {
+            let level = if value.is_integer() { Level::Atom } else { Level::Product };
+            (Latex.number(value), level)
+        }
+        ExprKind::Name(name) => (Latex.name(name), Level::Atom),
+        ExprKind::Site { array, offset } => {
+            (Latex.name(&Reference::Site { array, offset: *offset }.to_string()), Level::Atom)
+        }
+        ExprKind::Negation(inner) => (format!("-{}", at_least(inner, Level::Product)), Level::Sum),
+        ExprKind::Sum(terms) => {
+            let mut text = String::new();
+            for (index, term) in terms.iter().enumerate() {
+                text.push_str(match (index, term.negative) {
+                    (0, false) => "",
+                    (0, true) => "-",
+                    (_, false) => " + ",
+                    (_, true) => " - ",
+                });
+                let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
+                text.push_str(&at_least(&term.expr, level));
+            }
+            (text, Level::Sum)
+        }
+        ExprKind::Product(factors) => product(factors),
+        ExprKind::OverSites(inner) => (format!("\\sum_i ({})", write(inner).0), Level::Atom),
+        ExprKind::Power(base, exponent) => {
+            (Latex.power(&at_least(base, Level::Atom), *exponent), Level::Power)
+        }
+    }
+}
+
+/// A product: its numbers as one, what divides below a line, no factor of 1.
+fn product(factors: &[Factor]) -> (String, Level) {
+    let mut coefficient = Rational::from(1);
+    let mut sides: [Vec<&Expr>; 2] = [Vec::new(), Vec::new()];
+    for factor in factors {
+        let mut expr = &factor.expr;
+        // A sign at the front is the sign of all: −a·b is (−a)·b.
+        if let ExprKind::Negation(inner) = &expr.kind
+            && std::ptr::eq(factor, &factors[0])
+        {
+            coefficient = -coefficient;
+            expr = inner;
+        }
+        let combined = match &expr.kind {
+            ExprKind::Number(value) if factor.divides => coefficient.checked_div(value),
+            ExprKind::Number(value) => Some(&coefficient * value),
+            _ => None,
+        };
+        match combined {
+            Some(combined) => coefficient = combined,
+            None => sides[usize::from(factor.divides)].push(expr),
+        }
+    }
+    let size = if coefficient.is_negative() { -&coefficient } else { coefficient.clone() };
+    let (text, level) = if sides[1].is_empty() && size.is_integer() {
+        number_times(&size, &sides[0])
+    } else {
+        let above = number_times(&Rational::from(size.numerator()), &sides[0]).0;
+        let below = number_times(&Rational::from(size.denominator()), &sides[1]).0;
+        (Latex.quotient(&above, &below), Level::Power)
+    };
+    match coefficient.is_negative() {
+        true if level < Level::Product => (format!("-{}", parenthesized(&text)), Level::Sum),
+        true => (format!("-{text}"), Level::Sum),
+        false => (text, level),
+    }
+}
+
+/// A whole number, unless it is 1, and factors behind it.
+fn number_times(number: &Rational, factors: &[&Expr]) -> (String, Level) {
+    match factors {
+        [] => (Latex.number(number), Level::Atom),
+        [single] if number.is_one() => write(single),
+        _ => {
+            let number = (!number.is_one()).then(|| Latex.number(number));
+            let written = factors.iter().map(|factor| at_least(factor, Level::Power));
+            (Latex.product(&number.into_iter().chain(written).collect::<Vec<_>>()), Level::Product)
+        }
+    }
+}
+
+fn at_least(expr: &Expr, level: Level) -> String {
+    let (text, own) = write(expr);
+    if own >= level { text } else { parenthesized(&text) }
+}
+
+fn parenthesized(text: &str) -> String {
+    format!("\\left({text}\\right)")
+}

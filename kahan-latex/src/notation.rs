@@ -1,0 +1,130 @@
+//! The notation: `\frac{1}{2}x^{2}`.
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::Notation;
+use kahan_algebra::symbols::Symbols;
+use kahan_algebra::syntax::Expr;
+
+use crate::expression;
+use crate::name::latex_name;
+
+/// LaTeX, for math mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Latex;
+
+impl Notation for Latex {
+    /// Greek names become Greek, digits and what stands behind `_` become indices: `\mu_{1}`,
+    /// `x_{\mathrm{max}}`.
+    fn name(&self, name: &str) -> String {
+        latex_name(name)
+    }
+
+    fn image(&self, name: &str) -> String {
+        format!("\\widetilde{{{}}}", self.name(name))
+    }
+
+    fn entry(&self, row: &str, column: &str) -> String {
+        format!("\\{{{},{}\\}}", self.name(row), self.name(column))
+    }
+
+    fn number(&self, value: &Rational) -> String {
+        if value.is_integer() {
+            return value.to_string();
+        }
+        let sign = if value.is_negative() { "-" } else { "" };
+        format!("{sign}\\frac{{{}}}{{{}}}", value.numerator().magnitude(), value.denominator())
+    }
+
+    fn power(&self, base: &str, exponent: i64) -> String {
+        if exponent == 1 { base.to_owned() } else { format!("{base}^{{{exponent}}}") }
+    }
+
+    /// A point stands before a number that is not the first.
+    fn product(&self, factors: &[String]) -> String {
+        let mut text = String::new();
+        for (index, factor) in factors.iter().enumerate() {
+            let is_number = factor.starts_with(|c: char| c.is_ascii_digit());
+            text.push_str(if index == 0 {
+                ""
+            } else if is_number {
+                " \\cdot "
+            } else {
+                " "
+            });
+            text.push_str(factor);
+        }
+        text
+    }
+
+    fn quotient(&self, above: &str, below: &str) -> String {
+        format!("\\frac{{{above}}}{{{below}}}")
+    }
+
+    /// One line between whole numbers: (½ x y)/a is xy/(2a), and −x/a has its sign in front.
+    fn fraction(&self, symbols: &Symbols, above: &Polynomial, below: &Polynomial) -> String {
+        // Both keep their signs: a denominator that begins with 1 does so here, too.
+        let (numerator, denominator) = (above.content().abs(), below.content().abs());
+        let Some(factor) = numerator.checked_div(&denominator) else {
+            return self.polynomial(symbols, above);
+        };
+        let is_negative = above.terms().all(|(_, coefficient)| coefficient.is_negative());
+        let whole = |part: &Polynomial, content: &Rational, times: Rational| {
+            times.checked_div(content).map_or_else(|| part.clone(), |scale| part.scale(&scale))
+        };
+        let above = whole(above, &numerator, factor.numerator().into());
+        let below = whole(below, &denominator, factor.denominator().into());
+        let (above, sign) = if is_negative { (above.scale(&Rational::from(-1)), "-") } else { (above, "") };
+        let quotient = self.quotient(&self.polynomial(symbols, &above), &self.polynomial(symbols, &below));
+        format!("{sign}{quotient}")
+    }
+
+    fn moved(
+        &self,
+        symbols: &Symbols,
+        name: &str,
+        increment: &Polynomial,
+        denominator: &Polynomial,
+    ) -> String {
+        let state = self.name(name);
+        if increment.is_one() && denominator.is_one() {
+            return format!("{state} + 2\\varepsilon");
+        }
+        if denominator.is_one() {
+            let increment = self.polynomial(symbols, increment);
+            let is_plain = increment.starts_with(char::is_alphabetic) || increment.starts_with('\\');
+            return if is_plain && !increment.contains(" + ") && !increment.contains(" - ") {
+                format!("{state} + 2\\varepsilon\\,{increment}")
+            } else {
+                format!("{state} + 2\\varepsilon\\left({increment}\\right)")
+            };
+        }
+        let quotient = self.fraction(symbols, increment, denominator);
+        match quotient.strip_prefix('-') {
+            Some(size) => format!("{state} - 2\\varepsilon\\,{size}"),
+            None => format!("{state} + 2\\varepsilon\\,{quotient}"),
+        }
+    }
+
+    fn expression(&self, expr: &Expr) -> String {
+        expression::write(expr).0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kahan_algebra::render::condition_statement;
+    use kahan_algebra::{lexer, read};
+
+    use super::Latex;
+
+    #[test]
+    fn relations_are_written_as_their_sides() {
+        let block = "xdot = a1*a2*y; ydot = -a1*a2*x; udot = a5*a6*v; vdot = -a5*a6*u;
+            integral G = x*u + y*v when a1*a2 = a5*a6, eps = 1/2;";
+        let reading = read(&lexer::lex(block).tokens);
+        assert_eq!(reading.diagnostics, []);
+        let written = condition_statement(&reading.system, &reading.system.claims[0], &Latex);
+        assert_eq!(written, "a_{1} a_{2} = a_{5} a_{6}, \\varepsilon = \\frac{1}{2}");
+    }
+}
