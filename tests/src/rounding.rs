@@ -64,7 +64,7 @@ impl<'a> StepBound<'a> {
     #[must_use]
     pub fn new(subject: &'a Subject, unit: f64) -> Self {
         let field = &subject.system.field;
-        Self { field, parameters: &subject.parameters, step: derive(&subject.system).step().cloned(), unit }
+        Self { field, parameters: &subject.parameters, step: derive(subject.system).step().cloned(), unit }
     }
 
     /// A bound for each component of x̃; `None` where it cannot promise a digit, because a divisor
