@@ -40,41 +40,51 @@ mod variational;
 
 pub use derived::{Derived, derive};
 
-use diagnostics::{Diagnostic, Diagnostics};
-use family::Family;
+use check::{Broken, Checked};
+use diagnostics::Diagnostics;
 use prime_field::Shake256;
-use system::System;
 use token::Token;
-
-/// A block as read: the system, and what is wrong with it.
-#[derive(Clone, Debug)]
-pub struct Reading {
-    /// The system; what is broken in it is replaced by zeros, so that it can always be emitted.
-    pub system: System,
-    /// The family, where the block holds one instead of equations; the system is then empty.
-    pub family: Option<Family>,
-    /// The mistakes, in the order of their places; none means that every claim is proved.
-    pub diagnostics: Vec<Diagnostic>,
-}
 
 /// Reads a block: parse, check, prove.
 #[must_use]
-pub fn read(tokens: &[Token]) -> Reading {
+pub fn read(tokens: &[Token]) -> Checked {
+    read_with(tokens, true)
+}
+
+/// Reads a block without a proof of its claims: parse, check.
+#[must_use]
+pub fn read_unproved(tokens: &[Token]) -> Checked {
+    read_with(tokens, false)
+}
+
+fn read_with(tokens: &[Token], proves: bool) -> Checked {
     let mut diagnostics = Diagnostics::default();
     let block = parse::parse(tokens, &mut diagnostics);
-    if let Some(family) = check::check_family(&block, &mut diagnostics) {
-        if family.is_sound {
-            family::conserved::check_claims(&family, &mut diagnostics);
+    let (stand_in, checked) = match &block.family {
+        Some(head) => {
+            let (stand_in, family) = check::check_family(&block, head, &mut diagnostics);
+            if let Some(family) = family.as_ref().filter(|_| proves) {
+                family::conserved::check_claims(family, &mut diagnostics);
+            }
+            (stand_in, family.map(Checked::Family))
         }
-        let system = System::without_field(block.header);
-        return Reading { system, family: Some(family), diagnostics: diagnostics.finish() };
+        None => {
+            let (stand_in, system) = check::check_system(block, &mut diagnostics);
+            // A wrong field makes every claim wrong: only its own mistakes are worth reporting.
+            if let Some(system) = system.as_ref().filter(|_| proves) {
+                prove::check_claims(system, seed(tokens), &mut diagnostics);
+            }
+            (stand_in, system.map(Checked::System))
+        }
+    };
+    let diagnostics = diagnostics.finish();
+    match checked.filter(|_| diagnostics.is_empty()) {
+        Some(checked) => checked,
+        None => {
+            assert!(!diagnostics.is_empty(), "whatever is not understood is reported");
+            Checked::Broken(Broken { diagnostics, stand_in })
+        }
     }
-    let system = check::check(block, &mut diagnostics);
-    // A wrong field makes every claim wrong: only its own mistakes are worth reporting.
-    if system.is_field_sound {
-        prove::check_claims(&system, seed(tokens), &mut diagnostics);
-    }
-    Reading { system, family: None, diagnostics: diagnostics.finish() }
 }
 
 /// The seed of the prover's points: a hash of the block's text, so that builds are reproducible,

@@ -64,7 +64,6 @@ impl System {
             kept: Kept::of(&field),
             field,
             written: Vec::new(),
-            is_field_sound: self.is_field_sound,
             claims: Vec::new(),
         })
     }

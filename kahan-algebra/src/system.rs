@@ -28,8 +28,6 @@ pub struct System {
     /// The right-hand sides of its equations as they were written, in order; none where it was made
     /// of another field.
     pub written: Vec<Expr>,
-    /// Whether the field is the one that was written; if not, nothing can be said of the claims.
-    pub is_field_sound: bool,
     /// The claims, in order.
     pub claims: Vec<Claim>,
 }
@@ -41,8 +39,8 @@ pub struct Claim {
     pub kind: ClaimKind,
     /// Its name.
     pub name: Name,
-    /// What was written, for display; absent where it was not understood.
-    pub body: Option<ClaimBody>,
+    /// What was written, for display.
+    pub body: ClaimBody,
     /// The function (one result), or the tensor's entries above the diagonal, row by row (n(n−1)/2
     /// results).
     pub plan: Plan,
@@ -131,22 +129,6 @@ pub fn upper_index(n: usize, i: usize, j: usize) -> usize {
 }
 
 impl System {
-    /// A system of no equation: what stands for a block whose field is something else.
-    #[must_use]
-    pub fn without_field(header: Option<Header>) -> Self {
-        let symbols = Symbols { states: Vec::new(), parameters: Vec::new() };
-        let field = Field { symbols, components: Vec::new() };
-        System {
-            header,
-            constants: Vec::new(),
-            kept: Kept::of(&field),
-            field,
-            written: Vec::new(),
-            is_field_sound: false,
-            claims: Vec::new(),
-        }
-    }
-
     /// The unconditional claims of one kind, in order.
     pub fn accessors(&self, kind: ClaimKind) -> impl Iterator<Item = &Claim> {
         self.claims.iter().filter(move |claim| claim.kind == kind && claim.is_unconditional())

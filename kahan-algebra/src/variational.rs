@@ -43,7 +43,6 @@ impl System {
             kept: self.kept.variational(&field.symbols, &symbols),
             field: Field { components: components.collect(), symbols },
             written: Vec::new(),
-            is_field_sound: self.is_field_sound,
             claims: Vec::new(),
         }
     }
@@ -72,7 +71,7 @@ mod tests {
     #[test]
     fn tangents_are_carried_by_the_derivative() {
         let text = "xdot = a*x*dx + x^2/b; dxdot = (x - 3)/b;";
-        let system = crate::read(&lex(text).tokens).system.variational();
+        let system = crate::read(&lex(text).tokens).system().expect("a system").variational();
         let symbols = &system.field.symbols;
         assert_eq!(symbols.states, ["x", "dx", "ddx", "dddx"]);
         let lines = system.field.components.iter().map(|component| {

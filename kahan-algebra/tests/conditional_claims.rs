@@ -2,11 +2,12 @@
 //! put in, written.
 
 use kahan_algebra::arithmetic::Exact;
+use kahan_algebra::check::Checked;
 use kahan_algebra::prove::{Refutation, Verdict, prove_all, prove_by_normal_form};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{claim_text, condition_note, macro_block};
 use kahan_algebra::system::System;
-use kahan_algebra::{Reading, derive, lexer, read, seed};
+use kahan_algebra::{derive, lexer, read, read_unproved, seed};
 
 /// x + y + z changes by (p + q + r) x y.
 const SUM: &str = "xdot = p*x*y; ydot = q*x*y; zdot = r*x*y;";
@@ -17,20 +18,20 @@ const OSCILLATORS: &str = "xdot = a1*a2*y; ydot = -a1*a2*x; udot = a5*a6*v; vdot
 /// The map multiplies by (1 + ε p)/(1 − ε p) and (1 + ε q)/(1 − ε q).
 const GROWTH: &str = "xdot = p*x; ydot = q*y;";
 
-fn reading(text: &str) -> Reading {
+fn reading(text: &str) -> Checked {
     read(&lexer::lex(text).tokens)
 }
 
 fn sound(text: &str) -> System {
     let reading = reading(text);
-    assert_eq!(reading.diagnostics, [], "{text}");
-    reading.system
+    assert_eq!(reading.diagnostics(), [], "{text}");
+    reading.system().expect("a system")
 }
 
 fn verdict(text: &str) -> Verdict {
     let tokens = lexer::lex(text).tokens;
-    let verdicts = prove_all(&read(&tokens).system, seed(&tokens));
-    let [Some(verdict)] = &verdicts[..] else { panic!("one claim that was understood: {text}") };
+    let verdicts = prove_all(&read_unproved(&tokens).system().expect("a system"), seed(&tokens));
+    let [verdict] = &verdicts[..] else { panic!("one claim: {text}") };
     verdict.clone()
 }
 
@@ -86,10 +87,10 @@ fn both_provers_decide_claims_on_their_relations() {
         let proved = proved.iter().map(|when| (when, true));
         for (when, holds) in proved.chain(refuted.iter().map(|when| (when, false))) {
             let text = format!("{field} {claim} when {when};");
-            let system = reading(&text).system;
+            let system = read_unproved(&lexer::lex(&text).tokens).system().expect("a system");
             assert_eq!(matches!(verdict(&text), Verdict::Proved(_)), holds, "{text}");
             assert_eq!(prove_by_normal_form(&system, &system.claims[0]), Some(holds), "{text}");
-            assert_eq!(reading(&text).diagnostics.is_empty(), holds, "{text}");
+            assert_eq!(reading(&text).diagnostics().is_empty(), holds, "{text}");
         }
     }
 }
@@ -215,7 +216,8 @@ fn relations_that_cannot_be_solved_are_explained_at_their_place() {
             text.replace("1 + S", "q*x - p*y/k").replace("integral T", "integral S = z + x; integral T");
         // The first integral is there for its name.
         let lexed = lexer::lex(&text);
-        let diagnostics = read(&lexed.tokens).diagnostics;
+        let read = read(&lexed.tokens);
+        let diagnostics = read.diagnostics();
         let own = diagnostics.iter().find(|d| !d.message.contains("`S` does not hold"));
         let Some(own) = own else { panic!("{when}: nothing is reported") };
         assert!(own.message.contains(message), "{when}: {}", own.message);

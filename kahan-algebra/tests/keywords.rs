@@ -8,8 +8,9 @@ use kahan_algebra::{lexer, read};
 fn mistake(item: &str) -> (String, String, String) {
     let text = format!("xdot = y; ydot = -x; {item} integral Last = x^2 + y^2;");
     let lexed = lexer::lex(&text);
-    let diagnostics = read(&lexed.tokens).diagnostics;
-    let [diagnostic] = &diagnostics[..] else { panic!("one mistake in {item}: {diagnostics:?}") };
+    let read = read(&lexed.tokens);
+    let diagnostics = read.diagnostics();
+    let [diagnostic] = diagnostics else { panic!("one mistake in {item}: {diagnostics:?}") };
     assert_eq!(diagnostic.span.first, diagnostic.span.last, "{item}");
     let word = lexed.tokens[diagnostic.span.first].text.clone();
     (diagnostic.message.clone(), diagnostic.help.clone(), word)

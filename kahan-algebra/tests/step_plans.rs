@@ -57,8 +57,8 @@ const FIELDS: [(&str, &str); 19] = [
 
 fn field(text: &str) -> Field {
     let reading = read(&lex(text).tokens);
-    assert!(reading.diagnostics.is_empty(), "{text}: {:?}", reading.diagnostics);
-    reading.system.field
+    assert!(reading.diagnostics().is_empty(), "{text}: {:?}", reading.diagnostics());
+    reading.system().expect("a system").field
 }
 
 /// Random numbers of height up to 9, not zero.

@@ -257,7 +257,7 @@ mod tests {
     use kahan_algebra::{lexer, read};
 
     fn of(text: &str, eps: Option<kahan_algebra::rational::Rational>) -> Option<usize> {
-        let field = read(&lexer::lex(text).tokens).system.field;
+        let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let setting = Setting::new(&field, eps);
         ceiling(&setting, 0, FEW_TRIALS, &mut SplitMix64::new(1), &Deadline::never())
             .map(|found| found.integrals)

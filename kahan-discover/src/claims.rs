@@ -177,7 +177,7 @@ impl<'a> Claims<'a> {
 
     /// Whether a claim holds.
     pub(crate) fn is_proved(&self, text: &str) -> bool {
-        read(&lexer::lex(&format!("{} {text}", self.equations)).tokens).diagnostics.is_empty()
+        read(&lexer::lex(&format!("{} {text}", self.equations)).tokens).diagnostics().is_empty()
     }
 
     fn proved(

@@ -152,7 +152,10 @@ mod tests {
     #[test]
     fn a_density_may_be_a_quotient_of_factors() {
         // E1, whose density 1/(y²(1 − ε²x²)) is made here of y and y³(1 − ε²x²).
-        let field = read(&lexer::lex("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;").tokens).system.field;
+        let field = read(&lexer::lex("xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;").tokens)
+            .system()
+            .expect("a system")
+            .field;
         let setting = Setting::new(&field, None);
         let symbols = &field.symbols;
         let variable = Polynomial::variable;

@@ -47,7 +47,7 @@ mod tests {
     #[test]
     fn both_are_those_of_the_rational_map() {
         let text = "xdot = a*y*z + x/b; ydot = z*x - 2; zdot = x*y + b*x^2;";
-        let field = read(&lexer::lex(text).tokens).system.field;
+        let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let map = RationalMap::of(&field).unwrap();
         let mut budget = Budget::new(1000, 1_000_000);
         assert_eq!(determinant(&field, &mut budget).unwrap(), map.denominator);

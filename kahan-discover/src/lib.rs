@@ -24,7 +24,7 @@
 //! use kahan_algebra::{lexer, read};
 //! use kahan_discover::{Options, discover};
 //!
-//! let system = read(&lexer::lex("xdot = -x*z; ydot = y*z; zdot = x^2 - y^2;").tokens).system;
+//! let system = read(&lexer::lex("xdot = -x*z; ydot = y*z; zdot = x^2 - y^2;").tokens).system().expect("a system");
 //! let report = discover(&system, &Options::default(), &mut |_| {}).unwrap();
 //! assert_eq!(report.independent_integrals(), 2);
 //! assert_eq!(report.integrals.len(), 2); // each `text` is a line for `kahan!`

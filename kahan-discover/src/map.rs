@@ -232,7 +232,7 @@ mod tests {
             "xdot = y; ydot = 0; zdot = w*x; wdot = 1/2*x*y + z;",
         ];
         for text in fields {
-            let system = read(&lexer::lex(text).tokens).system;
+            let system = read(&lexer::lex(text).tokens).system().expect("a system");
             let mut random = SplitMix64::new(3);
             let modulus = Modulus::random(&mut random);
             let parameters: Vec<u64> =

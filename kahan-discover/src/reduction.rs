@@ -143,7 +143,7 @@ mod tests {
         // In the lattice of four sites xz/((1 + ε(y − w))(1 − ε(y − w))) and the sum of the states
         // are integrals.
         let text = "xdot = x*(y - w); ydot = y*(z - x); zdot = z*(w - y); wdot = w*(x - z);";
-        let field = read(&lexer::lex(text).tokens).system.field;
+        let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         let symbols = &field.symbols;
         let [x, y, z, w] = [0, 1, 2, 3].map(|i| Polynomial::variable(symbols.state(i)));
         let eps = Polynomial::variable(symbols.epsilon());

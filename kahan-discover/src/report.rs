@@ -270,8 +270,6 @@ pub enum DiscoverError {
     UnknownParameter(String),
     /// At the parameters given the field divides by zero.
     UndefinedField,
-    /// The block has mistakes or no equation.
-    UnsoundField,
     /// ε = 0, where the map is the identity.
     ZeroStep,
     /// det A vanishes identically at the values given, so there is no map.
@@ -294,7 +292,6 @@ impl fmt::Display for DiscoverError {
             DiscoverError::ZeroStep => {
                 f.write_str("at eps = 0 the map is the identity, which keeps everything: choose another eps")
             }
-            DiscoverError::UnsoundField => f.write_str("the field has no sound equations: correct them first"),
             DiscoverError::NoMap => f.write_str(
                 "det A vanishes identically at these values, so there is no map to look at: choose another eps or other parameters",
             ),

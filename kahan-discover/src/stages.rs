@@ -464,9 +464,6 @@ pub(crate) fn specialised(
     system: &System,
     parameters: &[(String, Rational)],
 ) -> Result<System, DiscoverError> {
-    if !system.is_field_sound || system.field.dimension() == 0 {
-        return Err(DiscoverError::UnsoundField);
-    }
     let mut values = Vec::new();
     for (name, value) in parameters {
         let place = system.field.symbols.parameters.iter().position(|known| known == name);

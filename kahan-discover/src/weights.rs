@@ -126,7 +126,7 @@ mod tests {
     use kahan_algebra::{lexer, read};
 
     fn weights(text: &str, eps_is_fixed: bool) -> (Weights, Field) {
-        let field = read(&lexer::lex(text).tokens).system.field;
+        let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
         (Weights::of(&field, eps_is_fixed), field)
     }
 

@@ -76,7 +76,7 @@ fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
 /// The relations with the number of their points and of their claims, each claim proved where it
 /// stands and false without its relation.
 fn relations<'a>(text: &str, scan: &'a Scan) -> Vec<(&'a str, usize, usize)> {
-    let mistakes = |claim: &str| read(&lexer::lex(&format!("{text} {claim}")).tokens).diagnostics;
+    let mistakes = |claim: &str| read(&lexer::lex(&format!("{text} {claim}")).tokens).diagnostics().to_vec();
     for claim in scan.relations.iter().flat_map(|proposal| &proposal.claims) {
         assert_eq!(mistakes(claim), [], "{claim}");
         assert!(!mistakes(&format!("{};", claim.split(" when ").next().unwrap())).is_empty(), "{claim}");

@@ -15,10 +15,9 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::{env, fs};
 
-use kahan_algebra::check::{check, check_family};
-use kahan_algebra::diagnostics::Diagnostics;
+use kahan_algebra::check::Checked;
 use kahan_algebra::lexer::lex;
-use kahan_algebra::parse::parse;
+use kahan_algebra::read_unproved;
 use kahan_measure::extremes::{Broken, Cell, Compiled, Number, Tally};
 use kahan_measure::random_fields::{OddField, odd, odd_chain, odd_of_many};
 use kahan_runtime::threads::for_each;
@@ -38,16 +37,11 @@ struct Tried {
 
 impl Tried {
     fn of(field: OddField, trials: u64) -> Self {
-        let mut diagnostics = Diagnostics::default();
-        let block = parse(&lex(&field.block()).tokens, &mut diagnostics);
-        let judged = match field.sites {
-            Some(sites) => {
-                let family = check_family(&block, &mut diagnostics).expect("a chain has a family");
-                Compiled::of_chain(&field.name, &family, sites)
-            }
-            None => Compiled::new(&field.name, &check(block, &mut diagnostics)),
+        let judged = match (read_unproved(&lex(&field.block()).tokens), field.sites) {
+            (Checked::Family(family), Some(sites)) => Compiled::of_chain(&field.name, &family, sites),
+            (Checked::System(system), None) => Compiled::new(&field.name, &system),
+            _ => panic!("{}", field.block()),
         };
-        assert!(diagnostics.finish().is_empty(), "{}", field.block());
         Self { field, judged, trials }
     }
 

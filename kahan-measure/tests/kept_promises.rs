@@ -5,10 +5,8 @@
 //! there is no flag where the condition number is below 1e12 (f32: 1e4) and the format holds the
 //! result.
 
-use kahan_algebra::check::{check, check_family};
-use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
-use kahan_algebra::parse::parse;
+use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
 use kahan_core::prelude::*;
 use kahan_measure::extremes::{
@@ -23,18 +21,13 @@ use kahan_systems::volterra;
 const TRIALS: u64 = 2000;
 
 fn subject(entry: &Entry) -> Subject {
-    let mut diagnostics = Diagnostics::default();
-    let system = check(parse(&lex(entry.text()).tokens, &mut diagnostics), &mut diagnostics);
-    assert!(diagnostics.finish().is_empty(), "{}", entry.command);
+    let system = read_unproved(&lex(entry.text()).tokens).system().expect("the catalog has no mistake");
     let parameters = vec![None; system.field.symbols.parameters.len()];
     Subject::new(entry.command, &system, parameters).expect("the catalog is defined everywhere, and small")
 }
 
 fn drawn(field: &OddField) -> System {
-    let mut diagnostics = Diagnostics::default();
-    let system = check(parse(&lex(&field.block()).tokens, &mut diagnostics), &mut diagnostics);
-    assert!(diagnostics.finish().is_empty(), "{}", field.block());
-    system
+    read_unproved(&lex(&field.block()).tokens).system().unwrap_or_else(|_| panic!("{}", field.block()))
 }
 
 fn odd_subject(number: usize) -> Subject {
@@ -136,10 +129,8 @@ fn what_is_drawn_is_judged() {
 fn fields_of_many_variables_and_chains_can_be_drawn_and_judged() {
     let of_chain = |number| {
         let field = odd_chain(1, number);
-        let mut diagnostics = Diagnostics::default();
-        let block = parse(&lex(&field.block()).tokens, &mut diagnostics);
-        let family = check_family(&block, &mut diagnostics);
-        assert!(diagnostics.finish().is_empty(), "{}", field.block());
+        let family = read_unproved(&lex(&field.block()).tokens).family();
+        let family = family.unwrap_or_else(|_| panic!("{}", field.block()));
         Compiled::of_chain(&field.name, &family.expect("a chain"), field.sites.expect("a chain"))
     };
     let of_many = |number| Compiled::new("Many", &drawn(&odd_of_many(1, number)));

@@ -4,13 +4,12 @@
 //! shares no step with it: both sides expanded over ℚ. Where the expansion would be too large, the
 //! first proof stands alone.
 
-use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::{ERROR_EXPONENT, Verdict, prove_all, prove_by_normal_form};
 use kahan_algebra::render::{claim_text, macro_block};
 use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::TokenKind;
-use kahan_algebra::{check, parse, seed};
+use kahan_algebra::{read_unproved, seed};
 
 use super::claim::Outcome;
 use super::formula::mutations;
@@ -21,13 +20,13 @@ use super::formula::mutations;
 pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> (Outcome, String) {
     let alone = System { claims: vec![claim.clone()], ..system.clone() };
     let failed = |why: &str| (Outcome::Failed, why.to_owned());
-    let points = match prove_all(&alone, seed).pop().flatten() {
-        Some(Verdict::Proved(proof)) => proof.points,
-        Some(Verdict::Refuted(refutation)) => return failed(&refutation.describe(&system.field.symbols)),
-        Some(Verdict::Vacuous) => return failed("it says nothing"),
-        Some(Verdict::NoMap) => return failed("det A is 0 everywhere there: there is no map"),
-        Some(Verdict::Undefined) => return failed("it divides by zero identically"),
-        Some(Verdict::TooLarge) | None => return failed("its degree is too high to be proved"),
+    let points = match prove_all(&alone, seed).remove(0) {
+        Verdict::Proved(proof) => proof.points,
+        Verdict::Refuted(refutation) => return failed(&refutation.describe(&system.field.symbols)),
+        Verdict::Vacuous => return failed("it says nothing"),
+        Verdict::NoMap => return failed("det A is 0 everywhere there: there is no map"),
+        Verdict::Undefined => return failed("it divides by zero identically"),
+        Verdict::TooLarge => return failed("its degree is too high to be proved"),
     };
     match prove_by_normal_form(system, claim) {
         Some(true) => (Outcome::Proved, "by normal forms over Q, and modulo primes".to_owned()),
@@ -43,11 +42,10 @@ pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> 
 pub(super) fn establish_statement(block: &str, statement: &str) -> (Outcome, String) {
     let text = format!("{}\n{statement}", field_of(block));
     let tokens = lex(&text).tokens;
-    let mut diagnostics = Diagnostics::default();
-    let system = check::check(parse::parse(&tokens, &mut diagnostics), &mut diagnostics);
-    if let Some(mistake) = diagnostics.finish().first() {
-        return (Outcome::Failed, mistake.message.clone());
-    }
+    let system = match read_unproved(&tokens).system() {
+        Ok(system) => system,
+        Err(mistakes) => return (Outcome::Failed, mistakes[0].message.clone()),
+    };
     match system.claims.last() {
         Some(claim) => establish_block_claim(&system, claim, seed(&tokens)),
         None => (Outcome::Failed, "it claims nothing".to_owned()),
@@ -80,12 +78,8 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
     let failed = mutations(body).into_iter().chain(raised).find(|mutated| {
         let mutated = format!("{mutated}{condition}");
         let tokens = lex(&format!("{}{mutated}", context.0)).tokens;
-        let mut diagnostics = Diagnostics::default();
-        let changed = check::check(parse::parse(&tokens, &mut diagnostics), &mut diagnostics);
         // What is no claim any more has not failed as one: an exponent beyond its limit.
-        if !diagnostics.finish().is_empty() {
-            return false;
-        }
+        let Ok(changed) = read_unproved(&tokens).system() else { return false };
         tried += 1;
         let claim = changed.claims.last();
         claim.is_some_and(|claim| establish_block_claim(&changed, claim, seed(&tokens)).0 == Outcome::Failed)

@@ -2,14 +2,13 @@
 //! plans.
 
 use kahan_algebra::arithmetic::{Arithmetic, Dual, solve};
-use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::plan::Plan;
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::system::System;
-use kahan_algebra::{Derived, check, derive, parse};
+use kahan_algebra::{Derived, derive, read_unproved};
 
 use kahan_systems::entry::Entry;
 
@@ -33,10 +32,8 @@ impl Model {
     /// # Panics
     /// If the text holds a mistake.
     pub(super) fn new(name: &'static str, text: &str) -> Self {
-        let mut diagnostics = Diagnostics::default();
-        let system = check::check(parse::parse(&lex(text).tokens, &mut diagnostics), &mut diagnostics);
-        let mistakes = diagnostics.finish();
-        assert!(mistakes.is_empty(), "the block of {name}: {mistakes:?}");
+        let system = read_unproved(&lex(text).tokens).system();
+        let system = system.unwrap_or_else(|mistakes| panic!("the block of {name}: {mistakes:?}"));
         Model { derived: derive(&system) }
     }
 

@@ -56,7 +56,7 @@ fn main() {
     );
     for test in &TESTS {
         let entry = kahan_systems::registry::find(test.system).expect("a system of the catalog");
-        let system = read(&lex(entry.text()).tokens).system;
+        let system = read(&lex(entry.text()).tokens).system().expect("a system");
         let (mut best, mut survey) = test.run(&system);
         for _ in 1..3 {
             let (seconds, again) = test.run(&system);

@@ -3,10 +3,12 @@
 
 use std::ops::Range;
 
+use kahan_algebra::check::{Broken, Checked};
+use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::family::Family;
 use kahan_algebra::lexer::{Lexed, lex};
 use kahan_algebra::system::System;
-use kahan_algebra::{check, diagnostics, parse, read};
+use kahan_algebra::{read, read_unproved};
 
 use crate::diagnostics::Diagnostics;
 
@@ -49,13 +51,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn system(&self) -> Result<System, Diagnostics> {
-        let mut reading = read(&self.lexed.tokens);
-        if let Some(family) = &reading.family
-            && reading.diagnostics.is_empty()
-        {
-            reading.diagnostics.push(check::number_of_sites_wanted(family.span));
-        }
-        self.accept(reading.system, reading.diagnostics)
+        self.accept(read(&self.lexed.tokens).system())
     }
 
     /// The family, with its claims proved for every number of sites; `None` where the block has
@@ -64,8 +60,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn family(&self) -> Result<Option<Family>, Diagnostics> {
-        let reading = read(&self.lexed.tokens);
-        self.accept(reading.family, reading.diagnostics)
+        self.accept(read(&self.lexed.tokens).family())
     }
 
     /// The system, its claims read but not proved.
@@ -73,27 +68,23 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn unproved_system(&self) -> Result<System, Diagnostics> {
-        let mut found = diagnostics::Diagnostics::default();
-        let block = parse::parse(&self.lexed.tokens, &mut found);
-        let system = check::check(block, &mut found);
-        self.accept(system, found.finish())
+        self.accept(read_unproved(&self.lexed.tokens).system())
     }
 
     /// The names that are parameters because nothing declares them: the free names of a block
     /// without a header. Mistakes of the text do not matter here.
     #[must_use]
     pub fn undeclared(&self) -> Vec<String> {
-        let mut ignored = diagnostics::Diagnostics::default();
-        let block = parse::parse(&self.lexed.tokens, &mut ignored);
-        let names = if block.header.is_some() {
-            Vec::new()
-        } else if let Some(family) = check::check_family(&block, &mut ignored) {
-            [family.parameters, family.site_parameters].concat()
-        } else {
-            check::check(block, &mut ignored).field.symbols.parameters
-        };
-        let _: Vec<diagnostics::Diagnostic> = ignored.finish();
-        names
+        match read_unproved(&self.lexed.tokens) {
+            Checked::System(System { header: None, field, .. }) => field.symbols.parameters,
+            Checked::Family(Family { header: None, parameters, site_parameters, .. }) => {
+                [parameters, site_parameters].concat()
+            }
+            Checked::Broken(Broken { stand_in, .. }) if stand_in.header.is_none() => {
+                [stand_in.symbols.parameters, stand_in.site_parameters].concat()
+            }
+            _ => Vec::new(),
+        }
     }
 
     /// The text of the block, as it was given.
@@ -108,10 +99,7 @@ impl FieldText {
         kahan_algebra::seed(&self.lexed.tokens)
     }
 
-    fn accept<T>(&self, read: T, mistakes: Vec<diagnostics::Diagnostic>) -> Result<T, Diagnostics> {
-        if mistakes.is_empty() {
-            return Ok(read);
-        }
-        Err(Diagnostics::new(mistakes, &self.text, &self.lexed.ranges, &self.origin))
+    fn accept<T>(&self, read: Result<T, Vec<Diagnostic>>) -> Result<T, Diagnostics> {
+        read.map_err(|mistakes| Diagnostics::new(mistakes, &self.text, &self.lexed.ranges, &self.origin))
     }
 }

@@ -6,10 +6,7 @@
 //! states are the names; nothing is proved.
 
 use kahan_algebra::arithmetic::{Exact, Function, Functions};
-use kahan_algebra::check::check;
-use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lexer::lex;
-use kahan_algebra::parse::parse;
 use kahan_algebra::plan::Plan;
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::rational::Rational;
@@ -29,12 +26,8 @@ pub struct Expression {
 /// With the mistakes, if there are any.
 #[must_use]
 pub fn read_unproved(text: &str) -> System {
-    let mut diagnostics = Diagnostics::default();
-    let block = parse(&lex(text).tokens, &mut diagnostics);
-    let system = check(block, &mut diagnostics);
-    let mistakes = diagnostics.finish();
-    assert!(mistakes.is_empty(), "{text}\n{mistakes:?}");
-    system
+    let system = kahan_algebra::read_unproved(&lex(text).tokens).system();
+    system.unwrap_or_else(|mistakes| panic!("{text}\n{mistakes:?}"))
 }
 
 impl Expression {

@@ -54,8 +54,8 @@ impl Subject {
 
 fn read(text: &str) -> Read {
     let reading = kahan_algebra::read(&lex(text).tokens);
-    assert!(reading.diagnostics.is_empty(), "{text}\n{:?}", reading.diagnostics);
-    Read::new(reading.system)
+    assert!(reading.diagnostics().is_empty(), "{text}\n{:?}", reading.diagnostics());
+    Read::new(reading.system().expect("a system"))
 }
 
 static CATALOG: LazyLock<Vec<Read>> = LazyLock::new(|| all().map(|entry| read(entry.text())).collect());

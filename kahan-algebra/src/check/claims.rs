@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::field::Component;
-use crate::plan::{Node, Plan, PlanBuilder};
+use crate::plan::{Node, PlanBuilder};
 use crate::rational::Rational;
 use crate::syntax::{self, Block, ClaimBody, ClaimKind, Expr, Reference};
 use crate::system::{Claim, upper_index};
@@ -14,13 +14,14 @@ use super::conditions;
 use super::entries::entry_places;
 use super::lower::{HIGHEST_POWER, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope, expressions};
+use super::stand_in::StandIn;
 
-/// Compiles the claims in order. One that is broken keeps its name and a harmless zero, and is not
-/// proved.
+/// Compiles the claims in order; one that is broken is left out, and keeps its name in what stands in.
 pub(super) fn compile_all(
     block: &Block,
     components: &[Component],
     scope: &mut Scope,
+    stand_in: &mut StandIn,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Claim> {
     let mut compiler = Compiler { builder: PlanBuilder::default(), functions: FxHashMap::default() };
@@ -50,7 +51,7 @@ pub(super) fn compile_all(
                 }
             });
         scope.claims.push(claim.name.text.clone());
-        let sound = outputs.is_some() && conditions.is_some();
+        stand_in.push_claim(claim.kind, &claim.name, claim.conditions.is_empty());
         match outputs.as_deref() {
             Some([output]) if claim.kind != ClaimKind::Bracket => {
                 compiler.functions.insert(claim.name.text.clone(), *output);
@@ -59,13 +60,15 @@ pub(super) fn compile_all(
             // The mistake in it is reported already, so later claims that use it are silent.
             None => scope.poison(&claim.name.text),
         }
-        claims.push(Claim {
-            kind: claim.kind,
-            name: claim.name.clone(),
-            body: claim.body.clone().filter(|_| sound),
-            plan: compiler.plan(claim.kind, outputs.as_deref(), scope.symbols.dimension()),
-            conditions: conditions.unwrap_or_default(),
-        });
+        if let (Some(outputs), Some(body), Some(conditions)) = (outputs, &claim.body, conditions) {
+            claims.push(Claim {
+                kind: claim.kind,
+                name: claim.name.clone(),
+                body: body.clone(),
+                plan: compiler.builder.finish(&outputs),
+                conditions,
+            });
+        }
     }
     claims
 }
@@ -188,16 +191,6 @@ impl Compiler {
                 }
                 Ok(upper)
             }
-        }
-    }
-
-    /// The plan of these results, or of zeros where there are none.
-    fn plan(&mut self, kind: ClaimKind, outputs: Option<&[Node]>, n: usize) -> Plan {
-        let zero = self.builder.constant(&Rational::zero());
-        match outputs {
-            Some(outputs) => self.builder.finish(outputs),
-            None if kind == ClaimKind::Bracket => self.builder.finish(&vec![zero; n * (n.max(1) - 1) / 2]),
-            None => self.builder.finish(&[zero]),
         }
     }
 }

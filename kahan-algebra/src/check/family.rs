@@ -12,12 +12,15 @@ use super::equations;
 use super::expand::expand_in_claim;
 use super::names::{Scope, is_epsilon};
 use super::outside::values_beyond_the_ends;
+use super::stand_in::StandIn;
 use super::sums::summand;
 
-/// Checks the family of a block; `None` where it has none.
-#[must_use]
-pub fn check_family(block: &Block, diagnostics: &mut Diagnostics) -> Option<Family> {
-    let head = block.family.as_ref()?;
+/// Checks the family of a block: what may stand in for it, and the family if it has no mistake.
+pub(crate) fn check_family(
+    block: &Block,
+    head: &FamilyHead,
+    diagnostics: &mut Diagnostics,
+) -> (StandIn, Option<Family>) {
     let before = diagnostics.len();
     report_strangers(block, head, diagnostics);
     let equations = block.equations[head.equations_before..head.equations_until].to_vec();
@@ -42,7 +45,10 @@ pub fn check_family(block: &Block, diagnostics: &mut Diagnostics) -> Option<Fami
         diagnostics.report(Kind::Claim, second.name.span, "a family has one Hamiltonian", help);
     }
     scope.report_unused(&with_names_of_sites(block, &names), diagnostics);
-    let mut family = Family {
+    let mut stand_in = StandIn::of_type(block.header.clone());
+    stand_in.symbols.parameters.clone_from(&names.parameters);
+    stand_in.site_parameters.clone_from(&names.site_parameters);
+    let family = Family {
         header: block.header.clone(),
         constants,
         boundary: head.boundary,
@@ -55,15 +61,11 @@ pub fn check_family(block: &Block, diagnostics: &mut Diagnostics) -> Option<Fami
         integrals,
         hamiltonian: hamiltonians.into_iter().next(),
         span: head.span,
-        is_sound: false,
     };
     if family.boundary == Boundary::Open && diagnostics.len() == before {
         values_beyond_the_ends(&family, block, diagnostics);
     }
-    let is_read = block.equations.iter().all(|equation| equation.value.is_some());
-    family.is_sound =
-        diagnostics.len() == before && is_read && !family.arrays.is_empty() && diagnostics.is_empty();
-    Some(family)
+    (stand_in, diagnostics.is_empty().then_some(family))
 }
 
 /// The header's parameters of sites are used as `c[i]`, never as `c`.

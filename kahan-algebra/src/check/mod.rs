@@ -1,8 +1,9 @@
-//! Syntax to a checked system, one rule a function.
+//! Syntax to a checked system or family, one rule a function.
 //!
-//! Names first, then constants, equations and claims. What is broken is reported once and replaced
-//! by something harmless (a zero right-hand side, a claim that is not proved), so that one mistake
-//! makes one error and the emitter can always emit.
+//! Names first, then constants, equations and claims. What is broken is reported once; whoever looks
+//! at it later takes something harmless for it (a zero right-hand side), so that one mistake makes one
+//! error. A block with a mistake is [`Broken`]: nothing is said of its field, and its type has a
+//! [`StandIn`].
 
 mod claims;
 mod conditions;
@@ -15,18 +16,21 @@ mod lower;
 mod names;
 mod outside;
 mod spelling;
+mod stand_in;
 mod sums;
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use crate::family::Family;
 use crate::field::Field;
-use crate::syntax::Block;
+use crate::syntax::{Block, Header};
 use crate::system::System;
 use crate::token::Span;
 
 use names::Scope;
 
-pub use family::check_family;
+pub(crate) use family::check_family;
 pub use spelling::nearest;
+pub use stand_in::{Broken, StandIn};
 
 /// The most equations of a block: 16 bits number its states, a second copy of them, and parameters.
 const MOST_EQUATIONS: usize = 10_000;
@@ -42,13 +46,66 @@ pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
     )
 }
 
-/// Checks a block of plain equations.
-#[must_use]
-pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
-    if let Some(head) = &block.family {
-        diagnostics.push(number_of_sites_wanted(head.span));
-        return System::without_field(block.header);
+/// What a block says.
+#[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant, reason = "there is one, and it is handed on once")]
+pub enum Checked {
+    /// Equations without a mistake.
+    System(System),
+    /// A family without a mistake.
+    Family(Family),
+    /// A block with mistakes.
+    Broken(Broken),
+}
+
+impl Checked {
+    /// The header, where the block has one.
+    #[must_use]
+    pub fn header(&self) -> Option<&Header> {
+        match self {
+            Checked::System(system) => system.header.as_ref(),
+            Checked::Family(family) => family.header.as_ref(),
+            Checked::Broken(broken) => broken.stand_in.header.as_ref(),
+        }
     }
+
+    /// The mistakes, in the order of their places.
+    #[must_use]
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        match self {
+            Checked::System(_) | Checked::Family(_) => &[],
+            Checked::Broken(broken) => &broken.diagnostics,
+        }
+    }
+
+    /// The system.
+    ///
+    /// # Errors
+    /// The mistakes; of a family, that the number of its sites is wanted.
+    pub fn system(self) -> Result<System, Vec<Diagnostic>> {
+        match self {
+            Checked::System(system) => Ok(system),
+            Checked::Family(family) => Err(vec![number_of_sites_wanted(family.span)]),
+            Checked::Broken(broken) => Err(broken.diagnostics),
+        }
+    }
+
+    /// The family; `None` where the block has plain equations.
+    ///
+    /// # Errors
+    /// The mistakes.
+    pub fn family(self) -> Result<Option<Family>, Vec<Diagnostic>> {
+        match self {
+            Checked::System(_) => Ok(None),
+            Checked::Family(family) => Ok(Some(family)),
+            Checked::Broken(broken) => Err(broken.diagnostics),
+        }
+    }
+}
+
+/// Checks a block of plain equations: what may stand in for it, and its system with those of its
+/// claims that are understood, if there is a field.
+pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if let Some(equation) = block.equations.get(MOST_EQUATIONS) {
         diagnostics.report(
             Kind::TooLarge,
@@ -56,7 +113,7 @@ pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
             format!("the block has more than {MOST_EQUATIONS} equations"),
             "write the equations of many sites once, as in `for i in periodic { x[i]dot = x[i+1]; }`",
         );
-        return System::without_field(block.header);
+        return (StandIn::of_type(block.header), None);
     }
     if block.equations.is_empty() && diagnostics.is_empty() {
         diagnostics.report(
@@ -70,18 +127,21 @@ pub fn check(block: Block, diagnostics: &mut Diagnostics) -> System {
     let mut scope = Scope::new(&block, diagnostics);
     let constants = constants::evaluate(&block, &mut scope, diagnostics);
     let (components, kept) = equations::expand_all(&block, &mut scope, diagnostics);
-    let is_field_sound = diagnostics.len() == before
+    let is_sound = diagnostics.len() == before
         && block.misspelt_states.is_empty()
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
+    let mut stand_in = StandIn::of_type(block.header.clone());
+    stand_in.symbols = scope.symbols.clone();
     // Without a field there is nothing to claim of it.
     let claims = if block.equations.is_empty() {
         Vec::new()
     } else {
-        claims::compile_all(&block, &field.components, &mut scope, diagnostics)
+        claims::compile_all(&block, &field.components, &mut scope, &mut stand_in, diagnostics)
     };
     scope.report_unused(&block, diagnostics);
     let written = block.equations.into_iter().filter_map(|equation| equation.value).collect();
-    System { header: block.header, constants, field, kept, written, is_field_sound, claims }
+    let system = System { header: block.header, constants, field, kept, written, claims };
+    (stand_in, is_sound.then_some(system))
 }

@@ -16,6 +16,8 @@ mod graph;
 mod orders;
 
 use crate::diagnostics::{Diagnostic, Kind};
+use crate::field::Field;
+use crate::kahan::field_jacobian;
 use crate::kept::Values;
 use crate::plan::{Plan, StepCost, triangular_blocks};
 use crate::poly::Polynomial;
@@ -69,6 +71,27 @@ pub struct Row {
     pub end: usize,
 }
 
+/// What is wrong with a field that is to be compiled and has too many couplings for that.
+#[must_use]
+pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
+    let variables = field.dimension();
+    if variables <= MOST_EXPANDED {
+        return None;
+    }
+    let slopes = field_jacobian(field).iter().flatten().filter(|slope| !slope.is_zero()).count();
+    (variables > MOST_VARIABLES || slopes > MOST_SLOPES).then(|| {
+        Diagnostic::new(
+            Kind::TooLarge,
+            span,
+            format!(
+                "{variables} variables with {slopes} couplings take too long to compile: a block has at most \
+                 {MOST_VARIABLES} and {MOST_SLOPES}"
+            ),
+            "write the equations once, as a family: `for i in periodic { x[i]dot = …; }`",
+        )
+    })
+}
+
 impl Couplings {
     /// The couplings of a field with more than [`MOST_EXPANDED`] variables, from f′ over its values.
     #[must_use]
@@ -110,23 +133,6 @@ impl Couplings {
         }
         let slopes = values.plan(written);
         Couplings { order, rows, columns, blocks: ends, places, slopes }
-    }
-
-    /// What is wrong with a field that is to be compiled and has too many couplings for that.
-    #[must_use]
-    pub fn too_many(&self, span: Span) -> Option<Diagnostic> {
-        let (variables, slopes) = (self.order.len(), self.places.len());
-        (variables > MOST_VARIABLES || slopes > MOST_SLOPES).then(|| {
-            Diagnostic::new(
-                Kind::TooLarge,
-                span,
-                format!(
-                    "{variables} variables with {slopes} couplings take too long to compile: a block has at most \
-                     {MOST_VARIABLES} and {MOST_SLOPES}"
-                ),
-                "write the equations once, as a family: `for i in periodic { x[i]dot = …; }`",
-            )
-        })
     }
 
     /// Whether elimination is written as a straight line.

@@ -55,7 +55,6 @@ impl Family {
             kept: Kept::of(&field),
             field,
             written: Vec::new(),
-            is_field_sound: self.is_sound,
             claims,
         }
     }
@@ -76,7 +75,7 @@ impl Family {
         Claim {
             kind: ClaimKind::Integral,
             name: sum.name.clone(),
-            body: Some(ClaimBody::Function(written(&terms, symbols, sum.written.span))),
+            body: ClaimBody::Function(written(&terms, symbols, sum.written.span)),
             plan: builder.finish(&[total]),
             conditions: Vec::new(),
         }

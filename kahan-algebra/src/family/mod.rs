@@ -49,8 +49,6 @@ pub struct Family {
     pub hamiltonian: Option<SiteSum>,
     /// Where `for i in …` stands.
     pub span: Span,
-    /// Whether the field is the one that was written; if not, nothing can be said of the claims.
-    pub is_sound: bool,
 }
 
 /// A sum over all sites.

@@ -2,10 +2,11 @@
 
 use std::fmt::Write as _;
 
+use crate::check::Checked;
 use crate::lexer::lex;
 use crate::prime_field::SplitMix64;
+use crate::read;
 use crate::syntax::Reference;
-use crate::{Reading, read};
 
 /// A term: its coefficient, and names with the offsets of their sites.
 type Term = (i64, Vec<(&'static str, i64)>);
@@ -94,7 +95,7 @@ fn sum(terms: impl Iterator<Item = (i64, Vec<String>)>) -> String {
     if text.is_empty() { "0".to_owned() } else { text }
 }
 
-fn reading(text: &str) -> Reading {
+fn reading(text: &str) -> Checked {
     read(&lex(text).tokens)
 }
 
@@ -103,12 +104,12 @@ fn random_families_are_the_chains_that_one_writes_out() {
     let mut random = SplitMix64::new(18);
     for _ in 0..60 {
         let family = Random::new(&mut random);
-        let read_family = reading(&family.text());
-        assert!(read_family.diagnostics.is_empty(), "{}: {:?}", family.text(), read_family.diagnostics);
-        let checked = read_family.family.expect("a family");
+        let checked = reading(&family.text()).family();
+        let checked = checked.unwrap_or_else(|mistakes| panic!("{}: {mistakes:?}", family.text()));
+        let checked = checked.expect("a family");
         for sites in 1..=8 {
             let system = checked.at_sites(sites as usize);
-            let plain = reading(&family.chain(sites)).system;
+            let plain = reading(&family.chain(sites)).system().expect("a system");
             // Parameters come in the order of their use in a block without a header.
             let names = |system: &crate::system::System| {
                 let symbols = system.field.symbols.clone();
@@ -139,12 +140,11 @@ fn random_families_are_the_chains_that_one_writes_out() {
 /// Whether the claims of a family are proved.
 fn holds(text: &str) -> bool {
     let reading = reading(text);
-    assert!(reading.family.is_some(), "{text}");
-    let false_claims = reading.diagnostics.len();
+    let false_claims = reading.diagnostics().len();
     assert!(
-        reading.diagnostics.iter().all(|mistake| mistake.kind == crate::diagnostics::Kind::FalseClaim),
+        reading.diagnostics().iter().all(|mistake| mistake.kind == crate::diagnostics::Kind::FalseClaim),
         "{text}: {:?}",
-        reading.diagnostics
+        reading.diagnostics()
     );
     false_claims == 0
 }

@@ -156,7 +156,7 @@ mod tests {
     use crate::kahan::RationalMap;
 
     fn factors_of(text: &str) -> (Field, Vec<Polynomial>, Vec<Factored>) {
-        let field = crate::read(&crate::lexer::lex(text).tokens).system.field;
+        let field = crate::read(&crate::lexer::lex(text).tokens).system().expect("a system").field;
         let reduced = RationalMap::of(&field).expect("the field is small").reduced;
         let mut all = reduced.increments;
         all.push(reduced.denominator);

@@ -43,11 +43,11 @@ pub enum Verdict {
     TooLarge,
 }
 
-/// Decides every claim of a system that was understood, in order; the others give `None`.
+/// Decides every claim of a system, in order.
 #[must_use]
-pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Option<Verdict>> {
-    if system.claims.is_empty() || system.field.dimension() == 0 {
-        return vec![None; system.claims.len()];
+pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Verdict> {
+    if system.claims.is_empty() {
+        return Vec::new();
     }
     let scheme = Scheme::of(&system.field);
     let mut random = Shake256::new(&seed);
@@ -55,16 +55,12 @@ pub fn prove_all(system: &System, seed: [u8; 32]) -> Vec<Option<Verdict>> {
     let mut groups: Vec<(&[Condition], Samples)> = Vec::new();
     let mut verdicts = Vec::new();
     for claim in &system.claims {
-        if claim.body.is_none() {
-            verdicts.push(None);
-            continue;
-        }
         let known = groups.iter().position(|(conditions, _)| are_equal(conditions, &claim.conditions));
         let group = known.unwrap_or_else(|| {
             groups.push((&claim.conditions, Samples::new(random.next_seed())));
             groups.len() - 1
         });
-        verdicts.push(Some(modular::decide(&scheme, claim, &mut groups[group].1)));
+        verdicts.push(modular::decide(&scheme, claim, &mut groups[group].1));
     }
     verdicts
 }
@@ -80,9 +76,7 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
 /// Reports the claims that do not hold.
 pub fn check_claims(system: &System, seed: [u8; 32], diagnostics: &mut Diagnostics) {
     for (claim, verdict) in system.claims.iter().zip(prove_all(system, seed)) {
-        if let Some(verdict) = verdict {
-            report(system, claim, &verdict, diagnostics);
-        }
+        report(system, claim, &verdict, diagnostics);
     }
 }
 

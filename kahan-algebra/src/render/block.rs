@@ -37,9 +37,8 @@ fn claim_names(claim: &Claim, name: &str) -> bool {
     let mut look =
         |expr: &Expr| expr.visit_names(&mut |written, _| found |= written == Reference::Name(name));
     match &claim.body {
-        Some(ClaimBody::Function(expr)) => look(expr),
-        Some(ClaimBody::Tensor(entries)) => entries.iter().for_each(|entry| look(&entry.value)),
-        None => {}
+        ClaimBody::Function(expr) => look(expr),
+        ClaimBody::Tensor(entries) => entries.iter().for_each(|entry| look(&entry.value)),
     }
     found
 }

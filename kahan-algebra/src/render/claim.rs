@@ -13,8 +13,8 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
     let when = if condition.is_empty() { String::new() } else { format!(" when {condition}") };
     let head = format!("{} {}", claim.kind.keyword(), claim.name.text);
     match &claim.body {
-        Some(ClaimBody::Function(expr)) => format!("{head} = {}{when};", expression_text(expr)),
-        Some(ClaimBody::Tensor(entries)) => {
+        ClaimBody::Function(expr) => format!("{head} = {}{when};", expression_text(expr)),
+        ClaimBody::Tensor(entries) => {
             let mut text = format!("{head} {{");
             for entry in entries {
                 let value = expression_text(&entry.value);
@@ -23,7 +23,6 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
             let end = if when.is_empty() { "" } else { ";" };
             format!("{text} }}{when}{end}")
         }
-        None => head,
     }
 }
 
@@ -31,16 +30,15 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
 #[must_use]
 pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, String)> {
     match &claim.body {
-        Some(ClaimBody::Function(expr)) => {
+        ClaimBody::Function(expr) => {
             vec![(notation.name(&claim.name.text), notation.expression(expr))]
         }
-        Some(ClaimBody::Tensor(entries)) => entries
+        ClaimBody::Tensor(entries) => entries
             .iter()
             .map(|entry| {
                 (notation.entry(&entry.row.text, &entry.column.text), notation.expression(&entry.value))
             })
             .collect(),
-        None => Vec::new(),
     }
 }
 

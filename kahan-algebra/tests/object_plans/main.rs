@@ -35,8 +35,8 @@ const SYSTEMS: [&str; 5] = [
 
 fn system(text: &str) -> System {
     let reading = read(&lex(text).tokens);
-    assert!(reading.diagnostics.is_empty(), "{text}: {:?}", reading.diagnostics);
-    reading.system
+    assert!(reading.diagnostics().is_empty(), "{text}: {:?}", reading.diagnostics());
+    reading.system().expect("a system")
 }
 
 /// Two places; at the second one all signs are others.

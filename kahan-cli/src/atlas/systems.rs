@@ -16,7 +16,7 @@ use kahan_systems::registry::{FURTHER, SYSTEMS};
 
 /// The system of an entry.
 pub(super) fn read(entry: &Entry) -> System {
-    kahan_algebra::read(&lex(entry.text()).tokens).system
+    kahan_algebra::read(&lex(entry.text()).tokens).system().expect("a system")
 }
 
 /// The section.

@@ -1,7 +1,8 @@
 //! `kahan discover` and `kahan scan`: what is printed parses and proves again, JSON has its keys,
 //! refusals say why; and the catalog's further systems claim what is found of them.
 
-use kahan_algebra::{Reading, lexer, read};
+use kahan_algebra::check::Checked;
+use kahan_algebra::{lexer, read};
 use kahan_discover::hilbert::default_degree;
 use kahan_systems::registry::{FURTHER, all, find};
 use serde_json::{Value, json};
@@ -18,9 +19,9 @@ fn texts(value: &Value) -> Vec<String> {
 }
 
 /// The block behind which the lines stand; reading proves the claims.
-fn reading(field: &str, lines: &[String]) -> Reading {
+fn reading(field: &str, lines: &[String]) -> Checked {
     let reading = read(&lexer::lex(&format!("{field} {}", lines.join(" "))).tokens);
-    assert!(reading.diagnostics.is_empty(), "{field} {lines:?}: {:?}", reading.diagnostics);
+    assert!(reading.diagnostics().is_empty(), "{field} {lines:?}: {:?}", reading.diagnostics());
     reading
 }
 
@@ -47,7 +48,7 @@ fn every_key_is_there_and_says_what_was_found() {
     assert_eq!(found["out_of_time"], false);
     assert!(found["seconds"].is_number() && !texts(&found["sentences"]).is_empty());
     let lines = ["integrals", "densities", "brackets"].map(|key| texts(&found[key])).concat();
-    assert_eq!(reading(WEIERSTRASS, &lines).system.claims.len(), 3);
+    assert_eq!(reading(WEIERSTRASS, &lines).system().expect("a system").claims.len(), 3);
     assert_eq!(found["bases"], json!([]));
 }
 
@@ -60,13 +61,16 @@ fn printed_lines_go_into_a_block_as_they_stand() {
         let lines: Vec<String> = claims.lines().map(str::to_owned).collect();
         let block = find(name).expect("a system of the catalog").text();
         let equations: Vec<&str> = block.lines().filter(|line| line.contains("dot = ")).collect();
-        assert_eq!(reading(&equations.join(" "), &lines).system.claims.len(), lines.len());
+        assert_eq!(
+            reading(&equations.join(" "), &lines).system().expect("a system").claims.len(),
+            lines.len()
+        );
         // Integrals also behind the catalog's own claims, as no name is taken twice; a block has
         // one density.
-        let own = reading(block, &[]).system.claims.len();
+        let own = reading(block, &[]).system().expect("a system").claims.len();
         let (densities, new): (Vec<String>, Vec<String>) =
             lines.iter().cloned().partition(|line| line.starts_with("density "));
-        assert_eq!(reading(block, &new).system.claims.len(), own + new.len());
+        assert_eq!(reading(block, &new).system().expect("a system").claims.len(), own + new.len());
         assert_eq!(densities.len(), 1, "{page}");
         assert_eq!(lines.iter().filter(|line| line.starts_with("integral ")).count(), integrals, "{page}");
     }
@@ -111,13 +115,13 @@ fn what_is_fixed_is_kept_apart_from_what_is_generic() {
 #[test]
 fn the_further_systems_claim_as_many_integrals_as_are_found() {
     for entry in FURTHER.iter().filter(|entry| entry.command != "lagrange") {
-        let claims = reading(entry.text(), &[]).system.claims;
+        let claims = reading(entry.text(), &[]).system().expect("a system").claims;
         let claimed = |kind: &str| {
             let generic = claims.iter().filter(|claim| claim.is_unconditional());
             generic.filter(|claim| format!("{:?}", claim.kind).eq_ignore_ascii_case(kind)).count()
         };
         // A search without a degree goes on as long as something may be missing.
-        let variables = reading(entry.text(), &[]).system.field.dimension();
+        let variables = reading(entry.text(), &[]).system().expect("a system").field.dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", entry.command, "--degree", &degree]);
         // What has no short formula is given by a basis.
@@ -143,7 +147,7 @@ fn what_is_found_is_printed_as_a_block_and_in_latex() {
     let block = answer(&["discover", "euler", "--macro"]);
     let inside =
         block.trim().strip_prefix("kahan! {").and_then(|rest| rest.strip_suffix('}')).expect("a block");
-    assert_eq!(reading(inside, &[]).system.claims.len(), all);
+    assert_eq!(reading(inside, &[]).system().expect("a system").claims.len(), all);
     assert!(block.lines().all(|line| line.chars().count() <= 100), "{block}");
     let latex = answer(&["discover", "euler", "--latex"]);
     assert_eq!(latex.lines().filter(|line| line.starts_with("% ")).count(), 1 + all, "{latex}");
@@ -224,7 +228,11 @@ fn the_lagrange_top_has_four() {
 #[ignore = "the whole catalog: seconds in a release build, minutes in another"]
 fn the_catalog_is_written_in_six_tenths_of_the_characters() {
     let length = |command: &str| -> usize {
-        let variables = reading(find(command).expect("in the catalog").text(), &[]).system.field.dimension();
+        let variables = reading(find(command).expect("in the catalog").text(), &[])
+            .system()
+            .expect("a system")
+            .field
+            .dimension();
         let degree = default_degree(variables).to_string();
         let found = object(&["discover", command, "--degree", &degree, "--seconds", "600"]);
         [texts(&found["integrals"]), texts(&found["densities"])].concat().iter().map(String::len).sum()

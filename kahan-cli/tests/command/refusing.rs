@@ -48,8 +48,8 @@ fn every_mistake_in_a_field_is_reported_with_the_text_of_the_front_end() {
     let lexed = lex(field);
     let reading = read(&lexed.tokens);
     let expected: String =
-        reading.diagnostics.iter().map(|one| report(one, field, &lexed.ranges, "--field")).collect();
-    assert!(reading.diagnostics.len() >= 3, "{expected}");
+        reading.diagnostics().iter().map(|one| report(one, field, &lexed.ranges, "--field")).collect();
+    assert!(reading.diagnostics().len() >= 3, "{expected}");
     for command in ["show", "verify"] {
         assert_eq!(refusal(&[command, "--field", field]), expected);
     }

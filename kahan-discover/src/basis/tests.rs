@@ -7,7 +7,7 @@ use super::*;
 use crate::matrix::Echelon;
 
 fn field(text: &str) -> Field {
-    read(&lexer::lex(text).tokens).system.field
+    read(&lexer::lex(text).tokens).system().expect("a system").field
 }
 
 /// Clebsch's case of a rigid body in a fluid: four integrals in six variables, only one of them
@@ -61,7 +61,7 @@ fn exact_values_are_constant_along_an_orbit_and_floats_agree_with_them() {
     use kahan_algebra::rational::Rational;
     let text = "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);";
     let (_, _, bases) = found(text, 2, 2);
-    let system = read(&lexer::lex(text).tokens).system;
+    let system = read(&lexer::lex(text).tokens).system().expect("a system");
     let eps = Rational::new(1, 10);
     let mut orbit = vec![vec![Rational::new(1, 2), Rational::new(-1, 3), Rational::one()]];
     let interpreter = Interpreter::new(&system);

@@ -27,5 +27,5 @@ pub(crate) const ZHUKOVSKY: &str =
 
 /// The system of a text; its claims, if any, count for nothing here.
 pub(crate) fn system(text: &str) -> System {
-    read(&lexer::lex(text).tokens).system
+    read(&lexer::lex(text).tokens).system().expect("a system")
 }

@@ -30,8 +30,7 @@ const _: () = {
             x: &__kahan::SVector<T, 2>,
             eps: T,
         ) -> __kahan::SVector<T, 1> {
-            let [__s_x, _] = __kahan::components(x);
-            __kahan::vector([__s_x.clone()])
+            __kahan::vector([__kahan::integer::<T>(0)])
         }
     }
     pub struct __Step;

@@ -35,9 +35,9 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     for (claim, plan) in context.system.conditional().zip(&context.derived.conditional) {
         emitted.methods.extend(emit_conditional(context, claim, plan, integrals));
     }
-    let this = context.self_type();
-    let scalar = &context.scalar;
-    let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
+    let this = context.this.path();
+    let scalar = &context.this.scalar;
+    let generics = if context.this.has_parameters() { quote!(<#scalar>) } else { quote!() };
     let lacks = |kind: ClaimKind, marker: TokenStream| {
         let is_lacking = context.system.accessors(kind).next().is_none();
         is_lacking.then(|| quote! { #[doc(hidden)] impl #generics __kahan::#marker for #this {} })
@@ -45,7 +45,7 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let lacking = [
         lacks(ClaimKind::Integral, quote!(WithoutIntegrals)),
         lacks(ClaimKind::Density, quote!(WithoutDensity)),
-        context.has_parameters().then(|| {
+        context.this.has_parameters().then(|| {
             quote! { #[doc(hidden)] impl<#scalar: __kahan::Integer> __kahan::IntegerParameters for #this {} }
         }),
     ];
@@ -62,10 +62,10 @@ fn emit_method(
     result: &TokenStream,
     body: &TokenStream,
 ) -> TokenStream {
-    let (scalar, vector, name) = (&context.scalar, context.vector(), format_ident!("{name}"));
-    let stand_in = (!context.is_sound).then(|| docs::stand_in(false));
+    let (scalar, vector, name) = (&context.this.scalar, context.vector(), format_ident!("{name}"));
+    let stand_in = (!context.is_proved).then(|| docs::stand_in(false));
     let documentation = stand_in.as_ref().unwrap_or(documentation);
-    let generics = if context.has_parameters() { quote!() } else { quote!(<#scalar: __kahan::Scalar>) };
+    let generics = if context.this.has_parameters() { quote!() } else { quote!(<#scalar: __kahan::Scalar>) };
     quote! {
         #documentation
         pub fn #name #generics (&self, x: &#vector, eps: #scalar) -> #result {
@@ -80,7 +80,7 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
         return EmittedClaims::default();
     }
     let names = &context.derived.integral_names;
-    let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
+    let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let vector = context.vector();
     let count = Literal::usize_unsuffixed(claims.len());
     let result = quote!(__kahan::SVector<#scalar, #count>);
@@ -128,7 +128,7 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
 /// The accessor of a claim that is made `when` something holds.
 fn emit_conditional(context: &Context<'_>, claim: &Claim, plan: &Plan, integrals: &[String]) -> TokenStream {
     let (bindings, results) = emit_body(context, plan);
-    let (scalar, name) = (&context.scalar, &claim.name.text);
+    let (scalar, name) = (&context.this.scalar, &claim.name.text);
     let documentation = docs::conditional(context, claim);
     let one = quote!(#bindings #(#results)*);
     match claim.kind {
@@ -146,7 +146,7 @@ fn emit_conditional(context: &Context<'_>, claim: &Claim, plan: &Plan, integrals
 }
 
 fn emit_density(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
-    let scalar = &context.scalar;
+    let scalar = &context.this.scalar;
     let (bindings, results) = emit_body(context, plan);
     emit_method(context, &docs::density(claim), "density", &quote!(#scalar), &quote!(#bindings #(#results)*))
 }

@@ -28,7 +28,7 @@ use super::step::emit_cost;
 /// Emits `__Coupled`, what [`emit_map`](super::map::emit_map) and
 /// [`emit_field`](super::field::emit_field) build on.
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
-    let (scalar, dimension) = (&context.scalar, &context.dimension);
+    let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
     let (tables, cost) = (emit_tables(couplings), emit_cost(couplings.cost(&context.derived.field)));
     let field = emit_entries(context, &context.derived.field);
@@ -95,7 +95,7 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
         let (bindings, results) = emit_part(context, plan);
         return quote! { #bindings [#(#results),*] };
     }
-    let (scalar, dimension) = (&context.scalar, &context.dimension);
+    let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let parameters = Literal::usize_unsuffixed(context.system.field.symbols.parameters.len());
     let count = Literal::usize_unsuffixed(plan.outputs.len());
     let parts = plan.operations.len().div_ceil(MOST_OPERATIONS);
@@ -135,7 +135,7 @@ fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStrea
     let states = emit_pattern(&inputs, symbols, Symbol::State, symbols.dimension());
     let states = states.map(|states| quote! { let #states = x; });
     let parameters = emit_own_parameters(context, plan);
-    let Emitted { bindings, results } = emit_plan(plan, symbols, &context.scalar);
+    let Emitted { bindings, results } = emit_plan(plan, symbols, &context.this.scalar);
     (quote! { #states #parameters #bindings }, results)
 }
 
@@ -180,7 +180,7 @@ fn emit_tables(couplings: &Couplings) -> TokenStream {
 /// Expands to `fn velocity(…) -> Option<[T; 24]> { … }`: the operations of the tables' loops, in
 /// their order, without loops.
 fn emit_velocity(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
-    let (scalar, dimension) = (&context.scalar, &context.dimension);
+    let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let Sizes { parameters, slopes, .. } = Sizes::of(context, couplings);
     let given = (0..couplings.places.len()).map(|k| format_ident!("__d{k}"));
     let right = (0..couplings.order.len()).map(|i| format_ident!("__b{i}"));

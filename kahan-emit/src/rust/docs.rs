@@ -28,7 +28,7 @@ pub(super) fn stand_in(follows: bool) -> TokenStream {
 /// The documentation of a system: field, A(x,ε), reduced map, claims. `follows` tells that the
 /// user's own comes first.
 pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
-    if !context.is_sound {
+    if !context.is_proved {
         return stand_in(follows);
     }
     let system = context.system;

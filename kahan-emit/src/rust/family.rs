@@ -17,102 +17,32 @@ use kahan_algebra::syntax::Boundary;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::docs::stand_in;
-use super::header::{RustHeader, has_docs};
 use super::inputs::binding;
-use super::items::identifier;
+use super::items::{Type, identifier};
 use super::plan::{Emitted, emit_kernel, emit_plan};
 use super::tokens::Flat;
 
 struct Context<'a> {
     family: &'a Family,
     lines: Lines,
-    name: Ident,
-    /// The scalar of the values, and that of the lines.
-    scalar: Ident,
+    this: Type<'a>,
+    /// The scalar of the lines; that of the type is the one of the values.
     line_scalar: Ident,
-    /// Whether the block has no mistake, so that its claims are proved.
-    is_sound: bool,
 }
 
 /// The type of a family, its implementations, and for a block without a header its value.
-pub(super) fn emit_family(
-    core: &TokenStream,
-    family: &Family,
-    header: Option<&RustHeader>,
-    input: &Flat,
-    errors: &TokenStream,
-) -> TokenStream {
-    let place = family.header.as_ref().and_then(|header| input.spans.get(header.name.span.first));
-    let name = identifier(
-        if family.header.is_some() { family.name() } else { "Field" },
-        place.copied().unwrap_or_else(Span::call_site),
-    );
-    let [scalar, line_scalar] = match name.to_string().as_str() {
-        "T" => ["S", "L"],
-        "L" => ["T", "S"],
-        _ => ["T", "L"],
-    };
-    let (scalar, line_scalar) = (format_ident!("{scalar}"), format_ident!("{line_scalar}"));
-    let is_sound = errors.is_empty();
-    let context = Context { family, lines: family.lines(), name, scalar, line_scalar, is_sound };
-    let definition = context.emit_struct(header);
-    // What is broken has a type, and nothing that steps.
-    let implementations = family.is_sound.then(|| context.emit_implementations(core));
-    if family.header.is_some() {
-        return quote! { #errors #definition #implementations };
-    }
-    let value = context.emit_value(input);
-    quote! { { #errors #definition #implementations #value } }
+pub(super) fn emit_family(core: &TokenStream, family: &Family, input: &Flat) -> TokenStream {
+    let this = Type::of(family.header.as_ref(), &family.parameters, &family.site_parameters, input);
+    let line_scalar = format_ident!("{}", if this.name == "L" { "S" } else { "L" });
+    let context = Context { family, lines: family.lines(), this, line_scalar };
+    let definition = context.this.emit_definition(|follows| context.documentation(follows));
+    let implementations = context.emit_implementations(core);
+    context.this.emit_with(&quote! { #definition #implementations }, input)
 }
 
 impl Context<'_> {
-    fn has_parameters(&self) -> bool {
-        !self.family.parameters.is_empty() || !self.family.site_parameters.is_empty()
-    }
-
-    fn self_type(&self) -> TokenStream {
-        let (name, scalar) = (&self.name, &self.scalar);
-        if self.has_parameters() { quote!(#name<#scalar>) } else { quote!(#name) }
-    }
-
-    fn emit_struct(&self, header: Option<&RustHeader>) -> TokenStream {
-        let name = &self.name;
-        let nothing = RustHeader::default();
-        let header = header.unwrap_or(&nothing);
-        let (attributes, visibility) = (&header.attributes, &header.visibility);
-        let formulas = self.documentation(has_docs(attributes));
-        // Values of sites stand in vectors, which are cloned.
-        let copy = self.family.site_parameters.is_empty().then(|| quote!(::core::marker::Copy,));
-        let derives = quote! {
-            #[::core::prelude::v1::derive(
-                ::core::clone::Clone, #copy ::core::fmt::Debug, ::core::cmp::PartialEq
-            )]
-        };
-        if !self.has_parameters() {
-            return quote! { #(#attributes)* #formulas #derives #visibility struct #name; };
-        }
-        let scalar = &self.scalar;
-        let field = |name: &String, what: &str, of: TokenStream| {
-            let attributes = header.attributes_of(name);
-            let text = format!(" The parameter `{name}`{what}.");
-            let docs = (!has_docs(attributes)).then(|| quote!(#[doc = #text]));
-            let field = identifier(name, Span::call_site());
-            quote! { #(#attributes)* #docs pub #field: #of }
-        };
-        let of_chain = self.family.parameters.iter().map(|name| field(name, "", quote!(#scalar)));
-        let vector = quote!(::std::vec::Vec<#scalar>);
-        let of_sites =
-            self.family.site_parameters.iter().map(|name| field(name, ", one value a site", vector.clone()));
-        let fields = of_chain.chain(of_sites);
-        quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
-    }
-
     /// The equations and what is proved, as formulas.
     fn documentation(&self, follows: bool) -> TokenStream {
-        if !self.is_sound {
-            return stand_in(follows);
-        }
         let family = self.family;
         let chain = match family.boundary {
             Boundary::Periodic => "closed to a ring",
@@ -151,7 +81,7 @@ impl Context<'_> {
     }
 
     fn emit_implementations(&self, core: &TokenStream) -> TokenStream {
-        let (this, scalar) = (self.self_type(), &self.scalar);
+        let (this, scalar) = (self.this.path(), &self.this.scalar);
         let (family, lines) = (self.family, &self.lines);
         let (arrays, site_parameters) = (&family.arrays, &family.site_parameters);
         let boundary = match family.boundary {
@@ -199,7 +129,7 @@ impl Context<'_> {
     }
 
     fn emit_constants(&self) -> TokenStream {
-        let (lines, line_scalar, scalar) = (&self.lines, &self.line_scalar, &self.scalar);
+        let (lines, line_scalar, scalar) = (&self.lines, &self.line_scalar, &self.this.scalar);
         let inputs = lines.constants.inputs();
         let parameters = lines.given.parameters.iter().enumerate();
         let bindings: TokenStream = parameters
@@ -226,7 +156,7 @@ impl Context<'_> {
     }
 
     fn emit_site_parameter(&self) -> TokenStream {
-        let scalar = &self.scalar;
+        let scalar = &self.this.scalar;
         let arms = self.family.site_parameters.iter().enumerate().map(|(k, name)| {
             let (k, field) = (Literal::usize_unsuffixed(k), identifier(name, Span::call_site()));
             quote! { #k => &self.#field, }
@@ -299,7 +229,7 @@ impl Context<'_> {
         if count == 0 {
             return None;
         }
-        let (this, scalar) = (self.self_type(), &self.scalar);
+        let (this, scalar) = (self.this.path(), &self.this.scalar);
         let integrals = family.integrals.iter().map(|sum| &sum.name.text);
         let line = self.emit_line("densities", &self.lines.sums, &[("s", (0..count).collect())]);
         let energy = family.hamiltonian.as_ref().map(|sum| {
@@ -317,16 +247,5 @@ impl Context<'_> {
             }
             #energy
         })
-    }
-
-    /// Expands to `Field { mu: Clone::clone(&mu) }`: the value of a block without a header.
-    fn emit_value(&self, input: &Flat) -> TokenStream {
-        let name = &self.name;
-        if !self.has_parameters() {
-            return quote!(#name);
-        }
-        let parameters = self.family.parameters.iter().chain(&self.family.site_parameters);
-        let fields = parameters.map(|parameter| super::items::emit_captured(parameter, input));
-        quote!(#name { #(#fields),* })
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     } else {
         emit_vector(context, &derived.polarized)
     };
-    let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
+    let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let (vector, matrix) = (context.vector(), context.matrix());
     quote! {
         impl<#scalar: __kahan::Scalar> __kahan::QuadraticField<#scalar, #dimension> for #this {
@@ -46,7 +46,7 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
 
 /// The bodies of `field` and `field_jacobian` in many variables.
 fn emit_coupled_field(context: &Context<'_>, couplings: &Couplings) -> (TokenStream, TokenStream) {
-    let (scalar, dimension, own) = (&context.scalar, &context.dimension, emit_parameters(context));
+    let (scalar, dimension, own) = (&context.this.scalar, &context.dimension, emit_parameters(context));
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
     let field = quote!(__kahan::CoupledField<#dimension, #parameters, #slopes, #places>);
     let value = quote! {
@@ -77,6 +77,6 @@ fn emit_matrix(context: &Context<'_>, plan: &Plan) -> TokenStream {
 pub(super) fn emit_body(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = emit_inputs(plan, symbols);
-    let Emitted { bindings, results } = emit_plan(plan, symbols, &context.scalar);
+    let Emitted { bindings, results } = emit_plan(plan, symbols, &context.this.scalar);
     (quote! { #inputs #bindings }, results)
 }

@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::syntax::{ClaimKind, Header};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::tokens::Flat;
 
 use super::Context;
-use super::docs;
 use super::header::{RustHeader, has_docs};
 
 /// An identifier of the user's; `_` is what the front end has refused already.
@@ -20,33 +19,97 @@ pub(super) fn identifier(name: &str, span: Span) -> Ident {
     }
 }
 
-/// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`.
-pub(super) fn emit_struct(context: &Context<'_>, header: Option<&RustHeader>) -> TokenStream {
-    let name = &context.name;
-    let nothing = RustHeader::default();
-    let header = header.unwrap_or(&nothing);
-    let (attributes, visibility) = (&header.attributes, &header.visibility);
-    let formulas = docs::system(context, has_docs(attributes));
-    let derives = quote! {
-        #[::core::prelude::v1::derive(
-            ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq
-        )]
-    };
-    if !context.has_parameters() {
-        return quote! { #(#attributes)* #formulas #derives #visibility struct #name; };
+/// The type that a block declares, or the anonymous one of a block without a header.
+pub(super) struct Type<'a> {
+    pub(super) name: Ident,
+    /// The scalar type parameter, named so that it is not the type's name.
+    pub(super) scalar: Ident,
+    parameters: &'a [String],
+    /// The parameters that each site of a family has.
+    site_parameters: &'a [String],
+    header: Option<RustHeader>,
+}
+
+impl<'a> Type<'a> {
+    pub(super) fn of(
+        header: Option<&Header>,
+        parameters: &'a [String],
+        site_parameters: &'a [String],
+        input: &Flat,
+    ) -> Self {
+        let name = header.map_or_else(
+            || Ident::new("Field", Span::call_site()),
+            |header| {
+                let place = input.spans.get(header.name.span.first).copied();
+                identifier(&header.name.text, place.unwrap_or_else(Span::call_site))
+            },
+        );
+        let scalar = Ident::new(if name == "T" { "S" } else { "T" }, Span::call_site());
+        let header = header.map(|header| RustHeader::of(header, input));
+        Type { name, scalar, parameters, site_parameters, header }
     }
-    let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
-        let attributes = header.attributes_of(parameter);
-        let field = identifier(parameter, Span::call_site());
-        let docs = (!has_docs(attributes)).then(|| {
-            let text = format!(" The parameter `{parameter}`.");
-            quote!(#[doc = #text])
-        });
-        let scalar = &context.scalar;
-        quote! { #(#attributes)* #docs pub #field: #scalar }
-    });
-    let scalar = &context.scalar;
-    quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
+
+    pub(super) fn has_parameters(&self) -> bool {
+        !self.parameters.is_empty() || !self.site_parameters.is_empty()
+    }
+
+    /// `E7<T>`, or `E6` where there are no parameters.
+    pub(super) fn path(&self) -> TokenStream {
+        let (name, scalar) = (&self.name, &self.scalar);
+        if self.has_parameters() { quote!(#name<#scalar>) } else { quote!(#name) }
+    }
+
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas` is told
+    /// whether the user's own documentation comes first.
+    pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
+        let (name, scalar) = (&self.name, &self.scalar);
+        let nothing = RustHeader::default();
+        let header = self.header.as_ref().unwrap_or(&nothing);
+        let (attributes, visibility) = (&header.attributes, &header.visibility);
+        let formulas = formulas(has_docs(attributes));
+        // Values of sites stand in vectors, which are cloned.
+        let copy = self.site_parameters.is_empty().then(|| quote!(::core::marker::Copy,));
+        let derives = quote! {
+            #[::core::prelude::v1::derive(
+                ::core::clone::Clone, #copy ::core::fmt::Debug, ::core::cmp::PartialEq
+            )]
+        };
+        if !self.has_parameters() {
+            return quote! { #(#attributes)* #formulas #derives #visibility struct #name; };
+        }
+        let field = |parameter: &String, what: &str, of: &TokenStream| {
+            let attributes = header.attributes_of(parameter);
+            let text = format!(" The parameter `{parameter}`{what}.");
+            let docs = (!has_docs(attributes)).then(|| quote!(#[doc = #text]));
+            let field = identifier(parameter, Span::call_site());
+            quote! { #(#attributes)* #docs pub #field: #of }
+        };
+        let (one, vector) = (quote!(#scalar), quote!(::std::vec::Vec<#scalar>));
+        let of_all = self.parameters.iter().map(|name| field(name, "", &one));
+        let of_sites = self.site_parameters.iter().map(|name| field(name, ", one value a site", &vector));
+        let fields = of_all.chain(of_sites);
+        quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
+    }
+
+    /// The definition with its implementations and what rustc is to report; a block without a header
+    /// has a value, `Field { mu: Clone::clone(&mu) }`, and the names of the parameters in it are the
+    /// user's own tokens, so that they mean what they mean there.
+    pub(super) fn emit_with(&self, items: &TokenStream, input: &Flat) -> TokenStream {
+        if self.header.is_some() {
+            return items.clone();
+        }
+        let name = &self.name;
+        let captured = |parameter: &String| {
+            let field = identifier(parameter, Span::call_site());
+            let place = input.tokens.iter().position(|token| token.text == *parameter);
+            let captured =
+                identifier(parameter, place.map_or_else(Span::call_site, |place| input.spans[place]));
+            quote!(#field: ::core::clone::Clone::clone(&#captured))
+        };
+        let fields = self.parameters.iter().chain(self.site_parameters).map(captured);
+        let value = if self.has_parameters() { quote!(#name { #(#fields),* }) } else { quote!(#name) };
+        quote! { { #items #value } }
+    }
 }
 
 /// The lists that are constants of a type.
@@ -66,15 +129,16 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     }
     let places = states.iter().zip(&names).enumerate().filter_map(|(place, (state, name))| {
         let constant = syn::parse_str::<Ident>(name).ok().filter(|_| owners[name.as_str()] == 1)?;
-        let documentation = format!(" Where `{state}` stands in a point: `x[{}::{name}]`.", context.name);
+        let documentation =
+            format!(" Where `{state}` stands in a point: `x[{}::{name}]`.", context.this.name);
         let place = Literal::usize_unsuffixed(place);
         Some(quote! {
             #[doc = #documentation]
             pub const #constant: __kahan::usize = #place;
         })
     });
-    let name = &context.name;
-    let this = if context.has_parameters() { quote!(#name<__kahan::f64>) } else { quote!(#name) };
+    let name = &context.this.name;
+    let this = if context.this.has_parameters() { quote!(#name<__kahan::f64>) } else { quote!(#name) };
     quote! { impl #this { #(#places)* } }
 }
 
@@ -82,13 +146,13 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
 /// const VARIABLES …`.
 pub(super) fn emit_names(context: &Context<'_>) -> (TokenStream, TokenStream) {
     let symbols = &context.system.field.symbols;
-    let this = context.self_type();
-    let scalar = &context.scalar;
-    let generics = if context.has_parameters() { quote!(<#scalar>) } else { quote!() };
+    let this = context.this.path();
+    let scalar = &context.this.scalar;
+    let generics = if context.this.has_parameters() { quote!(<#scalar>) } else { quote!() };
     let variables = emit_list("VARIABLES", "The state variables, in order.", &symbols.states);
     let parameters = emit_list("PARAMETERS", "The parameters, in order.", &symbols.parameters);
     let text = quote!(&'static [&'static __kahan::str]);
-    let parameters_too = context.has_parameters().then(|| {
+    let parameters_too = context.this.has_parameters().then(|| {
         quote! {
             fn parameters(&self) -> #text {
                 &Self::PARAMETERS
@@ -115,24 +179,4 @@ pub(super) fn emit_list(constant: &str, documentation: &str, names: &[String]) -
         #[doc = #documentation]
         pub const #constant: [&'static __kahan::str; #length] = [#(#names),*];
     }
-}
-
-/// Expands to `Field { mu: Clone::clone(&mu) }`: the value of a block without a header. The names
-/// of the parameters are the user's own tokens, so that they mean what they mean there.
-pub(super) fn emit_captured_value(context: &Context<'_>, input: &Flat) -> TokenStream {
-    let name = &context.name;
-    if !context.has_parameters() {
-        return quote!(#name);
-    }
-    let parameters = context.system.field.symbols.parameters.iter();
-    let fields = parameters.map(|parameter| emit_captured(parameter, input));
-    quote!(#name { #(#fields),* })
-}
-
-/// `mu: Clone::clone(&mu)`, the second name from where the block has it.
-pub(super) fn emit_captured(parameter: &str, input: &Flat) -> TokenStream {
-    let field = identifier(parameter, Span::call_site());
-    let place = input.tokens.iter().position(|token| token.text == parameter);
-    let captured = identifier(parameter, place.map_or_else(Span::call_site, |place| input.spans[place]));
-    quote!(#field: ::core::clone::Clone::clone(&#captured))
 }

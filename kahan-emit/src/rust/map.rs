@@ -18,7 +18,7 @@ use super::step::{EmittedStep, emit_step};
 /// Expands to the prepared step and `impl<T: Scalar> KahanMap<T, 3> for E6 { … }`; what is not
 /// written here, is a default method.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
-    let (this, scalar, dimension) = (context.self_type(), &context.scalar, &context.dimension);
+    let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let stable = quote!(__kahan::stable_step(self, prepared, x, eps));
     let (items, prepared, promise) = match (&context.derived.couplings, context.derived.step()) {
         (Some(couplings), _) => {
@@ -47,7 +47,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
 /// The step of a plan, and what follows from running it over other scalars: the Jacobian and the
 /// step with a promise.
 fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenStream) -> TokenStream {
-    let (scalar, vector, matrix) = (&context.scalar, context.vector(), context.matrix());
+    let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     quote! {
         type Prepared = #prepared;
         #[inline(always)]
@@ -62,7 +62,7 @@ fn emit_prepared(context: &Context<'_>, prepared: &TokenStream, prepare: &TokenS
 
 /// The step with a promise, by this call.
 fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream {
-    let (scalar, vector) = (&context.scalar, context.vector());
+    let (scalar, vector) = (&context.this.scalar, context.vector());
     quote! {
         #[inline(always)]
         fn try_prepared(
@@ -81,7 +81,7 @@ fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream
 
 /// The step of many variables, and the Jacobian by the same elimination.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
-    let (scalar, vector, matrix) = (&context.scalar, context.vector(), context.matrix());
+    let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
     let own = emit_parameters(context);
     quote! {
@@ -97,7 +97,7 @@ fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStrea
 
 /// Beyond the budget every step eliminates.
 fn emit_elimination(context: &Context<'_>) -> TokenStream {
-    let scalar = &context.scalar;
+    let scalar = &context.this.scalar;
     quote! {
         type Prepared = __kahan::Elimination<Self, #scalar>;
         #[inline]
@@ -110,10 +110,10 @@ fn emit_elimination(context: &Context<'_>) -> TokenStream {
 /// Expands to `impl<T: Scalar> Lift<T, 3> for E7<T> { type Lifted<U: Scalar> = E7<U>; … }`.
 fn emit_lift(context: &Context<'_>) -> TokenStream {
     let (this, name, scalar, dimension) =
-        (context.self_type(), &context.name, &context.scalar, &context.dimension);
-    let other = format_ident!("{}", if context.name == "U" { "V" } else { "U" });
+        (context.this.path(), &context.this.name, &context.this.scalar, &context.dimension);
+    let other = format_ident!("{}", if context.this.name == "U" { "V" } else { "U" });
     let carry = emit_carry(context);
-    let (lifted, value) = if context.has_parameters() {
+    let (lifted, value) = if context.this.has_parameters() {
         let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
             let field = identifier(parameter, Span::call_site());
             quote!(#field: lift(&self.#field))
@@ -140,7 +140,7 @@ fn emit_lift(context: &Context<'_>) -> TokenStream {
 /// How a tangent vector v is carried from x to x̃, which is `y`, where that has a form of its own.
 fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let (symbols, plan) = context.derived.carry()?;
-    let (scalar, vector, n) = (&context.scalar, context.vector(), context.system.field.dimension());
+    let (scalar, vector, n) = (&context.this.scalar, context.vector(), context.system.field.dimension());
     let inputs = plan.inputs();
     let point = |name: &str, symbol: &dyn Fn(usize) -> Symbol| {
         let (pattern, point) = (emit_pattern(&inputs, symbols, symbol, n)?, format_ident!("{name}"));
@@ -178,7 +178,7 @@ fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let det_matrix = derived.det_matrix.as_ref().map(|plan| {
         let (above, determinant) = emit_body(context, plan);
-        let (scalar, vector) = (&context.scalar, context.vector());
+        let (scalar, vector) = (&context.this.scalar, context.vector());
         quote! {
             fn det_matrix(&self, x: &#vector, eps: #scalar) -> #scalar {
                 #above
@@ -196,7 +196,7 @@ fn emit_closed_forms(context: &Context<'_>) -> TokenStream {
 fn emit_quotient(context: &Context<'_>, name: &str, plan: &Plan) -> TokenStream {
     let (bindings, mut numerators) = emit_body(context, plan);
     let denominator = numerators.pop();
-    let (scalar, vector, name) = (&context.scalar, context.vector(), format_ident!("{name}"));
+    let (scalar, vector, name) = (&context.this.scalar, context.vector(), format_ident!("{name}"));
     quote! {
         fn #name(&self, x: &#vector, eps: #scalar) -> (#vector, #scalar) {
             #bindings

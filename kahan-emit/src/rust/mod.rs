@@ -44,19 +44,22 @@ mod tokens;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use kahan_algebra::check::{Broken, Checked, StandIn};
 use kahan_algebra::diagnostics::Diagnostic;
+use kahan_algebra::elimination::too_many_couplings;
 use kahan_algebra::render::report;
+use kahan_algebra::syntax::Header;
 use kahan_algebra::system::System;
 use kahan_algebra::token::Span;
-use kahan_algebra::{Derived, Reading, derive};
+use kahan_algebra::{Derived, derive};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use syn::LitStr;
 
 use tokens::{Flat, Source};
 
 use claims::EmittedClaims;
-use header::RustHeader;
+use items::Type;
 #[cfg(test)]
 pub(crate) use text::formatted;
 #[cfg(feature = "text")]
@@ -67,14 +70,11 @@ struct Context<'a> {
     system: &'a System,
     /// The plans of what is emitted.
     derived: &'a Derived,
-    /// The type's name.
-    name: Ident,
-    /// The scalar type parameter, named so that it is not the type's name.
-    scalar: Ident,
+    this: Type<'a>,
     /// The dimension as a literal.
     dimension: Literal,
-    /// Whether the block has no mistake, so that its claims are proved.
-    is_sound: bool,
+    /// Whether the claims are proved; if not, this stands in for a block with mistakes.
+    is_proved: bool,
 }
 
 /// A block in Rust.
@@ -93,8 +93,8 @@ pub struct Expansion {
 #[must_use]
 pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     let input = tokens::flatten(block);
-    let reading = kahan_algebra::read(&input.tokens);
-    Expansion { name: reading.system.name().to_owned(), tokens: emit(core, &reading, &input) }
+    let checked = kahan_algebra::read(&input.tokens);
+    Expansion { name: name(checked.header()), tokens: emit(core, checked, &input) }
 }
 
 /// Expands the block in a file, as `include_kahan!("FILE")` does: `file` is the literal, and
@@ -126,42 +126,76 @@ pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> 
         }
     };
     let input = tokens::of_text(text, origin, span);
-    let reading = kahan_algebra::read(&input.tokens);
+    let checked = kahan_algebra::read(&input.tokens);
     let path = path.to_string_lossy();
     let watched = quote!(
         const _: &[::core::primitive::u8] = ::core::include_bytes!(#path);
     );
-    let emitted = emit(core, &reading, &input);
-    let is_item = reading.system.header.is_some();
+    let (name, is_item) = (name(checked.header()), checked.header().is_some());
+    let emitted = emit(core, checked, &input);
     let tokens = if is_item { quote!(#watched #emitted) } else { quote!({ #watched #emitted }) };
-    Expansion { name: reading.system.name().to_owned(), tokens }
+    Expansion { name, tokens }
+}
+
+fn name(header: Option<&Header>) -> String {
+    header.map_or("field", |header| header.name.text.as_str()).to_owned()
 }
 
 /// Emits a block: what the front end read, and the tokens that it read.
-fn emit(core: &TokenStream, reading: &Reading, input: &Flat) -> TokenStream {
-    let spans = &input.spans;
-    let header = reading.system.header.as_ref().map(|header| RustHeader::of(header, input));
-    let errors = emit_errors(&reading.diagnostics, input);
-    if let Some(family) = &reading.family {
-        return family::emit_family(core, family, header.as_ref(), input, &errors);
+fn emit(core: &TokenStream, checked: Checked, input: &Flat) -> TokenStream {
+    match checked {
+        Checked::System(system) => {
+            let place = system.header.as_ref().map_or(Span::token(0), |header| header.name.span);
+            match too_many_couplings(&system.field, place) {
+                Some(mistake) => {
+                    let stand_in = StandIn::of_type(system.header);
+                    emit_broken(core, &Broken { diagnostics: vec![mistake], stand_in }, input)
+                }
+                None => emit_system(core, &derive(&system), input, true),
+            }
+        }
+        Checked::Family(family) => family::emit_family(core, &family, input),
+        Checked::Broken(broken) => emit_broken(core, &broken, input),
     }
-    if reading.system.field.dimension() == 0 {
-        return emit_without_field(reading, header.as_ref(), spans, &errors);
+}
+
+/// The errors of a block, and its type: as far as its equations were found, with methods that compute
+/// nothing, so that rustc reports no more than the mistakes.
+fn emit_broken(core: &TokenStream, broken: &Broken, input: &Flat) -> TokenStream {
+    let Broken { diagnostics, stand_in } = broken;
+    let errors = emit_errors(diagnostics, input);
+    let StandIn { header, symbols, site_parameters, .. } = stand_in;
+    if symbols.dimension() > 0 {
+        let emitted = emit_system(core, &derive(&stand_in.system()), input, false);
+        return if header.is_some() {
+            quote! { #errors #emitted }
+        } else {
+            quote! { { #errors #emitted } }
+        };
     }
-    let derived = derive(&reading.system);
-    let place = reading.system.header.as_ref().map_or(Span::token(0), |header| header.name.span);
-    if let Some(mistake) = derived.couplings.as_ref().and_then(|couplings| couplings.too_many(place)) {
-        let errors = [errors, emit_errors(&[mistake], input)].into_iter().collect();
-        return emit_without_field(reading, header.as_ref(), spans, &errors);
+    if header.is_none() {
+        // A single `compile_error!` is right as an item and as an expression; there is no telling
+        // which is wanted.
+        return if diagnostics.len() <= 1 {
+            errors
+        } else {
+            quote! { { #errors } }
+        };
     }
-    let context = Context::of(&derived, spans, reading.diagnostics.is_empty());
-    let definition = items::emit_struct(&context, header.as_ref());
+    let this = Type::of(header.as_ref(), &symbols.parameters, site_parameters, input);
+    let definition = this.emit_definition(docs::stand_in);
+    quote! { #errors #definition }
+}
+
+/// The type of a system, its implementations, and for a block without a header its value.
+fn emit_system(core: &TokenStream, derived: &Derived, input: &Flat, is_proved: bool) -> TokenStream {
+    let system = &derived.system;
+    let this = Type::of(system.header.as_ref(), &system.field.symbols.parameters, &[], input);
+    let dimension = Literal::usize_unsuffixed(system.field.dimension());
+    let context = Context { system, derived, this, dimension, is_proved };
+    let definition = context.this.emit_definition(|follows| docs::system(&context, follows));
     let implementations = emit_implementations(core, &context);
-    if header.is_some() {
-        return quote! { #errors #definition #implementations };
-    }
-    let value = items::emit_captured_value(&context, input);
-    quote! { { #errors #definition #implementations #value } }
+    context.this.emit_with(&quote! { #definition #implementations }, input)
 }
 
 fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStream {
@@ -170,8 +204,8 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
     let field = field::emit_field(context);
     let map = map::emit_map(context);
     let EmittedClaims { constants, methods, implementations } = claims::emit_claims(context);
-    let (this, scalar) = (context.self_type(), &context.scalar);
-    let inherent = if context.has_parameters() {
+    let (this, scalar) = (context.this.path(), &context.this.scalar);
+    let inherent = if context.this.has_parameters() {
         let methods =
             (!methods.is_empty()).then(|| quote! { impl<#scalar: __kahan::Scalar> #this { #methods } });
         quote! { impl<#scalar> #this { #names #constants } #methods }
@@ -191,27 +225,6 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
             #implementations
         };
     }
-}
-
-/// A block without a single equation: its errors, and its type if it has a header.
-fn emit_without_field(
-    reading: &Reading,
-    header: Option<&RustHeader>,
-    spans: &[proc_macro2::Span],
-    errors: &TokenStream,
-) -> TokenStream {
-    if header.is_none() {
-        // A single `compile_error!` is right as an item and as an expression; there is no telling
-        // which is wanted.
-        return if reading.diagnostics.len() <= 1 {
-            errors.clone()
-        } else {
-            quote! { { #errors } }
-        };
-    }
-    let derived = derive(&reading.system);
-    let definition = items::emit_struct(&Context::of(&derived, spans, false), header);
-    quote! { #errors #definition }
 }
 
 /// One `compile_error!` a mistake, over its tokens; for all mistakes of a text one.
@@ -237,41 +250,16 @@ fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
         .collect()
 }
 
-impl<'a> Context<'a> {
-    fn of(derived: &'a Derived, spans: &[proc_macro2::Span], is_sound: bool) -> Self {
-        let system = &derived.system;
-        let name = match &system.header {
-            Some(header) => {
-                let span =
-                    spans.get(header.name.span.first).copied().unwrap_or_else(proc_macro2::Span::call_site);
-                items::identifier(&header.name.text, span)
-            }
-            None => format_ident!("Field"),
-        };
-        let scalar = if name == "T" { format_ident!("S") } else { format_ident!("T") };
-        let dimension = Literal::usize_unsuffixed(system.field.dimension());
-        Context { system, derived, name, scalar, dimension, is_sound }
-    }
-
-    fn has_parameters(&self) -> bool {
-        !self.system.field.symbols.parameters.is_empty()
-    }
-
-    /// `E7<T>`, or `E6` where there are no parameters.
-    fn self_type(&self) -> TokenStream {
-        let (name, scalar) = (&self.name, &self.scalar);
-        if self.has_parameters() { quote!(#name<#scalar>) } else { quote!(#name) }
-    }
-
+impl Context<'_> {
     /// `__kahan::SVector<T, 3>`
     fn vector(&self) -> TokenStream {
-        let (scalar, n) = (&self.scalar, &self.dimension);
+        let (scalar, n) = (&self.this.scalar, &self.dimension);
         quote!(__kahan::SVector<#scalar, #n>)
     }
 
     /// `__kahan::SMatrix<T, 3, 3>`
     fn matrix(&self) -> TokenStream {
-        let (scalar, n) = (&self.scalar, &self.dimension);
+        let (scalar, n) = (&self.this.scalar, &self.dimension);
         quote!(__kahan::SMatrix<#scalar, #n, #n>)
     }
 }

@@ -30,7 +30,7 @@ pub(super) struct EmittedStep {
 
 /// Emits the step of a plan.
 pub(super) fn emit_step(context: &Context<'_>, plan: &StepPlan) -> EmittedStep {
-    let scalar = &context.scalar;
+    let scalar = &context.this.scalar;
     let step = NamedStep::of(context, plan, "__Step");
     let (items, constants) = (step.emit_kernel(), step.emit_constants());
     let (name, count) = (&step.name, step.count());
@@ -80,7 +80,8 @@ impl<'a> NamedStep<'a> {
     fn emit_constants(&self) -> TokenStream {
         let symbols = &self.context.system.field.symbols;
         let inputs = emit_inputs(&self.plan.constants, symbols);
-        let Emitted { bindings, results } = emit_plan(&self.plan.constants, symbols, &self.context.scalar);
+        let Emitted { bindings, results } =
+            emit_plan(&self.plan.constants, symbols, &self.context.this.scalar);
         let constants = quote!([#(#results),*]);
         if inputs.is_empty() && bindings.is_empty() {
             constants
@@ -92,7 +93,7 @@ impl<'a> NamedStep<'a> {
     /// Expands to `pub struct __Step;` and `impl Kernel<3, 2> for __Step`.
     fn emit_kernel(&self) -> TokenStream {
         let NamedStep { context, plan, name, names } = self;
-        let (scalar, dimension, count) = (&context.scalar, &context.dimension, self.count());
+        let (scalar, dimension, count) = (&context.this.scalar, &context.dimension, self.count());
         let n = context.system.field.dimension();
         let of_step = &plan.kernel;
         let reciprocals = of_step.reciprocals();

@@ -39,7 +39,7 @@ impl Runner {
     /// E6 at a point of ordinary size: what is timed in place of a field without code.
     pub(super) fn stand_in() -> Result<Self, CannotTrade> {
         let reading = kahan_algebra::read(&kahan_algebra::lexer::lex(kahan_systems::e6::ENTRY.text()).tokens);
-        Runner::new(&reading.system, &[], &[1, -2, 3].map(|x| Rational::new(x, 4)))
+        Runner::new(&reading.system().expect("a system"), &[], &[1, -2, 3].map(|x| Rational::new(x, 4)))
     }
 
     /// Whether its steps are code.

@@ -10,7 +10,6 @@
 mod hard_fields;
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64, solve};
-use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::field::Field;
 use kahan_algebra::kahan::scaled_matrix;
 use kahan_algebra::lexer::lex;
@@ -18,7 +17,7 @@ use kahan_algebra::plan::{LARGEST_SIZE, Plan, StepPlan};
 use kahan_algebra::poly::Variable;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::{check, parse};
+use kahan_algebra::{derive, read_unproved};
 
 use hard_fields::{Named, known, sparse};
 
@@ -181,11 +180,10 @@ struct Tally {
 impl Tally {
     /// Measures the step of a field, and the one that lanes take.
     fn add(&mut self, (name, text): &Named, points: usize, seed: u64) {
-        let mut diagnostics = Diagnostics::default();
-        let system = check::check(parse::parse(&lex(text).tokens, &mut diagnostics), &mut diagnostics);
-        assert!(diagnostics.finish().is_empty(), "{text}");
-        let Some(step) = StepPlan::of(&system.field) else { return };
-        let steps: Vec<&StepPlan> = [&step].into_iter().chain(step.general.as_deref()).collect();
+        let system = read_unproved(&lex(text).tokens).system().unwrap_or_else(|_| panic!("{text}"));
+        let derived = derive(&system);
+        let Some(step) = derived.step() else { return };
+        let steps: Vec<&StepPlan> = [step].into_iter().chain(step.general.as_deref()).collect();
         self.fields += 1;
         self.limited += usize::from(step.holds_to < LARGEST_SIZE);
         let linear = Linear::of(&system.field);

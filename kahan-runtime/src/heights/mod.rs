@@ -11,7 +11,7 @@
 //! use kahan_runtime::heights::{Growth, HeightsOrbit, Survey};
 //!
 //! let text = kahan_systems::registry::find("lv").unwrap().text();
-//! let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system;
+//! let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system().expect("a system");
 //! let start = [Rational::new(1, 2), Rational::new(5, 3)];
 //! let mut orbit = HeightsOrbit::new(&system, &[], &Rational::new(9, 14), &start).unwrap();
 //! let survey = Survey::of(&mut orbit, 12, |_| ());

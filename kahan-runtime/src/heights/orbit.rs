@@ -24,7 +24,7 @@ use super::report::{Bounds, Heights, Stop};
 /// use kahan_runtime::heights::{Growth, HeightsOrbit};
 ///
 /// let text = kahan_systems::registry::find("e3").unwrap().text();
-/// let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system;
+/// let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system().expect("a system");
 /// let start = [Rational::new(3, 7), Rational::new(11, 13), Rational::new(23, 47)];
 /// let mut orbit = HeightsOrbit::new(&system, &[], &Rational::new(1, 2), &start).unwrap();
 /// let heights_of_x: Vec<f64> = orbit.by_ref().skip(1).take(50).map(|heights| heights.logarithms[0]).collect();

@@ -112,7 +112,7 @@ where
     M: Lift<BigRational, N, Lifted<f32>: 'static, Lifted<f64>: 'static, Lifted<Dd>: 'static>,
 {
     let text = kahan_systems::registry::find(command).expect("in the catalog").text();
-    let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system;
+    let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system().expect("a system");
     let parameters: Vec<Rational> = parameters.iter().map(|value| q(value)).collect();
     let field = Field::of(&system);
     let names = field.parameters().to_vec();

@@ -17,8 +17,8 @@ pub(crate) fn numbers(text: &str) -> Vec<Rational> {
 
 pub(crate) fn field(text: &str) -> System {
     let reading = read(&lex(text).tokens);
-    assert!(reading.diagnostics.is_empty(), "{text}: {:?}", reading.diagnostics);
-    reading.system
+    assert!(reading.diagnostics().is_empty(), "{text}: {:?}", reading.diagnostics());
+    reading.system().expect("a system")
 }
 
 pub(crate) fn catalog(name: &str) -> System {

@@ -7,13 +7,12 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::field::Field;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::plan::{Cost, StepPlan};
 use kahan_algebra::rational::Rational;
+use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
-use kahan_algebra::{check, parse};
 use kahan_systems::registry::{SYSTEMS, find};
 
 /// Systems of the catalog that are not in the paper, and fields beside the catalog's.
@@ -41,12 +40,7 @@ const OTHERS: [(&str, &str); 4] = [
 ];
 
 fn system(text: &str) -> System {
-    let mut diagnostics = Diagnostics::default();
-    let block = parse::parse(&lex(text).tokens, &mut diagnostics);
-    let system = check::check(block, &mut diagnostics);
-    let mistakes = diagnostics.finish();
-    assert!(mistakes.is_empty(), "{text}: {mistakes:?}");
-    system
+    read_unproved(&lex(text).tokens).system().unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
 }
 
 fn catalog(name: &str) -> System {

@@ -35,7 +35,7 @@ fn parts(file: &str) -> (Vec<&str>, String) {
 /// `map` is what the file compiled to: it has the variables that were looked at.
 fn check(map: &impl Named, file: &str, eps: Option<Rational>) {
     let (lines, equations) = parts(file);
-    let system = read(&lexer::lex(&equations).tokens).system;
+    let system = read(&lexer::lex(&equations).tokens).system().expect("a system");
     assert_eq!(system.field.symbols.states, map.variables());
     // A degree and no deadline: slow machines find the same.
     let degree = Some(default_degree(map.variables().len()));

@@ -16,13 +16,13 @@ fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
     for block in &case.blocks {
         let text = &case.source[block.clone()];
         let lexed = lex(text);
-        for diagnostic in kahan_algebra::read(&lexed.tokens).diagnostics {
+        for diagnostic in kahan_algebra::read(&lexed.tokens).diagnostics() {
             let place = lexed.ranges.get(diagnostic.span.first).map(|range| {
                 let (line, column) = case.line_and_column(block.start + range.start);
                 format!("{line}:{column}")
             });
             let lines: Vec<String> = diagnostic.to_string().lines().map(str::to_owned).collect();
-            let paragraph = report(&diagnostic, text, &lexed.ranges, "--field");
+            let paragraph = report(diagnostic, text, &lexed.ranges, "--field");
             for line in &lines {
                 assert!(paragraph.contains(line.as_str()), "{}: the command leaves out {line}", case.name);
             }

@@ -16,8 +16,8 @@ use crate::tests::{claim, function, functions};
 
 fn system(text: &str) -> System {
     let reading = read(&lexer::lex(text).tokens);
-    assert!(reading.diagnostics.is_empty(), "{:?}", reading.diagnostics);
-    reading.system
+    assert!(reading.diagnostics().is_empty(), "{:?}", reading.diagnostics());
+    reading.system().expect("a system")
 }
 
 /// What the integral or density of this name states.

@@ -15,7 +15,7 @@ use kahan_systems::registry::SYSTEMS;
 use kahan_systems::{E1, E3, E9, VolterraLattice};
 
 fn of_text(text: &str) -> Judge {
-    Judge::of(&read(&lex(text).tokens).system)
+    Judge::of(&read(&lex(text).tokens).system().expect("a system"))
 }
 
 fn judge(entry: &Entry) -> Judge {

@@ -1,0 +1,81 @@
+//! What stands in for a block with mistakes, so that the rest of a program is checked against its
+//! type: the names that were found, and nothing that could be computed.
+
+use crate::diagnostics::Diagnostic;
+use crate::field::{Component, Field};
+use crate::kept::Kept;
+use crate::plan::PlanBuilder;
+use crate::poly::Polynomial;
+use crate::rational::Rational;
+use crate::symbols::Symbols;
+use crate::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
+use crate::system::{Claim, Condition, System};
+
+/// A block with mistakes.
+#[derive(Clone, Debug)]
+pub struct Broken {
+    /// The mistakes, in the order of their places; there is at least one.
+    pub diagnostics: Vec<Diagnostic>,
+    /// What stands in for it.
+    pub stand_in: StandIn,
+}
+
+/// The names of a block.
+#[derive(Clone, Debug)]
+pub struct StandIn {
+    /// The header, where there is one.
+    pub header: Option<Header>,
+    /// States and parameters; of a family, the parameters of the chain.
+    pub symbols: Symbols,
+    /// The parameters that each site of a family has.
+    pub site_parameters: Vec<String>,
+    /// The claims, each with whether it is made for all parameters and ε.
+    claims: Vec<(ClaimKind, Name, bool)>,
+}
+
+impl StandIn {
+    /// A type without equations.
+    #[must_use]
+    pub fn of_type(header: Option<Header>) -> Self {
+        let symbols = Symbols { states: Vec::new(), parameters: Vec::new() };
+        StandIn { header, symbols, site_parameters: Vec::new(), claims: Vec::new() }
+    }
+
+    /// Adds a claim.
+    pub(super) fn push_claim(&mut self, kind: ClaimKind, name: &Name, is_unconditional: bool) {
+        self.claims.push((kind, name.clone(), is_unconditional));
+    }
+
+    /// The system of these names in which nothing moves and all claims are 0, which nobody proves.
+    #[must_use]
+    pub fn system(&self) -> System {
+        let symbols = self.symbols.clone();
+        let zero = || Component { numerator: Polynomial::zero(), denominator: Polynomial::one() };
+        let components = symbols.states.iter().map(|_| zero()).collect();
+        let field = Field { symbols, components };
+        System {
+            header: self.header.clone(),
+            constants: Vec::new(),
+            kept: Kept::of(&field),
+            field,
+            written: Vec::new(),
+            claims: self.claims.iter().map(|claim| self.claim(claim)).collect(),
+        }
+    }
+
+    fn claim(&self, (kind, name, is_unconditional): &(ClaimKind, Name, bool)) -> Claim {
+        let n = self.symbols.dimension();
+        let results = if *kind == ClaimKind::Bracket { n * (n.max(1) - 1) / 2 } else { 1 };
+        let mut builder = PlanBuilder::default();
+        let zero = builder.constant(&Rational::zero());
+        let expr = || Expr { kind: ExprKind::Number(Rational::zero()), span: name.span };
+        let condition = || Condition::fixed(&self.symbols, self.symbols.epsilon(), &Rational::one());
+        Claim {
+            kind: *kind,
+            name: name.clone(),
+            body: ClaimBody::Function(expr()),
+            plan: builder.finish(&vec![zero; results]),
+            conditions: if *is_unconditional { Vec::new() } else { vec![condition()] },
+        }
+    }
+}
