@@ -145,12 +145,12 @@ pub enum ClaimBody {
     /// Of an integral or a density.
     Function(Expr),
     /// Of a bracket.
-    Tensor(Vec<Entry>),
+    Tensor(Vec<TensorEntry>),
 }
 
 /// `{x, y} = expr;`
 #[derive(Clone, Debug)]
-pub struct Entry {
+pub struct TensorEntry {
     /// The first state.
     pub row: Name,
     /// The second state.

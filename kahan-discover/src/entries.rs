@@ -9,7 +9,7 @@ use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
 use crate::monomials::Monomials;
 use crate::parity::character;
-use crate::pencil::{Entry, Pencil, SPARE, Source};
+use crate::pencil::{Pencil, PencilEntry, SPARE, Source};
 use crate::relations::Relations;
 use crate::search::{Reach, Search};
 use crate::space::Space;
@@ -75,12 +75,12 @@ pub(crate) fn entries_of_degree<M: Stepping>(
             return;
         }
         let numerator = of_sign(sign_of((leading, lower)));
-        let entry = Entry { leading, lower, numerator, denominator: invariant.clone() };
+        let entry = PencilEntry { leading, lower, numerator, denominator: invariant.clone() };
         let Some((numerator, denominator)) = entry.quotient(modulus, &orbits, &values, deadline) else {
             continue;
         };
         let used = |vector: &[u64]| (0..vector.len()).filter(|&index| vector[index] != 0).collect();
-        let entry = Entry { numerator: used(&numerator), denominator: used(&denominator), ..entry };
+        let entry = PencilEntry { numerator: used(&numerator), denominator: used(&denominator), ..entry };
         let space = Space::spanned(modulus, vec![numerator, denominator]);
         if space.dimension() == 2 {
             let source = Source::Entries { relation_degree, entries: vec![entry] };

@@ -15,7 +15,7 @@ use crate::lift::lift;
 use crate::map::ModularMap;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
-use crate::pencil::{Entry, SPARE};
+use crate::pencil::{PencilEntry, SPARE};
 use crate::setting::Setting;
 use crate::space::{combination, over_common};
 use crate::stepping::Stepping;
@@ -179,7 +179,7 @@ impl Leaf {
         let states: Vec<Variable> = (0..n).map(|i| setting.family().symbols().state(i)).collect();
         let mut coordinates = Vec::new();
         for &(leading, lower) in &self.places {
-            let entry = Entry { leading, lower, numerator: all.clone(), denominator: all.clone() };
+            let entry = PencilEntry { leading, lower, numerator: all.clone(), denominator: all.clone() };
             let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
                 let map = setting.at(modulus, unknowns)?;
                 let mut orbits = Vec::new();

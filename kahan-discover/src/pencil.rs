@@ -32,12 +32,12 @@ pub(crate) enum Source {
     /// As the span of the relations of orbits on its own monomials.
     Span,
     /// As numerators and denominators of entries of relations.
-    Entries { relation_degree: u32, entries: Vec<Entry> },
+    Entries { relation_degree: u32, entries: Vec<PencilEntry> },
 }
 
 /// An entry of the reduced relations that is P/Q.
 #[derive(Clone, Debug)]
-pub(crate) struct Entry {
+pub(crate) struct PencilEntry {
     /// The leading monomial of the relation, and the monomial of the entry.
     pub(crate) leading: usize,
     pub(crate) lower: usize,
@@ -45,7 +45,7 @@ pub(crate) struct Entry {
     pub(crate) denominator: Vec<usize>,
 }
 
-impl Entry {
+impl PencilEntry {
     /// P and Q, on all monomials of the given values, from P − cQ = 0 at the starts; `None` unless
     /// they are unique, and found before the deadline.
     pub(crate) fn quotient(

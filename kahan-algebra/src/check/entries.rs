@@ -1,7 +1,7 @@
 //! The entries of a bracket: pairs of different states, each once.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{self, ClaimBody, Entry};
+use crate::syntax::{self, ClaimBody, TensorEntry};
 
 use super::names::Scope;
 
@@ -34,7 +34,7 @@ pub(super) fn entry_places(
 
 /// The indices of an entry's states.
 fn entry_place(
-    entry: &Entry,
+    entry: &TensorEntry,
     earlier: &[(usize, usize)],
     scope: &Scope,
 ) -> Result<(usize, usize), Diagnostic> {

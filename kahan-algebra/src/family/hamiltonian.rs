@@ -18,7 +18,7 @@ use super::{Family, Role, SiteSum};
 /// One entry of K above the diagonal: of the row of array `row` at site i and the column of array
 /// `column` at site i + `offset`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Entry {
+pub(super) struct StencilEntry {
     /// The array of the row.
     pub row: usize,
     /// The array of the column.
@@ -30,7 +30,7 @@ pub(super) struct Entry {
 }
 
 /// Finds K for the Hamiltonian, and proves ẋ = K∇H for every number of sites.
-pub(super) fn stencil(family: &Family, hamiltonian: &SiteSum) -> Result<Vec<Entry>, Diagnostic> {
+pub(super) fn stencil(family: &Family, hamiltonian: &SiteSum) -> Result<Vec<StencilEntry>, Diagnostic> {
     let name = &hamiltonian.name;
     let refuse = |message: String, help: &str| Diagnostic::new(Kind::Claim, name.span, message, help);
     let degree = family.symbols.degree(&hamiltonian.density.numerator);
@@ -89,7 +89,7 @@ pub(super) fn stencil(family: &Family, hamiltonian: &SiteSum) -> Result<Vec<Entr
         })?;
     }
     let values = equations.solution(unknowns.len());
-    let entry = |((row, column, offset), value)| Entry { row, column, offset, value };
+    let entry = |((row, column, offset), value)| StencilEntry { row, column, offset, value };
     Ok(unknowns.into_iter().zip(values).map(entry).filter(|entry| !entry.value.is_zero()).collect())
 }
 

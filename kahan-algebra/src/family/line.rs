@@ -50,7 +50,7 @@ impl Family {
     #[must_use]
     pub fn lines(&self) -> Lines {
         let symbols = self.line_symbols();
-        let mut writer = Writer { family: self, symbols: &symbols, builder: PlanBuilder::default() };
+        let mut writer = LineWriter { family: self, symbols: &symbols, builder: PlanBuilder::default() };
         let field: Vec<Node> = self.components.iter().map(|component| writer.quotient(component)).collect();
         let center = self.place(0, 0);
         let mut entries = Vec::new();
@@ -137,13 +137,13 @@ impl Family {
     }
 }
 
-struct Writer<'a> {
+struct LineWriter<'a> {
     family: &'a Family,
     symbols: &'a Symbols,
     builder: PlanBuilder,
 }
 
-impl Writer<'_> {
+impl LineWriter<'_> {
     /// A variable of the family in the line.
     fn renamed(&self, variable: Variable) -> Variable {
         let family = self.family;

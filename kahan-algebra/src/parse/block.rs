@@ -30,7 +30,7 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
     let named = cursor.identifier(1).is_some();
     match word {
         "const" if named => constant(cursor, block),
-        "hamiltonian" if named && cursor.has_sites => hamiltonian(cursor, block),
+        "hamiltonian" if named && cursor.index.is_some() => hamiltonian(cursor, block),
         "integral" if named => claim(cursor, block, ClaimKind::Integral),
         "density" if named => claim(cursor, block, ClaimKind::Density),
         "bracket" if named => claim(cursor, block, ClaimKind::Bracket),

@@ -1,10 +1,12 @@
 //! Claims: `integral`, `density` and `bracket`, with their conditions.
 
+use std::mem;
+
 use crate::diagnostics::{Diagnostic, Kind};
-use crate::syntax::{Block, Claim, ClaimBody, ClaimKind, Condition, Entry, Name};
+use crate::syntax::{Block, Claim, ClaimBody, ClaimKind, Condition, Name, TensorEntry};
 
 use super::block::{equals, semicolon};
-use super::cursor::Cursor;
+use super::cursor::{Cursor, End};
 use super::expr::parse_expr;
 use super::{Parsed, error};
 
@@ -33,9 +35,9 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
         equals(cursor)?;
         ClaimBody::Function(parse_expr(cursor)?)
     };
-    cursor.item_may_follow = claim.kind == ClaimKind::Bracket;
+    cursor.end = if claim.kind == ClaimKind::Bracket { End::Item } else { End::Semicolon };
     let outcome = conditions(cursor, &mut claim.conditions);
-    cursor.item_may_follow = false;
+    cursor.end = End::Semicolon;
     outcome?;
     if claim.kind == ClaimKind::Bracket {
         cursor.take(';');
@@ -47,7 +49,7 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
 }
 
 /// Reads `{ {x,y} = expr; … }`.
-fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<Entry>> {
+fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<TensorEntry>> {
     if !cursor.is_open(0, '{') {
         let found = cursor.describe_next();
         let help = format!("write `bracket {} {{ {{x,y}} = …; }}`", name.text);
@@ -69,7 +71,7 @@ fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<Entry>> {
     Ok(entries)
 }
 
-fn entry(cursor: &mut Cursor<'_>) -> Parsed<Entry> {
+fn entry(cursor: &mut Cursor<'_>) -> Parsed<TensorEntry> {
     let wrong = |cursor: &Cursor<'_>| {
         let found = cursor.describe_next();
         Diagnostic::new(
@@ -95,7 +97,7 @@ fn entry(cursor: &mut Cursor<'_>) -> Parsed<Entry> {
     equals(cursor)?;
     let value = parse_expr(cursor)?;
     semicolon(cursor)?;
-    Ok(Entry { row, column, value })
+    Ok(TensorEntry { row, column, value })
 }
 
 /// Leaves the braces of a bracket in which a mistake was found.
@@ -127,9 +129,9 @@ fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parse
         );
     }
     loop {
-        cursor.is_left_side = true;
+        let end = mem::replace(&mut cursor.end, End::Equals);
         let left = parse_expr(cursor);
-        cursor.is_left_side = false;
+        cursor.end = end;
         let left = left?;
         equals(cursor)?;
         conditions.push(Condition { left, right: parse_expr(cursor)? });

@@ -10,14 +10,22 @@ use super::Parsed;
 pub(super) struct Cursor<'a> {
     tokens: &'a [Token],
     at: usize,
-    /// Whether an item may follow an operand without `;`: behind the `when` of a bracket.
-    pub(super) item_may_follow: bool,
-    /// Whether `=` ends the expression: on the left side of a relation behind `when`.
-    pub(super) is_left_side: bool,
-    /// Whether the block holds a family, so that names may have the index of a site.
-    pub(super) has_sites: bool,
-    /// What the index of a site is called: `i`, unless that is the mistake.
-    pub(super) index: &'a str,
+    /// What may end the expression that is read.
+    pub(super) end: End,
+    /// What the index of a site is called, if the block holds a family: `i`, unless that is the
+    /// mistake.
+    pub(super) index: Option<&'a str>,
+}
+
+/// What may end an expression besides `;`, `,` and a closing bracket.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    /// Nothing.
+    Semicolon,
+    /// The next item: behind the `when` of a bracket.
+    Item,
+    /// `=`: on the left side of a relation behind `when`.
+    Equals,
 }
 
 impl<'a> Cursor<'a> {
@@ -26,7 +34,7 @@ impl<'a> Cursor<'a> {
         let has_sites = tokens.windows(3).any(|three| {
             word(&three[0], "for") && three[1].kind == TokenKind::Identifier && word(&three[2], "in")
         });
-        Cursor { tokens, at: 0, item_may_follow: false, is_left_side: false, has_sites, index: "i" }
+        Cursor { tokens, at: 0, end: End::Semicolon, index: has_sites.then_some("i") }
     }
 
     pub(super) fn position(&self) -> usize {
@@ -146,13 +154,13 @@ impl<'a> Cursor<'a> {
         let named = self.identifier(ahead + 1).is_some()
             && (self.is_punctuation(ahead + 2, '=') || self.is_open(ahead + 2, '{'));
         let is_keyword = matches!(word, "const" | "integral" | "density" | "bracket")
-            || (self.has_sites && word == "hamiltonian");
+            || (self.index.is_some() && word == "hamiltonian");
         equation || (named && is_keyword)
     }
 
     /// Whether `x[i]dot` stands `ahead` tokens from here.
     fn begins_equation_of_family(&self, ahead: usize) -> bool {
-        self.has_sites && self.is_open(ahead + 1, '[') && self.identifier(ahead + 4) == Some("dot")
+        self.index.is_some() && self.is_open(ahead + 1, '[') && self.identifier(ahead + 4) == Some("dot")
     }
 
     /// Leaves a broken item that began at `start`: past its `;`, or up to the line that begins the

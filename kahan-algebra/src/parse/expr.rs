@@ -136,11 +136,11 @@ fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
         }
         TokenKind::Identifier => {
             cursor.advance();
-            if cursor.has_sites && cursor.is_open(0, '[') {
+            if cursor.index.is_some() && cursor.is_open(0, '[') {
                 let (array, offset) = (token.text.clone(), offset(cursor, &token.text, span)?);
                 return Ok(Expr { kind: ExprKind::Site { array, offset }, span: span.to(cursor.behind()) });
             }
-            if cursor.has_sites && token.text == "sum" && cursor.is_open(0, '(') {
+            if cursor.index.is_some() && token.text == "sum" && cursor.is_open(0, '(') {
                 let inner = atom(cursor, depth)?;
                 let span = span.to(inner.span);
                 return Ok(Expr { kind: ExprKind::OverSites(Box::new(inner)), span });

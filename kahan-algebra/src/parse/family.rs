@@ -17,7 +17,7 @@ const FARTHEST: i64 = 64;
 /// Whether the next item is a family.
 pub(super) fn begins(cursor: &Cursor<'_>) -> bool {
     cursor.identifier(0) == Some("for")
-        && (cursor.identifier(2) == Some("in") || cursor.identifier(1).is_some() && !cursor.has_sites)
+        && (cursor.identifier(2) == Some("in") || cursor.identifier(1).is_some() && cursor.index.is_none())
 }
 
 /// Reads a family; mistakes in an equation end that equation only.
@@ -34,7 +34,7 @@ pub(super) fn family(
         let message = format!("the index of a site is called `i`, not `{}`", index.text);
         diagnostics.report(Kind::Name, index.span, message, "write `for i in …` and `x[i]`");
         // The rest is read as it was meant.
-        cursor.index = found.unwrap_or("i");
+        cursor.index = found.or(cursor.index);
     }
     if cursor.identifier(0) != Some("in") {
         let found = cursor.describe_next();
@@ -82,7 +82,7 @@ pub(super) fn family(
 /// Reads `x[i]dot = expr;`.
 fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     let array = cursor.expect_name("an equation")?;
-    let is_at_site = cursor.is_open(0, '[') && cursor.identifier(1) == Some(cursor.index);
+    let is_at_site = cursor.is_open(0, '[') && cursor.index.is_some() && cursor.identifier(1) == cursor.index;
     if !is_at_site {
         let base = array.text.strip_suffix("dot").filter(|base| !base.is_empty()).unwrap_or(&array.text);
         let span = if cursor.is_open(0, '[') { array.span.to(cursor.skip_group()) } else { array.span };
@@ -130,7 +130,9 @@ pub(super) fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed
     };
     let token = |place: usize| cursor.before(end - place).filter(|_| place + 1 < end);
     let index = token(opening + 1);
-    if index.is_none_or(|index| index.kind != TokenKind::Identifier || index.text != cursor.index) {
+    if index
+        .is_none_or(|index| index.kind != TokenKind::Identifier || Some(index.text.as_str()) != cursor.index)
+    {
         return wrong("the index of a site is `i`, or `i` and an integer");
     }
     match end - opening {

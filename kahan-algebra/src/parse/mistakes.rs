@@ -5,7 +5,7 @@ use crate::diagnostics::Kind;
 use crate::syntax::{Expr, ExprKind};
 use crate::token::{Span, TokenKind};
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, End};
 use super::{Parsed, error};
 
 /// The operator just read (or `=`) is followed by something that is no operand.
@@ -117,9 +117,9 @@ pub(super) fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> 
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable { .. } => Ok(operand),
         // What compares is reported where `=` is expected.
-        TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.is_left_side => Ok(operand),
+        TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == End::Equals => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
-        TokenKind::Identifier if cursor.begins_item(0) && cursor.item_may_follow => Ok(operand),
+        TokenKind::Identifier if cursor.begins_item(0) && cursor.end == End::Item => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) => error(
             Kind::Syntax,
             cursor.behind().to(cursor.here()),

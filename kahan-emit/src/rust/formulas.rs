@@ -15,7 +15,7 @@ use super::number::emit_exact;
 
 /// Expands to the table of a plan's results.
 pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
-    let mut writer = Writer { plan, symbols, depths: depths(plan), steps: TokenStream::new() };
+    let mut writer = PostfixWriter { plan, symbols, depths: depths(plan), steps: TokenStream::new() };
     for output in &plan.outputs {
         writer.node(*output);
         writer.steps.extend(quote!(Done,));
@@ -47,14 +47,14 @@ fn depths(plan: &Plan) -> Vec<usize> {
     depths
 }
 
-struct Writer<'a> {
+struct PostfixWriter<'a> {
     plan: &'a Plan,
     symbols: &'a Symbols,
     depths: Vec<usize>,
     steps: TokenStream,
 }
 
-impl Writer<'_> {
+impl PostfixWriter<'_> {
     fn node(&mut self, node: Node) {
         let index = |k: usize| Literal::usize_unsuffixed(k);
         let step = match self.plan.operations[node.0] {
