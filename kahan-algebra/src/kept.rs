@@ -9,7 +9,7 @@
 
 use crate::field::{Component, Field};
 use crate::plan::{Node, Plan, PlanBuilder};
-use crate::poly::{Polynomial, Variable};
+use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 use crate::symbols::{Symbol, Symbols};
 
@@ -199,7 +199,7 @@ impl Values {
     /// A plan whose inputs may be values, with what they are put in.
     pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
         let mut builder = PlanBuilder::default();
-        let mut nodes = Nodes::of(self);
+        let mut nodes = Nodes::of(self, &|variable| variable);
         let outputs = builder.include_mapped(plan, |builder, variable| match self.place(variable) {
             Some(place) => nodes.value(builder, place),
             None => builder.input(variable),
@@ -229,12 +229,14 @@ impl Gradient {
 /// Values in a plan under construction, each written once.
 struct Nodes<'a> {
     values: &'a Values,
+    /// What the other variables are called in the plan.
+    rename: &'a dyn Fn(Variable) -> Variable,
     known: Vec<Option<Node>>,
 }
 
 impl<'a> Nodes<'a> {
-    fn of(values: &'a Values) -> Self {
-        Nodes { values, known: vec![None; values.values.len()] }
+    fn of(values: &'a Values, rename: &'a dyn Fn(Variable) -> Variable) -> Self {
+        Nodes { values, rename, known: vec![None; values.values.len()] }
     }
 
     fn value(&mut self, builder: &mut PlanBuilder, place: usize) -> Node {
@@ -247,7 +249,7 @@ impl<'a> Nodes<'a> {
             .place(variable)
         {
             Some(place) => self.value(builder, place),
-            None => builder.input(variable),
+            None => builder.input((self.rename)(variable)),
         });
         let node = match value {
             Value::Sum(_) => outputs[0],
@@ -356,15 +358,28 @@ impl Kept {
     /// The field over those values that are free of states, which become parameters. Where a
     /// coefficient vanishes once its values are put in, this is the `field` itself.
     pub(crate) fn over_constants(&self, field: &Field) -> OverConstants {
+        self.over_values_free_of(field, |variable| field.symbols.is_state(variable))
+    }
+
+    /// The same over the values that are free of all that `varies`; where such a thing is divided by,
+    /// the field itself.
+    pub(crate) fn over_values_free_of(
+        &self,
+        field: &Field,
+        varies: impl Fn(Variable) -> bool,
+    ) -> OverConstants {
         let symbols = &field.symbols;
         let mut over = symbols.clone();
         let (mut places, mut moving) = (Vec::new(), Vec::new());
         for (place, value) in self.values.values.iter().enumerate() {
             let is_moving = |variable: &Variable| match self.values.place(*variable) {
                 Some(place) => moving.contains(&place),
-                None => symbols.is_state(*variable),
+                None => varies(*variable),
             };
             if value.polynomial().variables().iter().any(is_moving) {
+                if matches!(value, Value::Reciprocal(_)) {
+                    return OverConstants::plain(field);
+                }
                 moving.push(place);
             } else {
                 over.parameters.push(format!("value {place}"));
@@ -423,7 +438,61 @@ impl Kept {
     }
 }
 
+impl Kept {
+    /// The components in other variables, over values that join the `others`; a variable that stands
+    /// for nothing is 0.
+    pub(crate) fn moved(
+        &self,
+        others: &mut Values,
+        rename: impl Fn(Variable) -> Option<Variable>,
+    ) -> Vec<Polynomial> {
+        let mut moved: Vec<Polynomial> = Vec::with_capacity(self.values.values.len());
+        let in_others = |polynomial: &Polynomial, moved: &[Polynomial]| {
+            let term = |(monomial, coefficient): (&Monomial, &Rational)| {
+                let one = Some(Polynomial::constant(coefficient.clone()));
+                monomial.powers().iter().fold(one, |product, &(variable, exponent)| {
+                    let factor = match self.values.place(variable) {
+                        Some(place) => moved[place].clone(),
+                        None => Polynomial::variable(rename(variable)?),
+                    };
+                    (0..exponent).fold(product, |product, _| Some(&product? * &factor))
+                })
+            };
+            let terms: Vec<Polynomial> = polynomial.terms().filter_map(term).collect();
+            Polynomial::sum_of(terms.iter().map(|term| (false, term)))
+        };
+        for value in &self.values.values {
+            let polynomial = in_others(value.polynomial(), &moved);
+            moved.push(match value {
+                Value::Sum(_) => others.factor(&polynomial),
+                Value::Reciprocal(_) => {
+                    others.reciprocal(&polynomial).expect("values are fewer than 16 bits can number")
+                }
+            });
+        }
+        self.components.iter().map(|component| in_others(component, &moved)).collect()
+    }
+}
+
 impl OverConstants {
+    /// A plan in the variables of a family's line as one without values: `constant` is the index of
+    /// the value that a variable of the plan stands for, `rename` what a variable of the field is
+    /// called in the new plan.
+    pub(crate) fn put_into_line(
+        &self,
+        plan: &Plan,
+        constant: impl Fn(Variable) -> Result<usize, Variable>,
+        rename: &dyn Fn(Variable) -> Variable,
+    ) -> Plan {
+        let mut builder = PlanBuilder::default();
+        let mut nodes = Nodes::of(&self.values, rename);
+        let outputs = builder.include_mapped(plan, |builder, variable| match constant(variable) {
+            Ok(index) => nodes.value(builder, self.places[index]),
+            Err(other) => builder.input(other),
+        });
+        builder.finish(&outputs)
+    }
+
     /// The field itself.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
@@ -444,7 +513,7 @@ impl OverConstants {
             return plan.clone();
         }
         let mut builder = PlanBuilder::default();
-        let mut nodes = Nodes::of(&self.values);
+        let mut nodes = Nodes::of(&self.values, &|variable| variable);
         let first = self.symbols.parameters.len();
         let outputs =
             builder.include_mapped(plan, |builder, variable| match self.field.symbols.symbol(variable) {

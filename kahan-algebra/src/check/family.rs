@@ -32,7 +32,7 @@ pub(crate) fn check_family(
     for name in &names.site_parameters {
         scope.mark_used(name);
     }
-    let (components, _) = equations::expand_all(block, &mut scope, diagnostics);
+    let (components, kept) = equations::expand_all(block, &mut scope, diagnostics);
     let sums = |claims: &[Claim], scope: &mut Scope, diagnostics: &mut Diagnostics| -> Vec<SiteSum> {
         claims.iter().filter_map(|claim| sum(claim, &names.arrays, scope, diagnostics)).collect()
     };
@@ -58,6 +58,7 @@ pub(crate) fn check_family(
         reach: names.reach,
         symbols: scope.symbols,
         components,
+        kept,
         integrals,
         hamiltonian: hamiltonians.into_iter().next(),
         span: head.span,

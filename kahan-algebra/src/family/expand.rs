@@ -1,9 +1,9 @@
 //! A family at a given number of sites, as the plain system that a block of equations gives.
 
 use crate::field::{Component, Field};
-use crate::kept::Kept;
+use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
-use crate::poly::{Monomial, Polynomial};
+use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 use crate::symbols::Symbols;
 use crate::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
@@ -43,7 +43,10 @@ impl Family {
     pub fn at_sites(&self, sites: usize) -> System {
         let symbols = self.symbols_at(sites);
         let mut components = Vec::with_capacity(sites * self.block());
+        let mut values = Values::of(&symbols);
+        let mut kept = Vec::with_capacity(sites * self.block());
         for site in 0..sites {
+            kept.extend(self.kept.moved(&mut values, |of| self.moved_variable(of, site, sites, &symbols)));
             components
                 .extend(self.components.iter().map(|component| self.moved(component, site, sites, &symbols)));
         }
@@ -52,7 +55,7 @@ impl Family {
         System {
             header: self.header.clone(),
             constants: self.constants.clone(),
-            kept: Kept::of(&field),
+            kept: Kept::new(values, kept),
             field,
             written: Vec::new(),
             claims,
@@ -117,6 +120,22 @@ impl Family {
         sites: usize,
         symbols: &Symbols,
     ) -> Option<Monomial> {
+        let mut moved = Monomial::one();
+        for &(variable, exponent) in monomial.powers() {
+            let variable = self.moved_variable(variable, site, sites, symbols)?;
+            moved = moved.mul(&Monomial::power(variable, exponent));
+        }
+        Some(moved)
+    }
+
+    /// `None` beyond the end of an open chain.
+    fn moved_variable(
+        &self,
+        variable: Variable,
+        site: usize,
+        sites: usize,
+        symbols: &Symbols,
+    ) -> Option<Variable> {
         let neighbour = |offset: i64| {
             let place = site as i64 + offset;
             match self.boundary {
@@ -124,19 +143,14 @@ impl Family {
                 Boundary::Open => usize::try_from(place).ok().filter(|place| *place < sites),
             }
         };
-        let mut moved = Monomial::one();
-        for &(variable, exponent) in monomial.powers() {
-            let variable = match self.role(variable) {
-                Role::State { offset, array } => symbols.state(neighbour(offset)? * self.block() + array),
-                Role::Parameter(k) => symbols.parameter(k),
-                Role::SiteParameter { offset, index } => {
-                    symbols.parameter(self.parameters.len() + index * sites + neighbour(offset)?)
-                }
-                Role::Epsilon => symbols.epsilon(),
-            };
-            moved = moved.mul(&Monomial::power(variable, exponent));
-        }
-        Some(moved)
+        Some(match self.role(variable) {
+            Role::State { offset, array } => symbols.state(neighbour(offset)? * self.block() + array),
+            Role::Parameter(k) => symbols.parameter(k),
+            Role::SiteParameter { offset, index } => {
+                symbols.parameter(self.parameters.len() + index * sites + neighbour(offset)?)
+            }
+            Role::Epsilon => symbols.epsilon(),
+        })
     }
 }
 

@@ -1,11 +1,12 @@
 //! The straight lines of one site: its field, its rows of A(x,ε), what its claims sum.
 
 use crate::derived::constant_names;
-use crate::field::Component;
+use crate::field::{Component, Field};
+use crate::kept::OverConstants;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable, gcd};
 use crate::rational::Rational;
-use crate::symbols::Symbols;
+use crate::symbols::{Symbol, Symbols};
 use crate::table::distinct;
 
 use super::{Family, Role, SiteSum};
@@ -49,14 +50,22 @@ impl Family {
     /// The lines of a site. Cost: about as many operations as the equations have.
     #[must_use]
     pub fn lines(&self) -> Lines {
-        let symbols = self.line_symbols();
-        let mut writer = LineWriter { family: self, symbols: &symbols, builder: PlanBuilder::default() };
-        let field: Vec<Node> = self.components.iter().map(|component| writer.quotient(component)).collect();
+        let given = self.line_symbols();
+        let is_of_site = |variable| !matches!(self.role(variable), Role::Parameter(_) | Role::Epsilon);
+        let field = Field { symbols: self.symbols.clone(), components: self.components.clone() };
+        let over = self.kept.over_values_free_of(&field, is_of_site);
+        let components = &over.field.components;
+        let own = self.symbols.parameters.len();
+        let mut symbols = given.clone();
+        symbols.parameters.extend_from_slice(&over.field.symbols.parameters[own..]);
+        let mut writer =
+            LineWriter { family: self, over: &over, symbols: &symbols, builder: PlanBuilder::default() };
+        let field: Vec<Node> = components.iter().map(|component| writer.quotient(component)).collect();
         let center = self.place(0, 0);
         let mut entries = Vec::new();
         let mut nodes = Vec::new();
         let (mut lower, mut upper) = (0, 0);
-        for (row, component) in self.components.iter().enumerate() {
+        for (row, component) in components.iter().enumerate() {
             for column in self.with_diagonal(row) {
                 let slope = component.numerator.derivative(self.symbols.state(column));
                 nodes.push(writer.entry(&slope, &component.denominator, column == center + row));
@@ -74,9 +83,16 @@ impl Family {
             outputs: all.outputs[range].to_vec(),
             operations: all.operations.clone(),
         };
-        let names = constant_names(&constants, &symbols);
-        let given = Symbols { states: symbols.states.clone(), parameters: symbols.parameters };
-        let symbols = Symbols { states: symbols.states, parameters: names };
+        let constant = |variable| match symbols.symbol(variable) {
+            Symbol::Parameter(k) if k >= self.parameters.len() => Ok(k - self.parameters.len()),
+            symbol => Err(given.variable(symbol)),
+        };
+        let constants = over.put_into_line(&constants, constant, &|variable| match self.role(variable) {
+            Role::Parameter(k) => given.parameter(k),
+            _ => unreachable!("such values are made of parameters of the chain"),
+        });
+        let names = constant_names(&constants, &given);
+        let symbols = Symbols { states: given.states.clone(), parameters: names };
         let read = |operation: &Operation| match operation {
             Operation::Prepared(place) => Operation::Input(symbols.parameter(*place)),
             other => other.clone(),
@@ -139,6 +155,8 @@ impl Family {
 
 struct LineWriter<'a> {
     family: &'a Family,
+    /// The field over its constants.
+    over: &'a OverConstants,
     symbols: &'a Symbols,
     builder: PlanBuilder,
 }
@@ -147,7 +165,13 @@ impl LineWriter<'_> {
     /// A variable of the family in the line.
     fn renamed(&self, variable: Variable) -> Variable {
         let family = self.family;
-        match family.role(variable) {
+        let symbol = self.over.field.symbols.symbol(variable);
+        if let Symbol::Parameter(k) = symbol
+            && let Some(value) = k.checked_sub(family.symbols.parameters.len())
+        {
+            return self.symbols.parameter(family.parameters.len() + value);
+        }
+        match family.role(family.symbols.variable(symbol)) {
             Role::State { offset, array } => self.symbols.state(family.place(offset, array)),
             Role::Parameter(k) => self.symbols.parameter(k),
             Role::SiteParameter { offset, index } => {

@@ -12,6 +12,7 @@ mod linear;
 mod tests;
 
 use crate::field::Component;
+use crate::kept::Kept;
 use crate::poly::Variable;
 use crate::rational::Rational;
 use crate::render::{Notation, Text};
@@ -43,6 +44,8 @@ pub struct Family {
     pub symbols: Symbols,
     /// The field at site i, a component an array.
     pub components: Vec<Component>,
+    /// The same with the sums and divisors that were written.
+    pub kept: Kept,
     /// Linear integrals, as sums over all sites.
     pub integrals: Vec<SiteSum>,
     /// The Hamiltonian, as a sum over all sites.

@@ -18,8 +18,10 @@ use std::path::Path;
 
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float64};
 use kahan_algebra::interpret::{Interpreter, Point};
+use kahan_algebra::lexer::lex;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::read;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 
@@ -528,4 +530,34 @@ fn the_digits_of_the_text_are_kept() {
         println!("{object}: {middle:.1} E in the median, {most:.1e} E at most");
     }
     assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// A chain of a family against its text, written out site by site.
+#[test]
+fn the_digits_of_a_family_are_kept_at_every_number_of_sites() {
+    let site = "{x}*({right} - {left})/(p - q) + (p - q)*{x}/(1 + p) - {x}/(1 + p)";
+    let family = site.replace("{x}", "x[i]").replace("{right}", "x[i+1]").replace("{left}", "x[i-1]");
+    let text = format!("for i in periodic {{ x[i]dot = {family}; }}");
+    let family = read(&lex(&text).tokens).family().expect("no mistake").expect("a family");
+    for sites in 3..6_usize {
+        let at = |site: usize| format!("x{}", site % sites);
+        let equation = |i: usize| {
+            let [x, right, left] = [at(i), at(i + 1), at(i + sites - 1)];
+            let site = site.replace("{x}", &x).replace("{right}", &right).replace("{left}", &left);
+            format!("{x}dot = {site};")
+        };
+        let (chain, name) = ((0..sites).map(equation).collect::<String>(), format!("{sites} sites"));
+        let system = family.at_sites(sites);
+        let mut draw = Draw::of(&name, sites);
+        let points = (0..20 * POINTS).map(|_| {
+            let q = draw.between(0.5, 2.0);
+            let parameters = vec![q + 1e-9 * draw.between(0.5, 1.0), q];
+            let state = (0..sites).map(|_| draw.between(-2.0, 2.0)).collect();
+            Point { state, parameters, eps: draw.between(0.01, 0.2) }
+        });
+        let losses = Subject::new(&name, &chain, &system).losses(points, POINTS);
+        for (object, lost) in &losses.0 {
+            assert!(!Losses::fail(lost), "{object} of {name}: {:.1e} at most", largest(lost.clone()));
+        }
+    }
 }

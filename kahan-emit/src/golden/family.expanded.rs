@@ -39,22 +39,19 @@ const _: () = {
             let __p_h = lift(&self.h);
             let __c_1_2 = __kahan::ratio::<L>(1, 2);
             let __t_h_squared = __p_h.clone() * __p_h.clone();
-            let __t_h_h_squared = __p_h.clone() * __t_h_squared.clone();
-            let __reciprocal_1 = __c_1_2.clone().quotient(__t_h_h_squared.clone())?;
-            let __reciprocal_2 = __kahan::ratio::<L>(3, 2).quotient(__p_h.clone())?;
-            let __quotient_1 = (__c_1_2.clone() * eps.clone())
-                .quotient(__t_h_h_squared.clone())?;
-            let __quotient_2 = eps.clone().quotient(__t_h_h_squared)?;
-            let __quotient_3 = (eps * __kahan::integer::<L>(3)).quotient(__p_h)?;
+            let __reciprocal_1 = (__p_h.clone() * __t_h_squared.clone()).reciprocal()?;
+            let __product_1 = __c_1_2.clone() * __reciprocal_1.clone();
+            let __reciprocal_2 = __p_h.reciprocal()?;
+            let __product_2 = __product_1.clone() * eps.clone();
             let __reciprocal_3 = __c_1_2.quotient(__t_h_squared)?;
             __kahan::Some(
                 __kahan::Vec::from([
-                    __reciprocal_1,
-                    __reciprocal_2,
-                    __quotient_1.clone(),
-                    -__quotient_1,
-                    __quotient_3,
-                    __quotient_2,
+                    __product_1,
+                    __kahan::ratio::<L>(3, 2) * __reciprocal_2.clone(),
+                    __product_2.clone(),
+                    -__product_2,
+                    eps.clone() * (__reciprocal_2 * __kahan::integer::<L>(3)),
+                    __reciprocal_1 * eps,
                     __reciprocal_3,
                 ]),
             )
