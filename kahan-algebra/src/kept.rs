@@ -439,26 +439,21 @@ impl Kept {
 }
 
 impl Kept {
-    /// The components in other variables, over values that join the `others`; a variable that stands
-    /// for nothing is 0.
-    pub(crate) fn moved(
-        &self,
-        others: &mut Values,
-        rename: impl Fn(Variable) -> Option<Variable>,
-    ) -> Vec<Polynomial> {
+    /// The components with something put in for each variable, over values that join the `others`.
+    pub(crate) fn with(&self, others: &mut Values, put: impl Fn(Variable) -> Polynomial) -> Vec<Polynomial> {
         let mut moved: Vec<Polynomial> = Vec::with_capacity(self.values.values.len());
         let in_others = |polynomial: &Polynomial, moved: &[Polynomial]| {
             let term = |(monomial, coefficient): (&Monomial, &Rational)| {
-                let one = Some(Polynomial::constant(coefficient.clone()));
+                let one = Polynomial::constant(coefficient.clone());
                 monomial.powers().iter().fold(one, |product, &(variable, exponent)| {
                     let factor = match self.values.place(variable) {
                         Some(place) => moved[place].clone(),
-                        None => Polynomial::variable(rename(variable)?),
+                        None => put(variable),
                     };
-                    (0..exponent).fold(product, |product, _| Some(&product? * &factor))
+                    (0..exponent).fold(product, |product, _| &product * &factor)
                 })
             };
-            let terms: Vec<Polynomial> = polynomial.terms().filter_map(term).collect();
+            let terms: Vec<Polynomial> = polynomial.terms().map(term).collect();
             Polynomial::sum_of(terms.iter().map(|term| (false, term)))
         };
         for value in &self.values.values {

@@ -2,7 +2,7 @@
 //! are put in.
 
 use crate::field::{Component, Field};
-use crate::kept::Kept;
+use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
 use crate::poly::{Polynomial, Variable};
 use crate::rational::Rational;
@@ -57,11 +57,12 @@ impl System {
         let specialisation = Specialisation { field: &self.field, new: &symbols, relations };
         let components = self.field.components.iter().map(|component| specialisation.component(component));
         let components = components.collect::<Option<Vec<_>>>()?;
+        let kept = specialisation.kept(&self.kept, &components);
         let field = Field { symbols, components };
         Some(System {
             header: self.header.clone(),
             constants: self.constants.clone(),
-            kept: Kept::of(&field),
+            kept: kept.unwrap_or_else(|| Kept::of(&field)),
             field,
             written: Vec::new(),
             claims: Vec::new(),
@@ -107,6 +108,23 @@ impl Specialisation<'_> {
             numerator: quotient.numerator().clone(),
             denominator: quotient.denominator().clone(),
         })
+    }
+
+    /// What is kept of these components; `None` where a relation fixes a quotient, and where what was
+    /// divided by is gone from them.
+    fn kept(&self, kept: &Kept, components: &[Component]) -> Option<Kept> {
+        let mut values = Values::of(self.new);
+        let put = |variable| match self.relations.value(variable) {
+            Some(value) => Some(self.polynomial(value.as_polynomial()?)),
+            None => Some(Polynomial::variable(self.renamed(variable))),
+        };
+        let old = self.field.symbols.parameters.len();
+        (0..old).try_for_each(|k| put(self.field.symbols.parameter(k)).map(drop))?;
+        let kept = kept.with(&mut values, |variable| put(variable).expect("every value is a polynomial"));
+        let is_free = |(kept, component): (&Polynomial, &Component)| {
+            values.divide_only_by(kept, &component.denominator)
+        };
+        kept.iter().zip(components).all(is_free).then(|| Kept::new(values.clone(), kept.clone()))
     }
 
     fn claim(&self, claim: &Claim) -> Option<Claim> {

@@ -46,7 +46,10 @@ impl Family {
         let mut values = Values::of(&symbols);
         let mut kept = Vec::with_capacity(sites * self.block());
         for site in 0..sites {
-            kept.extend(self.kept.moved(&mut values, |of| self.moved_variable(of, site, sites, &symbols)));
+            kept.extend(self.kept.with(&mut values, |variable| {
+                let moved = self.moved_variable(variable, site, sites, &symbols);
+                moved.map_or_else(Polynomial::zero, Polynomial::variable)
+            }));
             components
                 .extend(self.components.iter().map(|component| self.moved(component, site, sites, &symbols)));
         }

@@ -561,3 +561,23 @@ fn the_digits_of_a_family_are_kept_at_every_number_of_sites() {
         }
     }
 }
+
+/// A system with values for some of its parameters against its text with these numbers.
+#[test]
+fn the_digits_of_a_text_are_kept_where_parameters_have_values() {
+    let text = "xdot = (x - a)*(y - 1)/(p - q) + x/(a + q); ydot = (1 + a)*(x - y)^2/q;";
+    let system = super::system(text).specialise(&[(0, Rational::one())]).expect("defined there");
+    assert_eq!(system.field.symbols.parameters, ["p", "q"]);
+    let mut draw = Draw::of("values", 0);
+    let points = (0..20 * POINTS).map(|_| {
+        let q = draw.between(0.5, 2.0);
+        let state = (0..2).map(|_| 1.0 + 1e-8 * draw.between(-1.0, 1.0)).collect();
+        let parameters = vec![q + 1e-9 * draw.between(0.5, 1.0), q];
+        Point { state, parameters, eps: draw.between(0.01, 0.2) }
+    });
+    let with_numbers = text.replace('a', "1");
+    let losses = Subject::new("values", &with_numbers, &system).losses(points, POINTS);
+    for (object, lost) in &losses.0 {
+        assert!(!Losses::fail(lost), "{object}: {:.1e} at most", largest(lost.clone()));
+    }
+}
