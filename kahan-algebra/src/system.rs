@@ -107,9 +107,7 @@ impl Claim {
             else {
                 return builder.input(variable);
             };
-            let above = builder.polynomial(condition.value.numerator());
-            let below = builder.polynomial(condition.value.denominator());
-            builder.divide(above, below)
+            builder.quotient(condition.value.numerator(), condition.value.denominator())
         });
         builder.finish(&outputs)
     }

@@ -1,21 +1,24 @@
 //! Everything of a system that is evaluated, as straight-line plans: they are assembled here and
 //! nowhere else.
 //!
-//! In: a checked system. Out: a [`Derived`], in which each plan has a name. Whoever writes code,
-//! runs a map, proves or prints reads it from there, so that all of them compute the same
-//! operations in the same order.
+//! In: a checked system. Out: a [`Derived`], in which each plan has a name; of a family its
+//! [`Lines`], for a proof the [scheme](Scheme). Whoever writes code, runs a map, proves or prints
+//! reads it from there, so that all of them compute the same operations in the same order.
 
+mod lines;
 mod listing;
 mod names;
+mod scheme;
 
 use std::sync::OnceLock;
 
+pub use lines::{Lines, Place};
 pub use listing::StepListing;
 pub use names::{StepName, StepNames, constant_names};
+pub(crate) use scheme::Scheme;
 
 use crate::arithmetic::Arithmetic;
 use crate::elimination::{Couplings, MOST_EXPANDED};
-use crate::field::Field;
 use crate::kahan::{RationalMap, bilinear_form, matrix_of, polarization, scaled_rhs};
 use crate::kept::OverConstants;
 use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
@@ -88,17 +91,19 @@ pub fn derive(system: &System) -> Derived {
     let (values, slopes) = kept.jacobian(&field.symbols);
     let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
     let single = |plan: &Plan| Plan::together([plan]);
-    let constant =
-        |polynomials: &[Polynomial]| over.put_into(&over_divisors(&over.field, by_components(polynomials)));
+    let over_divisors = |polynomials: Vec<Polynomial>| {
+        let divisors = over.field.components.iter().map(|component| &component.denominator);
+        over.put_into(&quotients(polynomials.iter().zip(divisors)))
+    };
     Derived {
         divisors: kept.divisors(),
         field: kept.plan(),
         field_jacobian: values.plan(slopes.iter().flatten()),
-        bilinear: constant(&bilinear_form(&over.field)),
-        polarized: constant(&polarization(&over.field)),
+        bilinear: over_divisors(bilinear_form(&over.field)),
+        polarized: over_divisors(polarization(&over.field)),
         matrix: values
             .plan(matrix_of(slopes.clone(), field.symbols.epsilon(), |_| Polynomial::one()).iter().flatten()),
-        rhs: constant(&scaled_rhs(&over.field)),
+        rhs: over_divisors(scaled_rhs(&over.field)),
         det_matrix: planned.with_map(|map| over_product(map, [&map.denominator])),
         rational_map: planned
             .with_map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
@@ -241,33 +246,15 @@ impl Derived {
     }
 }
 
-/// These numerators, each over what the component of the field with its index divides by.
-fn over_divisors<'a>(field: &Field, numerators: impl IntoIterator<Item = (&'a Polynomial, usize)>) -> Plan {
+/// These polynomials, each over its own divisor.
+fn quotients<'a>(quotients: impl IntoIterator<Item = (&'a Polynomial, &'a Polynomial)>) -> Plan {
     let mut builder = PlanBuilder::default();
-    let mut outputs: Vec<Node> = Vec::new();
-    for (numerator, component) in numerators {
-        let above = builder.polynomial(numerator);
-        let below = builder.polynomial(&field.components[component].denominator);
-        outputs.push(builder.divide(above, below));
-    }
+    let quotients = quotients.into_iter().map(|(above, below)| builder.quotient(above, below));
+    let outputs: Vec<Node> = quotients.collect();
     builder.finish(&outputs)
-}
-
-/// One numerator a component.
-fn by_components<'a>(
-    numerators: impl IntoIterator<Item = &'a Polynomial>,
-) -> impl Iterator<Item = (&'a Polynomial, usize)> {
-    numerators.into_iter().zip(0..)
 }
 
 /// These polynomials over ∏q.
-fn over_product<'a>(map: &RationalMap, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
-    let mut builder = PlanBuilder::default();
-    let below = builder.polynomial(&map.divisor);
-    let mut outputs: Vec<Node> = Vec::new();
-    for polynomial in polynomials {
-        let above = builder.polynomial(polynomial);
-        outputs.push(builder.divide(above, below));
-    }
-    builder.finish(&outputs)
+fn over_product<'a>(map: &'a RationalMap, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
+    quotients(polynomials.into_iter().map(|polynomial| (polynomial, &map.divisor)))
 }

@@ -72,9 +72,7 @@ impl Family {
         let mut terms = Vec::with_capacity(sites);
         for site in 0..sites {
             let density = self.moved(&sum.density, site, sites, symbols);
-            let above = builder.polynomial(&density.numerator);
-            let below = builder.polynomial(&density.denominator);
-            let term = builder.divide(above, below);
+            let term = builder.quotient(&density.numerator, &density.denominator);
             total = builder.add(total, term);
             terms.push(density);
         }

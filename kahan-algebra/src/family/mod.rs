@@ -1,12 +1,11 @@
 //! A family: the same equations at every site of a chain, for any number of sites.
 //!
-//! In: a checked family. Out: its straight lines for one site ([`Lines`]), the plain system of a
+//! In: a checked family. Out: its straight lines for one site ([`Lines`](crate::derived::Lines)), the plain system of a
 //! chain of n sites ([`Family::at_sites`]), and what its map keeps whatever n is ([`conserved`]).
 
 pub mod conserved;
 mod expand;
 mod hamiltonian;
-mod line;
 mod linear;
 #[cfg(test)]
 mod tests;
@@ -19,8 +18,6 @@ use crate::render::{Notation, Text};
 use crate::symbols::{Symbol, Symbols};
 use crate::syntax::{Boundary, Expr, Header, Name};
 use crate::token::Span;
-
-pub use line::{Lines, Place};
 
 /// A family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ), checked.
 #[derive(Clone, Debug)]

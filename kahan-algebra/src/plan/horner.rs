@@ -33,6 +33,13 @@ impl PlanBuilder {
         self.add(rest, product)
     }
 
+    /// A quotient of two polynomials, each in nested form.
+    pub fn quotient(&mut self, above: &Polynomial, below: &Polynomial) -> Node {
+        let above = self.polynomial(above);
+        let below = self.polynomial(below);
+        self.divide(above, below)
+    }
+
     fn scaled_by_monomial(&mut self, polynomial: &Polynomial, common: &Monomial) -> Node {
         let quotient = polynomial.div_monomial(common).expect("all terms have it in common");
         let inner = self.polynomial(&quotient);

@@ -18,13 +18,14 @@ pub use normal_form::prove_by_normal_form;
 pub use refute::Refutation;
 pub use sizes::{ERROR_EXPONENT, points_needed};
 
+use crate::derived::Scheme;
 use crate::diagnostics::{Diagnostics, Kind};
 use crate::prime_field::Shake256;
 use crate::render::condition_text;
 use crate::syntax::ClaimKind;
 use crate::system::{Claim, Condition, System};
 
-use sample::{Samples, Scheme};
+use sample::Samples;
 
 /// What is known of a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,13 +2,14 @@
 //! derived in [`super::sizes`].
 
 use crate::arithmetic::{Arithmetic, Exact};
+use crate::derived::Scheme;
 use crate::syntax::ClaimKind;
 use crate::system::Claim;
 
 use super::Verdict;
 use super::refute::{Refutation, refute};
 use super::residual::{gradients, pairs};
-use super::sample::{MOST_DRAWS, Sample, Samples, Scheme};
+use super::sample::{MOST_DRAWS, Sample, Samples};
 use super::sizes::points_for;
 
 /// On what a proof rests.

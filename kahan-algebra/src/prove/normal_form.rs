@@ -2,6 +2,7 @@
 //! expanding their difference. Independent of the modular proof, and of any probability.
 
 use crate::arithmetic::{Arithmetic, Function, Functions};
+use crate::derived::Scheme;
 use crate::kahan::RationalMap;
 use crate::plan::PlanBuilder;
 use crate::poly::{Budget, Polynomial, Variable};
@@ -10,7 +11,7 @@ use crate::relations::put_into;
 use crate::system::{Claim, System};
 
 use super::residual::pairs;
-use super::sample::{Sample, Scheme, impose, rows, run};
+use super::sample::{Sample, impose, rows, run};
 
 /// Terms of any intermediate result, and products of terms in all: about a second at worst, with
 /// long coefficients.

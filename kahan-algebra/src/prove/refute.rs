@@ -2,6 +2,7 @@
 //! differ.
 
 use crate::arithmetic::{Arithmetic, Exact, solve};
+use crate::derived::Scheme;
 use crate::prime_field::SplitMix64;
 use crate::rational::Rational;
 use crate::symbols::Symbols;
@@ -9,7 +10,7 @@ use crate::syntax::ClaimKind;
 use crate::system::{Claim, upper_index};
 
 use super::residual::{Place, congruence, pairs};
-use super::sample::{Sample, Scheme, run, small_point, take_step};
+use super::sample::{Sample, run, small_point, take_step};
 
 /// Heights searched, and points tried at each.
 const HIGHEST: u64 = 24;

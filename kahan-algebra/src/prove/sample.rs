@@ -1,40 +1,12 @@
 //! One step of the map at one point, in any field, with all that claims are tested on.
 
 use crate::arithmetic::{Arithmetic, Exact, Modular, determinant, solve};
-use crate::field::Field;
-use crate::kahan::scaled_matrix;
+use crate::derived::Scheme;
 use crate::plan::{Plan, PlanBuilder};
 use crate::poly::Variable;
 use crate::prime_field::{PrimeField, Random, Shake256};
 use crate::rational::Rational;
-use crate::symbols::Symbols;
 use crate::system::Condition;
-
-/// What a step needs, as plans: the numerators p of the field and the matrix Â.
-pub(super) struct Scheme {
-    pub(super) symbols: Symbols,
-    pub(super) numerators: Plan,
-    pub(super) matrix: Plan,
-    /// The number of variables: states, parameters and ε.
-    pub(super) variables: usize,
-}
-
-impl Scheme {
-    pub(super) fn of(field: &Field) -> Self {
-        let mut builder = PlanBuilder::default();
-        let numerators: Vec<_> = field.components.iter().map(|c| builder.polynomial(&c.numerator)).collect();
-        let numerators = builder.finish(&numerators);
-        let entries: Vec<_> =
-            scaled_matrix(field).iter().flatten().map(|entry| builder.polynomial(entry)).collect();
-        let matrix = builder.finish(&entries);
-        let variables = usize::from(field.symbols.epsilon().0) + 1;
-        Scheme { symbols: field.symbols.clone(), numerators, matrix, variables }
-    }
-
-    pub(super) fn dimension(&self) -> usize {
-        self.symbols.dimension()
-    }
-}
 
 /// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).
 pub(super) struct Sample<V> {
@@ -147,9 +119,7 @@ pub(super) fn impose<A: Arithmetic>(
 ) -> Option<()> {
     for condition in conditions {
         let mut builder = PlanBuilder::default();
-        let numerator = builder.polynomial(condition.value.numerator());
-        let denominator = builder.polynomial(condition.value.denominator());
-        let value = builder.divide(numerator, denominator);
+        let value = builder.quotient(condition.value.numerator(), condition.value.denominator());
         here[usize::from(condition.variable.0)] = run(arithmetic, &builder.finish(&[value]), here)?.pop()?;
     }
     Some(())

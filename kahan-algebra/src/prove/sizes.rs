@@ -18,10 +18,11 @@
 //! come from running the very same residuals in the arithmetic of sizes ([`Sizes`]).
 
 use crate::arithmetic::{Arithmetic, Size, Sizes};
+use crate::derived::Scheme;
 use crate::system::Claim;
 
 use super::residual::pairs;
-use super::sample::{Sample, Scheme, impose, rows, run};
+use super::sample::{Sample, impose, rows, run};
 
 /// The error of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;

@@ -9,7 +9,8 @@
 //! };
 //! ```
 
-use kahan_algebra::family::{Family, Lines};
+use kahan_algebra::derived::Lines;
+use kahan_algebra::family::Family;
 use kahan_algebra::plan::Plan;
 use kahan_algebra::render::expression_text;
 use kahan_algebra::symbols::{Symbol, Symbols};

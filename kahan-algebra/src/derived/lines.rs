@@ -1,6 +1,5 @@
 //! The straight lines of one site: its field, its rows of A(x,ε), what its claims sum.
 
-use crate::derived::constant_names;
 use crate::field::{Component, Field};
 use crate::kept::OverConstants;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
@@ -9,7 +8,9 @@ use crate::rational::Rational;
 use crate::symbols::{Symbol, Symbols};
 use crate::table::distinct;
 
-use super::{Family, Role, SiteSum};
+use crate::family::{Family, Role, SiteSum};
+
+use super::names::constant_names;
 
 /// Where an entry of A stands: the row of an array, and the column among the values that a site
 /// sees.
