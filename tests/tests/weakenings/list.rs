@@ -26,6 +26,8 @@ const PAIRS: &str = "-p kahan-core --features exact --lib -- dd::bounds";
 const MODERATE: &str = "kahan-core/src/scalar/dd/moderate.rs";
 const DEGREES: &str = "-p kahan-discover --lib -- thiele";
 const RELATIONS: &str = "-p kahan-algebra --test conditional_claims";
+const KEPT: &str = "-p kahan-algebra --test kept";
+const TEXTS: &str = "-p kahan-algebra --test object_plans";
 const SCANS: &str = "-p kahan-discover --test scans";
 const ECHELONS: &str = "-p kahan-discover --lib -- matrix modulus";
 const REFERENCES: &str = "-p kahan-measure --lib -- reference";
@@ -258,4 +260,26 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     Weakening { name: "a claim on a relation that holds without it", file: "kahan-discover/src/scan/proposals.rs", tests: SCANS,
         text: "if self.claims.is_proved(&claim(&fixed)) || !self.claims.is_proved(&on_relation) {",
         weaker: "if !self.claims.is_proved(&on_relation) {" },
+    // What is kept of a text.
+    Weakening { name: "a sum in which a name cancels and that stands", file: "kahan-algebra/src/check/expand.rs", tests: KEPT,
+        text: "if extents.into_iter().all(still_has) { sum } else { self.expanded(sum) }",
+        weaker: "{ let _ = extents.into_iter().all(still_has); sum }" },
+    Weakening { name: "a divisor that is none of the field's", file: "kahan-algebra/src/check/expand.rs", tests: KEPT,
+        text: "kept.filter(|kept| self.values.divide_only_by(kept, &denominator))",
+        weaker: "kept" },
+    Weakening { name: "a map over values that is less reduced", file: "kahan-algebra/src/kahan/rational_map.rs", tests: KEPT,
+        text: "degrees(self, symbols) == degrees(other, others)",
+        weaker: "degrees(self, symbols).len() == degrees(other, others).len()" },
+    Weakening { name: "products that are expanded", file: "kahan-algebra/src/check/expand.rs", tests: TEXTS,
+        text: "Some(&self.values.factor(a.kept()) * &self.values.factor(b.kept()))",
+        weaker: "Some(a.kept() * b.kept())" },
+    Weakening { name: "steps from sums that are expanded", file: "kahan-algebra/src/plan/step.rs", tests: TEXTS,
+        text: "kept.needs_sums(&field.symbols) && ",
+        weaker: "kept.needs_sums(&field.symbols) && false && " },
+    Weakening { name: "a chain that keeps nothing of its family", file: "kahan-algebra/src/family/expand.rs", tests: TEXTS,
+        text: "Kept::new(values, kept)",
+        weaker: "Kept::of(&field)" },
+    Weakening { name: "a system with values that keeps nothing", file: "kahan-algebra/src/specialise.rs", tests: TEXTS,
+        text: "kept.unwrap_or_else(|| Kept::of(&field))",
+        weaker: "kept.filter(|_| false).unwrap_or_else(|| Kept::of(&field))" },
 ];
