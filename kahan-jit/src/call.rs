@@ -6,15 +6,32 @@
 
 use std::marker::PhantomData;
 
-use crate::Refusal;
+use crate::lowering::Ends;
 use crate::pages::Pages;
+use crate::{Program, Refusal};
 
-/// How many numbers code reads and writes at least.
+/// How much code reads and writes at least.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
+    /// How many numbers a register holds; the others are so many registers.
+    pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
     pub(crate) results: usize,
+}
+
+impl Extent {
+    /// That of a program; results that do not lie elsewhere become the states.
+    pub(crate) fn of(program: &Program, width: usize, ends: Ends) -> Self {
+        let results = program.results().len();
+        let states = if ends == Ends::Elsewhere { program.states() } else { results };
+        Extent { width, states, constants: program.constants(), results }
+    }
+
+    /// How many numbers the states, the constants and the results are.
+    pub(crate) fn numbers(self) -> [usize; 3] {
+        [self.states, self.constants, self.results].map(|registers| registers * self.width)
+    }
 }
 
 /// Code in memory, and what it needs.
@@ -37,14 +54,14 @@ impl<T> Code<T> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
 
-    /// How many numbers the results are.
-    pub(crate) fn results(&self) -> usize {
-        self.extent.results
+    /// How much it reads and writes.
+    pub(crate) fn extent(&self) -> Extent {
+        self.extent
     }
 
     /// Runs the code of a [`Function`](crate::Function).
     pub(crate) fn function(&self, states: &[T], constants: &[T], results: &mut [T]) {
-        let Extent { states: s, constants: c, results: r } = self.extent;
+        let [s, c, r] = self.extent.numbers();
         assert!(
             states.len() >= s && constants.len() >= c && results.len() >= r,
             "{s} states, {c} constants and room for {r} results, not {}, {} and {}",
@@ -91,7 +108,7 @@ impl<T> Code<T> {
     }
 
     fn check_orbit(&self, state: &[T], constants: &[T]) {
-        let Extent { states: s, constants: c, .. } = self.extent;
+        let [s, c, _] = self.extent.numbers();
         assert!(
             state.len() >= s && constants.len() >= c,
             "{s} states and {c} constants, not {} and {}",
@@ -100,24 +117,18 @@ impl<T> Code<T> {
         );
     }
 
-    /// Runs the code of a [`Sweep`](crate::Sweep) over columns of `len` numbers, `width` at once,
-    /// `steps` times; the constants are `stride` numbers further on for each register.
-    pub(crate) fn sweep(
-        &self,
-        columns: &mut [impl AsMut<[T]>],
-        width: usize,
-        constants: (&[T], usize),
-        steps: u64,
-    ) {
+    /// Runs the code of a [`Sweep`](crate::Sweep) over columns, `steps` times; constants are the same
+    /// for all registers, or each register's `own`.
+    pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
         /// Columns of nearly every field: a larger table takes longer to clear than their step.
         const FEW: usize = 32;
         /// More variables are stepped by other means.
         const MOST: usize = 256;
 
         if columns.len() <= FEW {
-            self.sweep_by([0; FEW], columns, width, constants, steps);
+            self.sweep_by([0; FEW], columns, constants, own, steps);
         } else {
-            self.sweep_by([0; MOST], columns, width, constants, steps);
+            self.sweep_by([0; MOST], columns, constants, own, steps);
         }
     }
 
@@ -126,11 +137,11 @@ impl<T> Code<T> {
         &self,
         mut table: [usize; ROOM],
         columns: &mut [impl AsMut<[T]>],
-        width: usize,
-        (constants, stride): (&[T], usize),
+        constants: &[T],
+        own: bool,
         steps: u64,
     ) {
-        let Extent { states: s, constants: c, .. } = self.extent;
+        let Extent { width, states: s, .. } = self.extent;
         assert!(columns.len() >= s && columns.len() <= ROOM, "{s} columns, not {}", columns.len());
         let len = columns.first_mut().map_or(0, |column| column.as_mut().len());
         assert!(len.is_multiple_of(width), "columns of whole registers");
@@ -142,6 +153,8 @@ impl<T> Code<T> {
         if len == 0 || steps == 0 {
             return;
         }
+        let [_, c, _] = self.extent.numbers();
+        let stride = if own { c } else { 0 };
         let most = (len / width - 1).saturating_mul(stride).saturating_add(c);
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
         let bytes = |numbers: usize| numbers * size_of::<T>();

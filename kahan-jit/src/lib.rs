@@ -6,7 +6,7 @@
 //! the program's, so are the bits: those of generated Rust, without fused multiply-adds or with
 //! them. It must not know what the numbers mean.
 //!
-//! Modules in reading order: `program`, `lines`, `allocation`, `assembler`, `routine`, `pages`,
+//! Modules in reading order: `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`,
 //! `call`. `call` enters code, and each file of `routine` vouches for the code that it writes:
 //! these four hold all of the `unsafe` code, beside pages that tests forbid.
 
@@ -14,7 +14,7 @@ mod allocation;
 mod assembler;
 mod call;
 mod instructions;
-mod lines;
+mod lowering;
 mod pages;
 mod program;
 mod refusal;

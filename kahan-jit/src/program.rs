@@ -4,14 +4,14 @@
 //! numbers mean is not known here.
 
 /// One instruction; operands are the indices of earlier ones.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Instruction {
     /// An entry of the states.
     State(usize),
     /// An entry of the constants.
     Constant(usize),
-    /// A number; single precision takes the nearest one it has.
-    Literal(f64),
+    /// A number, by its bits in double precision; single precision takes the nearest one it has.
+    Literal(u64),
     /// a + b
     Add(usize, usize),
     /// a − b
@@ -37,7 +37,7 @@ pub enum Instruction {
 use Instruction::*;
 
 /// Straight-line instructions with several results.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program {
     pub(crate) instructions: Vec<Instruction>,
     pub(crate) results: Vec<usize>,
@@ -103,16 +103,31 @@ impl Program {
 }
 
 impl Instruction {
+    /// A number.
+    #[must_use]
+    pub fn literal(value: f64) -> Self {
+        Literal(value.to_bits())
+    }
+
     /// The operands in order.
-    pub(crate) fn operands(&self) -> impl Iterator<Item = usize> + use<> {
-        let operands = match *self {
+    pub(crate) fn operands(mut self) -> impl Iterator<Item = usize> {
+        self.operands_mut().map(Option::<&mut usize>::copied).into_iter().flatten()
+    }
+
+    /// The same instruction on other operands.
+    pub(crate) fn with_operands(mut self, rename: impl Fn(usize) -> usize) -> Self {
+        self.operands_mut().into_iter().flatten().for_each(|operand| *operand = rename(*operand));
+        self
+    }
+
+    fn operands_mut(&mut self) -> [Option<&mut usize>; 3] {
+        match self {
             State(_) | Constant(_) | Literal(_) => [None, None, None],
             Negate(a) | Copy(a) | RoundToSingle(a) => [Some(a), None, None],
             Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) => [Some(a), Some(b), None],
             MultiplyAdd(a, b, c) | MultiplySubtract(a, b, c) | SubtractProduct(a, b, c) => {
                 [Some(a), Some(b), Some(c)]
             }
-        };
-        operands.into_iter().flatten()
+        }
     }
 }

@@ -2,36 +2,29 @@
 
 use crate::assembler::Vector;
 
-use super::{Operand, Operation, Place};
+use super::{Allocation, MachineInstruction, Operand, Place};
 
 /// Moves result i, which stands in `sources[i]`, into register i, for all i. `registers` is how
 /// many registers may be written to; where all of them are taken, a circle goes through a slot.
-pub(super) fn carry(
-    sources: &[Operand],
-    registers: usize,
-    slots: &mut usize,
-    operations: &mut Vec<Operation>,
-) {
-    let mut moves: Vec<(Vector, Operand)> = sources
-        .iter()
-        .enumerate()
-        .map(|(i, source)| (Vector(i as u8), *source))
-        .filter(|(to, source)| *source != Operand::Register(*to))
-        .collect();
+pub(super) fn carry(sources: Vec<Operand>, registers: usize, code: &mut Allocation) {
+    let states = sources.len();
+    let mut moves: Vec<(Vector, Operand)> =
+        (0..).map(Vector).zip(sources).filter(|(to, source)| *source != Operand::Register(*to)).collect();
     while let Some(place) = next(&moves) {
         let (to, source) = moves[place];
         let still_read = moves.iter().any(|(_, source)| *source == Operand::Register(to));
         if still_read {
             // A circle: what is in the way goes elsewhere first.
-            let elsewhere = match spare(&moves, sources.len(), registers) {
+            let elsewhere = match spare(&moves, states, registers) {
                 Some(register) => {
-                    operations.push(Operation::Copy(register, to));
+                    code.round.push(MachineInstruction::Copy(register, to));
                     Operand::Register(register)
                 }
                 None => {
-                    operations.push(Operation::Store(Place::Slot(*slots), to));
-                    *slots += 1;
-                    Operand::Memory(Place::Slot(*slots - 1))
+                    let slot = Place::Slot(code.slots);
+                    code.round.push(MachineInstruction::Store(slot, to));
+                    code.slots += 1;
+                    Operand::Memory(slot)
                 }
             };
             for (_, source) in moves.iter_mut().filter(|(_, source)| *source == Operand::Register(to)) {
@@ -39,7 +32,7 @@ pub(super) fn carry(
             }
             continue;
         }
-        operations.push(Operation::bring(to, source));
+        code.round.push(MachineInstruction::bring(to, source));
         moves.swap_remove(place);
     }
 }

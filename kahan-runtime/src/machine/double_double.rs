@@ -11,7 +11,7 @@ use std::cell::RefCell;
 
 use kahan_core::num_traits::{One, Zero};
 use kahan_core::{Constant, Scalar};
-use kahan_jit::Instruction::{Literal, State};
+use kahan_jit::Instruction::State;
 use kahan_jit::{Instruction, Program};
 
 use crate::operators::operators;
@@ -66,7 +66,7 @@ fn power_of_two(exponent: i32) -> f64 {
 }
 
 fn number(value: f64) -> Double {
-    Double::of(Literal(value))
+    Double::of(Instruction::literal(value))
 }
 
 fn fuses() -> bool {

@@ -90,7 +90,7 @@ impl Source<'_> {
         match kind {
             0 => return Instruction::State(self.entry()),
             1 => return Instruction::Constant(self.entry()),
-            2 => return Instruction::Literal(self.number()),
+            2 => return Instruction::literal(self.number()),
             _ => {}
         }
         let mut operand = || known - 1 - self.byte() % known;
