@@ -30,7 +30,7 @@ impl Extent {
 
     /// How many numbers the states, the constants and the results are.
     pub(crate) fn numbers(self) -> [usize; 3] {
-        [self.states, self.constants, self.results].map(|registers| registers * self.width)
+        [self.states * self.width, self.constants * self.width, self.results * self.width]
     }
 }
 

@@ -110,24 +110,28 @@ impl Instruction {
     }
 
     /// The operands in order.
-    pub(crate) fn operands(mut self) -> impl Iterator<Item = usize> {
-        self.operands_mut().map(Option::<&mut usize>::copied).into_iter().flatten()
-    }
-
-    /// The same instruction on other operands.
-    pub(crate) fn with_operands(mut self, rename: impl Fn(usize) -> usize) -> Self {
-        self.operands_mut().into_iter().flatten().for_each(|operand| *operand = rename(*operand));
-        self
-    }
-
-    fn operands_mut(&mut self) -> [Option<&mut usize>; 3] {
-        match self {
+    pub(crate) fn operands(&self) -> impl Iterator<Item = usize> + use<> {
+        let operands = match *self {
             State(_) | Constant(_) | Literal(_) => [None, None, None],
             Negate(a) | Copy(a) | RoundToSingle(a) => [Some(a), None, None],
             Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) => [Some(a), Some(b), None],
             MultiplyAdd(a, b, c) | MultiplySubtract(a, b, c) | SubtractProduct(a, b, c) => {
                 [Some(a), Some(b), Some(c)]
             }
+        };
+        operands.into_iter().flatten()
+    }
+
+    /// The same instruction on other operands.
+    pub(crate) fn with_operands(mut self, rename: impl Fn(usize) -> usize) -> Self {
+        match &mut self {
+            State(_) | Constant(_) | Literal(_) => {}
+            Negate(a) | Copy(a) | RoundToSingle(a) => *a = rename(*a),
+            Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) => (*a, *b) = (rename(*a), rename(*b)),
+            MultiplyAdd(a, b, c) | MultiplySubtract(a, b, c) | SubtractProduct(a, b, c) => {
+                (*a, *b, *c) = (rename(*a), rename(*b), rename(*c));
+            }
         }
+        self
     }
 }
