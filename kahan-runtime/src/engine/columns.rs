@@ -122,7 +122,7 @@ fn advance<T, V>(
             given.chunks_exact(given.len() / stages).for_each(|given| step.open(given, registers));
             for _ in 0..steps {
                 in_turn(stages, |k| {
-                    step.advance(false, state, &mut registers[k * size..][..size], workspace);
+                    step.advance(false, [state, &mut []], &mut registers[k * size..][..size], workspace);
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {

@@ -209,11 +209,7 @@ impl Engine {
     ) {
         with_scratch(T::single(), |scratch| {
             self.run(stages, steps, scratch, |step, rounds, registers, workspace| {
-                if carry.is_empty() {
-                    step.advance(rounds, state, registers, workspace);
-                } else {
-                    step.advance_with_carry(rounds, [state, carry], registers, workspace);
-                }
+                step.advance(rounds, [state, carry], registers, workspace);
             });
         });
     }
@@ -306,7 +302,7 @@ impl Engine {
         with_scratch(T::duals(), |scratch| {
             let stages = [self.stage(&lifted, scratch)];
             self.run(&stages, 1, scratch, |step, rounds, registers, workspace| {
-                step.advance(rounds, &mut point, registers, workspace);
+                step.advance(rounds, [&mut point, &mut []], registers, workspace);
             });
         });
         point.into_iter().map(|Dual { gradient: [slope], .. }| slope).collect()

@@ -70,18 +70,23 @@ pub(crate) struct Step {
     /// field. With `couplings` the entries are those that these place, else all of them.
     lines: Vec<Line>,
     couplings: Option<Tables>,
-    /// For each component the index of its reciprocal.
-    pub(crate) reciprocals: Vec<Option<usize>>,
+    /// For each component the places of its numerator and its reciprocal among what the step
+    /// computes. Elimination computes increments, which have no reciprocals.
+    pub(crate) factors: Vec<(usize, Option<usize>)>,
 }
 
 impl Step {
     fn straight(plan: &StepPlan, derived: &Derived) -> Self {
         let symbols = &derived.system.field.symbols;
+        let kernel = &plan.kernel;
+        let places: Vec<usize> = (0..kernel.plan.outputs.len()).collect();
+        let factors =
+            kernel.factors(&places).map(|(numerator, reciprocal)| (*numerator, reciprocal.copied()));
         Step {
             prepared: Some(Line::of(&plan.constants, symbols)),
-            lines: vec![Line::of_kernel(&plan.kernel.plan, symbols, plan.constants.outputs.len())],
+            lines: vec![Line::of_kernel(&kernel.plan, symbols, plan.constants.outputs.len())],
             couplings: None,
-            reciprocals: plan.kernel.reciprocal_of.clone(),
+            factors: factors.collect(),
         }
     }
 
@@ -93,7 +98,7 @@ impl Step {
             prepared: None,
             lines: [slopes, field].map(|plan| Line::of(plan, symbols)).into(),
             couplings: couplings.as_ref().map(Tables::of),
-            reciprocals: vec![None; symbols.dimension()],
+            factors: (0..symbols.dimension()).map(|i| (i, None)).collect(),
         }
     }
 
@@ -157,23 +162,12 @@ impl Step {
 
     /// Replaces a state by the next one, in the registers of the step. Where generated code takes
     /// the general form for one state, it rounds increments before it adds them.
+    ///
+    /// What the state lacks is carried along in `carry`, by the operations of
+    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry), unless that is
+    /// empty.
     #[inline]
     pub(crate) fn advance<V: Scalar + Copy>(
-        &self,
-        rounds: bool,
-        state: &mut [V],
-        registers: &mut [V],
-        workspace: &mut Workspace<V>,
-    ) {
-        self.compute(state, registers, workspace);
-        for (i, x) in state.iter_mut().enumerate() {
-            *x = added(self.quotient(i, rounds, workspace), *x);
-        }
-    }
-
-    /// The same for a state that is carried with what it lacks: the operations of
-    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry).
-    pub(crate) fn advance_with_carry<V: Scalar + Copy>(
         &self,
         rounds: bool,
         [state, carry]: [&mut [V]; 2],
@@ -181,6 +175,12 @@ impl Step {
         workspace: &mut Workspace<V>,
     ) {
         self.compute(state, registers, workspace);
+        if carry.is_empty() {
+            for (i, x) in state.iter_mut().enumerate() {
+                *x = added(self.quotient(i, rounds, workspace), *x);
+            }
+            return;
+        }
         for (i, (x, carry)) in state.iter_mut().zip(carry).enumerate() {
             let quotient = self.quotient(i, rounds, workspace);
             let base = *x + *carry;
@@ -195,29 +195,8 @@ impl Step {
         }
     }
 
-    /// The same in a wider precision for a state of single precision, to which `single` rounds each
-    /// number once; `carry` is empty where nothing is carried.
-    pub(crate) fn advance_through<V: Scalar + Copy>(
-        &self,
-        rounds: bool,
-        [state, carry]: [&mut [V]; 2],
-        registers: &mut [V],
-        workspace: &mut Workspace<V>,
-        single: impl Fn(V) -> V,
-    ) {
-        self.compute(state, registers, workspace);
-        for (i, x) in state.iter_mut().enumerate() {
-            let carry = carry.get_mut(i);
-            let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
-            let next = added(self.quotient(i, rounds, workspace), base);
-            *x = single(next);
-            if let Some(carry) = carry {
-                *carry = single(next - *x);
-            }
-        }
-    }
-
-    /// The step of a kind; `carry` is empty where nothing is carried.
+    /// The step of a kind. In a wider precision for a state of single precision, `single` rounds each
+    /// number once.
     pub(crate) fn advance_as<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -226,13 +205,18 @@ impl Step {
         workspace: &mut Workspace<V>,
         single: impl Fn(V) -> V,
     ) {
-        let rounds = kind.rounds_increments;
-        if kind.precision == Precision::SingleThroughDouble {
-            self.advance_through(rounds, [state, carry], registers, workspace, single);
-        } else if kind.compensated {
-            self.advance_with_carry(rounds, [state, carry], registers, workspace);
-        } else {
-            self.advance(rounds, state, registers, workspace);
+        if kind.precision != Precision::SingleThroughDouble {
+            return self.advance(kind.rounds_increments, [state, carry], registers, workspace);
+        }
+        self.compute(state, registers, workspace);
+        for (i, x) in state.iter_mut().enumerate() {
+            let carry = carry.get_mut(i);
+            let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
+            let next = added(self.quotient(i, kind.rounds_increments, workspace), base);
+            *x = single(next);
+            if let Some(carry) = carry {
+                *carry = single(next - *x);
+            }
         }
     }
 
@@ -270,9 +254,9 @@ impl Step {
         state: &[V],
         registers: &mut [V],
         workspace: &'a mut Workspace<V>,
-    ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
+    ) -> impl Iterator<Item = V> + use<'a, V> {
         self.compute(state, registers, workspace);
-        (0..self.reciprocals.len()).map(|i| self.quotient(i, true, workspace).0)
+        (0..self.factors.len()).map(|i| self.quotient(i, true, workspace).0)
     }
 
     /// Computes numerators and reciprocals.
@@ -311,13 +295,14 @@ impl Step {
         }
     }
 
-    /// Component i of the increment before its last multiplication.
+    /// The factors of an increment, multiplied where increments are rounded.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
-        let (numerators, reciprocals) = workspace.outcome.split_at(self.reciprocals.len());
-        match self.reciprocals[i] {
-            Some(place) if rounds => (numerators[i] * reciprocals[place], None),
-            place => (numerators[i], place.map(|place| reciprocals[place])),
+        let (numerator, reciprocal) = self.factors[i];
+        let outcome = &workspace.outcome;
+        match reciprocal {
+            Some(place) if rounds => (outcome[numerator] * outcome[place], None),
+            _ => (outcome[numerator], reciprocal.map(|place| outcome[place])),
         }
     }
 }

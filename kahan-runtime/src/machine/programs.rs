@@ -67,7 +67,7 @@ impl StepKind {
     ) -> Vec<V> {
         let Scratch { mut registers, mut workspace, .. } = Scratch::default();
         step.open(&step.given((0..).map(constant)), &mut registers);
-        let (state, carry) = numbers.split_at_mut(step.reciprocals.len());
+        let (state, carry) = numbers.split_at_mut(step.factors.len());
         step.advance_as(self, [state, carry], &mut registers, &mut workspace, single);
         numbers
     }

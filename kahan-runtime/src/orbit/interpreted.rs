@@ -98,7 +98,7 @@ where
         let Walk { map, stages, state, scratch, .. } = self;
         let mut divides = false;
         map.field().engine.run(stages, 1, scratch, |step, rounds, registers, room| {
-            step.advance(rounds, state, registers, room);
+            step.advance(rounds, [state, &mut []], registers, room);
             divides |= step.has_divided_by_zero(registers, room);
         });
         divides
