@@ -136,7 +136,6 @@ impl Step {
     }
 
     /// What the registers of a straight line hold whatever the state, from its prepared constants.
-    #[cfg(feature = "jit")]
     pub(crate) fn given<V: Scalar>(&self, prepared: impl IntoIterator<Item = V>) -> Vec<V> {
         let mut given = Vec::new();
         if let Some([_, kernel]) = self.lines() {
