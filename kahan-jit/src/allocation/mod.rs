@@ -12,7 +12,7 @@ mod carried;
 mod registers;
 mod uses;
 
-use crate::assembler::{Binary, Fused, Order, Vector};
+use crate::assembler::{Binary, Fused, Order, Source, Vector};
 use crate::lowering::Ends;
 use crate::program::{Instruction, Program};
 use allocator::Allocator;
@@ -31,13 +31,6 @@ pub(crate) enum Place {
     Result(usize),
 }
 
-/// The last operand of a machine instruction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Operand {
-    Register(Vector),
-    Memory(Place),
-}
-
 /// An instruction on registers and memory: what the assembler has bytes for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MachineInstruction {
@@ -45,9 +38,9 @@ pub(crate) enum MachineInstruction {
     Store(Place, Vector),
     Copy(Vector, Vector),
     /// to, a, b: to = a ∘ b
-    Binary(Binary, Vector, Vector, Operand),
+    Binary(Binary, Vector, Vector, Source<Place>),
     /// to, b, c, in the order of the instruction
-    Fused(Fused, Order, Vector, Vector, Operand),
+    Fused(Fused, Order, Vector, Vector, Source<Place>),
     RoundToSingle(Vector, Vector),
 }
 
@@ -94,10 +87,10 @@ impl Place {
 
 impl MachineInstruction {
     /// Brings a number into a register.
-    fn bring(to: Vector, source: Operand) -> Self {
+    fn bring(to: Vector, source: Source<Place>) -> Self {
         match source {
-            Operand::Register(from) => Self::Copy(to, from),
-            Operand::Memory(place) => Self::Load(to, place),
+            Source::Register(from) => Self::Copy(to, from),
+            Source::Memory(place) => Self::Load(to, place),
         }
     }
 }

@@ -1,16 +1,16 @@
 //! Registers, memory, and what moves between them.
 
-use crate::assembler::Vector;
+use crate::assembler::{Source, Vector};
 use crate::lowering::Ends;
 
 use super::allocator::Allocator;
-use super::{MachineInstruction, Operand, Place};
+use super::{MachineInstruction, Place};
 
 impl Allocator<'_> {
-    pub(super) fn source(&self, value: usize) -> Operand {
+    pub(super) fn source(&self, value: usize) -> Source<Place> {
         match (self.register_of[value], self.home[value]) {
-            (Some(register), _) => Operand::Register(register),
-            (None, Some(place)) => Operand::Memory(place),
+            (Some(register), _) => Source::Register(register),
+            (None, Some(place)) => Source::Memory(place),
             (None, None) => unreachable!("a value is somewhere until its last use"),
         }
     }
@@ -21,7 +21,7 @@ impl Allocator<'_> {
 
     /// The register of an operand, into which it is loaded if need be.
     pub(super) fn in_register(&mut self, value: usize) -> Vector {
-        if let Operand::Memory(place) = self.source(value) {
+        if let Source::Memory(place) = self.source(value) {
             let register = self.fresh();
             self.code.round.push(MachineInstruction::Load(register, place));
             self.registers[usize::from(register.0)] = Some(value);
@@ -32,9 +32,9 @@ impl Allocator<'_> {
     }
 
     /// An operand that may stand in memory.
-    pub(super) fn operand(&mut self, value: usize) -> Operand {
+    pub(super) fn operand(&mut self, value: usize) -> Source<Place> {
         if self.is_worth_loading(value) {
-            return Operand::Register(self.in_register(value));
+            return Source::Register(self.in_register(value));
         }
         self.lock(value);
         self.source(value)

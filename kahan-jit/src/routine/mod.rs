@@ -9,8 +9,8 @@ pub use function::Function;
 pub use orbit::{ComposedOrbit, Orbit};
 pub use sweep::{Constants, Sweep};
 
-use crate::allocation::{Allocation, MachineInstruction, Operand, Place, RoundPlan};
-use crate::assembler::{Assembler, Element, General, Memory, Source};
+use crate::allocation::{Allocation, MachineInstruction, Place, RoundPlan};
+use crate::assembler::{Assembler, Element, General, Memory};
 use crate::call::Extent;
 use crate::instructions::Float;
 use crate::{Program, Refusal, Shape};
@@ -124,10 +124,6 @@ fn emit(assembler: &mut Assembler, instructions: &[MachineInstruction], addresse
         Place::Slot(slot) => assembler.entry(General::Rsp, slot),
         _ => addresses(assembler, place),
     };
-    let source = |assembler: &mut Assembler, operand: Operand| match operand {
-        Operand::Register(register) => Source::Register(register),
-        Operand::Memory(place) => Source::Memory(address(assembler, place)),
-    };
     for instruction in instructions {
         match *instruction {
             MachineInstruction::Load(to, place) => {
@@ -140,11 +136,11 @@ fn emit(assembler: &mut Assembler, instructions: &[MachineInstruction], addresse
             }
             MachineInstruction::Copy(to, from) => assembler.copy(to, from),
             MachineInstruction::Binary(operator, to, a, b) => {
-                let b = source(assembler, b);
+                let b = b.map(|place| address(assembler, place));
                 assembler.binary(operator, to, a, b);
             }
             MachineInstruction::Fused(operator, order, to, b, c) => {
-                let c = source(assembler, c);
+                let c = c.map(|place| address(assembler, place));
                 assembler.fused(operator, order, to, b, c);
             }
             MachineInstruction::RoundToSingle(to, from) => assembler.round_to_single(to, from),

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::allocation::{Allocation, FEWEST_REGISTERS, MachineInstruction, Operand, Place, RoundPlan};
-use crate::assembler::{Binary, Fused, Order, Vector};
+use crate::allocation::{Allocation, FEWEST_REGISTERS, MachineInstruction, Place, RoundPlan};
+use crate::assembler::{Binary, Fused, Order, Source, Vector};
 use crate::lowering::Ends;
 use crate::program::{Instruction, Program};
 
@@ -27,10 +27,10 @@ impl Machine {
         self.registers[usize::from(register.0)].expect("a register is read after it is written")
     }
 
-    fn operand(&self, operand: Operand) -> f64 {
+    fn operand(&self, operand: Source<Place>) -> f64 {
         match operand {
-            Operand::Register(register) => self.register(register),
-            Operand::Memory(place) => self.at(place),
+            Source::Register(register) => self.register(register),
+            Source::Memory(place) => self.at(place),
         }
     }
 
@@ -141,7 +141,7 @@ fn a_last_use_takes_no_instruction_of_its_own() {
     let [
         MachineInstruction::Load(..),
         MachineInstruction::Load(..),
-        MachineInstruction::Fused(.., Operand::Memory(_)),
+        MachineInstruction::Fused(.., Source::Memory(_)),
         MachineInstruction::Store(..),
     ] = round[..]
     else {
