@@ -42,7 +42,7 @@ pub(crate) struct Code<T> {
     floats: PhantomData<fn(T)>,
 }
 
-impl<T> Code<T> {
+impl<T: 'static> Code<T> {
     /// Puts code where it may run.
     ///
     /// # Safety
@@ -92,19 +92,26 @@ impl<T> Code<T> {
     }
 
     /// Runs the code of a [`ComposedOrbit`](crate::ComposedOrbit), `steps` rounds of all stages.
-    pub(crate) fn composed_orbit(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
+    pub(crate) fn composed_orbit<'a>(
+        &self,
+        state: &mut [T],
+        stages: impl Iterator<Item = &'a [T]>,
+        steps: u64,
+    ) {
         /// As many as the longest composition has, with room.
         const MOST: usize = 64;
 
-        assert!(!stages.is_empty() && stages.len() <= MOST, "from 1 to {MOST} stages");
-        let mut table = [0; MOST];
-        for (entry, constants) in table.iter_mut().zip(stages) {
+        let (mut table, mut count) = ([0; MOST], 0);
+        for constants in stages {
+            assert!(count < MOST, "at most {MOST} stages");
             self.check_orbit(state, constants);
-            *entry = read(constants);
+            table[count] = read(constants);
+            count += 1;
         }
+        assert!(count > 0, "at least one stage");
         // SAFETY: the slices are as long as the code needs them, `state` is borrowed alone, and the
         // table has an address for each stage.
-        unsafe { self.enter([written(state), read(&table), stages.len(), counted(steps), 0]) }
+        unsafe { self.enter([written(state), read(&table), count, counted(steps), 0]) }
     }
 
     fn check_orbit(&self, state: &[T], constants: &[T]) {

@@ -122,7 +122,7 @@ impl<T: Float> ComposedOrbit<T> {
     ///
     /// # Panics
     /// If an array is too short, or there is no stage, or more than 64.
-    pub fn run(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
+    pub fn run<'a>(&self, state: &mut [T], stages: impl Iterator<Item = &'a [T]>, steps: u64) {
         self.code.composed_orbit(state, stages, steps);
     }
 }
