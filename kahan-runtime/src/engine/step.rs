@@ -135,15 +135,6 @@ impl Step {
         }
     }
 
-    /// What the registers of a straight line hold whatever the state, from its prepared constants.
-    pub(crate) fn given<V: Scalar>(&self, prepared: impl IntoIterator<Item = V>) -> Vec<V> {
-        let mut given = Vec::new();
-        if let Some([_, kernel]) = self.lines() {
-            append_given(kernel, prepared, &mut given);
-        }
-        given
-    }
-
     /// How many registers the step takes.
     pub(crate) fn registers(&self) -> usize {
         self.lines.iter().map(Line::registers).sum()

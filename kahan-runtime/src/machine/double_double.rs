@@ -48,10 +48,11 @@ const DIVISORS: i32 = 400;
 
 /// The program of the numbers that `compute` gives, each as its two parts, and of a guard behind
 /// them that was 0 before.
-pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Vec<Pair>) -> Option<Program> {
+pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) -> Option<Program> {
     NOTES.set(Notes { fuses, ..Notes::default() });
     traced::program(|| {
-        let mut results: Vec<Double> = compute().into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
+        let mut results: Vec<Double> =
+            compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::of(State(results.len()));
         // The sum of a step's notes does not wait for the step before.
         let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);

@@ -21,7 +21,6 @@ impl StepKind {
     pub(super) fn program<T: Coded>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
-        step.lines()?;
         if self.precision == Precision::DoubleDouble {
             return double_double::program(self.fuses, || {
                 let state = (0..variables).map(|i| Pair::of(State, i)).collect();
@@ -29,7 +28,7 @@ impl StepKind {
             });
         }
         let numbers = if self.compensated { 2 * variables } else { variables };
-        traced::program(|| Some(self.next(step, Traced::<T>::states(0..numbers))))
+        traced::program(|| self.next(step, Traced::<T>::states(0..numbers)))
     }
 
     /// The program of a point that carries so many tangent vectors, each as many numbers as the
@@ -38,11 +37,10 @@ impl StepKind {
     pub(super) fn carrying<T: Coded>(self, engine: &Engine, vectors: usize) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let n = engine.dimension() / 2;
-        step.lines()?;
         traced::program(|| {
             let (mut results, mut squares) = (Vec::new(), Vec::new());
             for k in 0..vectors {
-                let next = self.next(step, Traced::<T>::states((0..n).chain((k + 1) * n..(k + 2) * n)));
+                let next = self.next(step, Traced::<T>::states((0..n).chain((k + 1) * n..(k + 2) * n)))?;
                 // All vectors have the same point; equal operations are compiled once.
                 results.extend(&next[if k == 0 { 0 } else { n }..]);
                 squares
@@ -53,23 +51,24 @@ impl StepKind {
         })
     }
 
-    fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Vec<Traced<T>> {
+    fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Option<Vec<Traced<T>>> {
         self.advanced(step, numbers, |k| Traced::of(Constant(k)), Traced::rounded_to_single)
     }
 
-    /// The numbers of a state one step later.
+    /// The numbers of a state one step later; `None` where the step is no straight line.
     fn advanced<V: Scalar + Copy>(
         self,
         step: &Step,
         mut numbers: Vec<V>,
         constant: impl Fn(usize) -> V,
         single: impl Fn(V) -> V,
-    ) -> Vec<V> {
-        let Scratch { mut registers, mut workspace, .. } = Scratch::default();
-        step.open(&step.given((0..).map(constant)), &mut registers);
+    ) -> Option<Vec<V>> {
+        let [_, kernel] = step.lines()?;
+        let mut registers = vec![V::zero(); kernel.registers()];
+        kernel.give((0..).map(constant), &mut registers);
         let (state, carry) = numbers.split_at_mut(step.factors.len());
-        step.advance_as(self, [state, carry], &mut registers, &mut workspace, single);
-        numbers
+        step.advance_as(self, [state, carry], &mut registers, &mut Scratch::default().workspace, single);
+        Some(numbers)
     }
 }
 

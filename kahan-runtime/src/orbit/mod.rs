@@ -13,9 +13,10 @@ mod tests;
 use core::fmt::Debug;
 
 use kahan_algebra::rational::Rational;
-use kahan_core::{Composition, Dd, FloatScalar, Precision, Scheme};
+use kahan_core::{Dd, FloatScalar, Precision, Scheme};
 
 use crate::Map;
+use crate::engine::stage_constants;
 use crate::interpreted::round;
 
 pub use projective::{ProjectiveOrbit, ProjectiveScalar};
@@ -56,23 +57,19 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    fn parameters<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> impl Iterator<Item = V> {
-        self.map.parameters().iter().map(move |value| widen(round(value)))
-    }
-
     fn start<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> impl Iterator<Item = V> {
         self.start.iter().map(move |value| widen(round(value)))
     }
 
-    /// The parameters, and ε behind them, of each stage that differs, the middle one last.
+    /// The parameters, and ε behind them.
+    fn constants<G: FloatScalar>(&self) -> Vec<G> {
+        self.map.parameters().iter().chain([self.eps]).map(round).collect()
+    }
+
+    /// The same of each stage that differs, the middle one last.
     fn stages<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> Vec<Vec<V>> {
-        let (composition, eps) = (self.scheme.composition, round(self.eps));
-        let own = |eps: G| self.parameters(widen).chain([widen(eps)]).collect();
-        if composition == Composition::KAHAN {
-            return vec![own(eps)];
-        }
-        let differing = composition.coefficients().take(composition.stages().div_ceil(2));
-        differing.map(|gamma| own(G::constant(gamma) * eps)).collect()
+        let stages = stage_constants(&self.constants::<G>(), self.scheme.composition);
+        stages.into_iter().map(|own| own.into_iter().map(widen).collect()).collect()
     }
 
     /// The orbit by the interpreter, and by code where there is some.
