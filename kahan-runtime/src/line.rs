@@ -162,6 +162,20 @@ impl Line {
         self.give(constants, registers);
         self.run(registers, state)
     }
+
+    /// The same in registers that are made as many as it takes.
+    ///
+    /// # Panics
+    /// Where a division by zero has no value.
+    pub(crate) fn values<'a, V: Scalar + Copy>(
+        &'a self,
+        constants: &[V],
+        registers: &'a mut Vec<V>,
+        state: &[V],
+    ) -> Results<'a, V> {
+        registers.resize(self.registers(), V::zero());
+        has_value(self.results(constants.iter().copied(), registers, state))
+    }
 }
 
 /// The results of a run, in its registers.

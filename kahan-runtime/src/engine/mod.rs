@@ -21,7 +21,7 @@ use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
 use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 
-use crate::line::{Line, has_value};
+use crate::line::Line;
 use crate::machine::Codes;
 
 use elimination::solve;
@@ -32,8 +32,8 @@ pub(crate) use coded::CodedStages;
 pub(crate) use coded_columns::{ColumnsOnce, Instructions};
 pub(crate) use columns::Columns;
 pub(crate) use couplings::{Factors, Tables};
+use scratch::Workspace;
 pub(crate) use scratch::{Scratch, Scratches, with_scratch};
-use scratch::{Workspace, sized};
 pub(crate) use step::{Step, into_matrix};
 
 /// A function of the state, or of two states.
@@ -240,9 +240,8 @@ impl Engine {
             }
             _ => with_scratch(T::single(), |scratch| {
                 let Some(line) = self.line(object) else { return };
-                let registers = sized(&mut scratch.registers, line.registers());
-                let results = has_value(line.results(constants.iter().copied(), registers, state));
-                out.iter_mut().zip(results.iter()).for_each(|(out, result)| *out = result);
+                let results = line.values(constants, &mut scratch.registers, state).iter();
+                out.iter_mut().zip(results).for_each(|(out, result)| *out = result);
             }),
         }
     }
@@ -254,9 +253,7 @@ impl Engine {
         state: &[V],
         scratch: &'a mut Scratch<V>,
     ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
-        let line = self.known_line(Object::Integrals);
-        let registers = sized(&mut scratch.registers, line.registers());
-        has_value(line.results(constants.iter().copied(), registers, state)).iter()
+        self.known_line(Object::Integrals).values(constants, &mut scratch.registers, state).iter()
     }
 
     /// ∂x̃/∂x of a step, row by row: the straight line over dual numbers, or A(x,ε)⁻¹·A(x̃,−ε);

@@ -6,12 +6,12 @@ use kahan_algebra::plan::StepPlan;
 use kahan_core::__private::may_divide_by;
 use kahan_core::{Precision, Scalar};
 
-use crate::line::{Line, has_value};
+use crate::line::{Line, Results, has_value};
 use crate::machine::StepKind;
 
 use super::couplings::{Factors, Tables};
 use super::elimination::solve;
-use super::scratch::{Workspace, sized};
+use super::scratch::Workspace;
 
 /// The forms of a step.
 #[derive(Debug)]
@@ -72,7 +72,7 @@ pub(crate) struct Step {
     couplings: Option<Tables>,
     /// For each component the places of its numerator and its reciprocal among what the step
     /// computes. Elimination computes increments, which have no reciprocals.
-    pub(crate) factors: Vec<(usize, Option<usize>)>,
+    pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
 impl Step {
@@ -80,13 +80,12 @@ impl Step {
         let symbols = &derived.system.field.symbols;
         let kernel = &plan.kernel;
         let places: Vec<usize> = (0..kernel.plan.outputs.len()).collect();
-        let factors =
-            kernel.factors(&places).map(|(numerator, reciprocal)| (*numerator, reciprocal.copied()));
+        let quotients = kernel.factors(&places).map(|(numerator, by)| (*numerator, by.copied()));
         Step {
             prepared: Some(Line::of(&plan.constants, symbols)),
             lines: vec![Line::of_kernel(&kernel.plan, symbols, plan.constants.outputs.len())],
             couplings: None,
-            factors: factors.collect(),
+            quotients: quotients.collect(),
         }
     }
 
@@ -98,7 +97,7 @@ impl Step {
             prepared: None,
             lines: [slopes, field].map(|plan| Line::of(plan, symbols)).into(),
             couplings: couplings.as_ref().map(Tables::of),
-            factors: (0..symbols.dimension()).map(|i| (i, None)).collect(),
+            quotients: (0..symbols.dimension()).map(|i| (i, None)).collect(),
         }
     }
 
@@ -125,12 +124,8 @@ impl Step {
         registers: &mut Vec<V>,
         given: &mut Vec<V>,
     ) {
-        match &self.prepared {
-            Some(prepared) => {
-                let registers = sized(registers, prepared.registers());
-                let prepared = has_value(prepared.results(constants.iter().copied(), registers, &[]));
-                append_given(&self.lines[0], prepared.iter(), given);
-            }
+        match self.prepared(constants, registers) {
+            Some(prepared) => append_given(&self.lines[0], prepared.iter(), given),
             None => self.lines.iter().for_each(|line| append_given(line, constants.iter().copied(), given)),
         }
     }
@@ -215,21 +210,20 @@ impl Step {
         if self.has_lanes() { self.lines[0].has_divided_by_zero(registers) } else { workspace.is_singular }
     }
 
-    /// What the state's kernel reads; `constants` are the parameters and ε. Nothing, where the step
-    /// is no straight line.
-    pub(crate) fn prepared<V: Scalar + Copy>(&self, constants: &[V], registers: &mut Vec<V>) -> Vec<V> {
-        let Some(prepared) = &self.prepared else { return Vec::new() };
-        let registers = sized(registers, prepared.registers());
-        has_value(prepared.results(constants.iter().copied(), registers, &[])).iter().collect()
+    /// What the kernel of a straight line reads; `constants` are the parameters and ε.
+    pub(crate) fn prepared<'a, V: Scalar + Copy>(
+        &'a self,
+        constants: &[V],
+        registers: &'a mut Vec<V>,
+    ) -> Option<Results<'a, V>> {
+        Some(self.prepared.as_ref()?.values(constants, registers, &[]))
     }
 
     /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings of many variables; whether it
     /// could.
     pub(super) fn solves_columns<V: Scalar + Copy>(&self, constants: &[V], state: &[V], b: &mut [V]) -> bool {
         let Some((slopes, tables)) = self.couplings() else { return false };
-        let mut registers = vec![V::zero(); slopes.registers()];
-        let results = has_value(slopes.results(constants.iter().copied(), &mut registers, state));
-        let entries: Vec<V> = results.iter().collect();
+        let entries: Vec<V> = slopes.values(constants, &mut Vec::new(), state).iter().collect();
         let mut factors = Factors::default();
         let is_factored = tables.factor(&entries, &constants[constants.len() - 1], &mut factors);
         if is_factored {
@@ -246,7 +240,7 @@ impl Step {
         workspace: &'a mut Workspace<V>,
     ) -> impl Iterator<Item = V> + use<'a, V> {
         self.compute(state, registers, workspace);
-        (0..self.factors.len()).map(|i| self.quotient(i, true, workspace).0)
+        (0..self.quotients.len()).map(|i| self.quotient(i, true, workspace).0)
     }
 
     /// Computes numerators and reciprocals.
@@ -288,7 +282,7 @@ impl Step {
     /// The factors of an increment, multiplied where increments are rounded.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
-        let (numerator, reciprocal) = self.factors[i];
+        let (numerator, reciprocal) = self.quotients[i];
         let outcome = &workspace.outcome;
         match reciprocal {
             Some(place) if rounds => (outcome[numerator] * outcome[place], None),

@@ -1,12 +1,11 @@
 //! What code is compiled from: the interpreter's work, over numbers that write it down.
 
-use kahan_core::num_traits::Zero;
 use kahan_core::{Precision, Scalar};
 use kahan_jit::Instruction::{Constant, State};
 use kahan_jit::Program;
 
 use crate::engine::{Engine, Object, Scratch, Step, into_matrix, jacobian_by_duals};
-use crate::line::{Line, has_value};
+use crate::line::Line;
 
 use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
@@ -66,7 +65,7 @@ impl StepKind {
         let [_, kernel] = step.lines()?;
         let mut registers = vec![V::zero(); kernel.registers()];
         kernel.give((0..).map(constant), &mut registers);
-        let (state, carry) = numbers.split_at_mut(step.factors.len());
+        let (state, carry) = numbers.split_at_mut(step.quotients.len());
         step.advance_as(self, [state, carry], &mut registers, &mut Scratch::default().workspace, single);
         Some(numbers)
     }
@@ -117,6 +116,5 @@ fn constants<T: Coded>(engine: &Engine) -> Vec<Traced<T>> {
 }
 
 fn results<T: Coded>(line: &Line, constants: &[Traced<T>], state: &[Traced<T>]) -> Vec<Traced<T>> {
-    let mut registers = vec![Traced::zero(); line.registers()];
-    has_value(line.results(constants.iter().copied(), &mut registers, state)).iter().collect()
+    line.values(constants, &mut Vec::new(), state).iter().collect()
 }
