@@ -135,7 +135,7 @@ mod tests {
 
     /// Tests of code pass over sets that a processor lacks, so that what is said of it is pinned
     /// here, with the processor's own words.
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {
         let available = InstructionSet::ALL.map(|set| {

@@ -58,6 +58,7 @@ fn more_results_than_a_straight_line_has_are_refused() {
     assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 20_001 }), "{refusal:?}");
 }
 
+#[cfg(feature = "pages")]
 #[test]
 #[should_panic(expected = "a state that is read has a result")]
 fn a_round_has_a_result_for_each_state() {
