@@ -6,15 +6,32 @@
 
 use std::marker::PhantomData;
 
-use crate::Refusal;
+use crate::lowering::Ends;
 use crate::pages::Pages;
+use crate::{Program, Refusal};
 
-/// How many numbers code reads and writes at least.
+/// How much code reads and writes at least.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
+    /// How many numbers a register holds; the others are so many registers.
+    pub(crate) width: usize,
     pub(crate) states: usize,
     pub(crate) constants: usize,
     pub(crate) results: usize,
+}
+
+impl Extent {
+    /// That of a program; results that do not lie elsewhere become the states.
+    pub(crate) fn of(program: &Program, width: usize, ends: Ends) -> Self {
+        let results = program.results().len();
+        let states = if ends == Ends::Elsewhere { program.states() } else { results };
+        Extent { width, states, constants: program.constants(), results }
+    }
+
+    /// How many numbers the states, the constants and the results are.
+    pub(crate) fn numbers(self) -> [usize; 3] {
+        [self.states * self.width, self.constants * self.width, self.results * self.width]
+    }
 }
 
 /// Code in memory, and what it needs.
@@ -25,7 +42,7 @@ pub(crate) struct Code<T> {
     floats: PhantomData<fn(T)>,
 }
 
-impl<T> Code<T> {
+impl<T: 'static> Code<T> {
     /// Puts code where it may run.
     ///
     /// # Safety
@@ -37,14 +54,14 @@ impl<T> Code<T> {
         Ok(Code { pages: Pages::new(bytes).map_err(Refusal::Pages)?, extent, floats: PhantomData })
     }
 
-    /// How many numbers the results are.
-    pub(crate) fn results(&self) -> usize {
-        self.extent.results
+    /// How much it reads and writes.
+    pub(crate) fn extent(&self) -> Extent {
+        self.extent
     }
 
     /// Runs the code of a [`Function`](crate::Function).
     pub(crate) fn function(&self, states: &[T], constants: &[T], results: &mut [T]) {
-        let Extent { states: s, constants: c, results: r } = self.extent;
+        let [s, c, r] = self.extent.numbers();
         assert!(
             states.len() >= s && constants.len() >= c && results.len() >= r,
             "{s} states, {c} constants and room for {r} results, not {}, {} and {}",
@@ -75,23 +92,30 @@ impl<T> Code<T> {
     }
 
     /// Runs the code of a [`ComposedOrbit`](crate::ComposedOrbit), `steps` rounds of all stages.
-    pub(crate) fn composed_orbit(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
+    pub(crate) fn composed_orbit<'a>(
+        &self,
+        state: &mut [T],
+        stages: impl Iterator<Item = &'a [T]>,
+        steps: u64,
+    ) {
         /// As many as the longest composition has, with room.
         const MOST: usize = 64;
 
-        assert!(!stages.is_empty() && stages.len() <= MOST, "from 1 to {MOST} stages");
-        let mut table = [0; MOST];
-        for (entry, constants) in table.iter_mut().zip(stages) {
+        let (mut table, mut count) = ([0; MOST], 0);
+        for constants in stages {
+            assert!(count < MOST, "at most {MOST} stages");
             self.check_orbit(state, constants);
-            *entry = read(constants);
+            table[count] = read(constants);
+            count += 1;
         }
+        assert!(count > 0, "at least one stage");
         // SAFETY: the slices are as long as the code needs them, `state` is borrowed alone, and the
         // table has an address for each stage.
-        unsafe { self.enter([written(state), read(&table), stages.len(), counted(steps), 0]) }
+        unsafe { self.enter([written(state), read(&table), count, counted(steps), 0]) }
     }
 
     fn check_orbit(&self, state: &[T], constants: &[T]) {
-        let Extent { states: s, constants: c, .. } = self.extent;
+        let [s, c, _] = self.extent.numbers();
         assert!(
             state.len() >= s && constants.len() >= c,
             "{s} states and {c} constants, not {} and {}",
@@ -100,24 +124,18 @@ impl<T> Code<T> {
         );
     }
 
-    /// Runs the code of a [`Sweep`](crate::Sweep) over columns of `len` numbers, `width` at once,
-    /// `steps` times; the constants are `stride` numbers further on for each register.
-    pub(crate) fn sweep(
-        &self,
-        columns: &mut [impl AsMut<[T]>],
-        width: usize,
-        constants: (&[T], usize),
-        steps: u64,
-    ) {
+    /// Runs the code of a [`Sweep`](crate::Sweep) over columns, `steps` times; constants are the same
+    /// for all registers, or each register's `own`.
+    pub(crate) fn sweep(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], own: bool, steps: u64) {
         /// Columns of nearly every field: a larger table takes longer to clear than their step.
         const FEW: usize = 32;
         /// More variables are stepped by other means.
         const MOST: usize = 256;
 
         if columns.len() <= FEW {
-            self.sweep_by([0; FEW], columns, width, constants, steps);
+            self.sweep_by([0; FEW], columns, constants, own, steps);
         } else {
-            self.sweep_by([0; MOST], columns, width, constants, steps);
+            self.sweep_by([0; MOST], columns, constants, own, steps);
         }
     }
 
@@ -126,11 +144,11 @@ impl<T> Code<T> {
         &self,
         mut table: [usize; ROOM],
         columns: &mut [impl AsMut<[T]>],
-        width: usize,
-        (constants, stride): (&[T], usize),
+        constants: &[T],
+        own: bool,
         steps: u64,
     ) {
-        let Extent { states: s, constants: c, .. } = self.extent;
+        let Extent { width, states: s, .. } = self.extent;
         assert!(columns.len() >= s && columns.len() <= ROOM, "{s} columns, not {}", columns.len());
         let len = columns.first_mut().map_or(0, |column| column.as_mut().len());
         assert!(len.is_multiple_of(width), "columns of whole registers");
@@ -142,6 +160,8 @@ impl<T> Code<T> {
         if len == 0 || steps == 0 {
             return;
         }
+        let [_, c, _] = self.extent.numbers();
+        let stride = if own { c } else { 0 };
         let most = (len / width - 1).saturating_mul(stride).saturating_add(c);
         assert!(constants.len() >= most, "{most} constants, not {}", constants.len());
         let bytes = |numbers: usize| numbers * size_of::<T>();

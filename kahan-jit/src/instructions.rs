@@ -21,10 +21,12 @@ impl InstructionSet {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Avx, Self::Avx2, Self::Avx512];
 
-    /// Whether this processor can run it, and its system keeps the registers.
+    /// Whether this processor can run it, its system keeps the registers, and there is memory for
+    /// code.
     #[must_use]
     pub fn is_available(self) -> bool {
-        cfg!(target_arch = "x86_64") && self.extensions().iter().all(|(_, is_detected)| is_detected())
+        cfg!(all(target_arch = "x86_64", feature = "pages"))
+            && self.extensions().iter().all(|(_, is_detected)| is_detected())
     }
 
     /// The extensions whose instructions code is made of. Code of a larger set also has
@@ -133,7 +135,7 @@ mod tests {
 
     /// Tests of code pass over sets that a processor lacks, so that what is said of it is pinned
     /// here, with the processor's own words.
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", feature = "pages"))]
     #[test]
     fn a_set_is_available_where_all_of_its_extensions_are() {
         let available = InstructionSet::ALL.map(|set| {

@@ -4,9 +4,14 @@
 //! state ([`Orbit`], [`ComposedOrbit`]), or over columns of trajectories ([`Sweep`]), in `f64` or
 //! `f32`, one number or a register of them at a time. The operations and their order are
 //! the program's, so are the bits: those of generated Rust, without fused multiply-adds or with
-//! them. It must not know what the numbers mean.
+//! them. It must not know what the numbers mean. Without the feature `pages` every program is
+//! refused.
 //!
-//! Modules in reading order: `program`, `lines`, `allocation`, `assembler`, `routine`, `pages`,
+//! There are two kinds of instructions. Those of a program name values; lowering leaves fewer kinds
+//! of them, and registers are allocated for these. Machine instructions name registers, and are
+//! what the assembler has bytes for.
+//!
+//! Modules in reading order: `program`, `lowering`, `allocation`, `assembler`, `routine`, `pages`,
 //! `call`. `call` enters code, and each file of `routine` vouches for the code that it writes:
 //! these four hold all of the `unsafe` code, beside pages that tests forbid.
 
@@ -14,7 +19,7 @@ mod allocation;
 mod assembler;
 mod call;
 mod instructions;
-mod lines;
+mod lowering;
 mod pages;
 mod program;
 mod refusal;

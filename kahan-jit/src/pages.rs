@@ -6,21 +6,32 @@
 
 use std::io;
 
-use memmap2::{Mmap, MmapMut};
+#[cfg(feature = "pages")]
+type Memory = memmap2::Mmap;
+/// Without the feature `pages` there is none.
+#[cfg(not(feature = "pages"))]
+type Memory = &'static [u8; 0];
 
 /// Code where it may run.
 #[derive(Debug)]
-pub(crate) struct Pages(Mmap);
+pub(crate) struct Pages(Memory);
 
 impl Pages {
     /// Copies code into pages of its own.
     ///
     /// # Errors
     /// That of the system: it has no memory left, or forbids code that is made at run time.
+    #[cfg(feature = "pages")]
     pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
-        let mut pages = MmapMut::map_anon(bytes.len())?;
+        let mut pages = memmap2::MmapMut::map_anon(bytes.len())?;
         pages.copy_from_slice(bytes);
         Ok(Pages(pages.make_exec()?))
+    }
+
+    /// There are no pages.
+    #[cfg(not(feature = "pages"))]
+    pub(crate) fn new(_: &[u8]) -> io::Result<Self> {
+        Err(io::ErrorKind::Unsupported.into())
     }
 
     /// The address of the first byte, which begins a page.
@@ -29,5 +40,5 @@ impl Pages {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "pages"))]
 mod tests;

@@ -4,14 +4,14 @@
 //! numbers mean is not known here.
 
 /// One instruction; operands are the indices of earlier ones.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Instruction {
     /// An entry of the states.
     State(usize),
     /// An entry of the constants.
     Constant(usize),
-    /// A number; single precision takes the nearest one it has.
-    Literal(f64),
+    /// A number, by its bits in double precision; single precision takes the nearest one it has.
+    Literal(u64),
     /// a + b
     Add(usize, usize),
     /// a − b
@@ -37,7 +37,7 @@ pub enum Instruction {
 use Instruction::*;
 
 /// Straight-line instructions with several results.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program {
     pub(crate) instructions: Vec<Instruction>,
     pub(crate) results: Vec<usize>,
@@ -103,6 +103,12 @@ impl Program {
 }
 
 impl Instruction {
+    /// A number.
+    #[must_use]
+    pub fn literal(value: f64) -> Self {
+        Literal(value.to_bits())
+    }
+
     /// The operands in order.
     pub(crate) fn operands(&self) -> impl Iterator<Item = usize> + use<> {
         let operands = match *self {
@@ -114,5 +120,18 @@ impl Instruction {
             }
         };
         operands.into_iter().flatten()
+    }
+
+    /// The same instruction on other operands.
+    pub(crate) fn with_operands(mut self, rename: impl Fn(usize) -> usize) -> Self {
+        match &mut self {
+            State(_) | Constant(_) | Literal(_) => {}
+            Negate(a) | Copy(a) | RoundToSingle(a) => *a = rename(*a),
+            Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) => (*a, *b) = (rename(*a), rename(*b)),
+            MultiplyAdd(a, b, c) | MultiplySubtract(a, b, c) | SubtractProduct(a, b, c) => {
+                (*a, *b, *c) = (rename(*a), rename(*b), rename(*c));
+            }
+        }
+        self
     }
 }

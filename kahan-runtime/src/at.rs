@@ -8,6 +8,7 @@ mod tangent;
 
 pub use drift::IntegralDrift;
 
+use core::slice;
 use std::sync::{Arc, OnceLock};
 
 use kahan_algebra::arithmetic::Float64;
@@ -16,7 +17,7 @@ use smallvec::SmallVec;
 
 use crate::dimension::Argument;
 use crate::engine::{
-    CodedStages, Columns, ColumnsOnce, Engine, Instructions, Scratches, Stage, stage_constants,
+    CodedStages, Columns, ColumnsOnce, Engine, Instructions, Scratches, Stage, split, stage_constants,
 };
 use crate::machine::StepKind;
 use crate::{DimensionError, Map};
@@ -120,9 +121,7 @@ impl<T: MachineFloat> MapAt<T> {
 
     /// The parameters, and ε.
     fn own(&self) -> (&[T], T) {
-        let (eps, parameters) =
-            self.constants.split_last().unwrap_or_else(|| unreachable!("eps is one of them"));
-        (parameters, *eps)
+        split(&self.constants)
     }
 
     /// x̃, the state one time step of 2ε later.
@@ -213,10 +212,12 @@ impl<T: MachineFloat> MapAt<T> {
         self.check_columns(columns, eps, parameters, trajectories)?;
         let (own, own_eps) = self.own();
         let eps = if eps.is_empty() { &[own_eps] } else { eps };
-        let mut columns = Columns { columns, eps, own, parameters };
+        let own: SmallVec<[&[T]; 8]> = own.iter().map(slice::from_ref).collect();
+        let are_own = parameters.is_empty();
+        let mut columns = Columns { columns, eps, parameters: if are_own { &own } else { parameters } };
         let code = (self.instructions, &*self.columns);
         self.engine().advance_columns(&mut columns, self.composition, steps, code);
-        if self.map.field().has_divisors() {
+        if !are_own && self.map.field().has_divisors() {
             self.forget_undefined(&mut columns);
         }
         Ok(())
@@ -230,7 +231,7 @@ impl<T: MachineFloat> MapAt<T> {
             let of_trajectory = |values: &&[T]| if values.len() == 1 { values[0] } else { values[k] };
             let values: Vec<f64> =
                 parameters.iter().map(|values| of_trajectory(values).approximate()).collect();
-            if !values.is_empty() && !self.map.field().derived().is_defined_at(&Float64, &values) {
+            if !self.map.field().derived().is_defined_at(&Float64, &values) {
                 columns.iter_mut().for_each(|column| column[k] = T::zero() / T::zero());
             }
         }

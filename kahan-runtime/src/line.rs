@@ -1,6 +1,6 @@
-//! A plan made ready to run over any scalar: names resolved, registers numbered.
+//! A plan made ready to run over any scalar: its names are resolved, and its nodes are registers.
 //!
-//! The instructions and their order are the plan's, and each is the call that generated code makes
+//! The operations and their order are the plan's, and each is the call that generated code makes
 //! for it, so the bits are the same. Whoever runs a line brings its registers.
 
 use kahan_algebra::plan::{Node, Operation, Plan};
@@ -10,36 +10,24 @@ use kahan_core::Scalar;
 
 use crate::literal::Literal;
 
-/// One instruction; operands are earlier registers.
-#[derive(Clone, Copy, Debug)]
-enum Instruction {
-    Add(u32, u32),
-    Subtract(u32, u32),
-    Multiply(u32, u32),
-    Divide(u32, u32),
-    /// 1/d where it may have no value.
-    Reciprocal(u32),
-    /// n/d where it may have no value.
-    Quotient(u32, u32),
-    Negate(u32),
-    MultiplyAdd(u32, u32, u32),
-    MultiplySubtract(u32, u32, u32),
-    SubtractProduct(u32, u32, u32),
-}
-
-/// Straight-line instructions with several results.
+/// A straight line of operations with several results.
 ///
 /// Registers are numbered in the order in which they are filled: with the constants (the parameters
 /// and ε, or in a kernel what was prepared), the numbers that the plan writes out, the states
-/// (those of a second point behind those of the first), and the result of each instruction.
+/// (those of a second point behind those of the first), and the result of each operation.
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     constants: usize,
     literals: Vec<Literal>,
     /// Those of as many points as the line reads.
     states: usize,
-    instructions: Vec<Instruction>,
-    results: Vec<u32>,
+    /// What is computed; each operand is the node of a register.
+    operations: Vec<Operation>,
+    results: Vec<Node>,
+    /// Whether a division may have no value. One by which 1 is divided is a reciprocal then.
+    has_poles: bool,
+    /// The register of the number 1.
+    one: Option<Node>,
 }
 
 impl Line {
@@ -60,27 +48,30 @@ impl Line {
     }
 
     fn new(plan: &Plan, symbols: &Symbols, constants: usize, has_poles: bool) -> Self {
-        let literal = |operation: &Operation| match operation {
-            Operation::Constant(value) => Some(Literal::from(value)),
-            _ => None,
-        };
         let points = |variable: &Variable| match symbols.symbol(*variable) {
             Symbol::State(_) => 1,
             Symbol::SecondState(_) => 2,
             Symbol::Parameter(_) | Symbol::Epsilon => 0,
         };
         let points = plan.inputs().iter().map(points).max().unwrap_or(0);
+        let numbers = plan.operations.iter().filter_map(|operation| match operation {
+            Operation::Constant(value) => Some(value),
+            _ => None,
+        });
+        let one = numbers.clone().position(|value| value.as_i64() == Some(1));
         let mut line = Line {
             constants,
-            literals: plan.operations.iter().filter_map(literal).collect(),
+            literals: numbers.map(Literal::from).collect(),
             states: points * symbols.dimension(),
-            instructions: Vec::new(),
+            operations: Vec::new(),
             results: Vec::new(),
+            has_poles,
+            one: one.map(|place| Node(constants + place)),
         };
         let (mut literals, states) = (constants.., line.given());
-        let mut places: Vec<usize> = Vec::with_capacity(plan.operations.len());
+        let mut registers: Vec<Node> = Vec::with_capacity(plan.operations.len());
         for operation in &plan.operations {
-            let place = match *operation {
+            let register = match *operation {
                 Operation::Prepared(index) => Some(index),
                 Operation::Constant(_) => literals.next(),
                 Operation::Input(variable) => Some(match symbols.symbol(variable) {
@@ -91,12 +82,12 @@ impl Line {
                 }),
                 _ => None,
             };
-            places.push(place.unwrap_or_else(|| {
-                line.instructions.push(instruction(plan, operation, &places, has_poles));
-                states + line.states + line.instructions.len() - 1
-            }));
+            registers.push(Node(register.unwrap_or_else(|| {
+                line.operations.push(operation.with_operands(|operand| registers[operand.0]));
+                line.registers() - 1
+            })));
         }
-        line.results = plan.outputs.iter().map(|output| register(&places, *output)).collect();
+        line.results = plan.outputs.iter().map(|output| registers[output.0]).collect();
         line
     }
 
@@ -114,7 +105,7 @@ impl Line {
 
     /// How many registers it takes.
     pub(crate) fn registers(&self) -> usize {
-        self.given() + self.states + self.instructions.len()
+        self.given() + self.states + self.operations.len()
     }
 
     /// ε, which is the last of the constants outside of kernels.
@@ -132,19 +123,22 @@ impl Line {
     ) -> Option<Results<'a, V>> {
         let first = self.given() + self.states;
         registers[self.given()..first].clone_from_slice(&state[..self.states]);
-        for (to, instruction) in (first..).zip(&self.instructions) {
-            let at = |register: u32| registers[register as usize].clone();
-            registers[to] = match *instruction {
-                Instruction::Add(a, b) => at(a) + at(b),
-                Instruction::Subtract(a, b) => at(a) - at(b),
-                Instruction::Multiply(a, b) => at(a) * at(b),
-                Instruction::Divide(a, b) => at(a) / at(b),
-                Instruction::Reciprocal(d) => registers[d as usize].reciprocal()?,
-                Instruction::Quotient(a, b) => at(a).quotient(at(b))?,
-                Instruction::Negate(a) => -at(a),
-                Instruction::MultiplyAdd(a, b, c) => at(a).multiply_add(at(b), at(c)),
-                Instruction::MultiplySubtract(a, b, c) => at(a).multiply_subtract(at(b), at(c)),
-                Instruction::SubtractProduct(a, b, c) => at(a).subtract_product(at(b), at(c)),
+        for (to, operation) in (first..).zip(&self.operations) {
+            let at = |operand: Node| registers[operand.0].clone();
+            registers[to] = match *operation {
+                Operation::Add(a, b) => at(a) + at(b),
+                Operation::Subtract(a, b) => at(a) - at(b),
+                Operation::Multiply(a, b) => at(a) * at(b),
+                Operation::Divide(a, b) if !self.has_poles => at(a) / at(b),
+                Operation::Divide(a, b) if self.one == Some(a) => registers[b.0].reciprocal()?,
+                Operation::Divide(a, b) => at(a).quotient(at(b))?,
+                Operation::Negate(a) => -at(a),
+                Operation::MultiplyAdd(a, b, c) => at(a).multiply_add(at(b), at(c)),
+                Operation::MultiplySubtract(a, b, c) => at(a).multiply_subtract(at(b), at(c)),
+                Operation::SubtractProduct(a, b, c) => at(a).subtract_product(at(b), at(c)),
+                Operation::Input(_) | Operation::Prepared(_) | Operation::Constant(_) => {
+                    unreachable!("these have registers of their own")
+                }
             };
         }
         Some(Results { registers, places: &self.results })
@@ -152,10 +146,8 @@ impl Line {
 
     /// Whether the run that has filled these registers divides by zero.
     pub(crate) fn has_divided_by_zero<V: Scalar>(&self, registers: &[V]) -> bool {
-        self.instructions.iter().any(|instruction| match *instruction {
-            Instruction::Divide(_, d) | Instruction::Reciprocal(d) | Instruction::Quotient(_, d) => {
-                registers[d as usize].is_zero()
-            }
+        self.operations.iter().any(|operation| match *operation {
+            Operation::Divide(_, divisor) => registers[divisor.0].is_zero(),
             _ => false,
         })
     }
@@ -170,27 +162,41 @@ impl Line {
         self.give(constants, registers);
         self.run(registers, state)
     }
+
+    /// The same in registers that are made as many as it takes.
+    ///
+    /// # Panics
+    /// Where a division by zero has no value.
+    pub(crate) fn values<'a, V: Scalar + Copy>(
+        &'a self,
+        constants: &[V],
+        registers: &'a mut Vec<V>,
+        state: &[V],
+    ) -> Results<'a, V> {
+        registers.resize(self.registers(), V::zero());
+        has_value(self.results(constants.iter().copied(), registers, state))
+    }
 }
 
 /// The results of a run, in its registers.
 #[derive(Debug)]
 pub(crate) struct Results<'a, V> {
     registers: &'a [V],
-    places: &'a [u32],
+    places: &'a [Node],
 }
 
 impl<'a, V: Clone> Results<'a, V> {
     /// The result with this index.
     #[inline]
     pub(crate) fn get(&self, index: usize) -> V {
-        self.registers[self.places[index] as usize].clone()
+        self.registers[self.places[index].0].clone()
     }
 
     /// All of them, in order.
     #[inline(always)]
     pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
         let registers = self.registers;
-        self.places.iter().map(|place| registers[*place as usize].clone())
+        self.places.iter().map(|place| registers[place.0].clone())
     }
 }
 
@@ -201,29 +207,4 @@ impl<'a, V: Clone> Results<'a, V> {
 #[inline(always)]
 pub(crate) fn has_value<V>(value: Option<V>) -> V {
     value.unwrap_or_else(|| panic!("an exact number is divided by zero"))
-}
-
-fn register(places: &[usize], node: Node) -> u32 {
-    u32::try_from(places[node.0]).unwrap_or_else(|_| unreachable!("plans have a budget of terms"))
-}
-
-fn instruction(plan: &Plan, operation: &Operation, places: &[usize], has_poles: bool) -> Instruction {
-    let at = |node: Node| register(places, node);
-    let is_one =
-        |node: Node| matches!(&plan.operations[node.0], Operation::Constant(one) if one.as_i64() == Some(1));
-    match *operation {
-        Operation::Add(a, b) => Instruction::Add(at(a), at(b)),
-        Operation::Subtract(a, b) => Instruction::Subtract(at(a), at(b)),
-        Operation::Multiply(a, b) => Instruction::Multiply(at(a), at(b)),
-        Operation::Divide(a, b) if has_poles && is_one(a) => Instruction::Reciprocal(at(b)),
-        Operation::Divide(a, b) if has_poles => Instruction::Quotient(at(a), at(b)),
-        Operation::Divide(a, b) => Instruction::Divide(at(a), at(b)),
-        Operation::Negate(a) => Instruction::Negate(at(a)),
-        Operation::MultiplyAdd(a, b, c) => Instruction::MultiplyAdd(at(a), at(b), at(c)),
-        Operation::MultiplySubtract(a, b, c) => Instruction::MultiplySubtract(at(a), at(b), at(c)),
-        Operation::SubtractProduct(a, b, c) => Instruction::SubtractProduct(at(a), at(b), at(c)),
-        Operation::Input(_) | Operation::Prepared(_) | Operation::Constant(_) => {
-            unreachable!("these are no instructions")
-        }
-    }
 }

@@ -1,75 +1,74 @@
 //! Registers, memory, and what moves between them.
 
-use crate::assembler::Vector;
-use crate::lines::{Ends, Given};
+use crate::assembler::{Source, Vector};
+use crate::lowering::Ends;
 
 use super::allocator::Allocator;
-use super::{Operand, Operation, Place};
+use super::{MachineInstruction, Place};
 
 impl Allocator<'_> {
-    pub(super) fn source(&self, line: usize) -> Operand {
-        match (self.register_of[line], self.home[line]) {
-            (Some(register), _) => Operand::Register(register),
-            (None, Some(place)) => Operand::Memory(place),
+    pub(super) fn source(&self, value: usize) -> Source<Place> {
+        match (self.register_of[value], self.home[value]) {
+            (Some(register), _) => Source::Register(register),
+            (None, Some(place)) => Source::Memory(place),
             (None, None) => unreachable!("a value is somewhere until its last use"),
         }
     }
 
-    pub(super) fn source_register(&self, line: usize) -> Vector {
-        self.register_of[line].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
+    pub(super) fn source_register(&self, value: usize) -> Vector {
+        self.register_of[value].unwrap_or_else(|| unreachable!("the operand was brought into a register"))
     }
 
     /// The register of an operand, into which it is loaded if need be.
-    pub(super) fn in_register(&mut self, line: usize, time: usize) -> Vector {
-        if let Operand::Memory(place) = self.source(line) {
-            let register = self.fresh(time);
-            self.code.operations.push(Operation::Load(register, place));
-            self.registers[usize::from(register.0)] = Some(line);
-            self.register_of[line] = Some(register);
+    pub(super) fn in_register(&mut self, value: usize) -> Vector {
+        if let Source::Memory(place) = self.source(value) {
+            let register = self.fresh();
+            self.code.round.push(MachineInstruction::Load(register, place));
+            self.registers[usize::from(register.0)] = Some(value);
+            self.register_of[value] = Some(register);
         }
-        self.lock(line);
-        self.source_register(line)
+        self.lock(value);
+        self.source_register(value)
     }
 
     /// An operand that may stand in memory.
-    pub(super) fn operand(&mut self, line: usize, time: usize) -> Operand {
-        if self.is_worth_loading(line, time) {
-            return Operand::Register(self.in_register(line, time));
+    pub(super) fn operand(&mut self, value: usize) -> Source<Place> {
+        if self.is_worth_loading(value) {
+            return Source::Register(self.in_register(value));
         }
-        self.lock(line);
-        self.source(line)
+        self.lock(value);
+        self.source(value)
     }
 
     /// Whether a value in memory is read again, and there is room for it.
-    pub(super) fn is_worth_loading(&self, line: usize, time: usize) -> bool {
-        let is_variable =
-            !matches!(self.home[line], Some(Place::Given(Given::Constant(_) | Given::Literal(_))) | None);
-        self.register_of[line].is_none()
+    pub(super) fn is_worth_loading(&self, value: usize) -> bool {
+        let is_variable = !matches!(self.home[value], Some(Place::Constant(_) | Place::Literal(_)) | None);
+        self.register_of[value].is_none()
             && is_variable
-            && self.uses.next_after(line, time).is_some()
+            && self.uses.next_after(value, self.time).is_some()
             && self.registers.contains(&None)
     }
 
-    pub(super) fn lock(&mut self, line: usize) {
-        if let Some(register) = self.register_of[line].filter(|_| !self.is_kept[line]) {
+    pub(super) fn lock(&mut self, value: usize) {
+        if let Some(register) = self.register_of[value].filter(|_| !self.is_kept[value]) {
             self.locked[usize::from(register.0)] = true;
         }
     }
 
-    /// A register for the line at hand: the one that it is carried in, where that is free.
-    pub(super) fn target(&mut self, time: usize) -> Vector {
-        let carried = self.results_of[time].first().filter(|_| self.ends == Ends::Carried);
+    /// A register for the value at hand: the one that it is carried in, where that is free.
+    pub(super) fn target(&mut self) -> Vector {
+        let carried = self.results_of[self.time].first().filter(|_| self.ends == Ends::Carried);
         match carried {
             Some(&i) if self.registers[i].is_none() => Vector(i as u8),
-            _ => self.fresh(time),
+            _ => self.fresh(),
         }
     }
 
     /// A register to write to: a free one, or that of the value that is used last.
-    pub(super) fn fresh(&mut self, time: usize) -> Vector {
+    pub(super) fn fresh(&mut self) -> Vector {
         let index = match self.registers.iter().position(Option::is_none) {
             Some(free) => free,
-            None => self.give_up(time),
+            None => self.give_up(),
         };
         let taken = 1 + self.registers.iter().filter(|register| register.is_some()).count();
         self.code.most_taken = self.code.most_taken.max(taken as u8);
@@ -77,60 +76,62 @@ impl Allocator<'_> {
     }
 
     /// Empties the register whose value is used farthest away.
-    pub(super) fn give_up(&mut self, time: usize) -> usize {
+    pub(super) fn give_up(&mut self) -> usize {
         let next = |register: &usize| {
-            self.registers[*register].and_then(|line| self.uses.next_after(line, time)).unwrap_or(usize::MAX)
+            self.registers[*register]
+                .and_then(|value| self.uses.next_after(value, self.time))
+                .unwrap_or(usize::MAX)
         };
         let farthest = (0..self.registers.len()).filter(|register| !self.locked[*register]).max_by_key(next);
         let register =
-            farthest.unwrap_or_else(|| unreachable!("an operation has fewer operands than registers"));
-        if let Some(line) = self.registers[register].take() {
-            if self.home[line].is_none() {
+            farthest.unwrap_or_else(|| unreachable!("an instruction has fewer operands than registers"));
+        if let Some(value) = self.registers[register].take() {
+            if self.home[value].is_none() {
                 let slot = self.free_slots.pop().unwrap_or_else(|| {
                     self.code.slots += 1;
                     self.code.slots - 1
                 });
-                self.home[line] = Some(Place::Slot(slot));
-                self.code.operations.push(Operation::Store(Place::Slot(slot), Vector(register as u8)));
+                self.home[value] = Some(Place::Slot(slot));
+                self.code.round.push(MachineInstruction::Store(Place::Slot(slot), Vector(register as u8)));
             }
-            self.register_of[line] = None;
+            self.register_of[value] = None;
         }
         register
     }
 
-    /// The line at hand has read these; what is not used again gives up its register.
-    pub(super) fn release(&mut self, lines: &[usize], time: usize) {
-        for &line in lines {
-            self.uses.end(line, time);
-            self.drop_dead(line);
+    /// The value at hand has read these; what is not used again gives up its register.
+    pub(super) fn release(&mut self, values: &[usize]) {
+        for &value in values {
+            self.uses.end(value, self.time);
+            self.drop_dead(value);
         }
         self.locked.fill(false);
     }
 
-    pub(super) fn drop_dead(&mut self, line: usize) {
-        if self.uses.next(line).is_none()
-            && !self.is_kept[line]
-            && let Some(register) = self.register_of[line].take()
+    pub(super) fn drop_dead(&mut self, value: usize) {
+        if self.uses.next(value).is_none()
+            && !self.is_kept[value]
+            && let Some(register) = self.register_of[value].take()
         {
             self.registers[usize::from(register.0)] = None;
         }
     }
 
-    /// Slots are free again after the line that reads them last.
-    pub(super) fn free_slots_of(&mut self, lines: &[usize]) {
-        for &line in lines {
-            if self.uses.next(line).is_none()
-                && let Some(Place::Slot(slot)) = self.home[line]
+    /// Slots are free again after the value that reads them last.
+    pub(super) fn free_slots_of(&mut self, values: &[usize]) {
+        for &value in values {
+            if self.uses.next(value).is_none()
+                && let Some(Place::Slot(slot)) = self.home[value]
             {
-                self.home[line] = None;
+                self.home[value] = None;
                 self.free_slots.push(slot);
             }
         }
     }
 
-    /// The line at hand is in this register now.
-    pub(super) fn define(&mut self, line: usize, register: Vector) {
-        self.registers[usize::from(register.0)] = Some(line);
-        self.register_of[line] = Some(register);
+    /// The value at hand is in this register now.
+    pub(super) fn define(&mut self, value: usize, register: Vector) {
+        self.registers[usize::from(register.0)] = Some(value);
+        self.register_of[value] = Some(register);
     }
 }

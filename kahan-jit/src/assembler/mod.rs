@@ -67,6 +67,17 @@ impl Assembler {
         Assembler { bytes: Vec::new(), form, pool: Pool::new(form) }
     }
 
+    /// What its operands are.
+    pub(crate) fn form(&self) -> Form {
+        self.form
+    }
+
+    /// An entry of the array of operands that begins at a base.
+    pub(crate) fn entry(&self, base: General, index: usize) -> Memory {
+        let offset = i32::try_from(index * self.form.bytes());
+        Memory::At { base, offset: offset.expect("programs are short, and their arrays within reach") }
+    }
+
     /// to = a ∘ b
     pub(crate) fn binary(&mut self, operator: Binary, to: Vector, a: Vector, b: Source) {
         let opcode = match operator {

@@ -81,9 +81,19 @@ pub(crate) enum Memory {
     Pool(Entry),
 }
 
-/// The last operand of an instruction.
+/// The last operand of an instruction; M is what a place in memory is told by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Source {
+pub(crate) enum Source<M = Memory> {
     Register(Vector),
-    Memory(Memory),
+    Memory(M),
+}
+
+impl<M> Source<M> {
+    /// The same operand, its place in memory told in another way.
+    pub(crate) fn map<N>(self, of: impl FnOnce(M) -> N) -> Source<N> {
+        match self {
+            Self::Register(register) => Source::Register(register),
+            Self::Memory(place) => Source::Memory(of(place)),
+        }
+    }
 }

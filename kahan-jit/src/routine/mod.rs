@@ -9,9 +9,10 @@ pub use function::Function;
 pub use orbit::{ComposedOrbit, Orbit};
 pub use sweep::{Constants, Sweep};
 
-use crate::allocation::{Allocation, Operand, Operation, Place, RoundPlan};
-use crate::assembler::{Assembler, Element, Form, General, Memory, Source};
-use crate::lines::{Ends, Given, Lines};
+use crate::allocation::{Allocation, MachineInstruction, Place, RoundPlan};
+use crate::assembler::{Assembler, Element, General, Memory};
+use crate::call::Extent;
+use crate::instructions::Float;
 use crate::{Program, Refusal, Shape};
 
 /// Longer programs are no better than a loop. So few operations keep too few numbers at once to
@@ -21,23 +22,24 @@ const MOST_INSTRUCTIONS: usize = 20_000;
 /// Where a number lies; what stands between a place and its address may take an instruction.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, Place) -> Memory;
 
-/// A routine that is being written.
-struct Writer {
+/// A function that is being written, and its frame on the stack.
+struct Frame {
     assembler: Assembler,
-    form: Form,
     code: Allocation,
+    extent: Extent,
+    /// The registers that its caller finds again as they were.
     saved: &'static [General],
 }
 
-impl Writer {
-    /// Begins a function: its registers are saved, and its slots lie above the stack pointer.
+impl Frame {
+    /// Begins a function over numbers of type `T`: its registers are saved, and its slots lie above
+    /// the stack pointer.
     ///
     /// # Panics
     /// If results become states, and a state that is read has no result.
-    fn begin(
+    fn open<T: Float>(
         program: &Program,
         shape: Shape,
-        form: Form,
         plan: RoundPlan,
         saved: &'static [General],
     ) -> Result<Self, Refusal> {
@@ -49,20 +51,21 @@ impl Writer {
         if instructions > MOST_INSTRUCTIONS {
             return Err(Refusal::TooLong { instructions });
         }
-        let entries = program.states().max(program.constants());
+        let form = shape.form::<T>();
+        let extent = Extent::of(program, shape.width::<T>(), plan.ends);
+        let entries = program.states().max(extent.constants);
         if entries > i32::MAX as usize / form.bytes() {
             return Err(Refusal::OutOfReach { entries });
         }
-        if plan.ends != Ends::Elsewhere {
-            assert!(program.states() <= program.results.len(), "a state that is read has a result");
-        }
-        let code = Allocation::of(&Lines::of(program, fuses, plan.ends), set.registers(), plan);
-        let mut writer = Writer { assembler: Assembler::new(form), form, code, saved };
-        writer.enter();
-        Ok(writer)
+        assert!(program.states() <= extent.states, "a state that is read has a result");
+        let code = Allocation::of(&program.lowered(fuses, plan.ends), set.registers(), plan);
+        let mut frame = Frame { assembler: Assembler::new(form), code, extent, saved };
+        frame.write_prologue(frame.code.slots * form.bytes());
+        Ok(frame)
     }
 
-    fn enter(&mut self) {
+    /// Saves registers, and makes room for slots.
+    fn write_prologue(&mut self, bytes: usize) {
         /// The system enlarges a stack page by page.
         const PAGE: usize = 4096;
         /// Slots of any width begin with cache lines.
@@ -72,7 +75,6 @@ impl Writer {
         assembler.push(General::Rbp);
         assembler.move_general(General::Rbp, General::Rsp);
         self.saved.iter().for_each(|register| assembler.push(*register));
-        let bytes = self.code.slots * self.form.bytes();
         if bytes > 0 {
             assembler.and_immediate(General::Rsp, -LINE);
             for touched in (0..bytes).step_by(PAGE) {
@@ -83,8 +85,8 @@ impl Writer {
         }
     }
 
-    /// Ends the function.
-    fn leave(mut self) -> Vec<u8> {
+    /// Ends the function; its bytes, and what it reads and writes.
+    fn close(mut self) -> (Vec<u8>, Extent) {
         let assembler = &mut self.assembler;
         for (index, register) in self.saved.iter().enumerate() {
             assembler.load_general(*register, General::Rbp, -8 * (index as i32 + 1));
@@ -93,64 +95,55 @@ impl Writer {
         assembler.pop(General::Rbp);
         assembler.zero_upper();
         assembler.ret();
-        self.assembler.finish()
+        (self.assembler.finish(), self.extent)
     }
 
     fn before(&mut self, addresses: Addresses<'_>) {
-        emit(&mut self.assembler, &self.code.before, self.form, addresses);
+        emit(&mut self.assembler, &self.code.before, addresses);
     }
 
     fn round(&mut self, addresses: Addresses<'_>) {
-        emit(&mut self.assembler, &self.code.round, self.form, addresses);
+        emit(&mut self.assembler, &self.code.round, addresses);
     }
 
     fn after(&mut self, addresses: Addresses<'_>) {
-        emit(&mut self.assembler, &self.code.after, self.form, addresses);
+        emit(&mut self.assembler, &self.code.after, addresses);
     }
 }
 
-/// Writes the operations.
-fn emit(assembler: &mut Assembler, operations: &[Operation], form: Form, addresses: Addresses<'_>) {
+/// Writes the bytes of instructions.
+fn emit(assembler: &mut Assembler, instructions: &[MachineInstruction], addresses: Addresses<'_>) {
     let address = |assembler: &mut Assembler, place: Place| match place {
-        Place::Given(Given::Literal(bits)) => {
-            let bits = match form.element {
+        Place::Literal(bits) => {
+            let bits = match assembler.form().element {
                 Element::Double => bits,
                 Element::Single => u64::from((f64::from_bits(bits) as f32).to_bits()),
             };
             Memory::Pool(assembler.constant(bits))
         }
-        Place::Slot(slot) => Memory::At { base: General::Rsp, offset: entry(form, slot) },
+        Place::Slot(slot) => assembler.entry(General::Rsp, slot),
         _ => addresses(assembler, place),
     };
-    let source = |assembler: &mut Assembler, operand: Operand| match operand {
-        Operand::Register(register) => Source::Register(register),
-        Operand::Memory(place) => Source::Memory(address(assembler, place)),
-    };
-    for operation in operations {
-        match *operation {
-            Operation::Load(to, place) => {
+    for instruction in instructions {
+        match *instruction {
+            MachineInstruction::Load(to, place) => {
                 let from = address(assembler, place);
                 assembler.load(to, from);
             }
-            Operation::Store(place, from) => {
+            MachineInstruction::Store(place, from) => {
                 let to = address(assembler, place);
                 assembler.store(to, from);
             }
-            Operation::Copy(to, from) => assembler.copy(to, from),
-            Operation::Binary(operator, to, a, b) => {
-                let b = source(assembler, b);
+            MachineInstruction::Copy(to, from) => assembler.copy(to, from),
+            MachineInstruction::Binary(operator, to, a, b) => {
+                let b = b.map(|place| address(assembler, place));
                 assembler.binary(operator, to, a, b);
             }
-            Operation::Fused(operator, order, to, b, c) => {
-                let c = source(assembler, c);
+            MachineInstruction::Fused(operator, order, to, b, c) => {
+                let c = c.map(|place| address(assembler, place));
                 assembler.fused(operator, order, to, b, c);
             }
-            Operation::RoundToSingle(to, from) => assembler.round_to_single(to, from),
+            MachineInstruction::RoundToSingle(to, from) => assembler.round_to_single(to, from),
         }
     }
-}
-
-/// The offset of an entry of an array of operands.
-fn entry(form: Form, index: usize) -> i32 {
-    i32::try_from(index * form.bytes()).expect("programs are short, and their arrays within reach")
 }

@@ -3,12 +3,12 @@
 
 use crate::allocation::{FEWEST_REGISTERS, Place, RoundPlan};
 use crate::assembler::{Assembler, Condition, General, Memory};
-use crate::call::{Code, Extent};
+use crate::call::Code;
 use crate::instructions::{Float, Shape};
-use crate::lines::{Ends, Given};
+use crate::lowering::Ends;
 use crate::{Program, Refusal};
 
-use super::{Writer, entry};
+use super::Frame;
 
 /// A program as code that runs many times: its results are the states of the next round, and its
 /// constants stay.
@@ -33,30 +33,30 @@ impl<T: Float> Orbit<T> {
     /// # Panics
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
-        let (form, ends) = (shape.form::<T>(), ends(program, shape));
+        let ends = ends(program, shape);
         let plan = RoundPlan { ends, keeps_constants: true, keeps_literals: true };
-        let mut writer = Writer::begin(program, shape, form, plan, &[])?;
-        let addresses = |_: &mut Assembler, place| address(place, General::Rsi, |index| entry(form, index));
+        let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
+        let addresses = |assembler: &mut Assembler, place| address(assembler, place, General::Rsi);
         // States that are carried are read from one array and written to another, which may be the
         // same.
-        let last = |_: &mut Assembler, place| match place {
-            Place::Given(Given::State(i)) => Memory::At { base: General::Rcx, offset: entry(form, i) },
+        let last = |assembler: &mut Assembler, place| match place {
+            Place::State(i) => assembler.entry(General::Rcx, i),
             _ => unreachable!("only states are written at the end"),
         };
-        writer.assembler.test(General::Rdx);
-        let end = writer.assembler.jump_if_forward(Condition::Zero);
-        writer.before(&addresses);
-        let again = writer.assembler.label();
-        writer.round(&addresses);
-        writer.assembler.decrement(General::Rdx);
-        writer.assembler.jump_if(Condition::NotZero, again);
-        writer.after(&last);
-        writer.assembler.bind(end);
-        let extent = extent::<T>(program, shape);
+        frame.assembler.test(General::Rdx);
+        let end = frame.assembler.jump_if_forward(Condition::Zero);
+        frame.before(&addresses);
+        let again = frame.assembler.label();
+        frame.round(&addresses);
+        frame.assembler.decrement(General::Rdx);
+        frame.assembler.jump_if(Condition::NotZero, again);
+        frame.after(&last);
+        frame.assembler.bind(end);
+        let (bytes, extent) = frame.close();
         // SAFETY: the code reads a register for each result, and `program.constants()` of them,
         // and writes the results alone, those that are carried to the last state. It is entered by
         // `Code::orbit`, or if they are carried by `Code::orbit_step`.
-        let code = unsafe { Code::new(&writer.leave(), extent) }?;
+        let code = unsafe { Code::new(&bytes, extent) }?;
         Ok(Orbit { code, ends })
     }
 
@@ -92,38 +92,37 @@ impl<T: Float> ComposedOrbit<T> {
     /// # Panics
     /// If a state that is read has no result.
     pub fn compile(program: &Program, shape: Shape) -> Result<Self, Refusal> {
-        let form = shape.form::<T>();
         let plan = RoundPlan { ends: ends(program, shape), keeps_constants: false, keeps_literals: true };
-        let mut writer = Writer::begin(program, shape, form, plan, &[])?;
-        let addresses = |_: &mut Assembler, place| address(place, General::Rax, |index| entry(form, index));
-        writer.assembler.test(General::Rcx);
-        let end = writer.assembler.jump_if_forward(Condition::Zero);
-        writer.before(&addresses);
-        let again = writer.assembler.label();
-        writer.assembler.move_general(General::R8, General::Rsi);
-        writer.assembler.move_general(General::R9, General::Rdx);
-        let next_stage = writer.assembler.label();
-        writer.assembler.load_general(General::Rax, General::R8, 0);
-        writer.round(&addresses);
-        writer.assembler.add_immediate(General::R8, 8);
-        writer.assembler.decrement(General::R9);
-        writer.assembler.jump_if(Condition::NotZero, next_stage);
-        writer.assembler.decrement(General::Rcx);
-        writer.assembler.jump_if(Condition::NotZero, again);
-        writer.after(&addresses);
-        writer.assembler.bind(end);
-        let extent = extent::<T>(program, shape);
+        let mut frame = Frame::open::<T>(program, shape, plan, &[])?;
+        let addresses = |assembler: &mut Assembler, place| address(assembler, place, General::Rax);
+        frame.assembler.test(General::Rcx);
+        let end = frame.assembler.jump_if_forward(Condition::Zero);
+        frame.before(&addresses);
+        let again = frame.assembler.label();
+        frame.assembler.move_general(General::R8, General::Rsi);
+        frame.assembler.move_general(General::R9, General::Rdx);
+        let next_stage = frame.assembler.label();
+        frame.assembler.load_general(General::Rax, General::R8, 0);
+        frame.round(&addresses);
+        frame.assembler.add_immediate(General::R8, 8);
+        frame.assembler.decrement(General::R9);
+        frame.assembler.jump_if(Condition::NotZero, next_stage);
+        frame.assembler.decrement(General::Rcx);
+        frame.assembler.jump_if(Condition::NotZero, again);
+        frame.after(&addresses);
+        frame.assembler.bind(end);
+        let (bytes, extent) = frame.close();
         // SAFETY: the code reads and writes a register for each result, and reads
         // `program.constants()` of them from each address of the table. It is entered by
         // `Code::composed_orbit`.
-        Ok(ComposedOrbit { code: unsafe { Code::new(&writer.leave(), extent) }? })
+        Ok(ComposedOrbit { code: unsafe { Code::new(&bytes, extent) }? })
     }
 
     /// Advances the state by so many steps, each of all stages; `stages` are their constants.
     ///
     /// # Panics
     /// If an array is too short, or there is no stage, or more than 64.
-    pub fn run(&self, state: &mut [T], stages: &[&[T]], steps: u64) {
+    pub fn run<'a>(&self, state: &mut [T], stages: impl Iterator<Item = &'a [T]>, steps: u64) {
         self.code.composed_orbit(state, stages, steps);
     }
 }
@@ -134,15 +133,10 @@ fn ends(program: &Program, shape: Shape) -> Ends {
     if program.results().len() <= room { Ends::Carried } else { Ends::InPlace }
 }
 
-fn address(place: Place, constants: General, offset: impl Fn(usize) -> i32) -> Memory {
+fn address(assembler: &Assembler, place: Place, constants: General) -> Memory {
     match place {
-        Place::Given(Given::State(i)) => Memory::At { base: General::Rdi, offset: offset(i) },
-        Place::Given(Given::Constant(k)) => Memory::At { base: constants, offset: offset(k) },
+        Place::State(i) => assembler.entry(General::Rdi, i),
+        Place::Constant(k) => assembler.entry(constants, k),
         _ => unreachable!("an orbit has states and constants"),
     }
-}
-
-fn extent<T: Float>(program: &Program, shape: Shape) -> Extent {
-    let (width, states) = (shape.width::<T>(), program.results().len());
-    Extent { states: states * width, constants: program.constants() * width, results: 0 }
 }

@@ -3,12 +3,12 @@
 
 use crate::allocation::{Place, RoundPlan};
 use crate::assembler::{Assembler, Condition, General, Memory};
-use crate::call::{Code, Extent};
+use crate::call::Code;
 use crate::instructions::{Float, Shape};
-use crate::lines::{Ends, Given};
+use crate::lowering::Ends;
 use crate::{Program, Refusal};
 
-use super::{Writer, entry};
+use super::Frame;
 
 /// Whose constants a sweep takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,8 +23,6 @@ pub enum Constants {
 #[derive(Debug)]
 pub struct Sweep<T> {
     code: Code<T>,
-    width: usize,
-    constants: usize,
     of: Constants,
 }
 
@@ -43,60 +41,57 @@ impl<T: Float> Sweep<T> {
     pub fn compile(program: &Program, shape: Shape, of: Constants) -> Result<Self, Refusal> {
         /// Of the registers that a function has to leave as they were, those used here.
         const SAVED: &[General] = &[General::Rbx, General::R12, General::R13, General::R14, General::R15];
-        let form = shape.form::<T>();
         let plan =
             RoundPlan { ends: Ends::InPlace, keeps_constants: of == Constants::Shared, keeps_literals: true };
-        let mut writer = Writer::begin(program, shape, form, plan, SAVED)?;
-        let states = program.results().len();
-        for (column, pointer) in POINTERS.into_iter().enumerate().take(states) {
-            writer.assembler.load_general(pointer, General::Rdi, place_of(column));
+        let mut frame = Frame::open::<T>(program, shape, plan, SAVED)?;
+        for (column, pointer) in POINTERS.into_iter().enumerate().take(program.results().len()) {
+            frame.assembler.load_general(pointer, General::Rdi, place_of(column));
         }
         let addresses = |assembler: &mut Assembler, place| match place {
-            Place::Given(Given::State(i)) => {
+            Place::State(i) => {
                 let base = POINTERS.get(i).copied().unwrap_or_else(|| {
                     assembler.load_general(General::Rax, General::Rdi, place_of(i));
                     General::Rax
                 });
                 Memory::Indexed { base, index: General::R9 }
             }
-            Place::Given(Given::Constant(k)) => Memory::At { base: General::R10, offset: entry(form, k) },
+            Place::Constant(k) => assembler.entry(General::R10, k),
             _ => unreachable!("a sweep has states and constants"),
         };
-        writer.assembler.move_general(General::R10, General::Rdx);
-        writer.before(&addresses);
-        let next_step = writer.assembler.label();
-        writer.assembler.and_immediate(General::R9, 0);
-        writer.assembler.move_general(General::R10, General::Rdx);
-        let next_register = writer.assembler.label();
-        writer.round(&addresses);
+        frame.assembler.move_general(General::R10, General::Rdx);
+        frame.before(&addresses);
+        let next_step = frame.assembler.label();
+        frame.assembler.and_immediate(General::R9, 0);
+        frame.assembler.move_general(General::R10, General::Rdx);
+        let next_register = frame.assembler.label();
+        frame.round(&addresses);
         if of == Constants::Own {
-            writer.assembler.add_general(General::R10, General::Rcx);
+            frame.assembler.add_general(General::R10, General::Rcx);
         }
-        writer.assembler.add_immediate(General::R9, form.bytes() as i32);
-        writer.assembler.compare(General::R9, General::Rsi);
-        writer.assembler.jump_if(Condition::Below, next_register);
-        writer.assembler.decrement(General::R8);
-        writer.assembler.jump_if(Condition::NotZero, next_step);
-        let (width, constants) = (shape.width::<T>(), program.constants() * shape.width::<T>());
-        let extent = Extent { states, constants, results: 0 };
+        frame.assembler.add_immediate(General::R9, frame.assembler.form().bytes() as i32);
+        frame.assembler.compare(General::R9, General::Rsi);
+        frame.assembler.jump_if(Condition::Below, next_register);
+        frame.assembler.decrement(General::R8);
+        frame.assembler.jump_if(Condition::NotZero, next_step);
+        let (bytes, extent) = frame.close();
         // SAFETY: for each register of the columns, the code reads and writes one in each of the
         // first `states` columns, and reads `program.constants()` registers from where the
         // constants are. It is entered by `Code::sweep`, with the width of its registers and the
         // distance between the constants of one and of the next.
-        let code = unsafe { Code::new(&writer.leave(), extent) }?;
-        Ok(Sweep { code, width, constants, of })
+        Ok(Sweep { code: unsafe { Code::new(&bytes, extent) }?, of })
     }
 
     /// How many trajectories an instruction works on: columns are so long, or a multiple of it.
     #[must_use]
     pub fn width(&self) -> usize {
-        self.width
+        self.code.extent().width
     }
 
     /// How many numbers the constants of a register of trajectories are.
     #[must_use]
     pub fn constants(&self) -> usize {
-        self.constants
+        let [_, constants, _] = self.code.extent().numbers();
+        constants
     }
 
     /// Advances all trajectories by so many steps. A constant is as many numbers as a register
@@ -107,8 +102,7 @@ impl<T: Float> Sweep<T> {
     /// If the columns are not of one length, or that is not a multiple of [`width`](Self::width),
     /// or there are too few constants, or more than 256 columns.
     pub fn run(&self, columns: &mut [impl AsMut<[T]>], constants: &[T], steps: u64) {
-        let stride = if self.of == Constants::Own { self.constants } else { 0 };
-        self.code.sweep(columns, self.width, (constants, stride), steps);
+        self.code.sweep(columns, constants, self.of == Constants::Own, steps);
     }
 }
 

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use crate::allocation::{Allocation, FEWEST_REGISTERS, Operand, Operation, Place, RoundPlan};
-use crate::assembler::{Binary, Fused, Order, Vector};
-use crate::lines::{Ends, Given, Lines};
+use crate::allocation::{Allocation, FEWEST_REGISTERS, MachineInstruction, Place, RoundPlan};
+use crate::assembler::{Binary, Fused, Order, Source, Vector};
+use crate::lowering::Ends;
 use crate::program::{Instruction, Program};
 
 use super::{Draw, random_program, run, same, subtract_product};
@@ -12,14 +12,14 @@ use super::{Draw, random_program, run, same, subtract_product};
 /// A machine with registers and memory that does what is allocated.
 struct Machine {
     registers: Vec<Option<f64>>,
-    memory: HashMap<String, f64>,
+    memory: HashMap<Place, f64>,
 }
 
 impl Machine {
     fn at(&self, place: Place) -> f64 {
         match place {
-            Place::Given(Given::Literal(bits)) => f64::from_bits(bits),
-            _ => *self.memory.get(&format!("{place:?}")).expect("what is read was written"),
+            Place::Literal(bits) => f64::from_bits(bits),
+            _ => *self.memory.get(&place).expect("what is read was written"),
         }
     }
 
@@ -27,23 +27,23 @@ impl Machine {
         self.registers[usize::from(register.0)].expect("a register is read after it is written")
     }
 
-    fn operand(&self, operand: Operand) -> f64 {
+    fn operand(&self, operand: Source<Place>) -> f64 {
         match operand {
-            Operand::Register(register) => self.register(register),
-            Operand::Memory(place) => self.at(place),
+            Source::Register(register) => self.register(register),
+            Source::Memory(place) => self.at(place),
         }
     }
 
-    fn run(&mut self, operations: &[Operation]) {
-        for operation in operations {
-            let (to, value) = match *operation {
-                Operation::Load(to, place) => (to, self.at(place)),
-                Operation::Store(place, from) => {
-                    self.memory.insert(format!("{place:?}"), self.register(from));
+    fn run(&mut self, instructions: &[MachineInstruction]) {
+        for instruction in instructions {
+            let (to, value) = match *instruction {
+                MachineInstruction::Load(to, place) => (to, self.at(place)),
+                MachineInstruction::Store(place, from) => {
+                    self.memory.insert(place, self.register(from));
                     continue;
                 }
-                Operation::Copy(to, from) => (to, self.register(from)),
-                Operation::Binary(operator, to, a, b) => {
+                MachineInstruction::Copy(to, from) => (to, self.register(from)),
+                MachineInstruction::Binary(operator, to, a, b) => {
                     let (a, b) = (self.register(a), self.operand(b));
                     let value = match operator {
                         Binary::Add => a + b,
@@ -54,7 +54,7 @@ impl Machine {
                     };
                     (to, value)
                 }
-                Operation::Fused(operator, order, to, b, c) => {
+                MachineInstruction::Fused(operator, order, to, b, c) => {
                     let (d, b, c) = (self.register(to), self.register(b), self.operand(c));
                     let (x, y, z) = match order {
                         Order::D132 => (d, c, b),
@@ -68,7 +68,7 @@ impl Machine {
                     };
                     (to, value)
                 }
-                Operation::RoundToSingle(to, from) => (to, f64::from(self.register(from) as f32)),
+                MachineInstruction::RoundToSingle(to, from) => (to, f64::from(self.register(from) as f32)),
             };
             self.registers[usize::from(to.0)] = Some(value);
         }
@@ -83,20 +83,20 @@ fn allocated(
     (states, constants): (&[f64], &[f64]),
     rounds: usize,
 ) -> Vec<f64> {
-    let code = Allocation::of(&Lines::of(program, fuses, plan.ends), registers, plan);
+    let code = Allocation::of(&program.lowered(fuses, plan.ends), registers, plan);
     let mut machine = Machine { registers: vec![None; registers.into()], memory: HashMap::new() };
     for (i, state) in states.iter().enumerate() {
-        machine.memory.insert(format!("{:?}", Place::Given(Given::State(i))), *state);
+        machine.memory.insert(Place::State(i), *state);
     }
     for (k, constant) in constants.iter().enumerate() {
-        machine.memory.insert(format!("{:?}", Place::Given(Given::Constant(k))), *constant);
+        machine.memory.insert(Place::Constant(k), *constant);
     }
     machine.run(&code.before);
     (0..rounds).for_each(|_| machine.run(&code.round));
     machine.run(&code.after);
     let place = |i| match plan.ends {
         Ends::Elsewhere => Place::Result(i),
-        Ends::Carried | Ends::InPlace => Place::Given(Given::State(i)),
+        Ends::Carried | Ends::InPlace => Place::State(i),
     };
     (0..program.results().len()).map(|i| machine.at(place(i))).collect()
 }
@@ -137,12 +137,12 @@ fn a_last_use_takes_no_instruction_of_its_own() {
     let sum = program.push(Instruction::MultiplyAdd(a, b, c));
     program.set_results(vec![sum]);
     let plan = RoundPlan { ends: Ends::Elsewhere, keeps_constants: false, keeps_literals: false };
-    let round = Allocation::of(&Lines::of(&program, true, plan.ends), 16, plan).round;
+    let round = Allocation::of(&program.lowered(true, plan.ends), 16, plan).round;
     let [
-        Operation::Load(..),
-        Operation::Load(..),
-        Operation::Fused(.., Operand::Memory(_)),
-        Operation::Store(..),
+        MachineInstruction::Load(..),
+        MachineInstruction::Load(..),
+        MachineInstruction::Fused(.., Source::Memory(_)),
+        MachineInstruction::Store(..),
     ] = round[..]
     else {
         panic!("{round:?}")

@@ -124,8 +124,7 @@ fn orbits<T: Tested>() {
                 assert_same(&found, &expected, &what, &program);
 
                 let mut found = x.clone();
-                let all: Vec<&[T]> = stages.iter().map(Vec::as_slice).collect();
-                composed.run(&mut found, &all, steps);
+                composed.run(&mut found, stages.iter().map(Vec::as_slice), steps);
                 let each = (0..steps).flat_map(|_| &stages);
                 let expected = each.fold(x.clone(), |x, stage| run(&program, &x, stage, fuses));
                 assert_same(&found, &expected, &what, &program);

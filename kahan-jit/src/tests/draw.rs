@@ -41,8 +41,8 @@ pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, o
     for k in 0..constants {
         program.push(Instruction::Constant(k));
     }
-    program.push(Instruction::Literal(draw.number(55)));
-    let mut known = 1 + program.push(Instruction::Literal(2.0));
+    program.push(Instruction::literal(draw.number(55)));
+    let mut known = 1 + program.push(Instruction::literal(2.0));
     for _ in 0..operations {
         let mut operand = || match draw.below(3) {
             0 => draw.below(known),

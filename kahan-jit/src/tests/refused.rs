@@ -32,7 +32,7 @@ fn entries_beyond_the_reach_of_an_instruction_are_refused() {
     }
     for entry in [usize::MAX, usize::MAX - 1, 1 << 61, 1 << 60, 1 << 32, 1 << 29, 1 << 28] {
         for instruction in [Instruction::State(entry), Instruction::Constant(entry)] {
-            let program = program(&[instruction, Instruction::Literal(1.0)], vec![0]);
+            let program = program(&[instruction, Instruction::literal(1.0)], vec![0]);
             let refusal = Function::<f64>::compile(&program, SHAPE).expect_err("no code reaches it");
             assert!(
                 matches!(refusal, Refusal::OutOfReach { entries } if entries == entry.saturating_add(1)),
@@ -53,11 +53,12 @@ fn entries_beyond_the_reach_of_an_instruction_are_refused() {
 
 #[test]
 fn more_results_than_a_straight_line_has_are_refused() {
-    let many = program(&[Instruction::Literal(1.0)], vec![0; 20_001]);
+    let many = program(&[Instruction::literal(1.0)], vec![0; 20_001]);
     let refusal = Function::<f64>::compile(&many, SHAPE).expect_err("it is too long");
     assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 20_001 }), "{refusal:?}");
 }
 
+#[cfg(feature = "pages")]
 #[test]
 #[should_panic(expected = "a state that is read has a result")]
 fn a_round_has_a_result_for_each_state() {

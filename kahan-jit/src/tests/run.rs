@@ -27,7 +27,7 @@ pub(crate) fn run_by<T: Float>(
         values.push(match program.instruction(index) {
             State(i) => state(i),
             Constant(k) => constant(k),
-            Literal(value) => number(value),
+            Literal(bits) => number(f64::from_bits(bits)),
             Add(a, b) => values[a] + values[b],
             Subtract(a, b) => values[a] - values[b],
             Multiply(a, b) => values[a] * values[b],

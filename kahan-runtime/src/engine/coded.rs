@@ -56,8 +56,8 @@ impl Engine {
         }
         let code = self.codes.orbit(self, kind, own.len() > 1)?;
         let (step, mut registers) = (self.steps().form(is_general), Vec::new());
-        let mut prepared = |constants: &Vec<V>| step.prepared(constants, &mut registers);
-        let constants = own.iter().map(|own| prepared(own).into_iter().flat_map(numbers).collect()).collect();
+        let mut prepared = |own| Some(step.prepared(own, &mut registers)?.iter().flat_map(numbers).collect());
+        let constants = own.iter().map(|own| prepared(own)).collect::<Option<_>>()?;
         Some(CodedStages { code, kind, constants, carrying: Arc::default(), abreast: Arc::default() })
     }
 

@@ -150,7 +150,7 @@ impl<T: Scratches> Prepared<'_, T> {
     /// Those of so many registers of trajectories from this one on.
     fn of_registers(
         &mut self,
-        Columns { columns, eps, own, parameters }: &Columns<'_, '_, T>,
+        Columns { columns, eps, parameters }: &Columns<'_, '_, T>,
         first: usize,
         registers: usize,
         given: &mut Vec<T>,
@@ -166,13 +166,7 @@ impl<T: Scratches> Prepared<'_, T> {
                     if values.len() == 1 { values[0] } else { values[place(lane)] }
                 };
                 given.clear();
-                if parameters.is_empty() {
-                    own.iter().for_each(|value| given.extend(core::iter::repeat_n(*value, width)));
-                } else {
-                    parameters
-                        .iter()
-                        .for_each(|values| given.extend((0..width).map(|lane| of(values, lane))));
-                }
+                parameters.iter().for_each(|values| given.extend((0..width).map(|lane| of(values, lane))));
                 given.extend((0..width).map(|lane| gamma * of(eps, lane)));
                 self.code.prepare(given, self.constants);
             }

@@ -4,8 +4,6 @@
 //! steps later. Trajectories go side by side through the form of the step that ensembles take; a
 //! step by elimination, which compares numbers, moves one after the other.
 
-use core::slice;
-
 use kahan_core::{Composition, Scalar};
 
 use super::lanes::{EightLanes, LANES};
@@ -20,14 +18,12 @@ pub(crate) struct Columns<'a, 'b, T> {
     pub(crate) columns: &'a mut [&'b mut [T]],
     /// One value, or one a trajectory.
     pub(crate) eps: &'a [T],
-    /// The parameters of the map.
-    pub(crate) own: &'a [T],
-    /// What stands in their place, if anything: for each one value, or one a trajectory.
+    /// For each parameter one value, or one a trajectory.
     pub(crate) parameters: &'a [&'a [T]],
 }
 
 /// Numbers of as many trajectories as go side by side.
-trait Abreast<T>: Scalar + Copy {
+trait Lanes<T>: Scalar + Copy {
     /// How many.
     const WIDTH: usize;
 
@@ -38,7 +34,7 @@ trait Abreast<T>: Scalar + Copy {
     fn of(&self, place: usize) -> T;
 }
 
-impl<T: Scratches> Abreast<T> for T {
+impl<T: Scratches> Lanes<T> for T {
     const WIDTH: usize = 1;
 
     fn gather(value: impl Fn(usize) -> T) -> Self {
@@ -50,7 +46,7 @@ impl<T: Scratches> Abreast<T> for T {
     }
 }
 
-impl<T: Scratches> Abreast<T> for EightLanes<T> {
+impl<T: Scratches> Lanes<T> for EightLanes<T> {
     const WIDTH: usize = LANES;
 
     #[inline(always)]
@@ -90,12 +86,12 @@ impl Engine {
 fn advance<T, V>(
     step: &Step,
     local: Local<V>,
-    Columns { columns, eps, own, parameters }: &mut Columns<'_, '_, T>,
+    Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>,
     composition: Composition,
     steps: u64,
 ) where
     T: Scratches,
-    V: Abreast<T>,
+    V: Lanes<T>,
 {
     let trajectories = columns.first().map_or(0, |column| column.len());
     let (stages, size) = (distinct(&composition).len(), step.registers());
@@ -107,22 +103,18 @@ fn advance<T, V>(
             };
             [&mut *constants, given, state].into_iter().for_each(Vec::clear);
             state.extend(columns.iter().map(|column| gather(column)));
-            if parameters.is_empty() {
-                constants.extend(own.iter().map(|value| gather(slice::from_ref(value))));
-            } else {
-                constants.extend(parameters.iter().map(|values| gather(values)));
-            }
+            constants.extend(parameters.iter().map(|values| gather(values)));
             constants.push(V::zero());
             let eps = gather(eps);
             for coefficient in distinct(&composition) {
-                constants[own.len()] = V::constant(coefficient) * eps;
+                constants[parameters.len()] = V::constant(coefficient) * eps;
                 step.prepare(constants, registers, given);
             }
             registers.clear();
             given.chunks_exact(given.len() / stages).for_each(|given| step.open(given, registers));
             for _ in 0..steps {
                 in_turn(stages, |k| {
-                    step.advance(false, state, &mut registers[k * size..][..size], workspace);
+                    step.advance(false, [state, &mut []], &mut registers[k * size..][..size], workspace);
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {

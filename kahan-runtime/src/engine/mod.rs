@@ -21,7 +21,7 @@ use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
 use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 
-use crate::line::{Line, has_value};
+use crate::line::Line;
 use crate::machine::Codes;
 
 use elimination::solve;
@@ -32,8 +32,8 @@ pub(crate) use coded::CodedStages;
 pub(crate) use coded_columns::{ColumnsOnce, Instructions};
 pub(crate) use columns::Columns;
 pub(crate) use couplings::{Factors, Tables};
+use scratch::Workspace;
 pub(crate) use scratch::{Scratch, Scratches, with_scratch};
-use scratch::{Workspace, sized};
 pub(crate) use step::{Step, into_matrix};
 
 /// A function of the state, or of two states.
@@ -66,38 +66,22 @@ pub(crate) enum Object {
 }
 
 impl Object {
-    /// Its place among all objects of a field; brackets come last.
-    pub(crate) fn place(self) -> usize {
+    /// Its place among all objects of a field, of which brackets come last, and its plan: `None`
+    /// where the field has none, and for what is computed from others.
+    pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
-            Object::Field => 0,
-            Object::FieldJacobian => 1,
-            Object::Integrals => 2,
-            Object::Density => 3,
-            Object::Matrix => 4,
-            Object::Jacobian => 5,
-            Object::Bilinear => 6,
-            Object::Polarized => 7,
-            Object::DetMatrix => 8,
-            Object::RationalMap => 9,
-            Object::ReducedMap => 10,
-            Object::Bracket(index) => 11 + index,
-        }
-    }
-
-    /// Its plan; `None` where the field has none, and for what is computed from others.
-    fn plan(self, derived: &Derived) -> Option<&Plan> {
-        match self {
-            Object::Field => Some(&derived.field),
-            Object::FieldJacobian => Some(&derived.field_jacobian),
-            Object::Integrals => Some(&derived.integrals),
-            Object::Density => derived.density.as_ref(),
-            Object::Bracket(index) => derived.brackets.get(index).map(|(_, plan)| plan),
-            Object::Matrix | Object::Jacobian => None,
-            Object::Bilinear => Some(&derived.bilinear),
-            Object::Polarized => Some(&derived.polarized),
-            Object::DetMatrix => derived.det_matrix.as_ref(),
-            Object::RationalMap => derived.rational_map.as_ref(),
-            Object::ReducedMap => derived.reduced_map.as_ref(),
+            Object::Field => (0, Some(&derived.field)),
+            Object::FieldJacobian => (1, Some(&derived.field_jacobian)),
+            Object::Integrals => (2, Some(&derived.integrals)),
+            Object::Density => (3, derived.density.as_ref()),
+            Object::Matrix => (4, None),
+            Object::Jacobian => (5, None),
+            Object::Bilinear => (6, Some(&derived.bilinear)),
+            Object::Polarized => (7, Some(&derived.polarized)),
+            Object::DetMatrix => (8, derived.det_matrix.as_ref()),
+            Object::RationalMap => (9, derived.rational_map.as_ref()),
+            Object::ReducedMap => (10, derived.reduced_map.as_ref()),
+            Object::Bracket(index) => (11 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
         }
     }
 }
@@ -139,7 +123,7 @@ impl Engine {
     /// Derives the map.
     pub(crate) fn new(system: &System) -> Self {
         let derived = derive(system);
-        let objects = Object::Bracket(derived.brackets.len()).place();
+        let (objects, _) = Object::Bracket(derived.brackets.len()).entry(&derived);
         Engine {
             lines: (0..objects).map(|_| OnceLock::new()).collect(),
             codes: Codes::new(objects),
@@ -168,8 +152,9 @@ impl Engine {
     /// The line of an object, which is made where there is none yet; `None` where the field has no
     /// such object, and for what is computed from others.
     pub(crate) fn line(&self, object: Object) -> Option<&Line> {
-        let line = || Some(Line::of(object.plan(&self.derived)?, &self.derived.system.field.symbols));
-        self.lines.get(object.place())?.get_or_init(line).as_ref()
+        let (place, plan) = object.entry(&self.derived);
+        let line = || Some(Line::of(plan?, &self.derived.system.field.symbols));
+        self.lines.get(place)?.get_or_init(line).as_ref()
     }
 
     /// The line of an object that every field has.
@@ -209,11 +194,7 @@ impl Engine {
     ) {
         with_scratch(T::single(), |scratch| {
             self.run(stages, steps, scratch, |step, rounds, registers, workspace| {
-                if carry.is_empty() {
-                    step.advance(rounds, state, registers, workspace);
-                } else {
-                    step.advance_with_carry(rounds, [state, carry], registers, workspace);
-                }
+                step.advance(rounds, [state, carry], registers, workspace);
             });
         });
     }
@@ -248,8 +229,8 @@ impl Engine {
     /// An object at a state; `constants` are the parameters and ε. What `out` has no room for is
     /// left out, as is an object that the field has not.
     pub(crate) fn evaluate<T: Scratches>(&self, object: Object, constants: &[T], state: &[T], out: &mut [T]) {
-        if self.codes.function(self, object).is_some_and(|code| code.has_run(constants, state, out)) {
-            return;
+        if let Some(code) = self.codes.function(self, object).filter(|code| code.results() <= out.len()) {
+            return code.run(state, constants, out);
         }
         match object {
             Object::Jacobian => self.jacobian(constants, state, out),
@@ -259,9 +240,8 @@ impl Engine {
             }
             _ => with_scratch(T::single(), |scratch| {
                 let Some(line) = self.line(object) else { return };
-                let registers = sized(&mut scratch.registers, line.registers());
-                let results = has_value(line.results(constants.iter().copied(), registers, state));
-                out.iter_mut().zip(results.iter()).for_each(|(out, result)| *out = result);
+                let results = line.values(constants, &mut scratch.registers, state).iter();
+                out.iter_mut().zip(results).for_each(|(out, result)| *out = result);
             }),
         }
     }
@@ -273,9 +253,7 @@ impl Engine {
         state: &[V],
         scratch: &'a mut Scratch<V>,
     ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
-        let line = self.known_line(Object::Integrals);
-        let registers = sized(&mut scratch.registers, line.registers());
-        has_value(line.results(constants.iter().copied(), registers, state)).iter()
+        self.known_line(Object::Integrals).values(constants, &mut scratch.registers, state).iter()
     }
 
     /// ∂x̃/∂x of a step, row by row: the straight line over dual numbers, or A(x,ε)⁻¹·A(x̃,−ε);
@@ -306,7 +284,7 @@ impl Engine {
         with_scratch(T::duals(), |scratch| {
             let stages = [self.stage(&lifted, scratch)];
             self.run(&stages, 1, scratch, |step, rounds, registers, workspace| {
-                step.advance(rounds, &mut point, registers, workspace);
+                step.advance(rounds, [&mut point, &mut []], registers, workspace);
             });
         });
         point.into_iter().map(|Dual { gradient: [slope], .. }| slope).collect()
@@ -314,7 +292,7 @@ impl Engine {
 }
 
 /// The parameters, and ε behind them.
-fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
+pub(crate) fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     let (eps, parameters) = constants.split_last().unwrap_or_else(|| unreachable!("there is an eps"));
     (parameters, *eps)
 }

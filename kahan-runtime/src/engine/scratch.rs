@@ -6,7 +6,7 @@
 use core::cell::Cell;
 use std::thread::LocalKey;
 
-use kahan_core::{Dual, EnsembleScalar, FloatScalar, Scalar};
+use kahan_core::{Dual, EnsembleScalar, FloatScalar};
 
 use crate::machine::Coded;
 
@@ -90,12 +90,6 @@ macro_rules! implement_for_float {
 
 implement_for_float!(f32);
 implement_for_float!(f64);
-
-/// So many registers; what they hold means nothing.
-pub(super) fn sized<V: Scalar>(registers: &mut Vec<V>, size: usize) -> &mut [V] {
-    registers.resize(size, V::zero());
-    registers
-}
 
 /// Does the work with the scratch of this thread; a thread that is ending gets a new one.
 pub(crate) fn with_scratch<V, R>(local: Local<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {

@@ -6,12 +6,12 @@ use kahan_algebra::plan::StepPlan;
 use kahan_core::__private::may_divide_by;
 use kahan_core::{Precision, Scalar};
 
-use crate::line::{Line, has_value};
+use crate::line::{Line, Results, has_value};
 use crate::machine::StepKind;
 
 use super::couplings::{Factors, Tables};
 use super::elimination::solve;
-use super::scratch::{Workspace, sized};
+use super::scratch::Workspace;
 
 /// The forms of a step.
 #[derive(Debug)]
@@ -70,18 +70,22 @@ pub(crate) struct Step {
     /// field. With `couplings` the entries are those that these place, else all of them.
     lines: Vec<Line>,
     couplings: Option<Tables>,
-    /// For each component the index of its reciprocal.
-    pub(crate) reciprocals: Vec<Option<usize>>,
+    /// For each component the places of its numerator and its reciprocal among what the step
+    /// computes. Elimination computes increments, which have no reciprocals.
+    pub(crate) quotients: Vec<(usize, Option<usize>)>,
 }
 
 impl Step {
     fn straight(plan: &StepPlan, derived: &Derived) -> Self {
         let symbols = &derived.system.field.symbols;
+        let kernel = &plan.kernel;
+        let places: Vec<usize> = (0..kernel.plan.outputs.len()).collect();
+        let quotients = kernel.factors(&places).map(|(numerator, by)| (*numerator, by.copied()));
         Step {
             prepared: Some(Line::of(&plan.constants, symbols)),
-            lines: vec![Line::of_kernel(&plan.kernel.plan, symbols, plan.constants.outputs.len())],
+            lines: vec![Line::of_kernel(&kernel.plan, symbols, plan.constants.outputs.len())],
             couplings: None,
-            reciprocals: plan.kernel.reciprocal_of.clone(),
+            quotients: quotients.collect(),
         }
     }
 
@@ -93,7 +97,7 @@ impl Step {
             prepared: None,
             lines: [slopes, field].map(|plan| Line::of(plan, symbols)).into(),
             couplings: couplings.as_ref().map(Tables::of),
-            reciprocals: vec![None; symbols.dimension()],
+            quotients: (0..symbols.dimension()).map(|i| (i, None)).collect(),
         }
     }
 
@@ -120,24 +124,10 @@ impl Step {
         registers: &mut Vec<V>,
         given: &mut Vec<V>,
     ) {
-        match &self.prepared {
-            Some(prepared) => {
-                let registers = sized(registers, prepared.registers());
-                let prepared = has_value(prepared.results(constants.iter().copied(), registers, &[]));
-                append_given(&self.lines[0], prepared.iter(), given);
-            }
+        match self.prepared(constants, registers) {
+            Some(prepared) => append_given(&self.lines[0], prepared.iter(), given),
             None => self.lines.iter().for_each(|line| append_given(line, constants.iter().copied(), given)),
         }
-    }
-
-    /// What the registers of a straight line hold whatever the state, from its prepared constants.
-    #[cfg(feature = "jit")]
-    pub(crate) fn given<V: Scalar>(&self, prepared: impl IntoIterator<Item = V>) -> Vec<V> {
-        let mut given = Vec::new();
-        if let Some([_, kernel]) = self.lines() {
-            append_given(kernel, prepared, &mut given);
-        }
-        given
     }
 
     /// How many registers the step takes.
@@ -157,23 +147,12 @@ impl Step {
 
     /// Replaces a state by the next one, in the registers of the step. Where generated code takes
     /// the general form for one state, it rounds increments before it adds them.
+    ///
+    /// What the state lacks is carried along in `carry`, by the operations of
+    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry), unless that is
+    /// empty.
     #[inline]
     pub(crate) fn advance<V: Scalar + Copy>(
-        &self,
-        rounds: bool,
-        state: &mut [V],
-        registers: &mut [V],
-        workspace: &mut Workspace<V>,
-    ) {
-        self.compute(state, registers, workspace);
-        for (i, x) in state.iter_mut().enumerate() {
-            *x = added(self.quotient(i, rounds, workspace), *x);
-        }
-    }
-
-    /// The same for a state that is carried with what it lacks: the operations of
-    /// [`Quotients::added_with_carry`](kahan_core::Quotients::added_with_carry).
-    pub(crate) fn advance_with_carry<V: Scalar + Copy>(
         &self,
         rounds: bool,
         [state, carry]: [&mut [V]; 2],
@@ -181,6 +160,12 @@ impl Step {
         workspace: &mut Workspace<V>,
     ) {
         self.compute(state, registers, workspace);
+        if carry.is_empty() {
+            for (i, x) in state.iter_mut().enumerate() {
+                *x = added(self.quotient(i, rounds, workspace), *x);
+            }
+            return;
+        }
         for (i, (x, carry)) in state.iter_mut().zip(carry).enumerate() {
             let quotient = self.quotient(i, rounds, workspace);
             let base = *x + *carry;
@@ -195,29 +180,8 @@ impl Step {
         }
     }
 
-    /// The same in a wider precision for a state of single precision, to which `single` rounds each
-    /// number once; `carry` is empty where nothing is carried.
-    pub(crate) fn advance_through<V: Scalar + Copy>(
-        &self,
-        rounds: bool,
-        [state, carry]: [&mut [V]; 2],
-        registers: &mut [V],
-        workspace: &mut Workspace<V>,
-        single: impl Fn(V) -> V,
-    ) {
-        self.compute(state, registers, workspace);
-        for (i, x) in state.iter_mut().enumerate() {
-            let carry = carry.get_mut(i);
-            let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
-            let next = added(self.quotient(i, rounds, workspace), base);
-            *x = single(next);
-            if let Some(carry) = carry {
-                *carry = single(next - *x);
-            }
-        }
-    }
-
-    /// The step of a kind; `carry` is empty where nothing is carried.
+    /// The step of a kind. In a wider precision for a state of single precision, `single` rounds each
+    /// number once.
     pub(crate) fn advance_as<V: Scalar + Copy>(
         &self,
         kind: StepKind,
@@ -226,13 +190,18 @@ impl Step {
         workspace: &mut Workspace<V>,
         single: impl Fn(V) -> V,
     ) {
-        let rounds = kind.rounds_increments;
-        if kind.precision == Precision::SingleThroughDouble {
-            self.advance_through(rounds, [state, carry], registers, workspace, single);
-        } else if kind.compensated {
-            self.advance_with_carry(rounds, [state, carry], registers, workspace);
-        } else {
-            self.advance(rounds, state, registers, workspace);
+        if kind.precision != Precision::SingleThroughDouble {
+            return self.advance(kind.rounds_increments, [state, carry], registers, workspace);
+        }
+        self.compute(state, registers, workspace);
+        for (i, x) in state.iter_mut().enumerate() {
+            let carry = carry.get_mut(i);
+            let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
+            let next = added(self.quotient(i, kind.rounds_increments, workspace), base);
+            *x = single(next);
+            if let Some(carry) = carry {
+                *carry = single(next - *x);
+            }
         }
     }
 
@@ -241,21 +210,20 @@ impl Step {
         if self.has_lanes() { self.lines[0].has_divided_by_zero(registers) } else { workspace.is_singular }
     }
 
-    /// What the state's kernel reads; `constants` are the parameters and ε. Nothing, where the step
-    /// is no straight line.
-    pub(crate) fn prepared<V: Scalar + Copy>(&self, constants: &[V], registers: &mut Vec<V>) -> Vec<V> {
-        let Some(prepared) = &self.prepared else { return Vec::new() };
-        let registers = sized(registers, prepared.registers());
-        has_value(prepared.results(constants.iter().copied(), registers, &[])).iter().collect()
+    /// What the kernel of a straight line reads; `constants` are the parameters and ε.
+    pub(crate) fn prepared<'a, V: Scalar + Copy>(
+        &'a self,
+        constants: &[V],
+        registers: &'a mut Vec<V>,
+    ) -> Option<Results<'a, V>> {
+        Some(self.prepared.as_ref()?.values(constants, registers, &[]))
     }
 
     /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings of many variables; whether it
     /// could.
     pub(super) fn solves_columns<V: Scalar + Copy>(&self, constants: &[V], state: &[V], b: &mut [V]) -> bool {
         let Some((slopes, tables)) = self.couplings() else { return false };
-        let mut registers = vec![V::zero(); slopes.registers()];
-        let results = has_value(slopes.results(constants.iter().copied(), &mut registers, state));
-        let entries: Vec<V> = results.iter().collect();
+        let entries: Vec<V> = slopes.values(constants, &mut Vec::new(), state).iter().collect();
         let mut factors = Factors::default();
         let is_factored = tables.factor(&entries, &constants[constants.len() - 1], &mut factors);
         if is_factored {
@@ -270,9 +238,9 @@ impl Step {
         state: &[V],
         registers: &mut [V],
         workspace: &'a mut Workspace<V>,
-    ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
+    ) -> impl Iterator<Item = V> + use<'a, V> {
         self.compute(state, registers, workspace);
-        (0..self.reciprocals.len()).map(|i| self.quotient(i, true, workspace).0)
+        (0..self.quotients.len()).map(|i| self.quotient(i, true, workspace).0)
     }
 
     /// Computes numerators and reciprocals.
@@ -311,13 +279,14 @@ impl Step {
         }
     }
 
-    /// Component i of the increment before its last multiplication.
+    /// The factors of an increment, multiplied where increments are rounded.
     #[inline(always)]
     fn quotient<V: Scalar + Copy>(&self, i: usize, rounds: bool, workspace: &Workspace<V>) -> (V, Option<V>) {
-        let (numerators, reciprocals) = workspace.outcome.split_at(self.reciprocals.len());
-        match self.reciprocals[i] {
-            Some(place) if rounds => (numerators[i] * reciprocals[place], None),
-            place => (numerators[i], place.map(|place| reciprocals[place])),
+        let (numerator, reciprocal) = self.quotients[i];
+        let outcome = &workspace.outcome;
+        match reciprocal {
+            Some(place) if rounds => (outcome[numerator] * outcome[place], None),
+            _ => (outcome[numerator], reciprocal.map(|place| outcome[place])),
         }
     }
 }

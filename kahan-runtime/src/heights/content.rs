@@ -18,13 +18,13 @@
 //! the heights need; if that is one per cent or more, the search begins again.
 
 use std::collections::VecDeque;
-use std::thread;
 
 use dashu_int::ops::{BitTest, DivRem, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
 use super::integers::{bits, greatest_common_divisor, short_gcd};
 use super::map::Image;
+use super::reduction::in_two_threads;
 
 /// Finds less than one part in so many of the digits count as nothing.
 const NEGLIGIBLE: usize = 100;
@@ -166,14 +166,7 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
 /// between two threads.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
-        let (left, right) = point.split_at(point.len() / 2);
-        let (left, right) = thread::scope(|scope| {
-            let right = scope.spawn(|| quotients_in_turn(right, divisor));
-            (
-                quotients_in_turn(left, divisor),
-                right.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            )
-        });
+        let [left, right] = in_two_threads(point, |half| quotients_in_turn(half, divisor));
         return Ok([left?, right?].concat());
     }
     quotients_in_turn(point, divisor)

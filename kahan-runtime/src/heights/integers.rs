@@ -90,6 +90,9 @@ pub(crate) fn greatest_common_divisor<'a>(values: impl IntoIterator<Item = &'a I
 
 /// gcd(a, b) for a ≠ 0, by one division first where b is the longer one.
 pub(crate) fn short_gcd(a: &UBig, b: &UBig) -> UBig {
+    if a.is_one() {
+        return UBig::ONE;
+    }
     if b.bit_len() < a.bit_len() {
         return if b.is_zero() { a.clone() } else { a.gcd(b) };
     }

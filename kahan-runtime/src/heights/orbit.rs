@@ -2,13 +2,13 @@
 
 use std::time::{Duration, Instant};
 
-use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
+use dashu_int::ops::{BitTest, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
 use super::content::{Content, Primitive, longest};
-use super::integers::{denominator, numerator};
+use super::integers::{denominator, numerator, short_gcd};
 use super::logarithm::{decimal_digits, natural_logarithm};
 use super::map::{ProjectiveMap, UndefinedField};
 use super::reduction::common_factors;
@@ -202,7 +202,7 @@ fn heights(step: usize, map: &ProjectiveMap, point: &[IBig], factors: &[UBig]) -
     let logarithm = |(x, factor): (&IBig, &UBig)| {
         let (x, weight) = (x.unsigned_abs() / factor, &weight / factor);
         // With X/W in lowest terms, σX/W with σ = s/t still shares gcd(s, W)·gcd(t, X).
-        let lost = shared(&above, &weight) * shared(&below, &x);
+        let lost = short_gcd(&above, &weight) * short_gcd(&below, &x);
         let larger = (&above * x).max(&below * weight) / lost;
         let logarithm = natural_logarithm(&larger);
         (logarithm, decimal_digits(&larger, logarithm))
@@ -217,10 +217,5 @@ fn common_of(factors: &[UBig]) -> UBig {
     factors.sort_by_key(|factor| factor.bit_len());
     let mut factors = factors.into_iter();
     let shortest = factors.next().cloned().unwrap_or(UBig::ONE);
-    factors.fold(shortest, |common, factor| shared(&common, factor))
-}
-
-/// gcd(number, long) for a number ≠ 0 that is the shorter one.
-fn shared(number: &UBig, long: &UBig) -> UBig {
-    if number.is_one() { UBig::ONE } else { number.gcd(long % number) }
+    factors.fold(shortest, |common, factor| short_gcd(&common, factor))
 }

@@ -41,26 +41,23 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
         weight.bit_len() >= LONG && thread::available_parallelism().is_ok_and(|cores| cores.get() > 1);
     if parts.len() > 1 && is_long {
         // ∏ gcd(B, ∏Xᵢ) over the parts B divides W, and gcd(Xᵢ, W) divides it.
-        let shares = in_two_threads(parts, |parts| {
-            let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
-            parts.iter().map(share).collect()
-        });
-        return each_with(x, weight, &shares.iter().product());
+        let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
+        let shares = in_two_threads(parts, |parts| parts.iter().map(share).collect::<Vec<UBig>>());
+        return each_with(x, weight, &shares.iter().flatten().product());
     }
     if x.len() > 1 && is_long {
-        return in_two_threads(x, |x| each_with(x, weight, &shared_with_product(x, weight)));
+        let factors = in_two_threads(x, |x| each_with(x, weight, &shared_with_product(x, weight)));
+        return factors.into_iter().flatten().collect();
     }
     each_with(x, weight, &shared_with_product(x, weight))
 }
 
-/// The two halves of a list at once.
-fn in_two_threads<T: Sync>(items: &[T], work: impl Fn(&[T]) -> Vec<UBig> + Sync) -> Vec<UBig> {
+/// What comes of the two halves of a list, at once.
+pub(super) fn in_two_threads<T: Sync, R: Send>(items: &[T], work: impl Fn(&[T]) -> R + Sync) -> [R; 2] {
     let (left, right) = items.split_at(items.len() / 2);
     thread::scope(|scope| {
         let other = scope.spawn(|| work(right));
-        let mut results = work(left);
-        results.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
-        results
+        [work(left), other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))]
     })
 }
 

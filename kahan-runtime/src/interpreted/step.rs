@@ -60,12 +60,11 @@ impl<T: Scalar, const N: usize> PreparedStep<T, N> for InterpretedStep<T, N> {
         let registers = sized(&mut registers, kernel.registers());
         registers[..self.kept.len()].clone_from_slice(&self.kept);
         let results = kernel.run(registers, x.as_slice())?;
-        let own = step.reciprocals.len();
-        let reciprocal = |i: usize| Some(results.get(own + (*step.reciprocals.get(i)?)?));
+        let quotient = |i: usize| step.quotients.get(i).copied();
         // A step read at run time can have several reciprocals.
         Some(Quotients::over_several(
-            from_fn(|i| if i < own { results.get(i) } else { T::zero() }),
-            from_fn(reciprocal),
+            from_fn(|i| quotient(i).map_or_else(T::zero, |(numerator, _)| results.get(numerator))),
+            from_fn(|i| Some(results.get(quotient(i)?.1?))),
         ))
     }
 }

@@ -13,9 +13,6 @@ use crate::engine::{Engine, Object};
 
 use super::{SideBySide, StepKind, programs};
 
-/// The most stages of a composition.
-const MOST_STAGES: usize = 32;
-
 /// What was asked for; `None` where there is none.
 #[derive(Debug)]
 struct Table<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
@@ -38,7 +35,7 @@ impl<K: Eq + Hash, C> Table<K, C> {
 #[derive(Debug)]
 pub struct CodesOf<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
-    functions: Vec<OnceLock<Option<FunctionCode<T>>>>,
+    functions: Vec<OnceLock<Option<Function<T>>>>,
     columns: Table<Shape, ColumnsCode<T>>,
     abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
 }
@@ -76,17 +73,11 @@ pub(crate) enum OrbitCode<T> {
     Composed(ComposedOrbit<T>),
 }
 
-/// The code of an object.
-#[derive(Debug)]
-pub(crate) struct FunctionCode<T>(Function<T>);
-
 /// The code of columns.
 #[derive(Debug)]
 pub(crate) struct ColumnsCode<T> {
     /// From the parameters and ε of a register of trajectories to the constants of their step.
     constants: Function<T>,
-    count: usize,
-    width: usize,
     shared: Sweep<T>,
     own: Sweep<T>,
 }
@@ -145,13 +136,13 @@ impl Codes {
     }
 
     /// The code of an object; likewise. Nothing in it is fused.
-    pub(crate) fn function<T: Coded>(&self, engine: &Engine, object: Object) -> Option<&FunctionCode<T>> {
+    pub(crate) fn function<T: Coded>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
         let compile = || {
             let program = programs::object::<T>(object, engine)?;
             let shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };
-            Function::compile(&program, shape).ok().map(FunctionCode)
+            Function::compile(&program, shape).ok()
         };
-        T::of(self).functions.get(object.place())?.get_or_init(compile).as_ref()
+        T::of(self).functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
     }
 
     /// The code of columns in instructions and a rounding; likewise.
@@ -183,25 +174,12 @@ impl<T: Coded> OrbitCode<T> {
         match self {
             OrbitCode::Single(orbit) => orbit.run(numbers, &stages[0], steps),
             OrbitCode::Composed(orbit) => {
-                let mut table: [&[T]; MOST_STAGES] = [&[]; MOST_STAGES];
-                let last = stages.len() - 1;
-                let order = (0..=last).chain((0..last).rev());
-                table.iter_mut().zip(order).for_each(|(entry, stage)| *entry = &stages[stage]);
-                orbit.run(numbers, &table[..=2 * last], steps);
+                let (middle, before) =
+                    stages.split_last().unwrap_or_else(|| unreachable!("there is a stage"));
+                let order = before.iter().chain([middle]).chain(before.iter().rev());
+                orbit.run(numbers, order.map(Vec::as_slice), steps);
             }
         }
-    }
-}
-
-impl<T: Coded> FunctionCode<T> {
-    /// Computes the object at a state, unless there is no room for it; `constants` are the
-    /// parameters and ε.
-    pub(crate) fn has_run(&self, constants: &[T], state: &[T], out: &mut [T]) -> bool {
-        let has_room = self.0.results() <= out.len();
-        if has_room {
-            self.0.run(state, constants, out);
-        }
-        has_room
     }
 }
 
@@ -213,8 +191,6 @@ impl<T: Coded> ColumnsCode<T> {
             Ok(ColumnsCode {
                 // Constants are rounded once each, whatever the step does.
                 constants: Function::compile(&prepared, Shape { fuses: false, ..shape })?,
-                count: prepared.results().len(),
-                width: shape.width::<T>(),
                 shared: Sweep::compile(&program, shape, Constants::Shared)?,
                 own: Sweep::compile(&program, shape, Constants::Own)?,
             })
@@ -224,7 +200,7 @@ impl<T: Coded> ColumnsCode<T> {
 
     /// How many trajectories go side by side.
     pub(crate) fn width(&self) -> usize {
-        self.width
+        self.shared.width()
     }
 
     /// Appends the constants of a register of trajectories; `given` are their parameters and ε,
@@ -234,7 +210,7 @@ impl<T: Coded> ColumnsCode<T> {
         T: Default,
     {
         let start = constants.len();
-        constants.resize(start + self.count * self.width, T::default());
+        constants.resize(start + self.constants.results(), T::default());
         self.constants.run(&[], given, &mut constants[start..]);
     }
 

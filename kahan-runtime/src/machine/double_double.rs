@@ -11,7 +11,7 @@ use std::cell::RefCell;
 
 use kahan_core::num_traits::{One, Zero};
 use kahan_core::{Constant, Scalar};
-use kahan_jit::Instruction::{Literal, State};
+use kahan_jit::Instruction::State;
 use kahan_jit::{Instruction, Program};
 
 use crate::operators::operators;
@@ -48,10 +48,11 @@ const DIVISORS: i32 = 400;
 
 /// The program of the numbers that `compute` gives, each as its two parts, and of a guard behind
 /// them that was 0 before.
-pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Vec<Pair>) -> Option<Program> {
+pub(super) fn program(fuses: bool, compute: impl FnOnce() -> Option<Vec<Pair>>) -> Option<Program> {
     NOTES.set(Notes { fuses, ..Notes::default() });
     traced::program(|| {
-        let mut results: Vec<Double> = compute().into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
+        let mut results: Vec<Double> =
+            compute()?.into_iter().flat_map(|pair| [pair.high, pair.low]).collect();
         let guard = Double::of(State(results.len()));
         // The sum of a step's notes does not wait for the step before.
         let noted = NOTES.take().of_sizes.into_iter().reduce(|a, b| a + b);
@@ -66,7 +67,7 @@ fn power_of_two(exponent: i32) -> f64 {
 }
 
 fn number(value: f64) -> Double {
-    Double::of(Literal(value))
+    Double::of(Instruction::literal(value))
 }
 
 fn fuses() -> bool {

@@ -1,12 +1,11 @@
 //! What code is compiled from: the interpreter's work, over numbers that write it down.
 
-use kahan_core::num_traits::Zero;
 use kahan_core::{Precision, Scalar};
 use kahan_jit::Instruction::{Constant, State};
 use kahan_jit::Program;
 
 use crate::engine::{Engine, Object, Scratch, Step, into_matrix, jacobian_by_duals};
-use crate::line::{Line, has_value};
+use crate::line::Line;
 
 use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
@@ -21,7 +20,6 @@ impl StepKind {
     pub(super) fn program<T: Coded>(self, engine: &Engine) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
-        step.lines()?;
         if self.precision == Precision::DoubleDouble {
             return double_double::program(self.fuses, || {
                 let state = (0..variables).map(|i| Pair::of(State, i)).collect();
@@ -29,7 +27,7 @@ impl StepKind {
             });
         }
         let numbers = if self.compensated { 2 * variables } else { variables };
-        traced::program(|| Some(self.next(step, Traced::<T>::states(0..numbers))))
+        traced::program(|| self.next(step, Traced::<T>::states(0..numbers)))
     }
 
     /// The program of a point that carries so many tangent vectors, each as many numbers as the
@@ -38,11 +36,10 @@ impl StepKind {
     pub(super) fn carrying<T: Coded>(self, engine: &Engine, vectors: usize) -> Option<Program> {
         let step = engine.steps().form(self.is_general);
         let n = engine.dimension() / 2;
-        step.lines()?;
         traced::program(|| {
             let (mut results, mut squares) = (Vec::new(), Vec::new());
             for k in 0..vectors {
-                let next = self.next(step, Traced::<T>::states((0..n).chain((k + 1) * n..(k + 2) * n)));
+                let next = self.next(step, Traced::<T>::states((0..n).chain((k + 1) * n..(k + 2) * n)))?;
                 // All vectors have the same point; equal operations are compiled once.
                 results.extend(&next[if k == 0 { 0 } else { n }..]);
                 squares
@@ -53,23 +50,24 @@ impl StepKind {
         })
     }
 
-    fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Vec<Traced<T>> {
+    fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Option<Vec<Traced<T>>> {
         self.advanced(step, numbers, |k| Traced::of(Constant(k)), Traced::rounded_to_single)
     }
 
-    /// The numbers of a state one step later.
+    /// The numbers of a state one step later; `None` where the step is no straight line.
     fn advanced<V: Scalar + Copy>(
         self,
         step: &Step,
         mut numbers: Vec<V>,
         constant: impl Fn(usize) -> V,
         single: impl Fn(V) -> V,
-    ) -> Vec<V> {
-        let Scratch { mut registers, mut workspace, .. } = Scratch::default();
-        step.open(&step.given((0..).map(constant)), &mut registers);
-        let (state, carry) = numbers.split_at_mut(step.reciprocals.len());
-        step.advance_as(self, [state, carry], &mut registers, &mut workspace, single);
-        numbers
+    ) -> Option<Vec<V>> {
+        let [_, kernel] = step.lines()?;
+        let mut registers = vec![V::zero(); kernel.registers()];
+        kernel.give((0..).map(constant), &mut registers);
+        let (state, carry) = numbers.split_at_mut(step.quotients.len());
+        step.advance_as(self, [state, carry], &mut registers, &mut Scratch::default().workspace, single);
+        Some(numbers)
     }
 }
 
@@ -118,6 +116,5 @@ fn constants<T: Coded>(engine: &Engine) -> Vec<Traced<T>> {
 }
 
 fn results<T: Coded>(line: &Line, constants: &[Traced<T>], state: &[Traced<T>]) -> Vec<Traced<T>> {
-    let mut registers = vec![Traced::zero(); line.registers()];
-    has_value(line.results(constants.iter().copied(), &mut registers, state)).iter().collect()
+    line.values(constants, &mut Vec::new(), state).iter().collect()
 }

@@ -57,7 +57,7 @@ impl<T> Traced<T> {
     /// The number that it is, where that is known.
     pub(super) fn literal(self) -> Option<f64> {
         match self.instruction() {
-            Literal(value) => Some(value),
+            Literal(bits) => Some(f64::from_bits(bits)),
             _ => None,
         }
     }
@@ -97,7 +97,7 @@ impl<T> Neg for Traced<T> {
 
 impl<T: Copy> Zero for Traced<T> {
     fn zero() -> Self {
-        Self::of(Literal(0.0))
+        Self::of(Instruction::literal(0.0))
     }
 
     /// Nothing is known of a number before the program runs.
@@ -108,13 +108,13 @@ impl<T: Copy> Zero for Traced<T> {
 
 impl<T: Copy> One for Traced<T> {
     fn one() -> Self {
-        Self::of(Literal(1.0))
+        Self::of(Instruction::literal(1.0))
     }
 }
 
 impl<T: FloatScalar> Scalar for Traced<T> {
     fn constant(c: &kahan_core::Constant<'_>) -> Self {
-        Self::of(Literal(T::constant(c).approximate()))
+        Self::of(Instruction::literal(T::constant(c).approximate()))
     }
 
     fn quotient(self, divisor: Self) -> Option<Self> {

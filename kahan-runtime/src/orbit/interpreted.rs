@@ -4,7 +4,6 @@ use kahan_core::{Dd, FloatScalar};
 
 use crate::Map;
 use crate::engine::{Scratch, Stage};
-use crate::interpreted::round;
 use crate::machine::StepKind;
 
 use super::{Asked, Running};
@@ -50,7 +49,7 @@ where
         let mut scratch = Scratch::default();
         let stages =
             asked.stages(widen).iter().map(|own| map.field().engine.stage(own, &mut scratch)).collect();
-        let constants = asked.parameters(widen).chain([widen(round(asked.eps))]).collect();
+        let constants = asked.constants().into_iter().map(widen).collect();
         let state: Vec<V> = asked.start(widen).collect();
         let carry = if scheme.compensated { vec![V::zero(); state.len()] } else { Vec::new() };
         let kind = StepKind::of_scheme(scheme);
@@ -98,7 +97,7 @@ where
         let Walk { map, stages, state, scratch, .. } = self;
         let mut divides = false;
         map.field().engine.run(stages, 1, scratch, |step, rounds, registers, room| {
-            step.advance(rounds, state, registers, room);
+            step.advance(rounds, [state, &mut []], registers, room);
             divides |= step.has_divided_by_zero(registers, room);
         });
         divides

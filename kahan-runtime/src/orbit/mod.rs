@@ -13,9 +13,10 @@ mod tests;
 use core::fmt::Debug;
 
 use kahan_algebra::rational::Rational;
-use kahan_core::{Composition, Dd, FloatScalar, Precision, Scheme};
+use kahan_core::{Dd, FloatScalar, Precision, Scheme};
 
 use crate::Map;
+use crate::engine::{Scratches, stage_constants};
 use crate::interpreted::round;
 
 pub use projective::{ProjectiveOrbit, ProjectiveScalar};
@@ -56,42 +57,47 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    fn parameters<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> impl Iterator<Item = V> {
-        self.map.parameters().iter().map(move |value| widen(round(value)))
-    }
-
     fn start<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> impl Iterator<Item = V> {
         self.start.iter().map(move |value| widen(round(value)))
     }
 
-    /// The parameters, and ε behind them, of each stage that differs, the middle one last.
+    /// The parameters, and ε behind them.
+    fn constants<G: FloatScalar>(&self) -> Vec<G> {
+        self.map.parameters().iter().chain([self.eps]).map(round).collect()
+    }
+
+    /// The same of each stage that differs, the middle one last.
     fn stages<G: FloatScalar, V>(&self, widen: fn(G) -> V) -> Vec<Vec<V>> {
-        let (composition, eps) = (self.scheme.composition, round(self.eps));
-        let own = |eps: G| self.parameters(widen).chain([widen(eps)]).collect();
-        if composition == Composition::KAHAN {
-            return vec![own(eps)];
-        }
-        let differing = composition.coefficients().take(composition.stages().div_ceil(2));
-        differing.map(|gamma| own(G::constant(gamma) * eps)).collect()
+        let stages = stage_constants(&self.constants::<G>(), self.scheme.composition);
+        stages.into_iter().map(|own| own.into_iter().map(widen).collect()).collect()
     }
 
     /// The orbit by the interpreter, and by code where there is some.
     fn begin(&self) -> (Box<dyn Interpreting>, Option<Box<dyn Running>>) {
-        let wide: fn(f32) -> f64 = f64::from;
         match self.scheme.precision {
-            Precision::Single => {
-                (Walk::begin(self, |x: f32| x, |x| x.high() as f32), Coding::begin(self, |x: f32| x, |x| [x]))
-            }
+            Precision::Single => self.begin_in(|x: f32| x, |x| x.high() as f32, |x| [x]),
             Precision::SingleThroughDouble => {
-                (Walk::begin(self, wide, |x| f64::from(x.high() as f32)), Coding::begin(self, wide, |x| [x]))
+                self.begin_in(|x: f32| f64::from(x), |x| f64::from(x.high() as f32), |x| [x])
             }
-            Precision::Double => {
-                (Walk::begin(self, |x: f64| x, Dd::high), Coding::begin(self, |x: f64| x, |x| [x]))
-            }
-            Precision::DoubleDouble => {
-                (Walk::begin(self, |x: Dd| x, |x| x), Coding::begin(self, |x: Dd| x, |x| [x.high(), x.low()]))
-            }
+            Precision::Double => self.begin_in(|x: f64| x, Dd::high, |x| [x]),
+            Precision::DoubleDouble => self.begin_in(|x: Dd| x, |x| x, |x| [x.high(), x.low()]),
         }
+    }
+
+    /// The same whose points are a `G` and whose steps are computed in a `V`, which is the `numbers`
+    /// that code takes; `narrow` puts a coordinate of a point into it.
+    fn begin_in<G: FloatScalar, V, T: Scratches, const N: usize>(
+        &self,
+        widen: fn(G) -> V,
+        narrow: fn(Dd) -> V,
+        numbers: fn(V) -> [T; N],
+    ) -> (Box<dyn Interpreting>, Option<Box<dyn Running>>)
+    where
+        V: FloatScalar + Send + Sync,
+        Dd: From<V> + From<T>,
+        f64: From<T>,
+    {
+        (Walk::begin(self, widen, narrow), Coding::begin(self, widen, numbers))
     }
 }
 

@@ -90,7 +90,7 @@ impl Source<'_> {
         match kind {
             0 => return Instruction::State(self.entry()),
             1 => return Instruction::Constant(self.entry()),
-            2 => return Instruction::Literal(self.number()),
+            2 => return Instruction::literal(self.number()),
             _ => {}
         }
         let mut operand = || known - 1 - self.byte() % known;
@@ -264,7 +264,7 @@ impl Case {
         let sets: Vec<Guarded<T>> = (0..count).map(|_| self.numbers(&mut draw, constants * width)).collect();
         let stages: Vec<&[T]> = sets.iter().map(|set| &set[..]).collect();
         let start = state.to_vec();
-        orbit.run(&mut state, &stages, STEPS);
+        orbit.run(&mut state, stages.iter().copied(), STEPS);
         for lane in 0..width {
             let mut expected: Vec<T> = start.iter().skip(lane).step_by(width).copied().collect();
             for constants in (0..STEPS).flat_map(|_| &stages) {

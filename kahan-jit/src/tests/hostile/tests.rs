@@ -67,16 +67,20 @@ fn slices_that_are_too_short_stop_before_the_code() {
     let [states, constants, mut results] = lengths.map(slice);
     function.run(&states, &constants, &mut results);
     orbit.step(&states, &constants, &mut results);
-    composed.run(&mut results, &[&constants, &constants], 1);
+    composed.run(&mut results, [&*constants, &*constants].into_iter(), 1);
     for [mut states, constants, mut results] in shortened() {
         assert!(is_refused(|| function.run(&states, &constants, &mut results)));
         assert!(is_refused(|| orbit.step(&states, &constants, &mut results)));
         if results.len() == lengths[2] {
             assert!(is_refused(|| orbit.run(&mut states, &constants, 1)));
-            assert!(is_refused(|| composed.run(&mut states, &[&slice(lengths[1]), &constants], 1)));
+            assert!(is_refused(|| composed.run(
+                &mut states,
+                [&*slice(lengths[1]), &*constants].into_iter(),
+                1
+            )));
         }
     }
-    assert!(is_refused(|| composed.run(&mut results, &[], 1)));
+    assert!(is_refused(|| composed.run(&mut results, [].into_iter(), 1)));
 
     for of in [Constants::Shared, Constants::Own] {
         let sweep = Sweep::<f64>::compile(&program, SHAPE, of).expect("it compiles");
