@@ -64,8 +64,8 @@ impl StepPlan {
         let accuracy = Accuracy::of(field);
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
-        let one_orbit = forms.two_divisions.iter().chain(&forms.over_time_step).map(plan);
-        let one_orbit: Vec<StepPlan> = once(cheapest.clone()).chain(one_orbit).collect();
+        let one_orbit = forms.of_one_orbit(recurrence);
+        let one_orbit: Vec<StepPlan> = once(cheapest.clone()).chain(one_orbit.iter().map(plan)).collect();
         let single: Vec<StepPlan> = one_orbit.iter().filter_map(Self::with_single_divisions).collect();
         let others = one_orbit.into_iter().skip(1).chain(single);
         let shortest = others.min_by_key(|plan| (plan.recurrence(), plan.operations()));
