@@ -8,7 +8,7 @@ use crate::poly::Polynomial;
 use crate::rational::Rational;
 use crate::table::sorted_by_key;
 
-use super::blocks::{Blocks, Manner};
+use super::blocks::Blocks;
 use super::candidate::Candidate;
 use super::draft::Signed;
 use super::factored_map::FactoredMap;
@@ -75,12 +75,9 @@ pub(super) fn forms<'a>(
     if has_blocks(field, map) {
         let blocks = Blocks::of(field);
         let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
-        for writer in Writer::empty(field) {
-            candidates.extend(
-                blocks
-                    .turns(turns)
-                    .filter_map(|turn| blocks.candidate(writer.clone(), Manner::Eliminating(turn))),
-            );
+        if let Some(eliminating) = blocks.eliminating() {
+            let empty = Writer::empty(field);
+            candidates.extend(empty.iter().flat_map(|empty| blocks.candidates(empty, &eliminating, turns)));
         }
     }
     let map = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS);
@@ -103,12 +100,10 @@ pub(super) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Cand
         return Vec::new();
     }
     let blocks = Blocks::of(field);
-    let whole = Writer::empty(field).into_iter().flat_map(|writer| {
-        let blocks = &blocks;
-        (0..ORDERS).filter_map(move |rank| {
-            blocks.candidate(writer.clone(), Manner::Whole { rank, operations: 2 * best.operations() })
-        })
-    });
+    let orders = blocks.whole(ORDERS, 2 * best.operations());
+    let empty = Writer::empty(field);
+    let whole =
+        empty.iter().flat_map(|empty| orders.iter().flat_map(|order| blocks.candidates(empty, order, 1)));
     let is_affordable = |form: &Candidate| {
         2 * form.price() <= 3 * best.price() && 2 * form.operations() <= 3 * best.operations()
     };
