@@ -19,17 +19,17 @@ pub(super) struct Trial {
 }
 
 /// What elimination needs of a field.
-pub(super) struct Elimination {
+pub(super) struct Elimination<'a> {
     states: usize,
     parameters: usize,
     /// f′ row by row, then f, both over the denominators that come last.
-    plan: Plan,
+    values: Program<'a>,
 }
 
 impl Trial {
     /// A random point with ‖εf′‖∞ near `size`: states from cubes of half widths 2⁻³ to 2¹⁰,
     /// parameters from 1/2 to 2 in size. `None` where f′ vanishes, or det A.
-    pub(super) fn draw(elimination: &Elimination, size: f64, random: &mut SplitMix64) -> Option<Self> {
+    pub(super) fn draw(elimination: &Elimination<'_>, size: f64, random: &mut SplitMix64) -> Option<Self> {
         let Elimination { states, parameters, .. } = *elimination;
         let width = 2_f64.powi(random.below(14) as i32 - 3);
         let mut inputs = Vec::with_capacity(states + parameters + 1);
@@ -81,29 +81,35 @@ fn share(random: &mut SplitMix64) -> f64 {
     random.below(1 << 20) as f64 / f64::from(1 << 20)
 }
 
-impl Elimination {
-    pub(super) fn of(field: &Field) -> Self {
+impl<'a> Elimination<'a> {
+    /// The plan of its values.
+    pub(super) fn plan(field: &Field) -> Plan {
         let jacobian = field_jacobian(field);
         let numerators = field.components.iter().map(|component| &component.numerator);
         let denominators = field.components.iter().map(|component| &component.denominator);
-        let plan = Plan::of(jacobian.iter().flatten().chain(numerators).chain(denominators));
-        Elimination { states: field.dimension(), parameters: field.symbols.parameters.len(), plan }
+        Plan::of(jacobian.iter().flatten().chain(numerators).chain(denominators))
+    }
+
+    pub(super) fn of(field: &Field, plan: &'a Plan) -> Self {
+        let (states, parameters) = (field.dimension(), field.symbols.parameters.len());
+        Elimination { states, parameters, values: Program::of(plan) }
     }
 
     /// The rows of f′, with f as their last column.
     fn rows(&self, round: impl Fn(f64) -> f64, inputs: &[f64]) -> Vec<Vec<f64>> {
         let n = self.states;
-        let results = Program::of(&self.plan).run(&round, inputs, &[]);
-        let row = |i: usize| {
+        let results: &[f64] = &self.values.run(&round, inputs, &[]);
+        let mut rows = Vec::with_capacity(n);
+        for i in 0..n {
             let divisor = results[n * n + n + i];
-            let mut row = results[i * n..(i + 1) * n].to_vec();
-            row.push(results[n * n + i]);
-            for entry in &mut row {
-                *entry = round(*entry / divisor);
+            let mut row = Vec::with_capacity(n + 1);
+            for entry in &results[i * n..(i + 1) * n] {
+                row.push(round(*entry / divisor));
             }
-            row
-        };
-        (0..n).map(row).collect()
+            row.push(round(results[n * n + i] / divisor));
+            rows.push(row);
+        }
+        rows
     }
 }
 
@@ -116,35 +122,50 @@ fn next(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>, x: &[f64], eps: f64
         }
         row[i] = round(1.0 + row[i]);
     }
-    let solution = solved(&round, rows);
-    solution.iter().zip(x).map(|(slope, x)| round(x + round(2.0 * eps * slope))).collect()
+    let mut next = solved(&round, rows);
+    for (slope, x) in next.iter_mut().zip(x) {
+        *slope = round(x + round(2.0 * eps * *slope));
+    }
+    next
 }
 
-/// d for the rows of A with f as their last column.
+/// d for the rows of A with f as their last column. Rows are taken as slices, which the compiler
+/// indexes itself.
 fn solved(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let n = rows.len();
     for k in 0..n {
-        let pivot =
-            (k + 1..n).fold(k, |best, i| if rows[i][k].abs() > rows[best][k].abs() { i } else { best });
+        let mut pivot = k;
+        for i in k + 1..n {
+            if rows[i][k].abs() > rows[pivot][k].abs() {
+                pivot = i;
+            }
+        }
         rows.swap(k, pivot);
         let (above, below) = rows.split_at_mut(k + 1);
-        let above = &above[k];
+        let above: &[f64] = &above[k];
         for row in below {
-            if row[k] != 0.0 {
-                let factor = round(row[k] / above[k]);
-                for j in k + 1..=n {
-                    row[j] = round(row[j] - round(factor * above[j]));
-                }
+            let row: &mut [f64] = row;
+            if row[k] == 0.0 {
+                continue;
+            }
+            let factor = round(row[k] / above[k]);
+            let mut j = k + 1;
+            while j <= n {
+                row[j] = round(row[j] - round(factor * above[j]));
+                j += 1;
             }
         }
     }
     let mut solution = vec![0.0; n];
     for k in (0..n).rev() {
-        let mut rest = rows[k][n];
-        for j in k + 1..n {
-            rest = round(rest - round(rows[k][j] * solution[j]));
+        let (row, known): (&[f64], &mut [f64]) = (&rows[k], &mut solution);
+        let mut rest = row[n];
+        let mut j = k + 1;
+        while j < n {
+            rest = round(rest - round(row[j] * known[j]));
+            j += 1;
         }
-        solution[k] = round(rest / rows[k][k]);
+        known[k] = round(rest / row[k]);
     }
     solution
 }
