@@ -15,6 +15,7 @@ mod division;
 mod gcd;
 mod images;
 mod monomial;
+mod powers;
 mod root;
 #[cfg(test)]
 mod tests;
@@ -71,6 +72,9 @@ impl Polynomial {
     }
 
     fn from_unsorted(mut unsorted: Vec<Term>) -> Self {
+        if is_decreasing(&unsorted) && unsorted.iter().all(|term| !term.1.is_zero()) {
+            return Self { terms: unsorted };
+        }
         unsorted.sort_by(|left, right| right.0.cmp(&left.0));
         let mut terms: Vec<Term> = Vec::with_capacity(unsorted.len());
         for (monomial, coefficient) in unsorted {
@@ -179,6 +183,18 @@ impl Polynomial {
     pub fn contains(&self, variable: Variable) -> bool {
         self.terms.iter().any(|(monomial, _)| monomial.exponent(variable) > 0)
     }
+}
+
+/// Whether these are in order, none twice.
+fn is_decreasing(terms: &[Term]) -> bool {
+    let mut index = 1;
+    while index < terms.len() {
+        if terms[index - 1].0.cmp(&terms[index].0).is_le() {
+            return false;
+        }
+        index += 1;
+    }
+    true
 }
 
 fn drop_if_zero(terms: &mut Vec<Term>) {

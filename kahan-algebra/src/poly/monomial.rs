@@ -7,6 +7,9 @@
 //! sorted terms by a monomial leaves them sorted.
 
 use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
+
+use super::powers::{Power, Powers};
 
 /// A variable, by its index; whoever made it knows its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -19,16 +22,16 @@ pub struct Variable(
 ///
 /// # Panics
 /// Products and powers whose total degree exceeds `u32::MAX`.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
+#[derive(Clone, Debug)]
 pub struct Monomial {
     degree: u32,
-    powers: Vec<(Variable, u32)>,
+    powers: Powers,
 }
 
 impl Monomial {
     /// The empty product, 1.
     pub fn one() -> Self {
-        Self::default()
+        Self { degree: 0, powers: Powers::NONE }
     }
 
     /// The variable itself.
@@ -38,10 +41,17 @@ impl Monomial {
 
     /// `variable`^`exponent`.
     pub fn power(variable: Variable, exponent: u32) -> Self {
-        if exponent == 0 {
-            return Self::one();
+        let mut power = Self::one();
+        power.push(variable, exponent);
+        power
+    }
+
+    /// Multiplies by a power of a variable that is later than all that occur.
+    fn push(&mut self, variable: Variable, exponent: u32) {
+        if exponent > 0 {
+            self.powers.push((variable, exponent));
+            self.degree += exponent;
         }
-        Self { degree: exponent, powers: vec![(variable, exponent)] }
     }
 
     /// Whether this is 1.
@@ -51,7 +61,7 @@ impl Monomial {
 
     /// The factors, variables increasing, exponents positive.
     pub fn powers(&self) -> &[(Variable, u32)] {
-        &self.powers
+        self.powers.as_slice()
     }
 
     /// The sum of all exponents.
@@ -61,7 +71,7 @@ impl Monomial {
 
     /// The exponent of `variable`, 0 where it does not occur.
     pub fn exponent(&self, variable: Variable) -> u32 {
-        let powers: &[(Variable, u32)] = &self.powers;
+        let powers = self.powers();
         let mut index = 0;
         while index < powers.len() {
             if powers[index].0.0 >= variable.0 {
@@ -75,7 +85,7 @@ impl Monomial {
     /// The sum of the exponents of the variables that `belongs` picks.
     pub fn degree_where(&self, mut belongs: impl FnMut(Variable) -> bool) -> u32 {
         let mut degree = 0;
-        for (variable, exponent) in &self.powers {
+        for (variable, exponent) in self.powers() {
             if belongs(*variable) {
                 degree += exponent;
             }
@@ -88,26 +98,61 @@ impl Monomial {
         if other.is_one() {
             return self.clone();
         }
-        let (left, right): (&[_], &[_]) = (&self.powers, &other.powers);
-        let mut powers = Vec::with_capacity(left.len() + right.len());
+        let (left, right) = (self.powers(), other.powers());
+        let mut powers = Powers::NONE;
         let (mut i, mut j) = (0, 0);
-        while i < left.len() && j < right.len() {
-            let ((v, e), (w, f)): ((Variable, u32), (Variable, u32)) = (left[i], right[j]);
-            if v.0 == w.0 {
-                powers.push((v, e + f));
+        while i < left.len() || j < right.len() {
+            if j == right.len() || (i < left.len() && left[i].0.0 < right[j].0.0) {
+                powers.push(left[i]);
                 i += 1;
+            } else if i == left.len() || right[j].0.0 < left[i].0.0 {
+                powers.push(right[j]);
                 j += 1;
-            } else if v.0 < w.0 {
-                powers.push((v, e));
-                i += 1;
             } else {
-                powers.push((w, f));
+                powers.push((left[i].0, left[i].1 + right[j].1));
+                i += 1;
                 j += 1;
             }
         }
-        powers.extend_from_slice(&left[i..]);
-        powers.extend_from_slice(&right[j..]);
         Self { degree: self.degree + other.degree, powers }
+    }
+
+    /// Multiplies by a power of a variable.
+    pub fn multiply_by(&mut self, variable: Variable, exponent: u32) {
+        if exponent == 0 {
+            return;
+        }
+        self.degree += exponent;
+        let powers = self.powers.as_mut_slice();
+        let mut place = powers.len();
+        while place > 0 && powers[place - 1].0.0 > variable.0 {
+            place -= 1;
+        }
+        if place > 0 && powers[place - 1].0.0 == variable.0 {
+            powers[place - 1].1 += exponent;
+        } else {
+            self.powers.insert(place, (variable, exponent));
+        }
+    }
+
+    /// The quotient by a variable; `None` where it does not occur.
+    pub fn lowered(&self, variable: Variable) -> Option<Self> {
+        let powers = self.powers();
+        let mut place = 0;
+        while place < powers.len() && powers[place].0.0 != variable.0 {
+            place += 1;
+        }
+        if place == powers.len() {
+            return None;
+        }
+        let mut lowered = self.clone();
+        lowered.degree -= 1;
+        if powers[place].1 > 1 {
+            lowered.powers.as_mut_slice()[place].1 -= 1;
+        } else {
+            lowered.powers.remove(place);
+        }
+        Some(lowered)
     }
 
     /// The quotient; `None` where `divisor` does not divide.
@@ -115,10 +160,10 @@ impl Monomial {
         if !divisor.divides(self) {
             return None;
         }
-        let mut powers = Vec::with_capacity(self.powers.len());
-        let right: &[(Variable, u32)] = &divisor.powers;
+        let mut powers = Powers::NONE;
+        let right = divisor.powers();
         let mut j = 0;
-        for &(variable, exponent) in &self.powers {
+        for &(variable, exponent) in self.powers() {
             if j < right.len() && right[j].0.0 == variable.0 {
                 if exponent > right[j].1 {
                     powers.push((variable, exponent - right[j].1));
@@ -133,13 +178,13 @@ impl Monomial {
 
     /// Whether `multiple` is this times a monomial. It allocates nothing: most divisions fail.
     pub fn divides(&self, multiple: &Self) -> bool {
-        let (left, right): (&[_], &[_]) = (&multiple.powers, &self.powers);
-        if self.degree > multiple.degree || right.len() > left.len() {
+        if self.degree > multiple.degree {
             return false;
         }
+        let (left, right) = (multiple.powers(), self.powers());
         let (mut i, mut j) = (0, 0);
         while i < left.len() && j < right.len() {
-            let ((v, e), (w, f)): ((Variable, u32), (Variable, u32)) = (left[i], right[j]);
+            let ((v, e), (w, f)): (Power, Power) = (left[i], right[j]);
             if v.0 > w.0 || (v.0 == w.0 && e < f) {
                 return false;
             }
@@ -154,19 +199,19 @@ impl Monomial {
         if exponent == 0 {
             return Self::one();
         }
-        let powers = self.powers.iter().map(|&(variable, e)| (variable, e * exponent)).collect();
-        Self { degree: self.degree * exponent, powers }
+        let mut power = self.clone();
+        power.degree *= exponent;
+        for (_, own) in power.powers.as_mut_slice() {
+            *own *= exponent;
+        }
+        power
     }
 
     /// The greatest common divisor: the lower exponent of each variable.
     pub fn gcd(&self, other: &Self) -> Self {
         let mut common = Self::one();
-        for &(variable, exponent) in &self.powers {
-            let exponent = exponent.min(other.exponent(variable));
-            if exponent > 0 {
-                common.powers.push((variable, exponent));
-                common.degree += exponent;
-            }
+        for &(variable, exponent) in self.powers() {
+            common.push(variable, exponent.min(other.exponent(variable)));
         }
         common
     }
@@ -178,10 +223,9 @@ impl Monomial {
 
     fn parted(&self, belongs: &mut dyn FnMut(Variable) -> bool) -> (Self, Self) {
         let (mut inside, mut outside) = (Self::one(), Self::one());
-        for &(variable, exponent) in &self.powers {
+        for &(variable, exponent) in self.powers() {
             let part = if belongs(variable) { &mut inside } else { &mut outside };
-            part.powers.push((variable, exponent));
-            part.degree += exponent;
+            part.push(variable, exponent);
         }
         (inside, outside)
     }
@@ -190,9 +234,31 @@ impl Monomial {
 /// The product of the given powers, in any order.
 impl FromIterator<(Variable, u32)> for Monomial {
     fn from_iter<I: IntoIterator<Item = (Variable, u32)>>(powers: I) -> Self {
-        powers
-            .into_iter()
-            .fold(Self::one(), |product, (variable, exponent)| product.mul(&Self::power(variable, exponent)))
+        let mut product = Self::one();
+        for (variable, exponent) in powers {
+            product.multiply_by(variable, exponent);
+        }
+        product
+    }
+}
+
+impl Default for Monomial {
+    fn default() -> Self {
+        Self::one()
+    }
+}
+
+impl PartialEq for Monomial {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Monomial {}
+
+impl Hash for Monomial {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.powers().hash(state);
     }
 }
 
@@ -201,11 +267,11 @@ impl Ord for Monomial {
         if self.degree != other.degree {
             return if self.degree < other.degree { Ordering::Less } else { Ordering::Greater };
         }
-        let (left, right): (&[_], &[_]) = (&self.powers, &other.powers);
+        let (left, right) = (self.powers(), other.powers());
         // At equal degree neither list is a proper prefix of the other.
         let mut index = 0;
         while index < left.len() && index < right.len() {
-            let ((v, e), (w, f)): ((Variable, u32), (Variable, u32)) = (left[index], right[index]);
+            let ((v, e), (w, f)): (Power, Power) = (left[index], right[index]);
             if v.0 != w.0 {
                 return if v.0 < w.0 { Ordering::Greater } else { Ordering::Less };
             }
