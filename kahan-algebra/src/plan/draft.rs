@@ -15,6 +15,8 @@ pub(super) struct Draft {
     ready: Vec<u32>,
     /// Whether a step depends on no state: it is a constant that a prepared map computes once.
     fixed: Vec<bool>,
+    /// How many operations up to each step depend on a state.
+    sizes: Vec<usize>,
     /// Variables from here to ε are parameters, the others states.
     states: u16,
     epsilon: Variable,
@@ -28,6 +30,7 @@ impl Draft {
             builder: PlanBuilder::default(),
             ready: Vec::new(),
             fixed: Vec::new(),
+            sizes: Vec::new(),
             states: scaling.states(),
             epsilon: scaling.epsilon(),
             folds: scaling.folds,
@@ -47,6 +50,9 @@ impl Draft {
             let operands = operation.operands().map(|operand| self.ready[operand.0]).max().unwrap_or(0);
             self.ready.push(if fixed { 0 } else { operands + operation.latency() });
             self.fixed.push(fixed);
+            let is_counted = !fixed && !matches!(operation, Operation::Input(_));
+            let size = self.sizes.last().copied().unwrap_or(0);
+            self.sizes.push(size + usize::from(is_counted));
         }
     }
 
@@ -84,18 +90,13 @@ impl Draft {
         self.builder.truncate(length);
         self.ready.truncate(length);
         self.fixed.truncate(length);
+        self.sizes.truncate(length);
     }
 
     /// Operations that depend on a state, so far.
     pub(super) fn kernel_size(&mut self) -> usize {
         self.settle();
-        let is_input = |operation: &Operation| matches!(operation, Operation::Input(_));
-        self.builder
-            .operations()
-            .iter()
-            .zip(&self.fixed)
-            .filter(|(operation, fixed)| !**fixed && !is_input(operation))
-            .count()
+        self.sizes.last().copied().unwrap_or(0)
     }
 
     pub(super) fn input(&mut self, variable: Variable) -> Node {
@@ -126,10 +127,12 @@ impl Draft {
     /// a state: their product would be rounded the same way in every step, and the integrals of a
     /// long orbit would drift.
     pub(super) fn product(&mut self, factors: &[Node]) -> Node {
-        let mut factors = factors.to_vec();
-        if factors.is_empty() {
-            return self.constant(&Rational::one());
+        match factors {
+            [] => return self.constant(&Rational::one()),
+            [a, b] => return self.multiply(*a, *b),
+            _ => {}
         }
+        let mut factors = factors.to_vec();
         while factors.len() > 1 {
             factors = self.sorted(factors, |node| *node);
             let fixed = factors.iter().filter(|node| self.fixed[node.0]).count();

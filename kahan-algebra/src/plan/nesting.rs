@@ -121,9 +121,16 @@ impl Nesting {
 
     /// Variables in at least two terms; for long polynomials only the most frequent one.
     fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
-        let count = |variable: Variable| polynomial.terms().filter(|(m, _)| m.exponent(variable) > 0).count();
-        let counts = polynomial.variables().into_iter().map(|variable| (count(variable), variable));
-        let counts = counts.filter(|&(count, variable)| {
+        let mut counts: Vec<(usize, Variable)> = Vec::new();
+        for (monomial, _) in polynomial.terms() {
+            for &(variable, _) in monomial.powers() {
+                match counts.iter_mut().find(|(_, known)| known.0 == variable.0) {
+                    Some((count, _)) => *count += 1,
+                    None => counts.push((1, variable)),
+                }
+            }
+        }
+        counts.retain(|&(count, variable)| {
             count > 1 && (variable == INVERSE_STEP || self.scaling.ready(variable).is_some())
         });
         let mut counts = sorted_by_key(counts, |&(count, variable)| (Reverse(count), variable));
@@ -159,7 +166,7 @@ impl Nesting {
         let mut has_fixed = false;
         for &(variable, exponent) in monomial.powers() {
             match self.scaling.ready(variable) {
-                Some(ready) => factors.extend(std::iter::repeat_n(ready, exponent as usize)),
+                Some(ready) => factors.resize(factors.len() + exponent as usize, ready),
                 None => has_fixed = true,
             }
         }
@@ -177,10 +184,14 @@ impl Nesting {
     }
 
     fn nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
-        let (quotient, rest) = super::horner::split(polynomial, variable);
-        let common = quotient.monomial_content();
-        let inner = quotient.div_monomial(&common).expect("all terms have it");
-        let monomial = common.mul(&Monomial::variable(variable));
+        let (quotient, rest) = polynomial.split_at(variable);
+        let mut monomial = quotient.monomial_content();
+        let inner = if monomial.is_one() {
+            quotient
+        } else {
+            quotient.div_monomial(&monomial).expect("all terms have it")
+        };
+        monomial.multiply_by(variable, 1);
         let content = inner.content();
         let (content, inner) =
             if content.is_one() { (content, inner) } else { (content, inner.primitive_part()) };
@@ -210,13 +221,27 @@ fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-fn combined(ready: Vec<u32>, latency: u32) -> u32 {
-    let mut ready = sorted_by_key(ready, |&at| Reverse(at));
-    while ready.len() > 1 {
-        let mut earliest = || ready.pop().expect("two are left");
-        let sum = earliest().max(earliest()) + latency;
-        let place = ready.partition_point(|&at| at >= sum);
-        ready.insert(place, sum);
+fn combined(mut ready: Vec<u32>, latency: u32) -> u32 {
+    let mut left: &mut [u32] = &mut ready;
+    while let [.., _, _] = left {
+        earliest_last(left);
+        let (_, others) = left.split_last_mut().expect("two are left");
+        earliest_last(others);
+        let last = others.len() - 1;
+        others[last] += latency;
+        left = others;
     }
-    ready.pop().unwrap_or(0)
+    left.first().copied().unwrap_or(0)
+}
+
+/// Puts the least of these last.
+fn earliest_last(ready: &mut [u32]) {
+    let last = ready.len() - 1;
+    let mut index = 0;
+    while index < last {
+        if ready[index] < ready[last] {
+            ready.swap(index, last);
+        }
+        index += 1;
+    }
 }
