@@ -30,7 +30,7 @@ pub use monomial::{Monomial, Variable};
 use crate::rational::Rational;
 
 /// One monomial with its coefficient.
-type Term = (Monomial, Rational);
+pub(crate) type Term = (Monomial, Rational);
 
 /// A polynomial with rational coefficients.
 ///
@@ -99,6 +99,11 @@ impl Polynomial {
     /// The terms, highest first in graded lexicographic order.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> + ExactSizeIterator {
         self.terms.iter().map(|(monomial, coefficient)| (monomial, coefficient))
+    }
+
+    /// The same as a slice.
+    pub(crate) fn as_terms(&self) -> &[Term] {
+        &self.terms
     }
 
     /// The highest term; `None` for zero.
