@@ -48,13 +48,22 @@ pub(super) enum Summand {
     Product(Monomial, Rational, Rc<Polynomial>),
 }
 
-/// A form with its estimate.
-#[derive(Clone, Debug)]
+/// The estimate of a form.
+#[derive(Debug)]
 struct Estimate {
     operations: usize,
     /// When each summand is ready.
     summands: Vec<u32>,
-    parts: Vec<Summand>,
+    form: Form,
+}
+
+/// A form, of which the summands are made only where it is chosen.
+#[derive(Debug)]
+enum Form {
+    /// Term by term.
+    Flat,
+    /// A product, and a rest in the form of its estimate.
+    Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
 }
 
 /// Polynomials with their estimates.
@@ -79,7 +88,23 @@ impl Nesting {
 
     /// The cheapest form found.
     pub(super) fn best(&self, polynomial: &Rc<Polynomial>) -> Vec<Summand> {
-        self.estimate(polynomial).parts.clone()
+        let mut summands = Vec::new();
+        let mut next = Some((Rc::clone(polynomial), self.estimate(polynomial)));
+        while let Some((polynomial, estimate)) = next {
+            next = match &estimate.form {
+                Form::Nested(product, rest) => {
+                    summands.push(product.clone());
+                    rest.clone()
+                }
+                Form::Flat => {
+                    for (monomial, coefficient) in polynomial.terms() {
+                        summands.push(Summand::Term(monomial.clone(), coefficient.clone()));
+                    }
+                    None
+                }
+            };
+        }
+        summands
     }
 
     fn estimate(&self, polynomial: &Rc<Polynomial>) -> Rc<Estimate> {
@@ -142,11 +167,10 @@ impl Nesting {
 
     /// Every term on its own; what depends on no state is one prepared summand.
     fn flat(&self, polynomial: &Polynomial) -> Estimate {
-        let mut estimate = Estimate { operations: 0, summands: Vec::new(), parts: Vec::new() };
+        let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: Form::Flat };
         let mut has_fixed = false;
         for (monomial, coefficient) in polynomial.terms() {
             let (operations, ready) = self.term(monomial, coefficient);
-            estimate.parts.push(Summand::Term(monomial.clone(), coefficient.clone()));
             if ready == 0 && operations == 0 && self.is_fixed(monomial) {
                 if has_fixed {
                     continue;
@@ -200,15 +224,16 @@ impl Nesting {
         let quotient = self.estimate(&inner);
         operations += quotient.operations + 1;
         let ready = factor_ready.max(gathered(&quotient.summands)) + MULTIPLY;
-        let mut parts = vec![Summand::Product(monomial, content, inner)];
+        let product = Summand::Product(monomial, content, inner);
         let mut summands = vec![ready];
-        if !rest.is_zero() {
-            let rest = self.estimate(&Rc::new(rest));
-            operations += rest.operations + 1;
-            summands.extend(&rest.summands);
-            parts.extend(rest.parts.iter().cloned());
+        if rest.is_zero() {
+            return Estimate { operations, summands, form: Form::Nested(product, None) };
         }
-        Estimate { operations, summands, parts }
+        let rest = Rc::new(rest);
+        let own = self.estimate(&rest);
+        operations += own.operations + 1;
+        summands.extend_from_slice(&own.summands);
+        Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
     }
 }
 
