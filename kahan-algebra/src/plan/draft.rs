@@ -133,7 +133,7 @@ impl Draft {
             _ => {}
         }
         let mut factors = factors.to_vec();
-        while factors.len() > 1 {
+        while factors.len() > 2 {
             factors = self.sorted(factors, |node| *node);
             let fixed = factors.iter().filter(|node| self.fixed[node.0]).count();
             let earliest =
@@ -143,7 +143,7 @@ impl Draft {
             let a = factors.remove(first);
             factors.push(self.multiply(a, b));
         }
-        factors[0]
+        factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
     }
 
     /// Two factors whose product is a step already; first those of a factor that has no other such
@@ -169,16 +169,19 @@ impl Draft {
 
     /// The same, its sign beside it.
     pub(super) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
-        let mut terms = terms.to_vec();
-        if terms.is_empty() {
-            return Signed::plus(self.zero());
+        let mut terms = self.sorted(terms.to_vec(), |term| term.node);
+        terms.reverse();
+        while let [.., b, a] = terms[..] {
+            let sum = self.pair(a, b);
+            terms.truncate(terms.len() - 2);
+            self.settle();
+            let mut place = terms.len();
+            while place > 0 && self.order(terms[place - 1].node) < self.order(sum.node) {
+                place -= 1;
+            }
+            terms.insert(place, sum);
         }
-        while terms.len() > 1 {
-            terms = self.sorted(terms, |term| term.node);
-            let (a, b) = (terms.remove(0), terms.remove(0));
-            terms.insert(0, self.pair(a, b));
-        }
-        terms[0]
+        terms.pop().unwrap_or_else(|| Signed::plus(self.zero()))
     }
 
     fn pair(&mut self, a: Signed, b: Signed) -> Signed {
@@ -193,7 +196,12 @@ impl Draft {
     /// The values in the order in which they are ready, constants first.
     fn sorted<V>(&mut self, values: Vec<V>, node: impl Fn(&V) -> Node) -> Vec<V> {
         self.settle();
-        sorted_by_key(values, |value| (!self.fixed[node(value).0], self.ready[node(value).0], node(value)))
+        sorted_by_key(values, |value| self.order(node(value)))
+    }
+
+    /// What values are sorted by.
+    fn order(&self, node: Node) -> (bool, u32, Node) {
+        (!self.fixed[node.0], self.ready[node.0], node)
     }
 }
 

@@ -96,9 +96,9 @@ impl<'a> Elimination<'a> {
     }
 
     /// The rows of f′, with f as their last column.
-    fn rows(&self, round: impl Fn(f64) -> f64, inputs: &[f64]) -> Vec<Vec<f64>> {
+    fn rows(&self, round: impl Fn(f64) -> f64 + Copy, inputs: &[f64]) -> Vec<Vec<f64>> {
         let n = self.states;
-        let results: &[f64] = &self.values.run(&round, inputs, &[]);
+        let results: &[f64] = &self.values.run(round, inputs, &[]);
         let mut rows = Vec::with_capacity(n);
         for i in 0..n {
             let divisor = results[n * n + n + i];
@@ -114,15 +114,18 @@ impl<'a> Elimination<'a> {
 }
 
 /// x + 2ε A⁻¹f from the rows of f′ and f.
-fn next(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>, x: &[f64], eps: f64) -> Vec<f64> {
+fn next(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<Vec<f64>>, x: &[f64], eps: f64) -> Vec<f64> {
     let n = rows.len();
     for (i, row) in rows.iter_mut().enumerate() {
-        for entry in &mut row[..n] {
-            *entry = -round(eps * *entry);
+        let row: &mut [f64] = row;
+        let mut j = 0;
+        while j < n {
+            row[j] = -round(eps * row[j]);
+            j += 1;
         }
         row[i] = round(1.0 + row[i]);
     }
-    let mut next = solved(&round, rows);
+    let mut next = solved(round, rows);
     for (slope, x) in next.iter_mut().zip(x) {
         *slope = round(x + round(2.0 * eps * *slope));
     }
@@ -131,7 +134,7 @@ fn next(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>, x: &[f64], eps: f64
 
 /// d for the rows of A with f as their last column. Rows are taken as slices, which the compiler
 /// indexes itself.
-fn solved(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>) -> Vec<f64> {
+fn solved(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let n = rows.len();
     for k in 0..n {
         let mut pivot = k;
