@@ -3,7 +3,7 @@
 //!
 //! In go a number or a text, out go 64 bits at a time, the same on every machine.
 
-use keccak::Keccak;
+use super::keccak;
 
 /// A source of random bits.
 pub trait Random {
@@ -32,7 +32,7 @@ pub trait Random {
 /// block could look for a text whose points suit a false claim. Here the best that is known is to
 /// try texts.
 ///
-/// Cost: 17 draws a permutation of 1600 bits, about a microsecond; unoptimised some tens.
+/// Cost: 17 draws a permutation of 1600 bits, about a microsecond; unoptimised some ten.
 #[derive(Clone, Debug)]
 pub struct Shake256 {
     state: [u64; 25],
@@ -73,7 +73,7 @@ impl Shake256 {
     }
 
     fn permute(&mut self) {
-        Keccak::new().with_f1600(|permutation| permutation(&mut self.state));
+        keccak::permute(&mut self.state);
         self.drawn = 0;
     }
 }
