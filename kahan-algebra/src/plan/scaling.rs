@@ -94,6 +94,9 @@ impl Scaling {
     /// a term has fewer powers of ε than states, the states that come first in the order stay
     /// plain.
     pub(super) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
+        if !polynomial.contains(self.epsilon) {
+            return vec![polynomial.clone()];
+        }
         let present = polynomial.variables().into_iter().map(|variable| usize::from(variable.0));
         let present: Vec<usize> = present.filter(|&index| index < self.states).collect();
         if present.is_empty() {
@@ -115,6 +118,9 @@ impl Scaling {
     }
 
     fn scale(&self, polynomial: &Polynomial, plain: &[usize]) -> Polynomial {
+        if !polynomial.contains(self.epsilon) {
+            return polynomial.clone();
+        }
         let terms = polynomial
             .terms()
             .map(|(monomial, coefficient)| (self.scale_term(monomial, plain), coefficient.clone()));
