@@ -193,17 +193,18 @@ fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     Ratio { measured: ratio(0.0), largest: ratio(band) }
 }
 
-/// Errors in order, by exchanges of neighbours: there are few, and the sorts of the standard library
-/// would run unoptimised.
+/// Errors in order, each inserted among those before it: there are few, and the sorts of the standard
+/// library would run unoptimised.
 fn sorted(errors: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut all: Vec<f64> = errors.collect();
     let errors: &mut [f64] = &mut all;
     for end in 1..errors.len() {
-        let mut place = end;
-        while place > 0 && errors[place - 1].total_cmp(&errors[place]).is_gt() {
-            errors.swap(place - 1, place);
+        let (error, mut place) = (errors[end], end);
+        while place > 0 && errors[place - 1].total_cmp(&error).is_gt() {
+            errors[place] = errors[place - 1];
             place -= 1;
         }
+        errors[place] = error;
     }
     all
 }

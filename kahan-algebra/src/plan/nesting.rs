@@ -246,27 +246,25 @@ fn multiplied(ready: Vec<u32>) -> u32 {
     combined(ready, MULTIPLY)
 }
 
-fn combined(mut ready: Vec<u32>, latency: u32) -> u32 {
-    let mut left: &mut [u32] = &mut ready;
-    while let [.., _, _] = left {
-        earliest_last(left);
-        let (_, others) = left.split_last_mut().expect("two are left");
-        earliest_last(others);
-        let last = others.len() - 1;
-        others[last] += latency;
-        left = others;
+fn combined(mut all: Vec<u32>, latency: u32) -> u32 {
+    let ready: &mut [u32] = &mut all;
+    for end in 1..ready.len() {
+        put_in_order(ready, end, ready[end]);
     }
-    left.first().copied().unwrap_or(0)
+    let mut count = ready.len();
+    while count > 1 {
+        // The earliest two stand last.
+        count -= 1;
+        put_in_order(ready, count - 1, ready[count - 1] + latency);
+    }
+    ready.first().copied().unwrap_or(0)
 }
 
-/// Puts the least of these last.
-fn earliest_last(ready: &mut [u32]) {
-    let last = ready.len() - 1;
-    let mut index = 0;
-    while index < last {
-        if ready[index] < ready[last] {
-            ready.swap(index, last);
-        }
-        index += 1;
+/// Puts a value among those before a free place, the latest first.
+fn put_in_order(ready: &mut [u32], mut place: usize, at: u32) {
+    while place > 0 && ready[place - 1] < at {
+        ready[place] = ready[place - 1];
+        place -= 1;
     }
+    ready[place] = at;
 }
