@@ -12,7 +12,7 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 use crate::table::sorted_by_key;
 
-use super::cost::{ADD, DERIVED, MULTIPLY};
+use super::cost::{DERIVED, MULTIPLY, gathered, multiplied};
 use super::numbered::Numbered;
 use super::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
@@ -235,36 +235,4 @@ impl Nesting {
         summands.extend_from_slice(&own.summands);
         Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
     }
-}
-
-/// When the sum of values is ready, the earliest two added first.
-fn gathered(ready: &[u32]) -> u32 {
-    combined(ready.to_vec(), ADD)
-}
-
-fn multiplied(ready: Vec<u32>) -> u32 {
-    combined(ready, MULTIPLY)
-}
-
-fn combined(mut all: Vec<u32>, latency: u32) -> u32 {
-    let ready: &mut [u32] = &mut all;
-    for end in 1..ready.len() {
-        put_in_order(ready, end, ready[end]);
-    }
-    let mut count = ready.len();
-    while count > 1 {
-        // The earliest two stand last.
-        count -= 1;
-        put_in_order(ready, count - 1, ready[count - 1] + latency);
-    }
-    ready.first().copied().unwrap_or(0)
-}
-
-/// Puts a value among those before a free place, the latest first.
-fn put_in_order(ready: &mut [u32], mut place: usize, at: u32) {
-    while place > 0 && ready[place - 1] < at {
-        ready[place] = ready[place - 1];
-        place -= 1;
-    }
-    ready[place] = at;
 }

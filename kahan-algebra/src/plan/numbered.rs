@@ -2,7 +2,7 @@
 //!
 //! Plans and polynomials are looked up in every expansion of the macro, which is compiled without
 //! optimisation: there the tables of the standard library, which are many small functions, take
-//! ten times as long as the few plain loops here. Besides, the last items can be forgotten.
+//! several times as long as the few plain loops here. Besides, the last items can be forgotten.
 
 use std::rc::Rc;
 

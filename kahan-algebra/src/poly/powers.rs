@@ -1,7 +1,7 @@
 //! Short lists of powers, which most monomials have, without an allocation.
 //!
-//! Polynomials are made of monomials, and plans of thousands of polynomials that live for a moment:
-//! allocating each list took a fifth of an expansion of the macro, which is not optimised.
+//! Polynomials are made of monomials, and a plan takes thousands of polynomials that live for a
+//! moment: allocating each list took a tenth of an expansion of the macro, which is not optimised.
 
 use super::Variable;
 

@@ -32,7 +32,7 @@ pub trait Random {
 /// block could look for a text whose points suit a false claim. Here the best that is known is to
 /// try texts.
 ///
-/// Cost: 17 draws a permutation of 1600 bits, about a microsecond; unoptimised some ten.
+/// Cost: 17 draws a permutation of 1600 bits, about a microsecond; unoptimised some tens.
 #[derive(Clone, Debug)]
 pub struct Shake256 {
     state: [u64; 25],
