@@ -15,6 +15,7 @@ mod division;
 mod gcd;
 mod images;
 mod monomial;
+mod powers;
 mod root;
 #[cfg(test)]
 mod tests;
@@ -29,7 +30,7 @@ pub use monomial::{Monomial, Variable};
 use crate::rational::Rational;
 
 /// One monomial with its coefficient.
-type Term = (Monomial, Rational);
+pub(crate) type Term = (Monomial, Rational);
 
 /// A polynomial with rational coefficients.
 ///
@@ -71,6 +72,9 @@ impl Polynomial {
     }
 
     fn from_unsorted(mut unsorted: Vec<Term>) -> Self {
+        if is_decreasing(&unsorted) && unsorted.iter().all(|term| !term.1.is_zero()) {
+            return Self { terms: unsorted };
+        }
         unsorted.sort_by(|left, right| right.0.cmp(&left.0));
         let mut terms: Vec<Term> = Vec::with_capacity(unsorted.len());
         for (monomial, coefficient) in unsorted {
@@ -95,6 +99,11 @@ impl Polynomial {
     /// The terms, highest first in graded lexicographic order.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> + ExactSizeIterator {
         self.terms.iter().map(|(monomial, coefficient)| (monomial, coefficient))
+    }
+
+    /// The same as a slice.
+    pub(crate) fn as_terms(&self) -> &[Term] {
+        &self.terms
     }
 
     /// The highest term; `None` for zero.
@@ -179,6 +188,18 @@ impl Polynomial {
     pub fn contains(&self, variable: Variable) -> bool {
         self.terms.iter().any(|(monomial, _)| monomial.exponent(variable) > 0)
     }
+}
+
+/// Whether these are in order, none twice.
+fn is_decreasing(terms: &[Term]) -> bool {
+    let mut index = 1;
+    while index < terms.len() {
+        if terms[index - 1].0.cmp(&terms[index].0).is_le() {
+            return false;
+        }
+        index += 1;
+    }
+    true
 }
 
 fn drop_if_zero(terms: &mut Vec<Term>) {

@@ -16,8 +16,13 @@ pub(crate) fn sorted_by<T>(
 ) -> Vec<T> {
     let mut sorted: Vec<T> = Vec::new();
     for item in list {
-        let place = sorted.partition_point(|other| compare(other, &item).is_le());
-        sorted.insert(place, item);
+        // Most lists are nearly in order.
+        if sorted.last().is_none_or(|last| compare(last, &item).is_le()) {
+            sorted.push(item);
+        } else {
+            let place = sorted.partition_point(|other| compare(other, &item).is_le());
+            sorted.insert(place, item);
+        }
     }
     sorted
 }

@@ -19,7 +19,6 @@ use std::cell::OnceCell;
 
 use crate::field::Field;
 use crate::prime_field::SplitMix64;
-use crate::table::sorted_by;
 
 use super::{Plan, StepPlan};
 use program::{Program, short};
@@ -113,7 +112,8 @@ impl<'a> Accuracy<'a> {
 /// So many points of each size. Where f′ vanishes there are none; a field of which that is mostly
 /// so has nothing to lose.
 fn points(field: &Field, count: usize) -> Vec<Vec<Trial>> {
-    let elimination = Elimination::of(field);
+    let plan = Elimination::plan(field);
+    let elimination = Elimination::of(field, &plan);
     let mut random = SplitMix64::from_bytes(b"long steps");
     let mut of_size = |size: u32| {
         let drawn = (0..2 * count).filter_map(|_| Trial::draw(&elimination, f64::from(size), &mut random));
@@ -193,8 +193,20 @@ fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     Ratio { measured: ratio(0.0), largest: ratio(band) }
 }
 
+/// Errors in order, each inserted among those before it: there are few, and the sorts of the standard
+/// library would run unoptimised.
 fn sorted(errors: impl Iterator<Item = f64>) -> Vec<f64> {
-    sorted_by(errors, f64::total_cmp)
+    let mut all: Vec<f64> = errors.collect();
+    let errors: &mut [f64] = &mut all;
+    for end in 1..errors.len() {
+        let (error, mut place) = (errors[end], end);
+        while place > 0 && errors[place - 1].total_cmp(&error).is_gt() {
+            errors[place] = errors[place - 1];
+            place -= 1;
+        }
+        errors[place] = error;
+    }
+    all
 }
 
 /// The value that this share of sorted values is below.

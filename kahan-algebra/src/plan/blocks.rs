@@ -14,24 +14,17 @@
 //! A pivot of 1 beside entries of the size ‖εf′‖ costs that many digits in long steps. Where that
 //! is [too much](super::accuracy), a block is solved whole: S is empty.
 
-use std::ops::Range;
+mod solve;
 
 use crate::field::Field;
 use crate::kahan::{polarization, scaled_matrix};
-use crate::poly::{Polynomial, Variable};
+use crate::poly::Polynomial;
 use crate::rational::Rational;
 use crate::symbols::Symbol;
 
-use super::Node;
-use super::candidate::Candidate;
-use super::draft::Signed;
-use super::minors::{self, Determinants, MOST_OPERATIONS, determinants};
-use super::nesting::Goal;
+use super::minors::{self, MOST_OPERATIONS};
 use super::structure::Structure;
-use super::writer::{Entry, Writer};
 
-/// The most terms of a right-hand side for which all ways to distribute ε are compared.
-const COMPARED_TERMS: usize = 12;
 /// The most terms of an entry that is expanded.
 const ENTRY_TERMS: usize = 40;
 
@@ -46,19 +39,20 @@ pub(super) struct Blocks<'a> {
     first: usize,
 }
 
-/// How blocks are solved.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Manner {
-    /// The states of an independent set by their pivots, the others by minors, along the row that
-    /// is last after so many rotations.
-    Eliminating(usize),
-    /// All states by minors of at most so many operations, the rows in the order that so many
-    /// others are cheaper than.
-    Whole { rank: usize, operations: usize },
+/// A block with what is written of it: the states R by minors of `rows`, and then those of an
+/// independent set S, which move by 2ε times what is in `moved`.
+#[derive(PartialEq)]
+struct Block {
+    rest: Vec<usize>,
+    /// A_RR − A_RS·A_SR with the right-hand side appended, in the order in which they are expanded.
+    rows: Vec<Vec<Polynomial>>,
+    independent: Vec<usize>,
+    moved: Vec<Polynomial>,
 }
 
-/// x̃ᵢ − xᵢ: a numerator with its sign, and its reciprocal.
-type Increment = (Signed, Option<Node>);
+/// The blocks that are solved for, one after another, whatever the writer.
+#[derive(PartialEq)]
+pub(super) struct Arrangement(Vec<Block>);
 
 impl<'a> Blocks<'a> {
     pub(super) fn of(field: &'a Field) -> Self {
@@ -101,14 +95,37 @@ impl<'a> Blocks<'a> {
         self.first > 0
     }
 
-    /// The turns in which blocks are eliminated, at most `most` of them: after some, the rows of
-    /// each block stand as they did.
-    pub(super) fn turns(&self, most: usize) -> Range<usize> {
-        let rows = |block: &[usize]| block.len() - self.structure.independent(block).len();
-        let is_as_before = |turn: &usize| {
-            self.solved().map(|block| rows(&block)).all(|rows| rows == 0 || turn.is_multiple_of(rows))
+    /// The states of an independent set by their pivots, the others by minors; `None` where a block
+    /// is too large.
+    pub(super) fn eliminating(&self) -> Option<Arrangement> {
+        let block = |block: Vec<usize>| {
+            let independent = self.structure.independent(&block);
+            self.block(&block, independent, |rows| rows).filter(|block| block.operations() <= MOST_OPERATIONS)
         };
-        0..(1..most).find(is_as_before).unwrap_or(most)
+        self.solved().map(block).collect::<Option<_>>().map(Arrangement)
+    }
+
+    /// All states by minors of at most so many operations, the rows in the cheapest `orders`, as far
+    /// as these are different.
+    pub(super) fn whole(&self, orders: usize, operations: usize) -> Vec<Arrangement> {
+        let most = operations.min(MOST_OPERATIONS);
+        let arrangement = |rank: usize| {
+            let in_order = |mut rows: Vec<Vec<Polynomial>>| {
+                let order = minors::cheap_order(&pattern(&rows), rank);
+                order.into_iter().map(|i| std::mem::take(&mut rows[i])).collect()
+            };
+            let block = |block: Vec<usize>| {
+                self.block(&block, Vec::new(), in_order).filter(|block| block.operations() <= most)
+            };
+            self.solved().map(block).collect::<Option<_>>().map(Arrangement)
+        };
+        let mut distinct: Vec<Arrangement> = Vec::new();
+        for next in (0..orders).filter_map(arrangement) {
+            if !distinct.contains(&next) {
+                distinct.push(next);
+            }
+        }
+        distinct
     }
 
     /// The blocks that are solved for.
@@ -116,83 +133,19 @@ impl<'a> Blocks<'a> {
         self.structure.blocks().into_iter().filter(|block| block[0] >= self.first)
     }
 
-    /// The candidate in one manner; `None` where a block is too large.
-    pub(super) fn candidate(&self, mut writer: Writer, manner: Manner) -> Option<Candidate> {
-        self.put_sums(&mut writer);
-        let still = (Signed::plus(writer.draft.zero()), None);
-        let mut increments: Vec<Increment> = vec![still; self.field.dimension()];
-        for block in self.solved() {
-            self.solve(&block, manner, &mut writer, &mut increments)?;
-        }
-        let increments = &increments[self.first..];
-        let numerator = |(signed, _): &Increment| match signed.negative {
-            // Its value is a part of x̃ in this plan, so a difference is not turned round.
-            true => writer.draft.builder.changed_sign(signed.node),
-            false => signed.node,
-        };
-        let numerators = increments.iter().map(numerator).collect();
-        let reciprocals = increments.iter().map(|(_, reciprocal)| *reciprocal).collect();
-        Some(Candidate::new(writer, numerators, reciprocals))
-    }
-
-    fn solve(
+    /// What is written of a block, its rows as `in_order` puts them; `None` where an entry is too
+    /// long.
+    fn block(
         &self,
         block: &[usize],
-        manner: Manner,
-        writer: &mut Writer,
-        increments: &mut [Increment],
-    ) -> Option<()> {
-        let independent = match manner {
-            Manner::Eliminating(_) => self.structure.independent(block),
-            Manner::Whole { .. } => Vec::new(),
-        };
+        independent: Vec<usize>,
+        in_order: impl Fn(Vec<Vec<Polynomial>>) -> Vec<Vec<Polynomial>>,
+    ) -> Option<Block> {
         let rest: Vec<usize> = block.iter().copied().filter(|i| !independent.contains(i)).collect();
-        if !rest.is_empty() {
-            let mut rows = self.reduced_rows(block, &independent, &rest)?;
-            let (turn, most) = match manner {
-                Manner::Eliminating(turn) => (turn % rows.len(), MOST_OPERATIONS),
-                Manner::Whole { rank, operations } => {
-                    let order = minors::cheap_order(&pattern(&rows), rank);
-                    rows = order.into_iter().map(|i| std::mem::take(&mut rows[i])).collect();
-                    (0, operations.min(MOST_OPERATIONS))
-                }
-            };
-            if minors::operations(&pattern(&rows)) > most {
-                return None;
-            }
-            let mut written: Vec<Vec<Entry>> = rows
-                .iter()
-                .map(|row| {
-                    let last = row.len() - 1;
-                    let entry = |(j, entry): (usize, &Polynomial)| match j == last {
-                        true if entry.len() <= COMPARED_TERMS => writer.cheapest_entry(entry),
-                        true => writer.entry(entry, Goal::Few),
-                        false => writer.entry(entry, Goal::Early),
-                    };
-                    row.iter().enumerate().map(entry).collect()
-                })
-                .collect();
-            // An odd order of the rows changes all signs, which cancel in the quotients.
-            written.rotate_left(turn);
-            let Determinants { denominator, numerators } = determinants(writer, &written);
-            let reciprocal = match self.is_tangent() {
-                true => writer.eps_over(denominator.node),
-                false => writer.reciprocal(&Rational::from(2), denominator.node),
-            };
-            for (&i, numerator) in rest.iter().zip(numerators) {
-                increments[i] = (numerator.flipped(denominator.negative), Some(reciprocal));
-                self.put_next(writer, i, increments[i]);
-            }
-        }
-        for i in independent {
-            let eps = Polynomial::variable(self.field.symbols.epsilon());
-            let time = eps.scale(&Rational::from(if self.is_tangent() { 1 } else { 2 }));
-            let moved = self.with_known(&self.polarized[i], block, &rest);
-            let written = writer.write_cheapest(&(&time * &moved));
-            increments[i] = (written, None);
-            self.put_next(writer, i, increments[i]);
-        }
-        Some(())
+        let rows = if rest.is_empty() { Vec::new() } else { self.reduced_rows(block, &independent, &rest)? };
+        let moved = |&i: &usize| self.with_known(&self.polarized[i], block, &rest);
+        let moved = independent.iter().map(moved).collect();
+        Some(Block { rest, rows: in_order(rows), independent, moved })
     }
 
     /// A_RR − A_RS·A_SR with the right-hand side ε(P_R − A_RS·P_S) appended, row by row.
@@ -241,34 +194,12 @@ impl<'a> Blocks<'a> {
             _ => variable,
         })
     }
+}
 
-    /// x + x̃ of the states that are known.
-    fn put_sums(&self, writer: &mut Writer) {
-        for i in 0..self.first {
-            let second = self.field.symbols.variable(Symbol::SecondState(i));
-            let [state, next] =
-                [self.field.symbols.state(i), second].map(|variable| writer.draft.input(variable));
-            let sum = writer.draft.sum(&[Signed::plus(state), Signed::plus(next)]);
-            writer.put(second, sum);
-        }
-    }
-
-    /// x̃ᵢ = xᵢ + numerator · reciprocal, for what comes later; dropped if nothing uses it. Of a
-    /// tangent vector, the increment alone.
-    fn put_next(&self, writer: &mut Writer, i: usize, (increment, reciprocal): Increment) {
-        let symbols = &self.field.symbols;
-        let second: Variable = symbols.variable(Symbol::SecondState(i));
-        let state = writer.draft.input(symbols.state(i));
-        let step = match reciprocal {
-            Some(reciprocal) => writer.draft.multiply(increment.node, reciprocal),
-            None => increment.node,
-        };
-        let step = Signed { node: step, negative: increment.negative };
-        let next = match self.is_tangent() {
-            true => writer.draft.node(step),
-            false => writer.draft.sum(&[Signed::plus(state), step]),
-        };
-        writer.put(second, next);
+impl Block {
+    /// An upper bound on the operations of its minors.
+    fn operations(&self) -> usize {
+        minors::operations(&pattern(&self.rows))
     }
 }
 

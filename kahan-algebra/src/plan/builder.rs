@@ -3,42 +3,23 @@
 //! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a plan computes what
 //! was asked over ℚ.
 
-use rustc_hash::FxHashMap;
-
 use crate::poly::Variable;
 use crate::rational::Rational;
 
+use super::numbered::Numbered;
 use super::{Node, Operation, Plan};
 
 /// A plan under construction.
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
-    operations: Vec<Operation>,
-    known: FxHashMap<Operation, Node>,
+    operations: Numbered<Operation>,
 }
 
 impl PlanBuilder {
     /// Closes the plan with these results; steps that no result needs are dropped.
     #[must_use]
     pub fn finish(&self, outputs: &[Node]) -> Plan {
-        let mut needed = vec![false; self.operations.len()];
-        for output in outputs {
-            needed[output.0] = true;
-        }
-        for index in (0..self.operations.len()).rev() {
-            if needed[index] {
-                for operand in self.operations[index].operands() {
-                    needed[operand.0] = true;
-                }
-            }
-        }
-        let mut renamed = vec![Node(0); self.operations.len()];
-        let mut operations = Vec::new();
-        for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed[*index]) {
-            renamed[index] = Node(operations.len());
-            operations.push(operation.with_operands(|node| renamed[node.0]));
-        }
-        Plan { operations, outputs: outputs.iter().map(|output| renamed[output.0]).collect() }
+        Plan::of_results(self.operations(), outputs)
     }
 
     /// A prepared constant.
@@ -48,14 +29,12 @@ impl PlanBuilder {
 
     /// The steps so far.
     pub(super) fn operations(&self) -> &[Operation] {
-        &self.operations
+        self.operations.items()
     }
 
     /// Forgets all steps but the first `length`.
     pub(super) fn truncate(&mut self, length: usize) {
-        for operation in self.operations.drain(length..) {
-            self.known.remove(&operation);
-        }
+        self.operations.truncate(length);
     }
 
     /// −a as a change of sign, for a whose value is needed, too.
@@ -68,23 +47,17 @@ impl PlanBuilder {
 
     /// Whether the product of two steps is a step already.
     pub(super) fn has_product(&self, a: Node, b: Node) -> bool {
-        self.known.contains_key(&Operation::Multiply(a.min(b), a.max(b)))
+        self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
     /// This very operation, without simplification; the same one as before, if it is a step
     /// already.
     pub(super) fn intern(&mut self, operation: Operation) -> Node {
-        if let Some(&node) = self.known.get(&operation) {
-            return node;
-        }
-        let node = Node(self.operations.len());
-        self.operations.push(operation.clone());
-        self.known.insert(operation, node);
-        node
+        Node(self.operations.number(operation))
     }
 
     fn operation(&self, node: Node) -> &Operation {
-        &self.operations[node.0]
+        &self.operations.items()[node.0]
     }
 
     fn value(&self, node: Node) -> Option<&Rational> {

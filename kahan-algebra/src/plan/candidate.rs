@@ -21,10 +21,7 @@ impl Candidate {
     pub(super) fn new(writer: Writer, numerators: Vec<Node>, reciprocals: Vec<Option<Node>>) -> Self {
         let mut outputs = numerators.clone();
         outputs.extend(distinct(reciprocals.iter().copied().flatten()));
-        let plan = writer.draft.builder.finish(&outputs);
-        let epsilon = writer.scaling.epsilon();
-        let (constants, kernel) = plan.split(epsilon, |variable| writer.scaling.ready(variable).is_some());
-        let derived = if writer.scaling.folds { 0 } else { constants.derived_constants(epsilon) };
+        let Parts { kernel, derived } = Parts::of(&writer, &outputs);
         let price = price_of(&kernel, numerators.len(), derived);
         let products = reciprocals.iter().flatten().count();
         let operations = kernel.cost().operations() + products + numerators.len();
@@ -44,6 +41,30 @@ impl Candidate {
     /// Whether no prepared constant was rounded more than once where that matters.
     pub(super) fn is_rounded_once(&self) -> bool {
         self.derived == 0
+    }
+}
+
+/// What a form computes for each state, and how many of its constants are rounded more than once.
+struct Parts {
+    kernel: Plan,
+    derived: usize,
+}
+
+impl Parts {
+    fn of(writer: &Writer, outputs: &[Node]) -> Self {
+        let plan = writer.draft.builder.finish(outputs);
+        let epsilon = writer.scaling.epsilon();
+        let (constants, kernel) = plan.split(epsilon, |variable| writer.scaling.ready(variable).is_some());
+        let derived = if writer.scaling.folds { 0 } else { constants.derived_constants(epsilon) };
+        Parts { kernel, derived }
+    }
+}
+
+impl Writer {
+    /// Whether no prepared constant that this step needs is rounded more than once where that
+    /// matters. A form that has it needs no fewer constants.
+    pub(super) fn is_rounded_once(&self, step: Node) -> bool {
+        Parts::of(self, &[step]).derived == 0
     }
 }
 

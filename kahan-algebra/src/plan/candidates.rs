@@ -8,7 +8,7 @@ use crate::poly::Polynomial;
 use crate::rational::Rational;
 use crate::table::sorted_by_key;
 
-use super::blocks::{Blocks, Manner};
+use super::blocks::Blocks;
 use super::candidate::Candidate;
 use super::draft::Signed;
 use super::factored_map::FactoredMap;
@@ -43,43 +43,48 @@ const WRITTEN_TERMS: usize = 120;
 const ORDERS: usize = 3;
 
 /// The forms worth a plan.
-pub(super) struct Forms {
+pub(super) struct Forms<'a> {
     /// The cheapest one.
     pub(super) best: Candidate,
-    /// One with two divisions, where there is one.
-    pub(super) two_divisions: Option<Candidate>,
-    /// Those divided by the time step.
-    pub(super) over_time_step: Vec<Candidate>,
+    /// What the others are made from, where there are any.
+    factored: Option<FactoredMap<'a>>,
+}
+
+impl Forms<'_> {
+    /// Other forms, of which a long orbit may wait less than so long a step: one with two
+    /// divisions, where there is one, and those divided by the time step.
+    pub(super) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
+        let Some(factored) = &self.factored else { return Vec::new() };
+        let over_time_step = factored.over_time_step(recurrence);
+        factored.with_two_divisions().into_iter().chain(over_time_step).collect()
+    }
 }
 
 /// The forms of a field's step: from products of sums that are `kept`; of the reduced map, if that is within the budget, or of A; `None`
 /// where the field is too large for straight lines.
-pub(super) fn forms(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Forms> {
+pub(super) fn forms<'a>(
+    field: &'a Field,
+    kept: Option<&Kept>,
+    map: Option<&'a RationalMap>,
+) -> Option<Forms<'a>> {
     if let Some(kept) = kept {
         let best = products::candidates(field, kept).into_iter().min_by_key(Candidate::price)?;
-        return Some(Forms { best, two_divisions: None, over_time_step: Vec::new() });
+        return Some(Forms { best, factored: None });
     }
     let mut candidates: Vec<Candidate> = Vec::new();
     if has_blocks(field, map) {
         let blocks = Blocks::of(field);
         let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
-        for writer in Writer::empty(field) {
-            candidates.extend(
-                blocks
-                    .turns(turns)
-                    .filter_map(|turn| blocks.candidate(writer.clone(), Manner::Eliminating(turn))),
-            );
+        if let Some(eliminating) = blocks.eliminating() {
+            let empty = Writer::empty(field);
+            candidates.extend(empty.iter().flat_map(|empty| blocks.candidates(empty, &eliminating, turns)));
         }
     }
-    let (mut two_divisions, mut over_time_step) = (None, Vec::new());
-    if let Some(map) = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS) {
-        let factored = FactoredMap::of(field, map);
-        candidates.extend(factored.best());
-        two_divisions = factored.with_two_divisions();
-        over_time_step = factored.over_time_step();
-    }
+    let map = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS);
+    let factored = map.map(|map| FactoredMap::of(field, map));
+    candidates.extend(factored.as_ref().and_then(FactoredMap::best));
     let best = candidates.into_iter().min_by_key(Candidate::price)?;
-    Some(Forms { best, two_divisions, over_time_step })
+    Some(Forms { best, factored })
 }
 
 /// Whether the step may be made from A itself: nothing was divided out of its determinant, and
@@ -95,12 +100,10 @@ pub(super) fn steady_forms(field: &Field, map: Option<&RationalMap>, best: &Cand
         return Vec::new();
     }
     let blocks = Blocks::of(field);
-    let whole = Writer::empty(field).into_iter().flat_map(|writer| {
-        let blocks = &blocks;
-        (0..ORDERS).filter_map(move |rank| {
-            blocks.candidate(writer.clone(), Manner::Whole { rank, operations: 2 * best.operations() })
-        })
-    });
+    let orders = blocks.whole(ORDERS, 2 * best.operations());
+    let empty = Writer::empty(field);
+    let whole =
+        empty.iter().flat_map(|empty| orders.iter().flat_map(|order| blocks.candidates(empty, order, 1)));
     let is_affordable = |form: &Candidate| {
         2 * form.price() <= 3 * best.price() && 2 * form.operations() <= 3 * best.operations()
     };

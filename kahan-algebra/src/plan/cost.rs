@@ -93,3 +93,37 @@ impl Plan {
         ready
     }
 }
+
+/// When the sum of values is ready, the earliest two added first.
+pub(super) fn gathered(ready: &[u32]) -> u32 {
+    combined(ready.to_vec(), ADD)
+}
+
+/// When the product of values is ready, the earliest two multiplied first.
+pub(super) fn multiplied(ready: Vec<u32>) -> u32 {
+    combined(ready, MULTIPLY)
+}
+
+/// When one value is left of these, two becoming one after so many cycles.
+fn combined(mut all: Vec<u32>, latency: u32) -> u32 {
+    let ready: &mut [u32] = &mut all;
+    for end in 1..ready.len() {
+        put_in_order(ready, end, ready[end]);
+    }
+    let mut count = ready.len();
+    while count > 1 {
+        // The earliest two stand last.
+        count -= 1;
+        put_in_order(ready, count - 1, ready[count - 1] + latency);
+    }
+    ready.first().copied().unwrap_or(0)
+}
+
+/// Puts a value among those before a free place, the latest first.
+fn put_in_order(ready: &mut [u32], mut place: usize, at: u32) {
+    while place > 0 && ready[place - 1] < at {
+        ready[place] = ready[place - 1];
+        place -= 1;
+    }
+    ready[place] = at;
+}

@@ -15,6 +15,8 @@ pub(super) struct Draft {
     ready: Vec<u32>,
     /// Whether a step depends on no state: it is a constant that a prepared map computes once.
     fixed: Vec<bool>,
+    /// How many operations up to each step depend on a state.
+    sizes: Vec<usize>,
     /// Variables from here to ε are parameters, the others states.
     states: u16,
     epsilon: Variable,
@@ -28,6 +30,7 @@ impl Draft {
             builder: PlanBuilder::default(),
             ready: Vec::new(),
             fixed: Vec::new(),
+            sizes: Vec::new(),
             states: scaling.states(),
             epsilon: scaling.epsilon(),
             folds: scaling.folds,
@@ -47,6 +50,9 @@ impl Draft {
             let operands = operation.operands().map(|operand| self.ready[operand.0]).max().unwrap_or(0);
             self.ready.push(if fixed { 0 } else { operands + operation.latency() });
             self.fixed.push(fixed);
+            let is_counted = !fixed && !matches!(operation, Operation::Input(_));
+            let size = self.sizes.last().copied().unwrap_or(0);
+            self.sizes.push(size + usize::from(is_counted));
         }
     }
 
@@ -84,18 +90,13 @@ impl Draft {
         self.builder.truncate(length);
         self.ready.truncate(length);
         self.fixed.truncate(length);
+        self.sizes.truncate(length);
     }
 
     /// Operations that depend on a state, so far.
     pub(super) fn kernel_size(&mut self) -> usize {
         self.settle();
-        let is_input = |operation: &Operation| matches!(operation, Operation::Input(_));
-        self.builder
-            .operations()
-            .iter()
-            .zip(&self.fixed)
-            .filter(|(operation, fixed)| !**fixed && !is_input(operation))
-            .count()
+        self.sizes.last().copied().unwrap_or(0)
     }
 
     pub(super) fn input(&mut self, variable: Variable) -> Node {
@@ -126,11 +127,13 @@ impl Draft {
     /// a state: their product would be rounded the same way in every step, and the integrals of a
     /// long orbit would drift.
     pub(super) fn product(&mut self, factors: &[Node]) -> Node {
-        let mut factors = factors.to_vec();
-        if factors.is_empty() {
-            return self.constant(&Rational::one());
+        match factors {
+            [] => return self.constant(&Rational::one()),
+            [a, b] => return self.multiply(*a, *b),
+            _ => {}
         }
-        while factors.len() > 1 {
+        let mut factors = factors.to_vec();
+        while factors.len() > 2 {
             factors = self.sorted(factors, |node| *node);
             let fixed = factors.iter().filter(|node| self.fixed[node.0]).count();
             let earliest =
@@ -140,7 +143,7 @@ impl Draft {
             let a = factors.remove(first);
             factors.push(self.multiply(a, b));
         }
-        factors[0]
+        factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
     }
 
     /// Two factors whose product is a step already; first those of a factor that has no other such
@@ -166,16 +169,19 @@ impl Draft {
 
     /// The same, its sign beside it.
     pub(super) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
-        let mut terms = terms.to_vec();
-        if terms.is_empty() {
-            return Signed::plus(self.zero());
+        let mut terms = self.sorted(terms.to_vec(), |term| term.node);
+        terms.reverse();
+        while let [.., b, a] = terms[..] {
+            let sum = self.pair(a, b);
+            terms.truncate(terms.len() - 2);
+            self.settle();
+            let mut place = terms.len();
+            while place > 0 && self.order(terms[place - 1].node) < self.order(sum.node) {
+                place -= 1;
+            }
+            terms.insert(place, sum);
         }
-        while terms.len() > 1 {
-            terms = self.sorted(terms, |term| term.node);
-            let (a, b) = (terms.remove(0), terms.remove(0));
-            terms.insert(0, self.pair(a, b));
-        }
-        terms[0]
+        terms.pop().unwrap_or_else(|| Signed::plus(self.zero()))
     }
 
     fn pair(&mut self, a: Signed, b: Signed) -> Signed {
@@ -190,7 +196,12 @@ impl Draft {
     /// The values in the order in which they are ready, constants first.
     fn sorted<V>(&mut self, values: Vec<V>, node: impl Fn(&V) -> Node) -> Vec<V> {
         self.settle();
-        sorted_by_key(values, |value| (!self.fixed[node(value).0], self.ready[node(value).0], node(value)))
+        sorted_by_key(values, |value| self.order(node(value)))
+    }
+
+    /// What values are sorted by.
+    fn order(&self, node: Node) -> (bool, u32, Node) {
+        (!self.fixed[node.0], self.ready[node.0], node)
     }
 }
 

@@ -25,7 +25,7 @@ impl PlanBuilder {
         let Some(variable) = most_frequent_variable(polynomial) else {
             return self.sum_of_terms(polynomial);
         };
-        let (quotient, rest) = split(polynomial, variable);
+        let (quotient, rest) = polynomial.split_at(variable);
         let quotient = self.polynomial(&quotient);
         let input = self.input(variable);
         let product = self.multiply(input, quotient);
@@ -81,17 +81,4 @@ fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
         .filter(|&(_, count)| count > 1)
         .max_by_key(|&(variable, count)| (count, variable))
         .map(|(v, _)| v)
-}
-
-/// p = v·q + r with r free of v.
-pub(super) fn split(polynomial: &Polynomial, variable: Variable) -> (Polynomial, Polynomial) {
-    let by = Monomial::variable(variable);
-    let (mut quotient, mut rest) = (Vec::new(), Vec::new());
-    for (monomial, coefficient) in polynomial.terms() {
-        match monomial.div(&by) {
-            Some(monomial) => quotient.push((monomial, coefficient.clone())),
-            None => rest.push((monomial.clone(), coefficient.clone())),
-        }
-    }
-    (Polynomial::from_terms(quotient), Polynomial::from_terms(rest))
 }

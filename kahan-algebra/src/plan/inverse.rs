@@ -10,7 +10,7 @@
 //! it has another one besides.
 
 use crate::arithmetic::Arithmetic;
-use crate::poly::{Monomial, Polynomial};
+use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 
 use super::StepPlan;
@@ -19,6 +19,7 @@ use super::draft::Signed;
 use super::factored_map::FactoredMap;
 use super::nesting::Goal;
 use super::numerators::Power;
+use super::recurrence::least_recurrence;
 use super::scaling::{is_power_of_two, over_eps};
 use super::writer::Writer;
 
@@ -27,25 +28,28 @@ const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
     /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them
-    /// is rounded twice.
-    pub(super) fn over_time_step(&self) -> Vec<Candidate> {
+    /// is rounded twice and their [recurrence](StepPlan::recurrence) may be below this one.
+    pub(super) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
             // Constants are one product there, whatever is divided.
             return Vec::new();
         }
         let degree = self.map.reduced.denominator.degree_in(self.field.symbols.epsilon());
         let mut forms = self.two_divisions_over_time_step();
+        let over_power = |power: u32, writer: Writer, denominator: Signed, c: &Rational| {
+            self.over_power(power, writer, denominator, c, recurrence)
+        };
         for power in 1..=degree.min(MOST_POWERS) {
             let (denominator, c) = self.divided(&self.map.reduced.denominator, power);
             for empty in &self.empty {
                 let mut writer = empty.clone();
                 let written = writer.write_scaled(&denominator, Goal::Early);
-                forms.push(self.over_power(power, writer, written, &c));
+                forms.extend(over_power(power, writer, written, &c));
                 if self.has_sums_of_constants(&denominator) {
                     let mut writer = empty.clone();
                     let written =
                         self.with_coefficients(&mut writer, &denominator.scale(&Rational::new(1, 2)));
-                    forms.push(self.over_power(power, writer, written, &(&c * &Rational::new(1, 2))));
+                    forms.extend(over_power(power, writer, written, &(&c * &Rational::new(1, 2))));
                 }
             }
         }
@@ -71,11 +75,30 @@ impl FactoredMap<'_> {
         writer.write(&gathered, Goal::Early)
     }
 
-    /// x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ), the denominator being written, and c/(that) its reciprocal.
-    fn over_power(&self, power: u32, mut writer: Writer, denominator: Signed, c: &Rational) -> Candidate {
+    /// x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ), the denominator being written, and c/(that) its reciprocal; `None`
+    /// where that tells already that the form is of no use.
+    fn over_power(
+        &self,
+        power: u32,
+        mut writer: Writer,
+        denominator: Signed,
+        c: &Rational,
+        recurrence: u64,
+    ) -> Option<Candidate> {
         let reciprocal = writer.reciprocal(c, denominator.node);
+        let least = least_recurrence(&writer.draft.builder, reciprocal, &self.moving_states());
+        if least >= recurrence || !writer.is_rounded_once(reciprocal) {
+            return None;
+        }
         let numerators = self.written_numerators(&mut writer, |_| Power::OverEps(power - 1), None);
-        self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))
+        Some(self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative)))
+    }
+
+    /// The states whose components are not zero.
+    fn moving_states(&self) -> Vec<Variable> {
+        let components = self.numerators.iter().enumerate();
+        let moving = components.filter(|(_, numerator)| !numerator.coefficient.is_zero());
+        moving.map(|(i, _)| self.field.symbols.state(i)).collect()
     }
 
     /// 2(n/εᵏ⁻¹)/(p/εᵏ) for numerators that one factor p divides, 2(n/εᵏ)/(p/εᵏ)/(q/ε) for those

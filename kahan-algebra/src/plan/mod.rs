@@ -41,7 +41,9 @@ mod inverse;
 mod kernel;
 mod minors;
 mod nesting;
+mod numbered;
 mod numerators;
+mod operation;
 mod products;
 mod reciprocals;
 mod recurrence;
@@ -59,109 +61,18 @@ pub use accuracy::LARGEST_SIZE;
 pub use builder::PlanBuilder;
 pub use cost::Cost;
 pub use kernel::Kernel;
+pub use operation::Operation;
 pub use step::{StepCost, StepPlan};
 pub(crate) use structure::blocks as triangular_blocks;
 pub(crate) use words::{descriptions, kind};
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};
-use crate::rational::Rational;
 use crate::table::distinct;
 
 /// The result of an operation: its index in the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Node(pub usize);
-
-/// One step of a plan; its operands are earlier steps.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Operation {
-    /// A state, a parameter or ε.
-    Input(Variable),
-    /// An exact constant.
-    Constant(Rational),
-    /// a + b
-    Add(Node, Node),
-    /// a − b
-    Subtract(Node, Node),
-    /// a · b
-    Multiply(Node, Node),
-    /// a / b
-    Divide(Node, Node),
-    /// −a
-    Negate(Node),
-    /// a · b + c, to be rounded once where the scalar can
-    MultiplyAdd(Node, Node, Node),
-    /// a · b − c, likewise
-    MultiplySubtract(Node, Node, Node),
-    /// a − b · c, likewise
-    SubtractProduct(Node, Node, Node),
-    /// The prepared constant with this index, in the kernel of a [`StepPlan`].
-    Prepared(usize),
-}
-
-impl Operation {
-    /// The operands, at most three, in order.
-    pub fn operands(&self) -> impl Iterator<Item = Node> + use<> {
-        let operands = match *self {
-            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => [None, None, None],
-            Operation::Negate(a) => [Some(a), None, None],
-            Operation::Add(a, b)
-            | Operation::Subtract(a, b)
-            | Operation::Multiply(a, b)
-            | Operation::Divide(a, b) => [Some(a), Some(b), None],
-            Operation::MultiplyAdd(a, b, c)
-            | Operation::MultiplySubtract(a, b, c)
-            | Operation::SubtractProduct(a, b, c) => [Some(a), Some(b), Some(c)],
-        };
-        operands.into_iter().flatten()
-    }
-
-    /// The same operation on other operands.
-    #[must_use]
-    pub fn with_operands(&self, mut rename: impl FnMut(Node) -> Node) -> Self {
-        self.renamed(&mut rename)
-    }
-
-    fn renamed(&self, rename: &mut dyn FnMut(Node) -> Node) -> Self {
-        let mut renamed = self.clone();
-        match &mut renamed {
-            Operation::Input(_) | Operation::Constant(_) | Operation::Prepared(_) => {}
-            Operation::Negate(a) => *a = rename(*a),
-            Operation::Add(a, b)
-            | Operation::Subtract(a, b)
-            | Operation::Multiply(a, b)
-            | Operation::Divide(a, b) => (*a, *b) = (rename(*a), rename(*b)),
-            Operation::MultiplyAdd(a, b, c)
-            | Operation::MultiplySubtract(a, b, c)
-            | Operation::SubtractProduct(a, b, c) => (*a, *b, *c) = (rename(*a), rename(*b), rename(*c)),
-        }
-        renamed
-    }
-
-    /// The value of the operation from the `values` of all steps before it; `None` where it, or one
-    /// of its operands, has none, and for an input. A multiply-add of the machine's floats is a
-    /// multiplication and an addition here: those that fuse are the generated code's business.
-    #[inline(always)]
-    pub fn compute<A: Arithmetic>(&self, arithmetic: &A, values: &[Option<A::Value>]) -> Option<A::Value> {
-        let value = |node: Node| values[node.0].as_ref();
-        match *self {
-            Operation::Input(_) | Operation::Prepared(_) => None,
-            Operation::Constant(ref constant) => arithmetic.constant(constant),
-            Operation::Negate(a) => Some(arithmetic.negate(value(a)?)),
-            Operation::Add(a, b) => Some(arithmetic.add(value(a)?, value(b)?)),
-            Operation::Subtract(a, b) => Some(arithmetic.subtract(value(a)?, value(b)?)),
-            Operation::Multiply(a, b) => Some(arithmetic.multiply(value(a)?, value(b)?)),
-            Operation::Divide(a, b) => arithmetic.divide(value(a)?, value(b)?),
-            Operation::MultiplyAdd(a, b, c) => Some(arithmetic.multiply_add(value(a)?, value(b)?, value(c)?)),
-            Operation::MultiplySubtract(a, b, c) => {
-                Some(arithmetic.multiply_subtract(value(a)?, value(b)?, value(c)?))
-            }
-            Operation::SubtractProduct(a, b, c) => {
-                Some(arithmetic.subtract_product(value(a)?, value(b)?, value(c)?))
-            }
-        }
-    }
-}
 
 /// A straight-line program with several results.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -188,6 +99,30 @@ impl Plan {
         let mut builder = PlanBuilder::default();
         let outputs: Vec<Node> = plans.into_iter().flat_map(|plan| builder.include(plan)).collect();
         builder.finish(&outputs)
+    }
+
+    /// The plan of these results, with those of the steps that they need.
+    pub(super) fn of_results(steps: &[Operation], outputs: &[Node]) -> Self {
+        let mut needed = vec![false; steps.len()];
+        for output in outputs {
+            needed[output.0] = true;
+        }
+        for index in (0..steps.len()).rev() {
+            if needed[index] {
+                for operand in steps[index].operands() {
+                    needed[operand.0] = true;
+                }
+            }
+        }
+        let mut renamed = vec![Node(0); steps.len()];
+        let mut operations = Vec::new();
+        for (index, operation) in steps.iter().enumerate() {
+            if needed[index] {
+                renamed[index] = Node(operations.len());
+                operations.push(operation.with_operands(|node| renamed[node.0]));
+            }
+        }
+        Plan { operations, outputs: outputs.iter().map(|output| renamed[output.0]).collect() }
     }
 
     /// The plan of one result.

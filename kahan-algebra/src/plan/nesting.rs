@@ -4,7 +4,6 @@
 //! estimate of a form counts its operations and the cycle in which its value is ready, no step
 //! being shared; the cheapest form is kept.
 
-use rustc_hash::FxHashMap;
 use std::cell::RefCell;
 use std::cmp::Reverse;
 use std::rc::Rc;
@@ -13,7 +12,8 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
 use crate::table::sorted_by_key;
 
-use super::cost::{ADD, DERIVED, MULTIPLY};
+use super::cost::{DERIVED, MULTIPLY, gathered, multiplied};
+use super::numbered::Numbered;
 use super::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
 /// The most terms for which all forms are compared; longer polynomials are nested by their most
@@ -45,16 +45,32 @@ pub(super) enum Summand {
     /// One term.
     Term(Monomial, Rational),
     /// The monomial (with its coefficient) times a sum.
-    Product(Monomial, Rational, Polynomial),
+    Product(Monomial, Rational, Rc<Polynomial>),
 }
 
-/// A form with its estimate.
-#[derive(Clone, Debug)]
+/// The estimate of a form.
+#[derive(Debug)]
 struct Estimate {
     operations: usize,
     /// When each summand is ready.
     summands: Vec<u32>,
-    parts: Vec<Summand>,
+    form: Form,
+}
+
+/// A form, of which the summands are made only where it is chosen.
+#[derive(Debug)]
+enum Form {
+    /// Term by term.
+    Flat,
+    /// A product, and a rest in the form of its estimate.
+    Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
+}
+
+/// Polynomials with their estimates.
+#[derive(Debug, Default)]
+struct Known {
+    polynomials: Numbered<Rc<Polynomial>>,
+    estimates: Vec<Rc<Estimate>>,
 }
 
 /// Estimates, each made once.
@@ -62,7 +78,7 @@ struct Estimate {
 pub(super) struct Nesting {
     goal: Goal,
     scaling: Scaling,
-    known: RefCell<FxHashMap<Polynomial, Rc<Estimate>>>,
+    known: RefCell<Known>,
 }
 
 impl Nesting {
@@ -71,16 +87,35 @@ impl Nesting {
     }
 
     /// The cheapest form found.
-    pub(super) fn best(&self, polynomial: &Polynomial) -> Vec<Summand> {
-        self.estimate(polynomial).parts.clone()
+    pub(super) fn best(&self, polynomial: &Rc<Polynomial>) -> Vec<Summand> {
+        let mut summands = Vec::new();
+        let mut next = Some((Rc::clone(polynomial), self.estimate(polynomial)));
+        while let Some((polynomial, estimate)) = next {
+            next = match &estimate.form {
+                Form::Nested(product, rest) => {
+                    summands.push(product.clone());
+                    rest.clone()
+                }
+                Form::Flat => {
+                    for (monomial, coefficient) in polynomial.terms() {
+                        summands.push(Summand::Term(monomial.clone(), coefficient.clone()));
+                    }
+                    None
+                }
+            };
+        }
+        summands
     }
 
-    fn estimate(&self, polynomial: &Polynomial) -> Rc<Estimate> {
-        if let Some(known) = self.known.borrow().get(polynomial) {
-            return known.clone();
+    fn estimate(&self, polynomial: &Rc<Polynomial>) -> Rc<Estimate> {
+        let known = self.known.borrow().polynomials.find(polynomial);
+        if let Some(number) = known {
+            return Rc::clone(&self.known.borrow().estimates[number]);
         }
         let estimate = Rc::new(self.compare(polynomial));
-        self.known.borrow_mut().insert(polynomial.clone(), estimate.clone());
+        let mut known = self.known.borrow_mut();
+        known.polynomials.number(Rc::clone(polynomial));
+        known.estimates.push(Rc::clone(&estimate));
         estimate
     }
 
@@ -111,9 +146,16 @@ impl Nesting {
 
     /// Variables in at least two terms; for long polynomials only the most frequent one.
     fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
-        let count = |variable: Variable| polynomial.terms().filter(|(m, _)| m.exponent(variable) > 0).count();
-        let counts = polynomial.variables().into_iter().map(|variable| (count(variable), variable));
-        let counts = counts.filter(|&(count, variable)| {
+        let mut counts: Vec<(usize, Variable)> = Vec::new();
+        for (monomial, _) in polynomial.terms() {
+            for &(variable, _) in monomial.powers() {
+                match counts.iter_mut().find(|(_, known)| known.0 == variable.0) {
+                    Some((count, _)) => *count += 1,
+                    None => counts.push((1, variable)),
+                }
+            }
+        }
+        counts.retain(|&(count, variable)| {
             count > 1 && (variable == INVERSE_STEP || self.scaling.ready(variable).is_some())
         });
         let mut counts = sorted_by_key(counts, |&(count, variable)| (Reverse(count), variable));
@@ -125,11 +167,10 @@ impl Nesting {
 
     /// Every term on its own; what depends on no state is one prepared summand.
     fn flat(&self, polynomial: &Polynomial) -> Estimate {
-        let mut estimate = Estimate { operations: 0, summands: Vec::new(), parts: Vec::new() };
+        let mut estimate = Estimate { operations: 0, summands: Vec::new(), form: Form::Flat };
         let mut has_fixed = false;
         for (monomial, coefficient) in polynomial.terms() {
             let (operations, ready) = self.term(monomial, coefficient);
-            estimate.parts.push(Summand::Term(monomial.clone(), coefficient.clone()));
             if ready == 0 && operations == 0 && self.is_fixed(monomial) {
                 if has_fixed {
                     continue;
@@ -149,7 +190,7 @@ impl Nesting {
         let mut has_fixed = false;
         for &(variable, exponent) in monomial.powers() {
             match self.scaling.ready(variable) {
-                Some(ready) => factors.extend(std::iter::repeat_n(ready, exponent as usize)),
+                Some(ready) => factors.resize(factors.len() + exponent as usize, ready),
                 None => has_fixed = true,
             }
         }
@@ -167,45 +208,31 @@ impl Nesting {
     }
 
     fn nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
-        let (quotient, rest) = super::horner::split(polynomial, variable);
-        let common = quotient.monomial_content();
-        let inner = quotient.div_monomial(&common).expect("all terms have it");
-        let monomial = common.mul(&Monomial::variable(variable));
+        let (quotient, rest) = polynomial.split_at(variable);
+        let mut monomial = quotient.monomial_content();
+        let inner = if monomial.is_one() {
+            quotient
+        } else {
+            quotient.div_monomial(&monomial).expect("all terms have it")
+        };
+        monomial.multiply_by(variable, 1);
         let content = inner.content();
         let (content, inner) =
             if content.is_one() { (content, inner) } else { (content, inner.primitive_part()) };
+        let inner = Rc::new(inner);
         let (mut operations, factor_ready) = self.term(&monomial, &content);
         let quotient = self.estimate(&inner);
         operations += quotient.operations + 1;
         let ready = factor_ready.max(gathered(&quotient.summands)) + MULTIPLY;
-        let mut parts = vec![Summand::Product(monomial, content, inner)];
+        let product = Summand::Product(monomial, content, inner);
         let mut summands = vec![ready];
-        if !rest.is_zero() {
-            let rest = self.estimate(&rest);
-            operations += rest.operations + 1;
-            summands.extend(&rest.summands);
-            parts.extend(rest.parts.iter().cloned());
+        if rest.is_zero() {
+            return Estimate { operations, summands, form: Form::Nested(product, None) };
         }
-        Estimate { operations, summands, parts }
+        let rest = Rc::new(rest);
+        let own = self.estimate(&rest);
+        operations += own.operations + 1;
+        summands.extend_from_slice(&own.summands);
+        Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
     }
-}
-
-/// When the sum of values is ready, the earliest two added first.
-fn gathered(ready: &[u32]) -> u32 {
-    combined(ready.to_vec(), ADD)
-}
-
-fn multiplied(ready: Vec<u32>) -> u32 {
-    combined(ready, MULTIPLY)
-}
-
-fn combined(ready: Vec<u32>, latency: u32) -> u32 {
-    let mut ready = sorted_by_key(ready, |&at| Reverse(at));
-    while ready.len() > 1 {
-        let mut earliest = || ready.pop().expect("two are left");
-        let sum = earliest().max(earliest()) + latency;
-        let place = ready.partition_point(|&at| at >= sum);
-        ready.insert(place, sum);
-    }
-    ready.pop().unwrap_or(0)
 }

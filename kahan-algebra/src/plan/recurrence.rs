@@ -5,8 +5,9 @@
 
 use crate::poly::Variable;
 
-use super::cost::{ADD, MULTIPLY};
-use super::{Node, Operation, StepPlan};
+use super::cost::{ADD, FUSED, MULTIPLY};
+use super::single_divisions::TOGETHER;
+use super::{Node, Operation, PlanBuilder, StepPlan};
 
 impl StepPlan {
     /// Cycles from one state to the next in a long orbit, rounded up.
@@ -61,6 +62,42 @@ impl StepPlan {
             })
             .collect()
     }
+}
+
+/// The [recurrence](StepPlan::recurrence) that no step goes below in which these states are moved
+/// by multiples of one reciprocal, whatever the multiples are and however sums are fused.
+pub(super) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
+    let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
+    // Where each component has a division of its own, nothing is multiplied after it.
+    let product = if moving.len() > TOGETHER { MULTIPLY } else { 0 };
+    let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
+    u64::from(back) * UNIT
+}
+
+/// The cycles from a variable to a step at least; `None` where it does not depend on it.
+fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<u32> {
+    let mut arrival: Vec<Option<u32>> = Vec::with_capacity(node.0 + 1);
+    for operation in &operations[..=node.0] {
+        let ready = match *operation {
+            Operation::Input(input) => (input == variable).then_some(0),
+            // Signs move.
+            Operation::Negate(a) => arrival[a.0],
+            Operation::Add(a, b) | Operation::Subtract(a, b) => {
+                let summand = |summand: Node| match operations[summand.0] {
+                    // A product may become part of a multiply-add.
+                    Operation::Multiply(c, d) => Some(arrival[c.0].max(arrival[d.0])? + FUSED),
+                    _ => Some(arrival[summand.0]? + ADD),
+                };
+                summand(a).max(summand(b))
+            }
+            _ => {
+                let operands = operation.operands().filter_map(|Node(index)| arrival[index]).max();
+                operands.map(|ready| ready + operation.latency())
+            }
+        };
+        arrival.push(ready);
+    }
+    arrival[node.0]
 }
 
 /// Divisible by the lengths of cycles of up to six steps.

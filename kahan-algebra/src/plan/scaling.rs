@@ -33,7 +33,8 @@ pub(super) enum First {
 #[derive(Clone, Debug)]
 pub(super) struct Scaling {
     states: usize,
-    parameters: usize,
+    /// Where scaled symbols begin: states, parameters, ε and the second states come before.
+    offset: u16,
     epsilon: Variable,
     first: First,
     /// Whether the constants of a term are prepared as one, although that rounds them twice.
@@ -44,7 +45,8 @@ impl Scaling {
     pub(super) fn new(field: &Field, first: First) -> Self {
         let symbols = &field.symbols;
         let (states, parameters) = (symbols.states.len(), symbols.parameters.len());
-        Scaling { states, parameters, epsilon: symbols.epsilon(), first, folds: is_dissipative(field) }
+        let offset = u16::try_from(2 * states + parameters + 1).expect("symbols are numbered by 16 bits");
+        Scaling { states, offset, epsilon: symbols.epsilon(), first, folds: is_dissipative(field) }
     }
 
     pub(super) fn states(&self) -> u16 {
@@ -62,34 +64,39 @@ impl Scaling {
 
     /// εv for a state or parameter v.
     pub(super) fn scaled(&self, symbol: Variable) -> Variable {
-        Variable(symbol.0 + self.offset())
+        Variable(symbol.0 + self.offset)
     }
 
     /// v, if the variable is εv.
     pub(super) fn unscaled(&self, variable: Variable) -> Option<Variable> {
-        variable.0.checked_sub(self.offset()).map(Variable).filter(|_| variable < INVERSE_STEP)
+        let is_scaled = variable.0 >= self.offset && variable.0 < INVERSE_STEP.0;
+        if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
     }
 
     /// When a variable is ready; `None` for what depends on no state.
     pub(super) fn ready(&self, variable: Variable) -> Option<u32> {
-        match self.unscaled(variable) {
-            None if variable >= INVERSE_STEP => None,
-            Some(symbol) => self.ready(symbol).map(|ready| ready + MULTIPLY),
-            None if variable.0 < self.states() => Some(0),
-            None if variable.0 > self.epsilon.0 => Some(LATE),
-            None => None,
+        let Variable(index) = variable;
+        if index >= INVERSE_STEP.0 {
+            return None;
         }
-    }
-
-    fn offset(&self) -> u16 {
-        // States, parameters, ε and the second states come before.
-        u16::try_from(2 * self.states + self.parameters + 1).expect("symbols are numbered by 16 bits")
+        let (symbol, scaling) =
+            if index >= self.offset { (index - self.offset, MULTIPLY) } else { (index, 0) };
+        if (symbol as usize) < self.states {
+            Some(scaling)
+        } else if symbol > self.epsilon.0 {
+            Some(LATE + scaling)
+        } else {
+            None
+        }
     }
 
     /// Every way to scale the terms that the orders of preference allow, without repetition: where
     /// a term has fewer powers of ε than states, the states that come first in the order stay
     /// plain.
     pub(super) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
+        if !polynomial.contains(self.epsilon) {
+            return vec![polynomial.clone()];
+        }
         let present = polynomial.variables().into_iter().map(|variable| usize::from(variable.0));
         let present: Vec<usize> = present.filter(|&index| index < self.states).collect();
         if present.is_empty() {
@@ -111,6 +118,9 @@ impl Scaling {
     }
 
     fn scale(&self, polynomial: &Polynomial, plain: &[usize]) -> Polynomial {
+        if !polynomial.contains(self.epsilon) {
+            return polynomial.clone();
+        }
         let terms = polynomial
             .terms()
             .map(|(monomial, coefficient)| (self.scale_term(monomial, plain), coefficient.clone()));
@@ -119,7 +129,7 @@ impl Scaling {
 
     fn scale_term(&self, monomial: &Monomial, plain: &[usize]) -> Monomial {
         let mut powers_of_eps = monomial.exponent(self.epsilon);
-        let mut result = Monomial::power(INVERSE_STEP, monomial.exponent(INVERSE_STEP));
+        let mut result = Monomial::one();
         let is_state = |variable: Variable| usize::from(variable.0) < self.states;
         let states =
             plain.iter().rev().map(|&i| Variable(u16::try_from(i).expect("states are numbered by 16 bits")));
@@ -139,11 +149,12 @@ impl Scaling {
             }
             let scaled = exponent.min(powers_of_eps);
             powers_of_eps -= scaled;
-            result = result
-                .mul(&Monomial::power(self.scaled(variable), scaled))
-                .mul(&Monomial::power(variable, exponent - scaled));
+            result.multiply_by(variable, exponent - scaled);
+            result.multiply_by(self.scaled(variable), scaled);
         }
-        result.mul(&Monomial::power(self.epsilon, powers_of_eps))
+        result.multiply_by(self.epsilon, powers_of_eps);
+        result.multiply_by(INVERSE_STEP, monomial.exponent(INVERSE_STEP));
+        result
     }
 }
 

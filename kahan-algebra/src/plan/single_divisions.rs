@@ -9,7 +9,7 @@ use super::signs::{Wanted, with_signs};
 use super::{Kernel, Node, Operation, PlanBuilder, StepPlan};
 
 /// The quotients that one instruction gives.
-const TOGETHER: usize = 2;
+pub(super) const TOGETHER: usize = 2;
 
 impl StepPlan {
     /// The step with a division a component; `None` where there is no reciprocal that serves all of

@@ -58,35 +58,39 @@ impl Plan {
         let mut prepared: Vec<Node> = Vec::new();
         let mut kernel = PlanBuilder::default();
         let mut renamed: Vec<Option<Node>> = vec![None; self.operations.len()];
-        let needed = |index: usize| !fixed[index] || self.outputs.contains(&Node(index));
-        for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed(*index)) {
-            let uses: Vec<Node> =
-                if fixed[index] { vec![Node(index)] } else { operation.operands().collect() };
-            for operand in uses.into_iter().filter(|operand| fixed[operand.0]) {
-                if renamed[operand.0].is_some() {
-                    continue;
+        let mut needed: Vec<bool> = fixed.iter().map(|fixed| !fixed).collect();
+        for output in &self.outputs {
+            needed[output.0] = true;
+        }
+        for (index, operation) in self.operations.iter().enumerate().filter(|(index, _)| needed[*index]) {
+            let mut prepare = |node: Node| {
+                if renamed[node.0].is_none() {
+                    renamed[node.0] = Some(if is_literal(node) {
+                        kernel.include_node(self, node)
+                    } else {
+                        prepared.push(node);
+                        kernel.prepared(prepared.len() - 1)
+                    });
                 }
-                renamed[operand.0] = Some(if is_literal(operand) {
-                    kernel.include_node(self, operand)
-                } else {
-                    prepared.push(operand);
-                    kernel.prepared(prepared.len() - 1)
-                });
+            };
+            if fixed[index] {
+                prepare(Node(index));
+                continue;
             }
-            if !fixed[index] {
-                let operation = operation
-                    .with_operands(|operand| renamed[operand.0].expect("operands come before their uses"));
-                renamed[index] = Some(kernel.intern(operation));
+            for operand in operation.operands() {
+                if fixed[operand.0] {
+                    prepare(operand);
+                }
             }
+            let operation = operation
+                .with_operands(|operand| renamed[operand.0].expect("operands come before their uses"));
+            renamed[index] = Some(kernel.intern(operation));
         }
         let outputs: Vec<Node> = self
             .outputs
             .iter()
             .map(|output| renamed[output.0].expect("each output is in the kernel, or prepared"))
             .collect();
-        let mut constants = PlanBuilder::default();
-        let all = constants.include_all(self);
-        let prepared: Vec<Node> = prepared.iter().map(|node| all[node.0]).collect();
-        (constants.finish(&prepared), kernel.finish(&outputs))
+        (Plan::of_results(&self.operations, &prepared), kernel.finish(&outputs))
     }
 }

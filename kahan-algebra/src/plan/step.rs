@@ -64,8 +64,8 @@ impl StepPlan {
         let accuracy = Accuracy::of(field);
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
-        let one_orbit = forms.two_divisions.iter().chain(&forms.over_time_step).map(plan);
-        let one_orbit: Vec<StepPlan> = once(cheapest.clone()).chain(one_orbit).collect();
+        let one_orbit = forms.of_one_orbit(recurrence);
+        let one_orbit: Vec<StepPlan> = once(cheapest.clone()).chain(one_orbit.iter().map(plan)).collect();
         let single: Vec<StepPlan> = one_orbit.iter().filter_map(Self::with_single_divisions).collect();
         let others = one_orbit.into_iter().skip(1).chain(single);
         let shortest = others.min_by_key(|plan| (plan.recurrence(), plan.operations()));
@@ -183,5 +183,44 @@ impl StepPlan {
     pub(crate) fn mapped(self, change: &dyn Fn(&Plan) -> Plan) -> Self {
         let general = self.general.map(|general| Box::new(general.mapped(change)));
         StepPlan { constants: change(&self.constants), general, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The forms of one orbit below the cheapest form's recurrence, of those that are made up to
+    /// `recurrence`, and how many those are.
+    fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
+        let plan =
+            |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);
+        let forms = candidates::forms(field, None, Some(map)).expect("the field is small");
+        let limit = plan(&forms.best).recurrence();
+        let made: Vec<StepPlan> = forms.of_one_orbit(recurrence(limit)).iter().map(plan).collect();
+        let single = made.iter().filter_map(StepPlan::with_single_divisions);
+        let shorter = made.iter().cloned().chain(single).filter(|plan| plan.recurrence() < limit);
+        (shorter.collect(), made.len())
+    }
+
+    #[test]
+    fn no_form_that_an_orbit_waits_less_for_is_given_up() {
+        let mut given_up = 0;
+        for text in [
+            "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;",
+            "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;",
+            "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);",
+            "xdot = x*(1 - y); ydot = y*(x - 1);",
+            "struct P { a, b } xdot = a*x*y; ydot = b*y^2 - x;",
+            "struct P { a, b, c, d, k } xdot = a*x*(1 - x/k) - b*x*y; ydot = c*x*y - d*y - b*y*z; zdot = b*y*z - a*z;",
+        ] {
+            let field = crate::read(&crate::lexer::lex(text).tokens).system.field;
+            let map = RationalMap::of(&field).expect("the field is small");
+            let (all, made) = shorter(&field, &map, |_| u64::MAX);
+            let (some, fewer) = shorter(&field, &map, |limit| limit);
+            assert_eq!(all, some, "{text}");
+            given_up += made - fewer;
+        }
+        assert!(given_up > 0, "no form is given up");
     }
 }

@@ -14,7 +14,7 @@ use crate::symbols::Symbol;
 use crate::table::sorted_by_key;
 
 use super::accuracy::Accuracy;
-use super::blocks::{Blocks, Manner};
+use super::blocks::{Arrangement, Blocks};
 use super::candidate::Candidate;
 use super::writer::Writer;
 use super::{Node, Plan};
@@ -31,17 +31,16 @@ impl Plan {
     pub(crate) fn of_tangent(variational: &Field) -> Option<Plan> {
         let blocks = Blocks::of_tangent(variational);
         let accuracy = Accuracy::of(variational);
-        let eliminating: Vec<Manner> = blocks.turns(ORDERS).map(Manner::Eliminating).collect();
-        let whole = (0..ORDERS).map(|rank| Manner::Whole { rank, operations: MOST_OPERATIONS });
-        let whole: Vec<Manner> = whole.collect();
         let empty = Writer::empty(variational);
-        let cheapest = |manners: &[Manner]| {
-            let forms = empty.iter().flat_map(|writer| {
-                manners.iter().filter_map(|manner| blocks.candidate(writer.clone(), *manner))
+        let cheapest = |arrangements: &[Arrangement], turns: usize| {
+            let forms = empty.iter().flat_map(|empty| {
+                arrangements.iter().flat_map(|arrangement| blocks.candidates(empty, arrangement, turns))
             });
             forms.min_by_key(|form| (form.operations(), form.price())).map(|form| carried(form, variational))
         };
-        let forms = [cheapest(&eliminating), cheapest(&whole)].into_iter().flatten();
+        let eliminating = cheapest(blocks.eliminating().as_slice(), ORDERS);
+        let whole = cheapest(&blocks.whole(ORDERS, MOST_OPERATIONS), 1);
+        let forms = [eliminating, whole].into_iter().flatten();
         let cheap_first = sorted_by_key(forms, |form| form.cost().operations());
         cheap_first.into_iter().find(|form| accuracy.keeps_tangents(form))
     }

@@ -8,8 +8,6 @@ mod terms;
 
 use std::rc::Rc;
 
-use rustc_hash::FxHashMap;
-
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::rational::Rational;
@@ -18,6 +16,7 @@ use crate::table::sorted_by_key;
 use super::Node;
 use super::draft::{Draft, Signed};
 use super::nesting::{Goal, Nesting, Summand};
+use super::numbered::Numbered;
 use super::scaling::{INVERSE_STEP, Scaling, scalings};
 
 /// The most terms of a polynomial for which multiples of others are looked for: their number grows
@@ -41,12 +40,12 @@ pub(super) struct Entry {
 pub(super) struct Writer {
     pub(super) draft: Draft,
     pub(super) scaling: Scaling,
-    /// Steps by polynomial, its leading coefficient positive.
-    known: FxHashMap<Polynomial, Signed>,
-    /// The keys of `known`, in the order of their making.
-    made: Vec<Polynomial>,
-    /// Sums among them.
-    sums: Vec<Polynomial>,
+    /// The polynomials, their leading coefficients positive, in the order of their making.
+    made: Numbered<Rc<Polynomial>>,
+    /// The step of each.
+    steps: Vec<Signed>,
+    /// The numbers of those that are sums.
+    sums: Vec<usize>,
     /// Steps that stand for symbols.
     put: Vec<(Variable, Node)>,
     /// Sums of constants that were prepared as one.
@@ -66,8 +65,8 @@ impl Writer {
         Writer {
             draft: Draft::new(&scaling),
             scaling,
-            known: FxHashMap::default(),
-            made: Vec::new(),
+            made: Numbered::default(),
+            steps: Vec::new(),
             sums: Vec::new(),
             put: Vec::new(),
             coefficients: Vec::new(),
@@ -122,11 +121,11 @@ impl Writer {
     /// A polynomial, made for the goal.
     pub(super) fn write(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
         let (sign, positive) = normalised(polynomial);
-        if let Some(&known) = self.known.get(&positive) {
-            return known.flipped(sign);
+        if let Some(number) = self.made.find(&positive) {
+            return self.steps[number].flipped(sign);
         }
         let written = self.write_new(&positive, goal);
-        self.remember(&positive, written);
+        self.remember_positive(positive, written);
         written.flipped(sign)
     }
 
@@ -153,23 +152,27 @@ impl Writer {
     pub(super) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let gathered = self.gathered(polynomial);
         let (sign, positive) = normalised(gathered.as_ref().unwrap_or(polynomial));
-        self.known.get(&positive).map(|&known| known.flipped(sign))
+        self.made.find(&positive).map(|number| self.steps[number].flipped(sign))
     }
 
     /// Notes that a step computes this polynomial.
     pub(super) fn remember(&mut self, polynomial: &Polynomial, written: Signed) {
         let (sign, positive) = normalised(polynomial);
-        if self.known.contains_key(&positive) {
-            return;
-        }
-        if positive.len() > 1 {
-            self.sums.push(positive.clone());
-        }
-        self.made.push(positive.clone());
-        self.known.insert(positive, written.flipped(sign));
+        self.remember_positive(positive, written.flipped(sign));
     }
 
-    fn write_new(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
+    fn remember_positive(&mut self, polynomial: Rc<Polynomial>, written: Signed) {
+        let is_sum = polynomial.len() > 1;
+        let number = self.made.number(polynomial);
+        if number == self.steps.len() {
+            self.steps.push(written);
+            if is_sum {
+                self.sums.push(number);
+            }
+        }
+    }
+
+    fn write_new(&mut self, polynomial: &Rc<Polynomial>, goal: Goal) -> Signed {
         if let Some(gathered) = self.gathered(polynomial) {
             return self.write(&gathered, goal);
         }
@@ -214,7 +217,7 @@ impl Writer {
         self.draft.signed_sum(&terms)
     }
 
-    fn write_nested(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
+    fn write_nested(&mut self, polynomial: &Rc<Polynomial>, goal: Goal) -> Signed {
         let nestings = Rc::clone(&self.nestings);
         let nesting = &nestings[usize::from(goal == Goal::Few)];
         let mut fixed = Vec::new();
@@ -256,7 +259,7 @@ impl Writer {
 }
 
 /// The sign of the leading coefficient, and the polynomial with a positive one.
-fn normalised(polynomial: &Polynomial) -> (bool, Polynomial) {
+fn normalised(polynomial: &Polynomial) -> (bool, Rc<Polynomial>) {
     let negative = polynomial.leading_term().is_some_and(|(_, coefficient)| coefficient.is_negative());
-    (negative, if negative { -polynomial } else { polynomial.clone() })
+    (negative, Rc::new(if negative { -polynomial } else { polynomial.clone() }))
 }

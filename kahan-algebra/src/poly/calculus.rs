@@ -7,11 +7,10 @@ use crate::table::Table;
 impl Polynomial {
     /// The partial derivative.
     pub fn derivative(&self, variable: Variable) -> Self {
-        let factor = Monomial::variable(variable);
         let mut terms = Vec::new();
         for (monomial, coefficient) in &self.terms {
             // Dividing by the variable keeps the order of the terms that have it.
-            if let Some(lowered) = monomial.div(&factor) {
+            if let Some(lowered) = monomial.lowered(variable) {
                 let exponent = Rational::from(i64::from(monomial.exponent(variable)));
                 terms.push((lowered, coefficient * &exponent));
             }
@@ -67,6 +66,19 @@ impl Polynomial {
             let powers = monomial.powers().iter().map(|&(variable, exponent)| (rename(variable), exponent));
             (powers.collect(), coefficient.clone())
         }))
+    }
+
+    /// q and r of self = v·q + r with r free of v.
+    pub fn split_at(&self, variable: Variable) -> (Self, Self) {
+        let (mut quotient, mut rest) = (Vec::new(), Vec::new());
+        for (monomial, coefficient) in &self.terms {
+            // Dividing by the variable keeps the order of the terms that have it.
+            match monomial.lowered(variable) {
+                Some(lowered) => quotient.push((lowered, coefficient.clone())),
+                None => rest.push((monomial.clone(), coefficient.clone())),
+            }
+        }
+        (Self::from_sorted(quotient), Self::from_sorted(rest))
     }
 
     /// The coefficients cₖ of Σ cₖ `variable`^k, by exponent; none is zero and none contains the

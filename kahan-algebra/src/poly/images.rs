@@ -71,58 +71,48 @@ fn degrees(polynomial: &Polynomial) -> Table<Variable, u32> {
     degrees
 }
 
-/// The value of a variable, its powers, and the inverses of these.
-struct Point {
-    powers: Vec<u64>,
-    inverse_powers: Vec<u64>,
-}
-
-impl Point {
-    fn new(variable: Variable, degree: u32) -> Self {
-        let mut rng = SplitMix64::new(u64::from(variable.0));
-        let value = 1 + rng.below(FIELD.prime() - 1);
-        let inverse = FIELD.inverse(value).expect("it is not 0");
-        Self { powers: powers(value, degree), inverse_powers: powers(inverse, degree) }
-    }
-}
-
-fn powers(base: u64, degree: u32) -> Vec<u64> {
+/// The powers of the value of a variable.
+fn powers_of_point(variable: Variable, degree: u32) -> Vec<u64> {
+    let mut rng = SplitMix64::new(u64::from(variable.0));
+    let value = 1 + rng.below(FIELD.prime() - 1);
     let mut powers = vec![1];
     for exponent in 0..degree as usize {
-        powers.push(FIELD.mul(powers[exponent], base));
+        powers.push(FIELD.mul(powers[exponent], value));
     }
     powers
 }
 
 /// For each variable the image in which only it is kept.
 fn images(polynomial: &Polynomial, degrees: &Table<Variable, u32>) -> Table<Variable, Univariate> {
-    let points: Table<Variable, Point> =
-        degrees.iter().map(|(&v, &degree)| (v, Point::new(v, degree))).collect();
-    let mut values: Table<Variable, Univariate> =
-        degrees.iter().map(|(&v, &degree)| (v, vec![0; degree as usize + 1])).collect();
+    let variables: Vec<Variable> = degrees.iter().map(|(variable, _)| *variable).collect();
+    let points: Vec<Vec<u64>> = degrees.iter().map(|(&v, &degree)| powers_of_point(v, degree)).collect();
+    let mut images: Vec<Univariate> = points.iter().map(|powers| vec![0; powers.len()]).collect();
+    let mut before = vec![0; variables.len()];
     for (monomial, coefficient) in polynomial.terms() {
-        let factors: Vec<(&Point, usize)> =
-            monomial.powers().iter().map(|(v, exponent)| (&points[v], *exponent as usize)).collect();
+        // The value of the term but for one variable is what stands before it times what stands
+        // behind it.
         let mut value = FIELD.reduce(coefficient).expect("a primitive polynomial has integer coefficients");
-        for (point, exponent) in &factors {
-            value = FIELD.mul(value, point.powers[*exponent]);
+        for (index, variable) in variables.iter().enumerate() {
+            before[index] = value;
+            let exponent = monomial.exponent(*variable);
+            if exponent > 0 {
+                value = FIELD.mul(value, points[index][exponent as usize]);
+            }
         }
-        for (variable, image) in values.iter_mut() {
-            // The factor of this variable is taken out again.
-            let (term, exponent) = match monomial.powers().iter().position(|(v, _)| v == variable) {
-                Some(index) => {
-                    let (point, exponent) = factors[index];
-                    (FIELD.mul(value, point.inverse_powers[exponent]), exponent)
-                }
-                None => (value, 0),
-            };
-            image[exponent] = FIELD.add(image[exponent], term);
+        let mut behind = 1;
+        for (index, variable) in variables.iter().enumerate().rev() {
+            let exponent = monomial.exponent(*variable) as usize;
+            let image = &mut images[index][exponent];
+            *image = FIELD.add(*image, FIELD.mul(before[index], behind));
+            if exponent > 0 {
+                behind = FIELD.mul(behind, points[index][exponent]);
+            }
         }
     }
-    for image in values.values_mut() {
+    for image in &mut images {
         trim(image);
     }
-    values
+    Table::from_sorted(variables.into_iter().zip(images).collect())
 }
 
 fn trim(polynomial: &mut Univariate) {
@@ -140,8 +130,8 @@ fn gcd_degree(a: &Univariate, b: &Univariate) -> u32 {
         while a.len() >= b.len() {
             let shift = a.len() - b.len();
             let factor = FIELD.mul(a[a.len() - 1], inverse);
-            for (index, coefficient) in b.iter().enumerate() {
-                a[shift + index] = FIELD.sub(a[shift + index], FIELD.mul(factor, *coefficient));
+            for (coefficient, other) in a[shift..].iter_mut().zip(&b) {
+                *coefficient = FIELD.sub(*coefficient, FIELD.mul(factor, *other));
             }
             trim(&mut a);
         }

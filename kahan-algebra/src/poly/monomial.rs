@@ -6,7 +6,12 @@
 //! greater. It is admissible: 1 is least, and m < n implies mk < nk, so multiplying or dividing
 //! sorted terms by a monomial leaves them sorted.
 
+mod products;
+
 use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
+
+use super::powers::{Power, Powers};
 
 /// A variable, by its index; whoever made it knows its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -19,16 +24,16 @@ pub struct Variable(
 ///
 /// # Panics
 /// Products and powers whose total degree exceeds `u32::MAX`.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
+#[derive(Clone, Debug)]
 pub struct Monomial {
     degree: u32,
-    powers: Vec<(Variable, u32)>,
+    powers: Powers,
 }
 
 impl Monomial {
     /// The empty product, 1.
     pub fn one() -> Self {
-        Self::default()
+        Self { degree: 0, powers: Powers::NONE }
     }
 
     /// The variable itself.
@@ -38,10 +43,17 @@ impl Monomial {
 
     /// `variable`^`exponent`.
     pub fn power(variable: Variable, exponent: u32) -> Self {
-        if exponent == 0 {
-            return Self::one();
+        let mut power = Self::one();
+        power.push(variable, exponent);
+        power
+    }
+
+    /// Multiplies by a power of a variable that is later than all that occur.
+    fn push(&mut self, variable: Variable, exponent: u32) {
+        if exponent > 0 {
+            self.powers.push((variable, exponent));
+            self.degree += exponent;
         }
-        Self { degree: exponent, powers: vec![(variable, exponent)] }
     }
 
     /// Whether this is 1.
@@ -51,7 +63,7 @@ impl Monomial {
 
     /// The factors, variables increasing, exponents positive.
     pub fn powers(&self) -> &[(Variable, u32)] {
-        &self.powers
+        self.powers.as_slice()
     }
 
     /// The sum of all exponents.
@@ -61,7 +73,7 @@ impl Monomial {
 
     /// The exponent of `variable`, 0 where it does not occur.
     pub fn exponent(&self, variable: Variable) -> u32 {
-        let powers: &[(Variable, u32)] = &self.powers;
+        let powers = self.powers();
         let mut index = 0;
         while index < powers.len() {
             if powers[index].0.0 >= variable.0 {
@@ -75,100 +87,12 @@ impl Monomial {
     /// The sum of the exponents of the variables that `belongs` picks.
     pub fn degree_where(&self, mut belongs: impl FnMut(Variable) -> bool) -> u32 {
         let mut degree = 0;
-        for (variable, exponent) in &self.powers {
+        for (variable, exponent) in self.powers() {
             if belongs(*variable) {
                 degree += exponent;
             }
         }
         degree
-    }
-
-    /// The product.
-    pub fn mul(&self, other: &Self) -> Self {
-        if other.is_one() {
-            return self.clone();
-        }
-        let (left, right): (&[_], &[_]) = (&self.powers, &other.powers);
-        let mut powers = Vec::with_capacity(left.len() + right.len());
-        let (mut i, mut j) = (0, 0);
-        while i < left.len() && j < right.len() {
-            let ((v, e), (w, f)): ((Variable, u32), (Variable, u32)) = (left[i], right[j]);
-            if v.0 == w.0 {
-                powers.push((v, e + f));
-                i += 1;
-                j += 1;
-            } else if v.0 < w.0 {
-                powers.push((v, e));
-                i += 1;
-            } else {
-                powers.push((w, f));
-                j += 1;
-            }
-        }
-        powers.extend_from_slice(&left[i..]);
-        powers.extend_from_slice(&right[j..]);
-        Self { degree: self.degree + other.degree, powers }
-    }
-
-    /// The quotient; `None` where `divisor` does not divide.
-    pub fn div(&self, divisor: &Self) -> Option<Self> {
-        if !divisor.divides(self) {
-            return None;
-        }
-        let mut powers = Vec::with_capacity(self.powers.len());
-        let right: &[(Variable, u32)] = &divisor.powers;
-        let mut j = 0;
-        for &(variable, exponent) in &self.powers {
-            if j < right.len() && right[j].0.0 == variable.0 {
-                if exponent > right[j].1 {
-                    powers.push((variable, exponent - right[j].1));
-                }
-                j += 1;
-            } else {
-                powers.push((variable, exponent));
-            }
-        }
-        Some(Self { degree: self.degree - divisor.degree, powers })
-    }
-
-    /// Whether `multiple` is this times a monomial. It allocates nothing: most divisions fail.
-    pub fn divides(&self, multiple: &Self) -> bool {
-        let (left, right): (&[_], &[_]) = (&multiple.powers, &self.powers);
-        if self.degree > multiple.degree || right.len() > left.len() {
-            return false;
-        }
-        let (mut i, mut j) = (0, 0);
-        while i < left.len() && j < right.len() {
-            let ((v, e), (w, f)): ((Variable, u32), (Variable, u32)) = (left[i], right[j]);
-            if v.0 > w.0 || (v.0 == w.0 && e < f) {
-                return false;
-            }
-            j += usize::from(v.0 == w.0);
-            i += 1;
-        }
-        j == right.len()
-    }
-
-    /// The power.
-    pub fn pow(&self, exponent: u32) -> Self {
-        if exponent == 0 {
-            return Self::one();
-        }
-        let powers = self.powers.iter().map(|&(variable, e)| (variable, e * exponent)).collect();
-        Self { degree: self.degree * exponent, powers }
-    }
-
-    /// The greatest common divisor: the lower exponent of each variable.
-    pub fn gcd(&self, other: &Self) -> Self {
-        let mut common = Self::one();
-        for &(variable, exponent) in &self.powers {
-            let exponent = exponent.min(other.exponent(variable));
-            if exponent > 0 {
-                common.powers.push((variable, exponent));
-                common.degree += exponent;
-            }
-        }
-        common
     }
 
     /// The part in the variables that `belongs` picks, and the part in the others.
@@ -178,10 +102,9 @@ impl Monomial {
 
     fn parted(&self, belongs: &mut dyn FnMut(Variable) -> bool) -> (Self, Self) {
         let (mut inside, mut outside) = (Self::one(), Self::one());
-        for &(variable, exponent) in &self.powers {
+        for &(variable, exponent) in self.powers() {
             let part = if belongs(variable) { &mut inside } else { &mut outside };
-            part.powers.push((variable, exponent));
-            part.degree += exponent;
+            part.push(variable, exponent);
         }
         (inside, outside)
     }
@@ -190,9 +113,31 @@ impl Monomial {
 /// The product of the given powers, in any order.
 impl FromIterator<(Variable, u32)> for Monomial {
     fn from_iter<I: IntoIterator<Item = (Variable, u32)>>(powers: I) -> Self {
-        powers
-            .into_iter()
-            .fold(Self::one(), |product, (variable, exponent)| product.mul(&Self::power(variable, exponent)))
+        let mut product = Self::one();
+        for (variable, exponent) in powers {
+            product.multiply_by(variable, exponent);
+        }
+        product
+    }
+}
+
+impl Default for Monomial {
+    fn default() -> Self {
+        Self::one()
+    }
+}
+
+impl PartialEq for Monomial {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Monomial {}
+
+impl Hash for Monomial {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.powers().hash(state);
     }
 }
 
@@ -201,11 +146,11 @@ impl Ord for Monomial {
         if self.degree != other.degree {
             return if self.degree < other.degree { Ordering::Less } else { Ordering::Greater };
         }
-        let (left, right): (&[_], &[_]) = (&self.powers, &other.powers);
+        let (left, right) = (self.powers(), other.powers());
         // At equal degree neither list is a proper prefix of the other.
         let mut index = 0;
         while index < left.len() && index < right.len() {
-            let ((v, e), (w, f)): ((Variable, u32), (Variable, u32)) = (left[index], right[index]);
+            let ((v, e), (w, f)): (Power, Power) = (left[index], right[index]);
             if v.0 != w.0 {
                 return if v.0 < w.0 { Ordering::Greater } else { Ordering::Less };
             }

@@ -14,7 +14,7 @@
 use kahan_algebra::derived::StepNames;
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::Symbols;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use super::inputs::binding;
@@ -50,9 +50,30 @@ impl Expression {
 
     /// In parentheses, unless it binds at least as tightly as `level`.
     fn grouped(self, level: Level) -> TokenStream {
-        let tokens = self.tokens;
-        if self.level >= level { tokens } else { quote!((#tokens)) }
+        if self.level >= level { self.tokens } else { parenthesised(self.tokens) }
     }
+}
+
+/// The tokens in parentheses. Expressions are nested deeply, and `quote!` would copy all that is in
+/// them at each level.
+fn parenthesised(tokens: TokenStream) -> TokenStream {
+    TokenTree::from(Group::new(Delimiter::Parenthesis, tokens)).into()
+}
+
+/// `left ∘ right`, whose tokens are appended to those of `left`.
+fn infix(mut left: TokenStream, operator: char, right: TokenStream) -> TokenStream {
+    left.extend([TokenTree::from(Punct::new(operator, Spacing::Alone))]);
+    left.extend([right]);
+    left
+}
+
+/// `value.method(arguments)`
+fn call(mut value: TokenStream, method: &str, arguments: TokenStream) -> TokenStream {
+    let name = Ident::new(method, Span::call_site());
+    let dot = Punct::new('.', Spacing::Alone);
+    let arguments = Group::new(Delimiter::Parenthesis, arguments);
+    value.extend([TokenTree::from(dot), TokenTree::from(name), TokenTree::from(arguments)]);
+    value
 }
 
 struct Emitter<'a> {
@@ -188,49 +209,33 @@ impl<'a> Emitter<'a> {
                 let a = self.operand(a).grouped(Level::Atom);
                 Expression { tokens: quote!(-#a), level: Level::Sum }
             }
-            Operation::Add(a, b) => self.binary(a, b, Level::Sum, |a, b| quote!(#a + #b)),
-            Operation::Subtract(a, b) => self.binary(a, b, Level::Sum, |a, b| quote!(#a - #b)),
-            Operation::Multiply(a, b) => self.binary(a, b, Level::Product, |a, b| quote!(#a * #b)),
+            Operation::Add(a, b) => self.binary(a, b, Level::Sum, '+'),
+            Operation::Subtract(a, b) => self.binary(a, b, Level::Sum, '-'),
+            Operation::Multiply(a, b) => self.binary(a, b, Level::Product, '*'),
             Operation::Divide(a, b) => self.quotient(&plan.operations[index], a, b),
-            Operation::MultiplyAdd(a, b, c) => self.fused(a, b, c, |a, b, c| quote!(#a.multiply_add(#b, #c))),
-            Operation::MultiplySubtract(a, b, c) => {
-                self.fused(a, b, c, |a, b, c| quote!(#a.multiply_subtract(#b, #c)))
-            }
-            Operation::SubtractProduct(a, b, c) => {
-                self.fused(a, b, c, |a, b, c| quote!(#a.subtract_product(#b, #c)))
-            }
+            Operation::MultiplyAdd(a, b, c) => self.fused([a, b, c], "multiply_add"),
+            Operation::MultiplySubtract(a, b, c) => self.fused([a, b, c], "multiply_subtract"),
+            Operation::SubtractProduct(a, b, c) => self.fused([a, b, c], "subtract_product"),
         }
     }
 
     /// Rust's operators group to the left, so only the right operand needs parentheses at its own
     /// level.
-    fn binary(
-        &mut self,
-        a: Node,
-        b: Node,
-        level: Level,
-        join: impl Fn(TokenStream, TokenStream) -> TokenStream,
-    ) -> Expression {
+    fn binary(&mut self, a: Node, b: Node, level: Level, operator: char) -> Expression {
         let tighter = if level == Level::Sum { Level::Product } else { Level::Atom };
         let (a, b) = (self.operand(a).grouped(level), self.operand(b).grouped(tighter));
-        Expression { tokens: join(a, b), level }
+        Expression { tokens: infix(a, operator, b), level }
     }
 
-    fn fused(
-        &mut self,
-        a: Node,
-        b: Node,
-        c: Node,
-        join: impl Fn(TokenStream, TokenStream, TokenStream) -> TokenStream,
-    ) -> Expression {
+    fn fused(&mut self, [a, b, c]: [Node; 3], method: &str) -> Expression {
         let (a, b, c) = (self.operand(a).grouped(Level::Atom), self.operand(b), self.operand(c));
-        Expression::atom(join(a, b.tokens, c.tokens))
+        Expression::atom(call(a, method, infix(b.tokens, ',', c.tokens)))
     }
 
     /// `a / b`, or in a kernel, where a pole must be told, `b.reciprocal()?` or `a.quotient(b)?`.
     fn quotient(&mut self, operation: &Operation, a: Node, b: Node) -> Expression {
         if self.constants.is_none() {
-            return self.binary(a, b, Level::Product, |a, b| quote!(#a / #b));
+            return self.binary(a, b, Level::Product, '/');
         }
         if let Some(divisor) = self.reciprocal_of(operation) {
             let divisor = self.operand(divisor).grouped(Level::Atom);

@@ -1,7 +1,7 @@
 //! Plans in floats that are rounded as one likes. This runs in every expansion of the macro, which
 //! is compiled without optimisation: hence plain loops over plain floats.
 
-use super::super::{Node, Operation, Plan};
+use super::super::{Operation, Plan};
 
 /// u of floats of 30 bits.
 pub(super) const SHORT_UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -31,25 +31,30 @@ impl<'a> Program<'a> {
     /// The results, everything being rounded by `round`; `inputs` by the index of their variable, a
     /// multiply-add rounds twice.
     pub(super) fn run(&self, round: impl Fn(f64) -> f64, inputs: &[f64], prepared: &[f64]) -> Vec<f64> {
-        let mut values = self.start.clone();
+        let mut all = self.start.clone();
+        // A slice is indexed by the compiler, a vector by calls.
+        let (values, operations): (&mut [f64], &[Operation]) = (&mut all, &self.plan.operations);
         let mut index = 0;
-        while index < values.len() {
-            let at = |node: Node| values[node.0];
-            values[index] = match self.plan.operations[index] {
-                Operation::Input(variable) => inputs[usize::from(variable.0)],
+        while index < operations.len() {
+            values[index] = match operations[index] {
+                Operation::Input(variable) => inputs[variable.0 as usize],
                 Operation::Constant(_) => round(values[index]),
                 Operation::Prepared(place) => prepared[place],
-                Operation::Negate(a) => -at(a),
-                Operation::Add(a, b) => round(at(a) + at(b)),
-                Operation::Subtract(a, b) => round(at(a) - at(b)),
-                Operation::Multiply(a, b) => round(at(a) * at(b)),
-                Operation::Divide(a, b) => round(at(a) / at(b)),
-                Operation::MultiplyAdd(a, b, c) => round(round(at(a) * at(b)) + at(c)),
-                Operation::MultiplySubtract(a, b, c) => round(round(at(a) * at(b)) - at(c)),
-                Operation::SubtractProduct(a, b, c) => round(at(a) - round(at(b) * at(c))),
+                Operation::Negate(a) => -values[a.0],
+                Operation::Add(a, b) => round(values[a.0] + values[b.0]),
+                Operation::Subtract(a, b) => round(values[a.0] - values[b.0]),
+                Operation::Multiply(a, b) => round(values[a.0] * values[b.0]),
+                Operation::Divide(a, b) => round(values[a.0] / values[b.0]),
+                Operation::MultiplyAdd(a, b, c) => round(round(values[a.0] * values[b.0]) + values[c.0]),
+                Operation::MultiplySubtract(a, b, c) => round(round(values[a.0] * values[b.0]) - values[c.0]),
+                Operation::SubtractProduct(a, b, c) => round(values[a.0] - round(values[b.0] * values[c.0])),
             };
             index += 1;
         }
-        self.plan.outputs.iter().map(|output| values[output.0]).collect()
+        let mut results = Vec::with_capacity(self.plan.outputs.len());
+        for output in &self.plan.outputs {
+            results.push(values[output.0]);
+        }
+        results
     }
 }

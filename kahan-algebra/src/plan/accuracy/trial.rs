@@ -19,17 +19,17 @@ pub(super) struct Trial {
 }
 
 /// What elimination needs of a field.
-pub(super) struct Elimination {
+pub(super) struct Elimination<'a> {
     states: usize,
     parameters: usize,
     /// f′ row by row, then f, both over the denominators that come last.
-    plan: Plan,
+    values: Program<'a>,
 }
 
 impl Trial {
     /// A random point with ‖εf′‖∞ near `size`: states from cubes of half widths 2⁻³ to 2¹⁰,
     /// parameters from 1/2 to 2 in size. `None` where f′ vanishes, or det A.
-    pub(super) fn draw(elimination: &Elimination, size: f64, random: &mut SplitMix64) -> Option<Self> {
+    pub(super) fn draw(elimination: &Elimination<'_>, size: f64, random: &mut SplitMix64) -> Option<Self> {
         let Elimination { states, parameters, .. } = *elimination;
         let width = 2_f64.powi(random.below(14) as i32 - 3);
         let mut inputs = Vec::with_capacity(states + parameters + 1);
@@ -42,8 +42,13 @@ impl Trial {
         let exact = |value: f64| value;
         let rows = elimination.rows(exact, &inputs);
         let mut norm = 0.0_f64;
-        for row in &rows {
-            norm = norm.max(row[..states].iter().map(|entry| entry.abs()).sum());
+        for row in rows.chunks_exact(states + 1) {
+            let (mut sum, mut j) = (0.0, 0);
+            while j < states {
+                sum += row[j].abs();
+                j += 1;
+            }
+            norm = norm.max(sum);
         }
         // Not the size itself: where f′ has one entry, that is a pole.
         let eps = short(size * (0.75 + 0.5 * share(random)) / norm);
@@ -51,8 +56,8 @@ impl Trial {
             return None;
         }
         inputs[states + parameters] = eps;
-        let exactly = next(exact, rows, &inputs, eps);
-        let in_short = next(short, elimination.rows(short, &inputs), &inputs, eps);
+        let exactly = next(exact, rows, &inputs, eps, states);
+        let in_short = next(short, elimination.rows(short, &inputs), &inputs, eps, states);
         let mut trial = Trial { inputs, next: exactly, elimination: 0.0 };
         trial.elimination = trial.error(&in_short);
         trial.elimination.is_finite().then_some(trial)
@@ -81,70 +86,106 @@ fn share(random: &mut SplitMix64) -> f64 {
     random.below(1 << 20) as f64 / f64::from(1 << 20)
 }
 
-impl Elimination {
-    pub(super) fn of(field: &Field) -> Self {
+impl<'a> Elimination<'a> {
+    /// The plan of its values.
+    pub(super) fn plan(field: &Field) -> Plan {
         let jacobian = field_jacobian(field);
         let numerators = field.components.iter().map(|component| &component.numerator);
         let denominators = field.components.iter().map(|component| &component.denominator);
-        let plan = Plan::of(jacobian.iter().flatten().chain(numerators).chain(denominators));
-        Elimination { states: field.dimension(), parameters: field.symbols.parameters.len(), plan }
+        Plan::of(jacobian.iter().flatten().chain(numerators).chain(denominators))
+    }
+
+    pub(super) fn of(field: &Field, plan: &'a Plan) -> Self {
+        let (states, parameters) = (field.dimension(), field.symbols.parameters.len());
+        Elimination { states, parameters, values: Program::of(plan) }
     }
 
     /// The rows of f′, with f as their last column.
-    fn rows(&self, round: impl Fn(f64) -> f64, inputs: &[f64]) -> Vec<Vec<f64>> {
-        let n = self.states;
-        let results = Program::of(&self.plan).run(&round, inputs, &[]);
-        let row = |i: usize| {
-            let divisor = results[n * n + n + i];
-            let mut row = results[i * n..(i + 1) * n].to_vec();
-            row.push(results[n * n + i]);
-            for entry in &mut row {
-                *entry = round(*entry / divisor);
+    fn rows(&self, round: impl Fn(f64) -> f64 + Copy, inputs: &[f64]) -> Vec<f64> {
+        let (n, width) = (self.states, self.states + 1);
+        let values: &[f64] = &self.values.run(round, inputs, &[]);
+        let mut all = vec![0.0; n * width];
+        let rows: &mut [f64] = &mut all;
+        let (mut i, mut j) = (0, 0);
+        while i < n {
+            let value = if j < n { values[i * n + j] } else { values[n * n + i] };
+            rows[i * width + j] = round(value / values[n * width + i]);
+            j += 1;
+            if j == width {
+                (i, j) = (i + 1, 0);
             }
-            row
-        };
-        (0..n).map(row).collect()
+        }
+        all
     }
 }
 
 /// x + 2ε A⁻¹f from the rows of f′ and f.
-fn next(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>, x: &[f64], eps: f64) -> Vec<f64> {
-    let n = rows.len();
-    for (i, row) in rows.iter_mut().enumerate() {
-        for entry in &mut row[..n] {
-            *entry = -round(eps * *entry);
+fn next(round: impl Fn(f64) -> f64 + Copy, mut rows: Vec<f64>, x: &[f64], eps: f64, n: usize) -> Vec<f64> {
+    let matrix: &mut [f64] = &mut rows;
+    let (mut i, mut j) = (0, 0);
+    while i < n {
+        let entry = &mut matrix[i * (n + 1) + j];
+        *entry = -round(eps * *entry);
+        if i == j {
+            *entry = round(1.0 + *entry);
         }
-        row[i] = round(1.0 + row[i]);
+        j += 1;
+        if j == n {
+            (i, j) = (i + 1, 0);
+        }
     }
-    let solution = solved(&round, rows);
-    solution.iter().zip(x).map(|(slope, x)| round(x + round(2.0 * eps * slope))).collect()
+    let mut next = solved(round, matrix, n);
+    for (slope, x) in next.iter_mut().zip(x) {
+        *slope = round(x + round(2.0 * eps * *slope));
+    }
+    next
 }
 
-/// d for the rows of A with f as their last column.
-fn solved(round: impl Fn(f64) -> f64, mut rows: Vec<Vec<f64>>) -> Vec<f64> {
-    let n = rows.len();
+/// d for the n rows of A with f as their last column.
+fn solved(round: impl Fn(f64) -> f64 + Copy, rows: &mut [f64], n: usize) -> Vec<f64> {
+    let width = n + 1;
     for k in 0..n {
-        let pivot =
-            (k + 1..n).fold(k, |best, i| if rows[i][k].abs() > rows[best][k].abs() { i } else { best });
-        rows.swap(k, pivot);
-        let (above, below) = rows.split_at_mut(k + 1);
-        let above = &above[k];
-        for row in below {
-            if row[k] != 0.0 {
-                let factor = round(row[k] / above[k]);
-                for j in k + 1..=n {
-                    row[j] = round(row[j] - round(factor * above[j]));
-                }
+        bring_up_pivot(rows, k, width);
+        let (above, below) = rows.split_at_mut((k + 1) * width);
+        let above = &above[k * width..];
+        for row in below.chunks_exact_mut(width) {
+            if row[k] == 0.0 {
+                continue;
+            }
+            let factor = round(row[k] / above[k]);
+            let mut j = k + 1;
+            while j < width {
+                row[j] = round(row[j] - round(factor * above[j]));
+                j += 1;
             }
         }
     }
-    let mut solution = vec![0.0; n];
+    let mut all = vec![0.0; n];
+    let solution: &mut [f64] = &mut all;
     for k in (0..n).rev() {
-        let mut rest = rows[k][n];
-        for j in k + 1..n {
-            rest = round(rest - round(rows[k][j] * solution[j]));
+        let row = &rows[k * width..];
+        let mut rest = row[n];
+        let mut j = k + 1;
+        while j < n {
+            rest = round(rest - round(row[j] * solution[j]));
+            j += 1;
         }
-        solution[k] = round(rest / rows[k][k]);
+        solution[k] = round(rest / row[k]);
     }
-    solution
+    all
+}
+
+/// Exchanges row k with that of the largest entry in column k below it.
+fn bring_up_pivot(rows: &mut [f64], k: usize, width: usize) {
+    let (mut pivot, mut i) = (k, k + 1);
+    while i * width < rows.len() {
+        if rows[i * width + k].abs() > rows[pivot * width + k].abs() {
+            pivot = i;
+        }
+        i += 1;
+    }
+    if pivot > k {
+        let (above, below) = rows.split_at_mut(pivot * width);
+        above[k * width..(k + 1) * width].swap_with_slice(&mut below[..width]);
+    }
 }

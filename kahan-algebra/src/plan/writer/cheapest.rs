@@ -68,7 +68,7 @@ impl Writer {
     fn mark(&self) -> Mark {
         Mark {
             draft: self.draft.length(),
-            made: self.made.len(),
+            made: self.steps.len(),
             sums: self.sums.len(),
             put: self.put.len(),
             coefficients: self.coefficients.len(),
@@ -81,9 +81,8 @@ impl Writer {
         self.sums.truncate(mark.sums);
         self.put.truncate(mark.put);
         self.coefficients.truncate(mark.coefficients);
-        for polynomial in self.made.drain(mark.made..) {
-            self.known.remove(&polynomial);
-        }
+        self.made.truncate(mark.made);
+        self.steps.truncate(mark.made);
     }
 }
 

@@ -12,6 +12,9 @@ impl Writer {
     /// coefficient; of products of constants only where they may be rounded twice. `None` where
     /// there is no such sum.
     pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
+        if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
+            return None;
+        }
         let groups = polynomial.group(|variable| self.scaling.ready(variable).is_some());
         let folds = self.scaling.folds;
         let is_sum = |states: &Monomial, coefficient: &Polynomial| {
@@ -33,6 +36,17 @@ impl Writer {
             terms.push((states.mul(&Monomial::variable(variable)), content));
         }
         Some(Polynomial::from_terms(terms))
+    }
+
+    /// Whether constants multiply states in a term.
+    fn mixes(&self, monomial: &Monomial) -> bool {
+        let (mut has_state, mut has_constant) = (false, false);
+        for (variable, _) in monomial.powers() {
+            let is_state = self.scaling.ready(*variable).is_some();
+            has_state |= is_state;
+            has_constant |= !is_state;
+        }
+        has_state && has_constant
     }
 
     /// The variable that stands for a sum of constants.

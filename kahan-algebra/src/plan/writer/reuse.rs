@@ -1,6 +1,6 @@
 //! Reuse: a polynomial as multiples of sums that are steps already, and a rest.
 
-use crate::poly::{Monomial, Polynomial};
+use crate::poly::{Monomial, Polynomial, Term};
 use crate::rational::Rational;
 use crate::table::Table;
 
@@ -24,7 +24,7 @@ impl Writer {
         }
         let mut terms = Vec::new();
         for (sum, multiplier) in multipliers {
-            let sum = self.known[&self.sums[sum]];
+            let sum = self.steps[self.sums[sum]];
             let multiplier = self.write(&multiplier, Goal::Few);
             let node = self.draft.product(&[multiplier.node, sum.node]);
             terms.push(Signed { node, negative: multiplier.negative != sum.negative });
@@ -38,59 +38,84 @@ impl Writer {
     /// The sum g and the term m for which P − m·g is shortest, if it is shorter by two terms, or
     /// nothing.
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
-        let mut best: Option<(usize, usize, Multiple)> = None;
-        for (index, sum) in self.sums.iter().enumerate().filter(|(_, sum)| sum.len() <= polynomial.len()) {
-            let least = best.as_ref().map_or(polynomial.len() - 1, |(left, ..)| *left);
-            // A multiple of a sum cancels no more terms than the sum has.
-            if polynomial.len() - sum.len() >= least {
+        let mut best: Option<(usize, Multiple)> = None;
+        for (index, &number) in self.sums.iter().enumerate() {
+            let sum = &self.made.items()[number];
+            if sum.len() > polynomial.len() {
                 continue;
             }
-            if let Some((left, multiple)) = shortest_rest(polynomial, sum, least) {
-                best = Some((left, index, multiple));
+            let least = best.as_ref().map_or(polynomial.len() - 1, |(_, best)| best.left);
+            if let Some(multiple) = shortest_rest(polynomial, sum, least) {
+                best = Some((index, multiple));
             }
         }
-        let (_, index, Multiple { monomial, ratio, .. }) = best?;
+        let (index, Multiple { monomial, ratio, .. }) = best?;
         let multiplier = Polynomial::term(monomial, ratio);
-        let left = polynomial - &(&multiplier * &self.sums[index]);
+        let left = polynomial - &(&multiplier * &self.made.items()[self.sums[index]]);
         Some((index, multiplier, left))
     }
 }
 
-/// A term m, and how m·g meets a polynomial.
+/// A term m, and what m·g leaves of a polynomial.
 struct Multiple {
     monomial: Monomial,
     ratio: Rational,
-    /// How many terms of m·g the polynomial has.
-    equal: usize,
-    /// How many monomials of m·g the polynomial has with another coefficient.
-    unequal: usize,
+    /// How many terms P − m·g has.
+    left: usize,
 }
 
-/// The term m that leaves the fewest terms of P − m·g, if that are fewer than `least`.
-fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<(usize, Multiple)> {
-    let mut multiples: Vec<Multiple> = Vec::new();
-    for (monomial, coefficient) in polynomial.terms() {
-        for (divisor, scale) in sum.terms() {
-            let Some(quotient) = monomial.div(divisor) else { continue };
-            let Some(ratio) = coefficient.checked_div(scale) else { continue };
-            let mut is_known = false;
-            for multiple in multiples.iter_mut().filter(|multiple| multiple.monomial == quotient) {
-                if multiple.ratio == ratio {
-                    multiple.equal += 1;
-                    is_known = true;
-                } else {
-                    multiple.unequal += 1;
-                }
+/// The term m that leaves the fewest terms of P − m·g, if that are fewer than `least`; of several
+/// the first, in the order of the terms of P and g of which it is the quotient.
+fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<Multiple> {
+    let mut best: Option<Multiple> = None;
+    for term in polynomial.as_terms() {
+        let mut place = 0;
+        loop {
+            let below = best.as_ref().map_or(least, |best| best.left);
+            // What m·g has in common with P: its terms, and once more those with their coefficient,
+            // which are none before this one.
+            let common = (polynomial.len() + sum.len() + 1).saturating_sub(below);
+            if common + place > 2 * sum.len() {
+                break;
             }
-            if !is_known {
-                let others = multiples.iter().filter(|multiple| multiple.monomial == quotient);
-                let unequal = others.map(|multiple| multiple.equal).sum();
-                multiples.push(Multiple { monomial: quotient, ratio, equal: 1, unequal });
+            if let Some(multiple) = multiple_at(polynomial, sum, [term, &sum.as_terms()[place]], common) {
+                best = Some(multiple);
             }
+            place += 1;
         }
     }
-    let rest = |multiple: &Multiple| polynomial.len() + sum.len() - 2 * multiple.equal - multiple.unequal;
-    let best = multiples.into_iter().filter(|multiple| multiple.equal > 1).min_by_key(rest)?;
-    let left = rest(&best);
-    (left < least).then_some((left, best))
+    best
+}
+
+/// The quotient of a term of P by one of g, if P and its product with g have at least so much in
+/// `common`. Most have not, which shows soon.
+fn multiple_at(
+    polynomial: &Polynomial,
+    sum: &Polynomial,
+    [(dividend, coefficient), (divisor, scale)]: [&Term; 2],
+    common: usize,
+) -> Option<Multiple> {
+    let monomial = dividend.div(divisor)?;
+    let ratio = coefficient.checked_div(scale)?;
+    let mut may_miss = sum.len() - common.div_ceil(2);
+    let mut terms = polynomial.as_terms();
+    let (mut met, mut equal) = (0, 0);
+    for (own, scale) in sum.as_terms() {
+        let product = monomial.mul(own);
+        while let [(first, _), later @ ..] = terms
+            && *first > product
+        {
+            terms = later;
+        }
+        match terms {
+            [(first, coefficient), ..] if *first == product => {
+                met += 1;
+                equal += usize::from(*coefficient == scale * &ratio);
+            }
+            _ if may_miss == 0 => return None,
+            _ => may_miss -= 1,
+        }
+    }
+    let left = polynomial.len() + sum.len() - met - equal;
+    (met + equal >= common).then_some(Multiple { monomial, ratio, left })
 }
