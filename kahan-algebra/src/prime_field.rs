@@ -5,7 +5,6 @@
 //! not guessed, and equal seeds give equal primes and points on every machine. Absent on purpose:
 //! Montgomery form; one `u128` remainder is fast enough here.
 
-mod keccak;
 mod random;
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,7 @@
 //!
 //! In go a number or a text, out go 64 bits at a time, the same on every machine.
 
-use super::keccak;
+use keccak::Keccak;
 
 /// A source of random bits.
 pub trait Random {
@@ -73,7 +73,7 @@ impl Shake256 {
     }
 
     fn permute(&mut self) {
-        keccak::permute(&mut self.state);
+        Keccak::new().with_f1600(|permutation| permutation(&mut self.state));
         self.drawn = 0;
     }
 }
