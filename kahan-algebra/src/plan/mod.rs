@@ -1,69 +1,39 @@
-//! Straight-line steps: what is computed, in which order, with every common subexpression once.
+//! Straight lines: which operations are computed in which order, every common subexpression once.
 //!
 //! A plan is data. The emitter turns it into Rust, [`Plan::evaluate`] runs it in any
 //! [`Arithmetic`]: rationals, a prime field, dual numbers, degree bounds, rational functions,
 //! floats. Both see the same operations in the same order.
 //!
-//! A [`StepPlan`] is made in these passes, a module each:
+//! Most plans write polynomials in nested form (`horner`) and are done. That of a step is computed
+//! billions of times, so four rooms take more care of it:
 //!
-//! 1. `structure` finds blocks of the field, and states in them that do not act on each other.
-//! 2. `factors` and `factored_map` write the reduced map as products over one base of factors.
-//! 3. `scaling` says which products of ε, parameters and states become variables of their own.
-//! 4. `nesting` and `numerators` decide how polynomials are nested, and in which order factors are
-//!    multiplied.
-//! 5. `writer` writes a polynomial into a `draft`, which knows when each value is ready, and reuses
-//!    what is there.
-//! 6. `minors` and `blocks` write determinants of A, `inverse` writes forms divided by the time
-//!    step.
-//! 7. `candidates` makes the forms of a step and compares their prices (`candidate`, `cost`).
-//! 8. `split` separates prepared constants from the `kernel`.
-//! 9. `doubling`, `fuse`, `signs` and `reciprocals` rewrite the kernel: doubled constants,
-//!    multiply-adds, signs.
-//! 10. `single_divisions` gives each component a division of its own.
-//! 11. `recurrence` measures the way from a state to the next, `accuracy` what a long step loses.
-//! 12. `step` chooses among all of these, and `tangent` carries tangent vectors along it. `words`
-//!     describes a plan's values for whoever names them.
+//! 1. `forms` decides what is computed: which ways there are to solve A·x̃ = b, and the cheapest.
+//! 2. `writing` decides how a polynomial becomes operations: how it is nested, where ε goes, what is
+//!    reused.
+//! 3. `step` decides what is prepared and what is computed for each state, and rewrites that.
+//! 4. `accuracy` measures what a long step loses, and refuses forms that lose too much.
+//!
+//! `cost` says what operations cost, `words` what they are called.
 
 mod accuracy;
-mod blocks;
 mod builder;
-mod candidate;
-mod candidates;
 mod cost;
-mod doubling;
-mod draft;
-mod factored_map;
-mod factors;
-mod fuse;
+mod forms;
 mod horner;
 mod include;
-mod inverse;
-mod kernel;
-mod minors;
-mod nesting;
 mod numbered;
-mod numerators;
 mod operation;
-mod products;
-mod reciprocals;
-mod recurrence;
-mod scaling;
-mod signs;
-mod single_divisions;
-mod split;
 mod step;
-mod structure;
-mod tangent;
 mod words;
-mod writer;
+mod writing;
 
 pub use accuracy::LARGEST_SIZE;
 pub use builder::PlanBuilder;
 pub use cost::Cost;
-pub use kernel::Kernel;
+pub(crate) use forms::structure::blocks as triangular_blocks;
 pub use operation::Operation;
+pub use step::kernel::Kernel;
 pub use step::{StepCost, StepPlan};
-pub(crate) use structure::blocks as triangular_blocks;
 pub(crate) use words::{descriptions, kind};
 
 use crate::arithmetic::Arithmetic;

@@ -273,7 +273,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     Weakening { name: "products that are expanded", file: "kahan-algebra/src/check/expand.rs", tests: TEXTS,
         text: "Some(&self.values.factor(a.kept()) * &self.values.factor(b.kept()))",
         weaker: "Some(a.kept() * b.kept())" },
-    Weakening { name: "steps from sums that are expanded", file: "kahan-algebra/src/plan/step.rs", tests: TEXTS,
+    Weakening { name: "steps from sums that are expanded", file: "kahan-algebra/src/plan/step/mod.rs", tests: TEXTS,
         text: "kept.needs_sums(&field.symbols) && ",
         weaker: "kept.needs_sums(&field.symbols) && false && " },
     Weakening { name: "a chain that keeps nothing of its family", file: "kahan-algebra/src/family/expand.rs", tests: TEXTS,

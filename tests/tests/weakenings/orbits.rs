@@ -149,7 +149,7 @@ pub(crate) const ORBITS: &[Weakening] = &[
         "gcd(polynomial, &reversed).as_constant().is_some()",
         "!reversed.is_zero()"),
     // Tangent vectors.
-    of(TANGENTS, "forms that lose the digits of tangent vectors", "kahan-algebra/src/plan/tangent.rs",
+    of(TANGENTS, "forms that lose the digits of tangent vectors", "kahan-algebra/src/plan/forms/tangent.rs",
         ".find(|form| accuracy.keeps_tangents(form))",
         ".find(|_| true)"),
     of(REMOVABLE, "tangent vectors at removable poles", "kahan-algebra/src/derived/mod.rs",

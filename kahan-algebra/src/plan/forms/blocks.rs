@@ -1,0 +1,210 @@
+//! The step from the structure of A, without expanding its determinant: block after block, the
+//! states of an independent set eliminated by their pivots, which are 1, and the rest by Cramer's
+//! rule.
+//!
+//! For a block with states K, A_KK·(x̃ − x)_K = 2ε P_K(x, x̃) with P the polarised field, x̃ being
+//! known in earlier blocks and x standing for x̃ in this one. For an independent set S of K and R
+//! the others, A_SS = I, so that
+//!
+//! ```text
+//! (A_RR − A_RS·A_SR)·(x̃ − x)_R = 2ε (P_R − A_RS·P_S)
+//! (x̃ − x)_S = 2ε P_S(x, x̃) with x̃_R put in
+//! ```
+//!
+//! A pivot of 1 beside entries of the size ‖εf′‖ costs that many digits in long steps. Where that
+//! is [too much](crate::plan::accuracy), a block is solved whole: S is empty.
+
+mod solve;
+
+use crate::field::Field;
+use crate::kahan::{polarization, scaled_matrix};
+use crate::poly::Polynomial;
+use crate::rational::Rational;
+use crate::symbols::Symbol;
+
+use crate::plan::forms::minors;
+use crate::plan::forms::minors::MOST_OPERATIONS;
+use crate::plan::forms::structure::Structure;
+
+/// The most terms of an entry that is expanded.
+const ENTRY_TERMS: usize = 40;
+
+/// What all turns and scalings of one field share.
+pub(in crate::plan) struct Blocks<'a> {
+    field: &'a Field,
+    matrix: Vec<Vec<Polynomial>>,
+    polarized: Vec<Polynomial>,
+    structure: Structure,
+    /// The states that are solved for come from here on; those before them are known at both
+    /// points.
+    first: usize,
+}
+
+/// A block with what is written of it: the states R by minors of `rows`, and then those of an
+/// independent set S, which move by 2ε times what is in `moved`.
+#[derive(PartialEq)]
+struct Block {
+    rest: Vec<usize>,
+    /// A_RR − A_RS·A_SR with the right-hand side appended, in the order in which they are expanded.
+    rows: Vec<Vec<Polynomial>>,
+    independent: Vec<usize>,
+    moved: Vec<Polynomial>,
+}
+
+/// The blocks that are solved for, one after another, whatever the writer.
+#[derive(PartialEq)]
+pub(in crate::plan) struct Arrangement(Vec<Block>);
+
+impl<'a> Blocks<'a> {
+    pub(in crate::plan) fn of(field: &'a Field) -> Self {
+        Blocks {
+            field,
+            matrix: scaled_matrix(field),
+            polarized: polarization(field),
+            structure: Structure::of(field),
+            first: 0,
+        }
+    }
+
+    /// For the tangent vector v of a variational field, where x̃ is known besides x.
+    ///
+    /// Second states stand for x + x̃ and ṽ − v: then half of the terms of the polarised field
+    /// cancel, and none of the others has a factor ½ that the field does not have, if it is
+    /// doubled.
+    pub(in crate::plan) fn of_tangent(field: &'a Field) -> Self {
+        let first = field.dimension() / 2;
+        let mut blocks = Blocks { first, ..Blocks::of(field) };
+        for polarized in &mut blocks.polarized {
+            *polarized = polarized.scale(&Rational::from(2));
+            for i in 0..2 * first {
+                let [state, second] = [Symbol::State(i), Symbol::SecondState(i)]
+                    .map(|symbol| Polynomial::variable(field.symbols.variable(symbol)));
+                let shifted = if i < first { &second - &state } else { &second + &state };
+                // Second states have degree 1 at most.
+                let parts = polarized.coefficients_in(field.symbols.variable(Symbol::SecondState(i)));
+                *polarized = parts.iter().fold(Polynomial::zero(), |sum, (degree, part)| match degree {
+                    0 => &sum + part,
+                    _ => &sum + &(part * &shifted),
+                });
+            }
+        }
+        blocks
+    }
+
+    /// Whether this is a tangent vector, whose polarised field is doubled.
+    fn is_tangent(&self) -> bool {
+        self.first > 0
+    }
+
+    /// The states of an independent set by their pivots, the others by minors; `None` where a block
+    /// is too large.
+    pub(in crate::plan) fn eliminating(&self) -> Option<Arrangement> {
+        let block = |block: Vec<usize>| {
+            let independent = self.structure.independent(&block);
+            self.block(&block, independent, |rows| rows).filter(|block| block.operations() <= MOST_OPERATIONS)
+        };
+        self.solved().map(block).collect::<Option<_>>().map(Arrangement)
+    }
+
+    /// All states by minors of at most so many operations, the rows in the cheapest `orders`, as far
+    /// as these are different.
+    pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<Arrangement> {
+        let most = operations.min(MOST_OPERATIONS);
+        let arrangement = |rank: usize| {
+            let in_order = |mut rows: Vec<Vec<Polynomial>>| {
+                let order = minors::cheap_order(&pattern(&rows), rank);
+                order.into_iter().map(|i| std::mem::take(&mut rows[i])).collect()
+            };
+            let block = |block: Vec<usize>| {
+                self.block(&block, Vec::new(), in_order).filter(|block| block.operations() <= most)
+            };
+            self.solved().map(block).collect::<Option<_>>().map(Arrangement)
+        };
+        let mut distinct: Vec<Arrangement> = Vec::new();
+        for next in (0..orders).filter_map(arrangement) {
+            if !distinct.contains(&next) {
+                distinct.push(next);
+            }
+        }
+        distinct
+    }
+
+    /// The blocks that are solved for.
+    fn solved(&self) -> impl Iterator<Item = Vec<usize>> {
+        self.structure.blocks().into_iter().filter(|block| block[0] >= self.first)
+    }
+
+    /// What is written of a block, its rows as `in_order` puts them; `None` where an entry is too
+    /// long.
+    fn block(
+        &self,
+        block: &[usize],
+        independent: Vec<usize>,
+        in_order: impl Fn(Vec<Vec<Polynomial>>) -> Vec<Vec<Polynomial>>,
+    ) -> Option<Block> {
+        let rest: Vec<usize> = block.iter().copied().filter(|i| !independent.contains(i)).collect();
+        let rows = if rest.is_empty() { Vec::new() } else { self.reduced_rows(block, &independent, &rest)? };
+        let moved = |&i: &usize| self.with_known(&self.polarized[i], block, &rest);
+        let moved = independent.iter().map(moved).collect();
+        Some(Block { rest, rows: in_order(rows), independent, moved })
+    }
+
+    /// A_RR − A_RS·A_SR with the right-hand side ε(P_R − A_RS·P_S) appended, row by row.
+    fn reduced_rows(
+        &self,
+        block: &[usize],
+        independent: &[usize],
+        rest: &[usize],
+    ) -> Option<Vec<Vec<Polynomial>>> {
+        // A tangent vector has it in the reciprocal.
+        let eps = match self.is_tangent() {
+            true => Polynomial::one(),
+            false => Polynomial::variable(self.field.symbols.epsilon()),
+        };
+        let right = |i: usize| &eps * &self.with_known(&self.polarized[i], block, &[]);
+        let rows = rest.iter().map(|&i| {
+            let eliminated = |start: Polynomial, entry: &dyn Fn(usize) -> Polynomial| {
+                independent
+                    .iter()
+                    .filter(|&&s| !self.matrix[i][s].is_zero())
+                    .fold(start, |sum, &s| &sum - &(&self.matrix[i][s] * &entry(s)))
+            };
+            let mut row: Vec<Polynomial> = rest
+                .iter()
+                .map(|&j| eliminated(self.matrix[i][j].clone(), &|s| self.matrix[s][j].clone()))
+                .collect();
+            row.push(eliminated(right(i), &right));
+            row
+        });
+        let rows: Vec<Vec<Polynomial>> = rows.collect();
+        rows.iter().flatten().all(|entry| entry.len() <= ENTRY_TERMS).then_some(rows)
+    }
+
+    /// The polarised field with x for x̃ in the states of the block, but for those that are known
+    /// already; of a tangent vector, without their increments.
+    fn with_known(&self, polarized: &Polynomial, block: &[usize], known: &[usize]) -> Polynomial {
+        let symbols = &self.field.symbols;
+        if self.is_tangent() {
+            let unknown = block.iter().filter(|i| !known.contains(i));
+            return unknown.fold(polarized.clone(), |polarized, &i| {
+                polarized.substitute(symbols.variable(Symbol::SecondState(i)), &Rational::zero())
+            });
+        }
+        polarized.map_variables(|variable| match symbols.symbol(variable) {
+            Symbol::SecondState(i) if block.contains(&i) && !known.contains(&i) => symbols.state(i),
+            _ => variable,
+        })
+    }
+}
+
+impl Block {
+    /// An upper bound on the operations of its minors.
+    fn operations(&self) -> usize {
+        minors::operations(&pattern(&self.rows))
+    }
+}
+
+/// Where entries are not zero.
+fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
+    rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()
+}

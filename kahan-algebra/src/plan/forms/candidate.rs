@@ -1,0 +1,84 @@
+//! One form of a step, with its price.
+
+use crate::table::distinct;
+
+use crate::plan::cost::DERIVED;
+use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::writer::Writer;
+use crate::plan::{Node, Operation, Plan, PlanBuilder};
+
+/// A finished form: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+pub(in crate::plan) struct Candidate {
+    pub(in crate::plan) builder: PlanBuilder,
+    pub(in crate::plan) numerators: Vec<Node>,
+    pub(in crate::plan) reciprocals: Vec<Option<Node>>,
+    price: u64,
+    operations: usize,
+    derived: usize,
+}
+
+impl Candidate {
+    pub(in crate::plan) fn new(
+        writer: Writer,
+        numerators: Vec<Node>,
+        reciprocals: Vec<Option<Node>>,
+    ) -> Self {
+        let mut outputs = numerators.clone();
+        outputs.extend(distinct(reciprocals.iter().copied().flatten()));
+        let Parts { kernel, derived } = Parts::of(&writer, &outputs);
+        let price = price_of(&kernel, numerators.len(), derived);
+        let products = reciprocals.iter().flatten().count();
+        let operations = kernel.cost().operations() + products + numerators.len();
+        Candidate { builder: writer.draft.builder, numerators, reciprocals, price, operations, derived }
+    }
+
+    /// What is compared.
+    pub(in crate::plan) fn price(&self) -> u64 {
+        self.price
+    }
+
+    /// Operations from a state to the next, which bound the time of many orbits at once.
+    pub(in crate::plan) fn operations(&self) -> usize {
+        self.operations
+    }
+
+    /// Whether no prepared constant was rounded more than once where that matters.
+    pub(in crate::plan) fn is_rounded_once(&self) -> bool {
+        self.derived == 0
+    }
+}
+
+/// What a form computes for each state, and how many of its constants are rounded more than once.
+struct Parts {
+    kernel: Plan,
+    derived: usize,
+}
+
+impl Parts {
+    fn of(writer: &Writer, outputs: &[Node]) -> Self {
+        let plan = writer.draft.builder.finish(outputs);
+        let epsilon = writer.scaling.epsilon();
+        let (constants, kernel) = plan.split(epsilon, |variable| writer.scaling.ready(variable).is_some());
+        let derived = if writer.scaling.folds { 0 } else { constants.derived_constants(epsilon) };
+        Parts { kernel, derived }
+    }
+}
+
+impl Writer {
+    /// Whether no prepared constant that this step needs is rounded more than once where that
+    /// matters. A form that has it needs no fewer constants.
+    pub(in crate::plan) fn is_rounded_once(&self, step: Node) -> bool {
+        Parts::of(self, &[step]).derived == 0
+    }
+}
+
+/// Operations and cycles to the next state, and a fine for prepared constants that were rounded
+/// more than once.
+fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
+    let is_negation = |node: &Node| matches!(kernel.operations[node.0], Operation::Negate(_));
+    let negated = distinct(kernel.outputs[..components].iter().copied().filter(is_negation));
+    let cost = kernel.cost();
+    // A negated numerator becomes a subtraction at the end.
+    let operations = cost.operations() - negated.len() + DERIVED * derived;
+    Goal::Early.price(operations, cost.chain)
+}

@@ -1,0 +1,245 @@
+//! The forms of a step that are compared: for each a draft of the denominator and the numerators of
+//! εn and d, from the reduced polynomials or from the determinants of A.
+
+use crate::field::Field;
+use crate::kahan::{RationalMap, scaled_matrix};
+use crate::kept::Kept;
+use crate::poly::Polynomial;
+use crate::rational::Rational;
+use crate::table::sorted_by_key;
+
+use crate::plan::forms::blocks::Blocks;
+use crate::plan::forms::candidate::Candidate;
+use crate::plan::forms::factored_map::FactoredMap;
+use crate::plan::forms::minors::{Determinants, determinants};
+use crate::plan::forms::products;
+use crate::plan::writing::draft::Signed;
+use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::numerators::{Power, Products};
+use crate::plan::writing::writer::{Entry, Writer};
+
+/// A draft in which the denominator is written.
+struct WithDenominator {
+    writer: Writer,
+    denominator: Signed,
+    numerators: Option<Vec<Signed>>,
+}
+
+/// Numerators are written as products of their factors for this many denominators, the cheapest
+/// ones.
+const TRIED: usize = 2;
+/// Where determinants give the numerators, too, products are tried if their factors have at most
+/// this many terms together.
+const FACTOR_TERMS: usize = 32;
+
+/// How many orders of the rows of a block are compared in a field of few terms.
+const ROTATIONS: usize = 3;
+/// A field of more terms than this has its blocks written in one order only.
+const COMPARED_TERMS: usize = 60;
+/// The most terms of N and D for which they are written out where there is another form.
+const WRITTEN_TERMS: usize = 120;
+
+/// How many orders of the rows of a whole block are compared.
+const ORDERS: usize = 3;
+
+/// The forms worth a plan.
+pub(in crate::plan) struct Forms<'a> {
+    /// The cheapest one.
+    pub(in crate::plan) best: Candidate,
+    /// What the others are made from, where there are any.
+    factored: Option<FactoredMap<'a>>,
+}
+
+impl Forms<'_> {
+    /// Other forms, of which a long orbit may wait less than so long a step: one with two
+    /// divisions, where there is one, and those divided by the time step.
+    pub(in crate::plan) fn of_one_orbit(&self, recurrence: u64) -> Vec<Candidate> {
+        let Some(factored) = &self.factored else { return Vec::new() };
+        let over_time_step = factored.over_time_step(recurrence);
+        factored.with_two_divisions().into_iter().chain(over_time_step).collect()
+    }
+}
+
+/// The forms of a field's step: from products of sums that are `kept`; of the reduced map, if that is within the budget, or of A; `None`
+/// where the field is too large for straight lines.
+pub(in crate::plan) fn forms<'a>(
+    field: &'a Field,
+    kept: Option<&Kept>,
+    map: Option<&'a RationalMap>,
+) -> Option<Forms<'a>> {
+    if let Some(kept) = kept {
+        let best = products::candidates(field, kept).into_iter().min_by_key(Candidate::price)?;
+        return Some(Forms { best, factored: None });
+    }
+    let mut candidates: Vec<Candidate> = Vec::new();
+    if has_blocks(field, map) {
+        let blocks = Blocks::of(field);
+        let turns = if terms(field) > COMPARED_TERMS { 1 } else { ROTATIONS };
+        if let Some(eliminating) = blocks.eliminating() {
+            let empty = Writer::empty(field);
+            candidates.extend(empty.iter().flat_map(|empty| blocks.candidates(empty, &eliminating, turns)));
+        }
+    }
+    let map = map.filter(|map| candidates.is_empty() || map.reduced.terms() <= WRITTEN_TERMS);
+    let factored = map.map(|map| FactoredMap::of(field, map));
+    candidates.extend(factored.as_ref().and_then(FactoredMap::best));
+    let best = candidates.into_iter().min_by_key(Candidate::price)?;
+    Some(Forms { best, factored })
+}
+
+/// Whether the step may be made from A itself: nothing was divided out of its determinant, and
+/// three variables have better forms.
+fn has_blocks(field: &Field, map: Option<&RationalMap>) -> bool {
+    map.is_none_or(|map| field.dimension() > 3 && map.reduced.common_factor.as_constant().is_some())
+}
+
+/// The forms that may keep more digits in long steps than the `best` one does, the cheapest first:
+/// blocks solved whole. Each is at most half as expensive again.
+pub(in crate::plan) fn steady_forms(
+    field: &Field,
+    map: Option<&RationalMap>,
+    best: &Candidate,
+) -> Vec<Candidate> {
+    if !has_blocks(field, map) {
+        return Vec::new();
+    }
+    let blocks = Blocks::of(field);
+    let orders = blocks.whole(ORDERS, 2 * best.operations());
+    let empty = Writer::empty(field);
+    let whole =
+        empty.iter().flat_map(|empty| orders.iter().flat_map(|order| blocks.candidates(empty, order, 1)));
+    let is_affordable = |form: &Candidate| {
+        2 * form.price() <= 3 * best.price() && 2 * form.operations() <= 3 * best.operations()
+    };
+    sorted_by_key(whole.filter(is_affordable), Candidate::price)
+}
+
+/// The terms of all equations.
+fn terms(field: &Field) -> usize {
+    field.components.iter().map(|component| component.numerator.len()).sum()
+}
+
+impl WithDenominator {
+    /// What the denominator alone costs.
+    fn price(&mut self) -> u64 {
+        let draft = &mut self.writer.draft;
+        Goal::Early.price(draft.size_of(self.denominator.node), draft.ready(self.denominator.node))
+    }
+}
+
+impl FactoredMap<'_> {
+    /// The cheapest form of a reduced map.
+    fn best(&self) -> Option<Candidate> {
+        let starts = self.empty.iter().flat_map(|empty| self.denominators(empty));
+        let starts = starts.map(|mut start| (start.price(), start));
+        let starts = sorted_by_key(starts, |(price, _)| *price);
+        let has_determinants = starts.iter().any(|(_, start)| start.numerators.is_some());
+        let mut to_try = if has_determinants && self.factor_terms() > FACTOR_TERMS { 0 } else { TRIED };
+        let mut best: Option<Candidate> = None;
+        for (_, start) in starts {
+            if start.numerators.is_none() {
+                if to_try == 0 {
+                    continue;
+                }
+                to_try -= 1;
+            }
+            let candidate = self.finish(start);
+            if best.as_ref().is_none_or(|best| candidate.price() < best.price()) {
+                best = Some(candidate);
+            }
+        }
+        best
+    }
+
+    /// The terms of all numerators' factors.
+    fn factor_terms(&self) -> usize {
+        let factors = self.numerators.iter().flat_map(|numerator| &numerator.factors);
+        factors.map(|(factor, _)| factor.len()).sum()
+    }
+
+    /// The denominator, nested, as a product, and as determinants.
+    fn denominators(&self, empty: &Writer) -> Vec<WithDenominator> {
+        let mut starts = Vec::new();
+        let polynomial = &self.map.reduced.denominator;
+        let mut writer = empty.clone();
+        let denominator = writer.write_scaled(polynomial, Goal::Early);
+        starts.push(WithDenominator { writer, denominator, numerators: None });
+        if self.denominator.factors.len() > 1 {
+            let mut writer = empty.clone();
+            let mut products = Products::new();
+            products.push(&mut writer, &self.denominator, Goal::Early);
+            let denominator = products.finish(&mut writer).remove(0);
+            writer.remember_scaled(polynomial, denominator);
+            starts.push(WithDenominator { writer, denominator, numerators: None });
+        }
+        starts.extend(self.determinants(empty));
+        starts
+    }
+
+    /// Where nothing was divided out, A itself: its entries are shorter than what their determinant
+    /// expands to.
+    fn determinants(&self, empty: &Writer) -> Vec<WithDenominator> {
+        let n = self.field.dimension();
+        if self.map.reduced.common_factor.as_constant().is_none() || !(2..=3).contains(&n) {
+            return Vec::new();
+        }
+        let matrix = scaled_matrix(self.field);
+        let mut starts = Vec::new();
+        // The row of the last expansion; of two rows either gives the same.
+        for last in if n == 2 { 1..2 } else { 0..n } {
+            let mut writer = empty.clone();
+            let Determinants { denominator, numerators } = self.expanded(&mut writer, &matrix, last);
+            // D̂ may differ from d by a constant, and the numerators from these then do, too.
+            if map_is_unscaled(self.map) {
+                writer.remember_scaled(&self.map.reduced.denominator, denominator);
+                starts.push(WithDenominator { writer: writer.clone(), denominator, numerators: None });
+            }
+            // Gathered coefficients make the written denominator shorter than the determinant.
+            if map_is_unscaled(self.map) && empty.scaling.folds {
+                let mut writer = empty.clone();
+                let denominator = writer.write_scaled(&self.map.reduced.denominator, Goal::Early);
+                let Determinants { numerators, .. } = self.expanded(&mut writer, &matrix, last);
+                starts.push(WithDenominator { writer, denominator, numerators: Some(numerators) });
+            }
+            starts.push(WithDenominator { writer, denominator, numerators: Some(numerators) });
+        }
+        starts
+    }
+
+    /// The determinants with the last expansion along a row.
+    fn expanded(&self, writer: &mut Writer, matrix: &[Vec<Polynomial>], last: usize) -> Determinants {
+        let eps = Polynomial::variable(self.field.symbols.epsilon());
+        let mut rows: Vec<Vec<Entry>> = matrix
+            .iter()
+            .zip(&self.field.components)
+            .map(|(row, component)| {
+                let right = &eps * &component.numerator;
+                row.iter().chain([&right]).map(|entry| writer.entry(entry, Goal::Few)).collect()
+            })
+            .collect();
+        // A cyclic order of three rows keeps the sign.
+        rows.rotate_left((last + 1) % matrix.len());
+        determinants(writer, &rows)
+    }
+
+    /// The numerators to a denominator, from the factors.
+    fn finish(&self, start: WithDenominator) -> Candidate {
+        let WithDenominator { mut writer, denominator, numerators } = start;
+        let reciprocal = writer.reciprocal(&Rational::from(2), denominator.node);
+        let numerators =
+            numerators.unwrap_or_else(|| self.written_numerators(&mut writer, |_| Power::Eps, None));
+        self.with_reciprocals(writer, &numerators, |_| (reciprocal, denominator.negative))
+    }
+
+    /// A form with two divisions, for [two factors](Self::two_factors). What closes the cycle of an
+    /// orbit then waits for a shorter denominator.
+    fn with_two_divisions(&self) -> Option<Candidate> {
+        let (needed, other) = self.two_factors()?;
+        self.divided_twice([needed, other], other, &Rational::from(2), [Power::Eps, Power::Eps])
+    }
+}
+
+/// Whether the determinants are d and εn themselves, not multiples of them.
+fn map_is_unscaled(map: &RationalMap) -> bool {
+    map.denominator == map.reduced.denominator
+}

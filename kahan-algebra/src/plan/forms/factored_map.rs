@@ -1,0 +1,128 @@
+//! What all forms of a reduced map are made from: its numerators and its denominator as products
+//! over one base of factors.
+
+use crate::field::Field;
+use crate::kahan::RationalMap;
+use crate::poly::{Monomial, Polynomial};
+use crate::rational::Rational;
+
+use crate::plan::Node;
+use crate::plan::forms::candidate::Candidate;
+use crate::plan::forms::factors::{Factored, factored};
+use crate::plan::writing::draft::Signed;
+use crate::plan::writing::nesting::Goal;
+use crate::plan::writing::numerators::{Power, Products};
+use crate::plan::writing::writer::Writer;
+
+/// What all forms of one step are made from.
+pub(in crate::plan) struct FactoredMap<'a> {
+    pub(in crate::plan) field: &'a Field,
+    pub(in crate::plan) map: &'a RationalMap,
+    pub(in crate::plan) numerators: Vec<Factored>,
+    pub(in crate::plan) denominator: Factored,
+    /// What every form begins with.
+    pub(in crate::plan) empty: Vec<Writer>,
+}
+
+impl<'a> FactoredMap<'a> {
+    pub(in crate::plan) fn of(field: &'a Field, map: &'a RationalMap) -> Self {
+        let reduced = &map.reduced;
+        let all: Vec<&Polynomial> = [&reduced.denominator]
+            .into_iter()
+            .chain(reduced.increments.iter().filter(|increment| !increment.is_zero()))
+            .collect();
+        let mut over_base = factored(&all).into_iter();
+        let zero =
+            || Factored { coefficient: Rational::zero(), monomial: Monomial::one(), factors: Vec::new() };
+        let mut next = || over_base.next().expect("one for each polynomial");
+        let denominator = next();
+        let numerators = reduced
+            .increments
+            .iter()
+            .map(|increment| if increment.is_zero() { zero() } else { next() })
+            .collect();
+        FactoredMap { field, map, numerators, denominator, empty: Writer::empty(field) }
+    }
+
+    /// The numerators that are not zero.
+    pub(in crate::plan) fn moving(&self) -> impl Iterator<Item = &Factored> {
+        self.numerators.iter().filter(|numerator| !numerator.coefficient.is_zero())
+    }
+
+    /// All numerators, each times its power of ε, `without` a factor.
+    pub(in crate::plan) fn written_numerators(
+        &self,
+        writer: &mut Writer,
+        power: impl Fn(&Factored) -> Power,
+        without: Option<&Polynomial>,
+    ) -> Vec<Signed> {
+        let mut products = Products::new();
+        for numerator in &self.numerators {
+            let product = without.map_or_else(|| numerator.clone(), |factor| numerator.without(factor));
+            products.push_with(writer, &product, power(numerator));
+        }
+        products.finish(writer)
+    }
+
+    /// The numerators with their reciprocals, and whether these are carried with the other sign.
+    pub(in crate::plan) fn with_reciprocals(
+        &self,
+        mut writer: Writer,
+        numerators: &[Signed],
+        reciprocal: impl Fn(&Factored) -> (Node, bool),
+    ) -> Candidate {
+        let (mut nodes, mut reciprocals) = (Vec::new(), Vec::new());
+        for (numerator, product) in numerators.iter().zip(&self.numerators) {
+            let (reciprocal, flips) = reciprocal(product);
+            let is_still = writer.draft.is_zero(*numerator);
+            nodes.push(writer.draft.node(numerator.flipped(flips)));
+            reciprocals.push((!is_still).then_some(reciprocal));
+        }
+        Candidate::new(writer, nodes, reciprocals)
+    }
+
+    /// Where the denominator is a product of two factors of which all components need one and some
+    /// do not need the other: E1 and E5. The first is the one that all need.
+    pub(in crate::plan) fn two_factors(&self) -> Option<(&Polynomial, &Polynomial)> {
+        let [(one, 1), (two, 1)] = &self.denominator.factors[..] else { return None };
+        if !self.denominator.monomial.is_one()
+            || !(&self.denominator.coefficient * &self.denominator.coefficient).is_one()
+        {
+            return None;
+        }
+        let is_needed = |factor: &Polynomial| self.moving().all(|numerator| numerator.exponent(factor) == 0);
+        match (is_needed(one), is_needed(two)) {
+            (true, false) => Some((one, two)),
+            (false, true) => Some((two, one)),
+            _ => None,
+        }
+    }
+
+    /// Numerators over one written factor, the short ones, or over both. `other` is the factor that
+    /// short ones contain; the powers are those of short numerators and of long ones, c/d the first
+    /// reciprocal.
+    pub(in crate::plan) fn divided_twice(
+        &self,
+        factors: [&Polynomial; 2],
+        other: &Polynomial,
+        c: &Rational,
+        [short, long]: [Power; 2],
+    ) -> Option<Candidate> {
+        let mut writer = self.empty.last()?.clone();
+        let [needed, partner] = factors.map(|factor| writer.write_scaled(factor, Goal::Early));
+        let reciprocal = writer.reciprocal(c, needed.node);
+        // One after the other: side by side, compilers pack two divisions into a slower one.
+        let both = writer.draft.builder.divide(reciprocal, partner.node);
+        let is_short = |numerator: &Factored| numerator.exponent(other) > 0;
+        let power = |numerator: &Factored| if is_short(numerator) { short } else { long };
+        let numerators = self.written_numerators(&mut writer, power, Some(other));
+        let constant_flips = self.denominator.coefficient.is_negative();
+        // A short quotient divides by one of the written factors, a long one by both, each with the
+        // sign it was written with.
+        let candidate = self.with_reciprocals(writer, &numerators, |numerator| {
+            let flips = constant_flips ^ needed.negative;
+            if is_short(numerator) { (reciprocal, flips) } else { (both, flips ^ partner.negative) }
+        });
+        Some(candidate)
+    }
+}

@@ -1,0 +1,208 @@
+//! Several polynomials as products over one base of factors: what two of them share is a factor,
+//! and so is what the coefficients in one variable share, and a quadratic in one variable with a
+//! square discriminant falls apart. No complete factorisation: what is found this way is what a
+//! step can reuse.
+
+use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
+use crate::rational::Rational;
+
+/// The work that looking for factors may take; beyond it polynomials stay as they are.
+const WORK: u64 = 20_000;
+/// The most terms of polynomials that are looked at.
+const TERMS: usize = 60;
+/// The most terms of a polynomial whose discriminants are looked at.
+const QUADRATIC_TERMS: usize = 16;
+
+/// coefficient · monomial · ∏ factorᵉ
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::plan) struct Factored {
+    pub(in crate::plan) coefficient: Rational,
+    pub(in crate::plan) monomial: Monomial,
+    pub(in crate::plan) factors: Vec<(Polynomial, u32)>,
+}
+
+impl Factored {
+    /// How often a factor occurs.
+    pub(in crate::plan) fn exponent(&self, factor: &Polynomial) -> u32 {
+        self.factors.iter().find(|(known, _)| known == factor).map_or(0, |(_, exponent)| *exponent)
+    }
+
+    /// With a factor once less, if it occurs.
+    pub(in crate::plan) fn without(&self, factor: &Polynomial) -> Self {
+        let mut quotient = self.clone();
+        for (known, exponent) in &mut quotient.factors {
+            *exponent -= u32::from(known == factor);
+        }
+        quotient.factors.retain(|(_, exponent)| *exponent > 0);
+        quotient
+    }
+}
+
+/// Each polynomial over the common base.
+pub(in crate::plan) fn factored(polynomials: &[&Polynomial]) -> Vec<Factored> {
+    let base = base(polynomials);
+    polynomials.iter().map(|polynomial| over_base(polynomial, &base)).collect()
+}
+
+/// Pairwise coprime polynomials without monomial factors, of which the given ones are products.
+fn base(polynomials: &[&Polynomial]) -> Vec<Polynomial> {
+    let mut budget = Budget::new(TERMS * TERMS, WORK);
+    let mut waiting: Vec<Polynomial> = polynomials.iter().map(|polynomial| core(polynomial)).collect();
+    let mut base: Vec<Polynomial> = Vec::new();
+    while let Some(next) = waiting.pop() {
+        if next.as_constant().is_some() || base.contains(&next) {
+            continue;
+        }
+        let shared = base
+            .iter()
+            .enumerate()
+            .find_map(|(index, known)| Some((index, common(known, &next, &mut budget)?)));
+        match shared {
+            Some((index, factor)) => {
+                let known = base.remove(index);
+                waiting.extend(split_off(&known, factor.clone()));
+                waiting.extend(split_off(&next, factor));
+            }
+            None => match content(&next, &mut budget).or_else(|| quadratic_factor(&next, &mut budget)) {
+                Some(factor) => waiting.extend(split_off(&next, factor)),
+                None => base.push(next),
+            },
+        }
+    }
+    base
+}
+
+/// Without coefficient and monomial, the leading coefficient positive.
+fn core(polynomial: &Polynomial) -> Polynomial {
+    polynomial.div_monomial(&polynomial.monomial_content()).expect("all terms have it").primitive_part()
+}
+
+fn split_off(polynomial: &Polynomial, factor: Polynomial) -> [Polynomial; 2] {
+    let quotient = polynomial.checked_div(&factor).expect("a factor divides");
+    [core(&quotient), core(&factor)]
+}
+
+fn common(a: &Polynomial, b: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
+    if a.len().max(b.len()) > TERMS {
+        return None;
+    }
+    gcd_within(a, b, budget).ok().map(|gcd| core(&gcd)).filter(|gcd| gcd.as_constant().is_none())
+}
+
+/// What the coefficients in some variable have in common, if that is a proper factor.
+fn content(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
+    if polynomial.len() > TERMS || polynomial.len() < 4 {
+        return None;
+    }
+    polynomial.variables().into_iter().find_map(|variable| {
+        let coefficients: Vec<Polynomial> = polynomial.coefficients_in(variable).into_values().collect();
+        // A coefficient of one term divides by monomials only, and those are gone.
+        if coefficients.len() < 2 || coefficients.iter().any(|coefficient| coefficient.len() < 2) {
+            return None;
+        }
+        let content = core(&gcd_all_within(&coefficients, budget).ok()?);
+        (content.as_constant().is_none() && content != *polynomial).then_some(content)
+    })
+}
+
+/// A factor of av² + bv + c in some variable v: there is one if b² − 4ac is a square s², and it is
+/// shared with 2av + b − s.
+fn quadratic_factor(polynomial: &Polynomial, budget: &mut Budget) -> Option<Polynomial> {
+    if polynomial.len() > QUADRATIC_TERMS || polynomial.len() < 4 {
+        return None;
+    }
+    polynomial.variables().into_iter().find_map(|variable| {
+        if polynomial.degree_in(variable) != 2 {
+            return None;
+        }
+        let coefficients = polynomial.coefficients_in(variable);
+        let coefficient = |degree: u32| coefficients.get(&degree).cloned().unwrap_or_default();
+        let (a, b, c) = (coefficient(2), coefficient(1), coefficient(0));
+        let discriminant = &(&b * &b) - &(&a * &c).scale(&Rational::from(4));
+        let root = discriminant.square_root()?;
+        let twice = (&a * &Polynomial::variable(variable)).scale(&Rational::from(2));
+        common(polynomial, &(&(&twice + &b) - &root), budget).filter(|factor| factor != polynomial)
+    })
+}
+
+fn over_base(polynomial: &Polynomial, base: &[Polynomial]) -> Factored {
+    let monomial = polynomial.monomial_content();
+    let mut rest = polynomial.div_monomial(&monomial).expect("all terms have it");
+    let mut factors = Vec::new();
+    for factor in base {
+        let mut exponent = 0;
+        while rest.len() >= factor.len().min(2)
+            && rest.as_constant().is_none()
+            && let Some(quotient) = rest.checked_div(factor)
+        {
+            rest = quotient;
+            exponent += 1;
+        }
+        if exponent > 0 {
+            factors.push((factor.clone(), exponent));
+        }
+    }
+    let coefficient = rest.as_constant().unwrap_or_else(Rational::one);
+    if rest.as_constant().is_none() {
+        factors.push((rest, 1));
+    }
+    Factored { coefficient, monomial, factors }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::Field;
+    use crate::kahan::RationalMap;
+
+    fn factors_of(text: &str) -> (Field, Vec<Polynomial>, Vec<Factored>) {
+        let field = crate::read(&crate::lexer::lex(text).tokens).system().expect("a system").field;
+        let reduced = RationalMap::of(&field).expect("the field is small").reduced;
+        let mut all = reduced.increments;
+        all.push(reduced.denominator);
+        let factored = factored(&all.iter().collect::<Vec<_>>());
+        (field, all, factored)
+    }
+
+    fn lengths(factored: &Factored) -> Vec<usize> {
+        let mut lengths: Vec<usize> = factored.factors.iter().map(|(factor, _)| factor.len()).collect();
+        lengths.sort_unstable();
+        lengths
+    }
+
+    #[test]
+    fn the_product_of_the_factors_is_the_polynomial() {
+        for text in [
+            "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;",
+            "xdot = x*y; ydot = -x^2; zdot = y*(2*x - z);",
+            "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);",
+            "xdot = x*(1 - y); ydot = y*(x - 1);",
+        ] {
+            let (_, all, factored) = factors_of(text);
+            for (polynomial, factored) in all.iter().zip(&factored) {
+                let start = Polynomial::term(factored.monomial.clone(), factored.coefficient.clone());
+                let powers =
+                    factored.factors.iter().flat_map(|(factor, e)| std::iter::repeat_n(factor, *e as usize));
+                assert_eq!(powers.fold(start, |product, factor| &product * factor), *polynomial, "{text}");
+            }
+        }
+    }
+
+    /// Two numerators of E6 share y + ε(x² − z²); the third one, without a common factor and
+    /// without a content, is a product by its discriminant.
+    #[test]
+    fn the_numerators_of_e6_are_products() {
+        let (_, _, factored) = factors_of("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
+        let lengths: Vec<Vec<usize>> = factored.iter().map(lengths).collect();
+        assert_eq!(lengths, [vec![3, 3], vec![4, 4], vec![3, 3], vec![7]]);
+    }
+
+    /// E3: z + ε(x² + y²) is shared, x² + y² is what the coefficients of z in the third numerator
+    /// have in common.
+    #[test]
+    fn what_coefficients_share_is_a_factor() {
+        let (_, _, factored) = factors_of("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;");
+        let lengths: Vec<Vec<usize>> = factored.iter().map(lengths).collect();
+        assert_eq!(lengths, [vec![3], vec![3], vec![2, 2], vec![4]]);
+    }
+}

@@ -1,0 +1,149 @@
+//! Cramer's rule on steps: the determinants of A and of A with one column replaced by the
+//! right-hand side, without a division. After k rows the minor of every set of k columns is known,
+//! each from those of one row less, so that all the determinants share them; zero entries leave out
+//! what they would multiply.
+
+use crate::poly::Polynomial;
+use crate::table::{Table, sorted_by_key};
+
+use crate::plan::writing::draft::{Draft, Signed};
+use crate::plan::writing::writer::{Entry, Writer};
+
+/// The determinant of A, and for each column the determinant with that column replaced by the
+/// right-hand side.
+pub(in crate::plan) struct Determinants {
+    pub(in crate::plan) denominator: Signed,
+    pub(in crate::plan) numerators: Vec<Signed>,
+}
+
+/// The rows are those of A with the right-hand side appended; the last one is the row of the last
+/// expansion.
+pub(in crate::plan) fn determinants(writer: &mut Writer, rows: &[Vec<Entry>]) -> Determinants {
+    let n = rows.len();
+    let mut minors: Table<u64, Signed> = Table::new();
+    for (k, row) in rows.iter().enumerate() {
+        minors = match k {
+            0 => single(&writer.draft, row),
+            1 => pairs(writer, &rows[0], row),
+            _ => expanded(&mut writer.draft, &minors, row),
+        };
+    }
+    let draft = &mut writer.draft;
+    let all = (1_u64 << (n + 1)) - 1;
+    let zero = Signed::plus(draft.zero());
+    let minor = |missing: usize| minors.get(&(all & !(1 << missing))).copied().unwrap_or(zero);
+    let numerators = (0..n).map(|j| {
+        // The right-hand side stands last and moves left past n−1−j columns.
+        minor(j).flipped((n - 1 - j) % 2 == 1)
+    });
+    Determinants { denominator: minor(n), numerators: numerators.collect() }
+}
+
+/// The entries of one row.
+fn single(draft: &Draft, row: &[Entry]) -> Table<u64, Signed> {
+    let entries = row.iter().enumerate().map(|(column, entry)| (1 << column, entry.written));
+    entries.filter(|(_, written)| !draft.is_zero(*written)).collect()
+}
+
+/// The minors of two rows, of which some may be steps already.
+fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, Signed> {
+    let mut minors = Table::new();
+    for j in 1..first.len() {
+        for i in 0..j {
+            let polynomial = minor_of(&first[i], &second[j], &first[j], &second[i]);
+            if polynomial.as_ref().is_some_and(Polynomial::is_zero) {
+                continue;
+            }
+            let written = polynomial.and_then(|polynomial| writer.known(&polynomial)).unwrap_or_else(|| {
+                let left = times(&mut writer.draft, first[i].written, second[j].written);
+                let right = times(&mut writer.draft, first[j].written, second[i].written);
+                let terms: Vec<Signed> = [left, right.flipped(true)]
+                    .into_iter()
+                    .filter(|term| !writer.draft.is_zero(*term))
+                    .collect();
+                writer.draft.signed_sum(&terms)
+            });
+            if writer.draft.is_zero(written) {
+                continue;
+            }
+            minors.insert(1 << i | 1 << j, written);
+        }
+    }
+    minors
+}
+
+/// ab − cd, where what they compute is known.
+fn minor_of(a: &Entry, b: &Entry, c: &Entry, d: &Entry) -> Option<Polynomial> {
+    let [a, b, c, d] = [a, b, c, d].map(|entry| entry.polynomial.as_ref());
+    Some(&(a? * b?) - &(c? * d?))
+}
+
+fn times(draft: &mut Draft, a: Signed, b: Signed) -> Signed {
+    Signed { node: draft.multiply(a.node, b.node), negative: a.negative != b.negative }
+}
+
+/// The minors with one row more.
+fn expanded(draft: &mut Draft, minors: &Table<u64, Signed>, row: &[Entry]) -> Table<u64, Signed> {
+    let mut terms: Table<u64, Vec<Signed>> = Table::new();
+    for (&chosen, minor) in minors.iter() {
+        for (column, Entry { written: entry, .. }) in row.iter().enumerate() {
+            if chosen >> column & 1 == 1 || draft.is_zero(*entry) {
+                continue;
+            }
+            // The entry moves past the chosen columns to its right.
+            let odd = (chosen >> column).count_ones() % 2 == 1;
+            let product = times(draft, *minor, *entry).flipped(odd);
+            terms.or_default(chosen | 1 << column).push(product);
+        }
+    }
+    terms.into_iter().map(|(chosen, terms)| (chosen, draft.signed_sum(&terms))).collect()
+}
+
+/// An upper bound on the operations of [`determinants`], from where the entries are not zero.
+pub(in crate::plan) fn operations(pattern: &[Vec<bool>]) -> usize {
+    let mut known: Vec<u64> = vec![0];
+    let mut count = 0;
+    for row in pattern {
+        let mut next: Table<u64, usize> = Table::new();
+        for &chosen in &known {
+            for (column, _) in
+                row.iter().enumerate().filter(|(column, entry)| **entry && chosen >> column & 1 == 0)
+            {
+                *next.or_default(chosen | 1 << column) += 1;
+            }
+        }
+        count += if known == [0] { 0 } else { next.values().map(|terms| 2 * terms - 1).sum() };
+        known = next.into_keys().collect();
+        if known.len() > MOST_MINORS {
+            return usize::MAX;
+        }
+    }
+    count
+}
+
+/// The order of the rows for which so many others take fewer [operations], of those that begin
+/// anywhere and go on as given, or by the number of entries, or the other way round.
+pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<usize> {
+    let given: Vec<usize> = (0..pattern.len()).collect();
+    let entries = |i: &usize| pattern[*i].iter().filter(|entry| **entry).count();
+    let sparse_first = sorted_by_key(given.clone(), entries);
+    let dense_first: Vec<usize> = sparse_first.iter().rev().copied().collect();
+    let mut orders: Vec<(usize, Vec<usize>)> = Vec::new();
+    for mut order in [given, sparse_first, dense_first] {
+        for _ in 0..order.len() {
+            order.rotate_left(1);
+            let rows: Vec<Vec<bool>> = order.iter().map(|&i| pattern[i].clone()).collect();
+            orders.push((operations(&rows), order.clone()));
+        }
+    }
+    let mut orders = sorted_by_key(orders, Clone::clone);
+    orders.dedup();
+    let last = orders.len() - 1;
+    orders.swap_remove(rank.min(last)).1
+}
+
+/// The most minors of one size.
+const MOST_MINORS: usize = 4096;
+/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop is
+/// faster.
+pub(in crate::plan) const MOST_OPERATIONS: usize = 600;

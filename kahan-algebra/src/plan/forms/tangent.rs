@@ -1,0 +1,63 @@
+//! How a tangent vector is carried from a point to the next one, where both are known.
+//!
+//! The derivative of Kahan's map along v solves
+//!
+//! ```text
+//! A(x,ε)·(ṽ − v) = 2ε f′((x + x̃)/2)·v,
+//! ```
+//!
+//! which is the second half of the map of the variational field. So it is written as a step is, by
+//! [`blocks`](crate::plan::forms::blocks); but x̃ is an input, and the first half is left out.
+
+use crate::field::Field;
+use crate::symbols::Symbol;
+use crate::table::sorted_by_key;
+
+use crate::plan::accuracy::Accuracy;
+use crate::plan::forms::blocks::{Arrangement, Blocks};
+use crate::plan::forms::candidate::Candidate;
+use crate::plan::writing::writer::Writer;
+use crate::plan::{Node, Plan};
+
+/// How many orders of the rows of a block are compared.
+const ORDERS: usize = 3;
+/// The most operations of Cramer's rule in one block; numbers along a line take no more beyond.
+const MOST_OPERATIONS: usize = 300;
+
+impl Plan {
+    /// ṽ, a component a result, from x, v and x̃, whose components are the first half of the second
+    /// states: the form of the fewest operations that keeps its digits in long steps. `None` where
+    /// there is none.
+    pub(crate) fn of_tangent(variational: &Field) -> Option<Plan> {
+        let blocks = Blocks::of_tangent(variational);
+        let accuracy = Accuracy::of(variational);
+        let empty = Writer::empty(variational);
+        let cheapest = |arrangements: &[Arrangement], turns: usize| {
+            let forms = empty.iter().flat_map(|empty| {
+                arrangements.iter().flat_map(|arrangement| blocks.candidates(empty, arrangement, turns))
+            });
+            forms.min_by_key(|form| (form.operations(), form.price())).map(|form| carried(form, variational))
+        };
+        let eliminating = cheapest(blocks.eliminating().as_slice(), ORDERS);
+        let whole = cheapest(&blocks.whole(ORDERS, MOST_OPERATIONS), 1);
+        let forms = [eliminating, whole].into_iter().flatten();
+        let cheap_first = sorted_by_key(forms, |form| form.cost().operations());
+        cheap_first.into_iter().find(|form| accuracy.keeps_tangents(form))
+    }
+}
+
+/// v and its increment.
+fn carried(form: Candidate, variational: &Field) -> Plan {
+    let Candidate { mut builder, numerators, reciprocals, .. } = form;
+    let n = numerators.len();
+    let carried = numerators.iter().zip(&reciprocals).enumerate().map(|(i, (&numerator, reciprocal))| {
+        let increment = match reciprocal {
+            Some(reciprocal) => builder.multiply(numerator, *reciprocal),
+            None => numerator,
+        };
+        let entry = builder.input(variational.symbols.variable(Symbol::State(n + i)));
+        builder.add(entry, increment)
+    });
+    let carried: Vec<Node> = carried.collect();
+    builder.finish(&carried)
+}

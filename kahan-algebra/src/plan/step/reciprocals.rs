@@ -1,0 +1,94 @@
+//! The sign of each reciprocal: c/d or −c/d.
+//!
+//! In: the kernel of a step. Out: the same, a reciprocal carried with the other sign where more of
+//! its numerators are negated than are not. Rounding is symmetric, so no bit of x̃ changes; floats
+//! fold a negation into the last subtraction, but a step over anything else (error bounds, lanes,
+//! double-doubles) would carry it out.
+
+use crate::rational::Rational;
+
+use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
+
+/// The kernel with the signs of its reciprocals chosen. Cost: operations · components.
+#[must_use]
+pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
+    let plan = &kernel.plan;
+    // For each component the division that its reciprocal begins with.
+    let first = |reciprocal: Option<&Node>| reciprocal.and_then(|reciprocal| base(plan, *reciprocal));
+    let bases: Vec<Option<Node>> =
+        kernel.factors(&plan.outputs).map(|(_, reciprocal)| first(reciprocal)).collect();
+    let votes = |of: Node| {
+        let mut balance = 0;
+        for (numerator, _) in kernel.numerators().iter().zip(&bases).filter(|(_, base)| **base == Some(of)) {
+            balance += match &plan.operations[numerator.0] {
+                Operation::Negate(_) => 1,
+                Operation::Constant(value) if value.is_zero() => 0,
+                _ => -1,
+            };
+        }
+        balance
+    };
+    let is_turned =
+        |base: &Option<Node>| base.is_some_and(|base| votes(base) > 0 && is_only_divided(plan, base));
+    let turned: Vec<bool> = bases.iter().map(is_turned).collect();
+    if !turned.contains(&true) {
+        return kernel;
+    }
+    let is_turned_base =
+        |node: Node| bases.iter().zip(&turned).any(|(base, turned)| *turned && *base == Some(node));
+    let mut builder = PlanBuilder::default();
+    let renamed = builder.include_with(plan, |builder, index, renamed| {
+        let mut turned = plan.operations[index].with_operands(|node| renamed[node.0]);
+        if let Operation::Divide(dividend, _) = &mut turned
+            && is_turned_base(Node(index))
+            && let Some(literal) = dividend_of(plan, Node(index))
+        {
+            *dividend = builder.intern(Operation::Constant(-literal));
+        }
+        builder.intern(turned)
+    });
+    let mut outputs: Vec<Node> = plan.outputs.iter().map(|output| renamed[output.0]).collect();
+    for (output, _) in outputs.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
+        *output = builder.changed_sign(*output);
+    }
+    Kernel { plan: builder.finish(&outputs), ..kernel }
+}
+
+impl Plan {
+    /// Whether a step is a literal divided by something, once or several times.
+    pub(in crate::plan) fn is_reciprocal(&self, node: Node) -> bool {
+        base(self, node).is_some()
+    }
+}
+
+/// The division of a literal that a reciprocal c/d/d′ begins with.
+fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
+    if dividend_of(kernel, reciprocal).is_some() {
+        return Some(reciprocal);
+    }
+    match kernel.operations[reciprocal.0] {
+        Operation::Divide(dividend, _) => base(kernel, dividend),
+        _ => None,
+    }
+}
+
+/// The literal that a step divides.
+fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
+    let Operation::Divide(dividend, _) = kernel.operations[quotient.0] else { return None };
+    match &kernel.operations[dividend.0] {
+        Operation::Constant(literal) => Some(literal),
+        _ => None,
+    }
+}
+
+/// Whether no other step computes with a quotient than those that divide it further, down to
+/// results: where one component is eliminated before others, increments are made of reciprocals,
+/// too.
+fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {
+    kernel.operations.iter().enumerate().filter(|(_, user)| user.operands().any(|operand| operand == quotient)).all(
+        |(index, user)| {
+            matches!(user, Operation::Divide(dividend, divisor) if *dividend == quotient && *divisor != quotient)
+                && is_only_divided(kernel, Node(index))
+        },
+    )
+}

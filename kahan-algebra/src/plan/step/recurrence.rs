@@ -1,0 +1,111 @@
+//! How long a step takes in an orbit, where each waits for the one before.
+//!
+//! What counts is not the longest way through one step, but the longest cycle from a state through
+//! several steps back to itself: a component that no denominator depends on may come late.
+
+use crate::poly::Variable;
+
+use crate::plan::cost::{ADD, FUSED, MULTIPLY};
+use crate::plan::step::single_divisions::TOGETHER;
+use crate::plan::{Node, Operation, PlanBuilder, StepPlan};
+
+impl StepPlan {
+    /// Cycles from one state to the next in a long orbit, rounded up.
+    #[must_use]
+    pub fn cycles(&self) -> u64 {
+        self.recurrence().div_ceil(UNIT)
+    }
+
+    /// Cycles a step in an orbit: the largest mean over cycles of up to n steps, in units of 1/60
+    /// so that it is an integer.
+    pub(in crate::plan) fn recurrence(&self) -> u64 {
+        let n = self.kernel.dimension();
+        let mut longest = 0;
+        let one = self.delays();
+        let mut power = one.clone();
+        for length in 1..=n as u64 {
+            let back = (0..n).filter_map(|i| power[i][i]).max().unwrap_or(0);
+            longest = longest.max(u64::from(back) * UNIT / length);
+            power = composed(&power, &one);
+        }
+        longest
+    }
+
+    /// Entry (i, j): cycles from x_j to x̃ᵢ; `None` where x̃ᵢ does not depend on x_j.
+    fn delays(&self) -> Vec<Vec<Option<u32>>> {
+        let n = self.kernel.dimension();
+        let columns: Vec<Vec<Option<u32>>> = (0..n).map(|j| self.delays_from(j)).collect();
+        (0..n).map(|i| columns.iter().map(|column| column[i]).collect()).collect()
+    }
+
+    fn delays_from(&self, j: usize) -> Vec<Option<u32>> {
+        let plan = &self.kernel.plan;
+        let mut arrival: Vec<Option<u32>> = Vec::with_capacity(plan.operations.len());
+        for operation in &plan.operations {
+            let operands = operation.operands().filter_map(|Node(index)| arrival[index]).max();
+            arrival.push(match operation {
+                Operation::Input(Variable(index)) => (usize::from(*index) == j).then_some(0),
+                _ => operands.map(|ready| ready + operation.latency()),
+            });
+        }
+        self.kernel
+            .factors(&plan.outputs)
+            .enumerate()
+            .map(|(i, (numerator, reciprocal))| {
+                let numerator = arrival[numerator.0];
+                let increment = match reciprocal {
+                    Some(reciprocal) => numerator.max(arrival[reciprocal.0]).map(|ready| ready + MULTIPLY),
+                    None => numerator,
+                };
+                let itself = (i == j).then_some(0);
+                increment.max(itself).map(|ready| ready + ADD)
+            })
+            .collect()
+    }
+}
+
+/// The [recurrence](StepPlan::recurrence) that no step goes below in which these states are moved
+/// by multiples of one reciprocal, whatever the multiples are and however sums are fused.
+pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
+    let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
+    // Where each component has a division of its own, nothing is multiplied after it.
+    let product = if moving.len() > TOGETHER { MULTIPLY } else { 0 };
+    let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
+    u64::from(back) * UNIT
+}
+
+/// The cycles from a variable to a step at least; `None` where it does not depend on it.
+fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<u32> {
+    let mut arrival: Vec<Option<u32>> = Vec::with_capacity(node.0 + 1);
+    for operation in &operations[..=node.0] {
+        let ready = match *operation {
+            Operation::Input(input) => (input == variable).then_some(0),
+            // Signs move.
+            Operation::Negate(a) => arrival[a.0],
+            Operation::Add(a, b) | Operation::Subtract(a, b) => {
+                let summand = |summand: Node| match operations[summand.0] {
+                    // A product may become part of a multiply-add.
+                    Operation::Multiply(c, d) => Some(arrival[c.0].max(arrival[d.0])? + FUSED),
+                    _ => Some(arrival[summand.0]? + ADD),
+                };
+                summand(a).max(summand(b))
+            }
+            _ => {
+                let operands = operation.operands().filter_map(|Node(index)| arrival[index]).max();
+                operands.map(|ready| ready + operation.latency())
+            }
+        };
+        arrival.push(ready);
+    }
+    arrival[node.0]
+}
+
+/// Divisible by the lengths of cycles of up to six steps.
+const UNIT: u64 = 60;
+
+/// The longest ways through one step after another.
+fn composed(first: &[Vec<Option<u32>>], second: &[Vec<Option<u32>>]) -> Vec<Vec<Option<u32>>> {
+    let n = first.len();
+    let through = |i: usize, j: usize| (0..n).filter_map(|k| Some(second[i][k]? + first[k][j]?)).max();
+    (0..n).map(|i| (0..n).map(|j| through(i, j)).collect()).collect()
+}

@@ -1,0 +1,224 @@
+//! A plan in the making that knows when each of its values is ready, so that sums and products can
+//! be grouped with what arrives last at the end.
+
+use crate::poly::Variable;
+use crate::rational::Rational;
+use crate::table::sorted_by_key;
+
+use crate::plan::writing::scaling::Scaling;
+use crate::plan::{Node, Operation, PlanBuilder};
+
+/// A builder with the cycle in which each step's result can be used.
+#[derive(Clone, Debug)]
+pub(in crate::plan) struct Draft {
+    pub(in crate::plan) builder: PlanBuilder,
+    ready: Vec<u32>,
+    /// Whether a step depends on no state: it is a constant that a prepared map computes once.
+    fixed: Vec<bool>,
+    /// How many operations up to each step depend on a state.
+    sizes: Vec<usize>,
+    /// Variables from here to ε are parameters, the others states.
+    states: u16,
+    epsilon: Variable,
+    /// Whether constants may be multiplied with each other, see [`Self::product`].
+    folds: bool,
+}
+
+impl Draft {
+    pub(in crate::plan) fn new(scaling: &Scaling) -> Self {
+        Draft {
+            builder: PlanBuilder::default(),
+            ready: Vec::new(),
+            fixed: Vec::new(),
+            sizes: Vec::new(),
+            states: scaling.states(),
+            epsilon: scaling.epsilon(),
+            folds: scaling.folds,
+        }
+    }
+
+    /// Brings the tables up to date.
+    fn settle(&mut self) {
+        for operation in &self.builder.operations()[self.ready.len()..] {
+            let fixed = match operation {
+                Operation::Input(variable) => (self.states..=self.epsilon.0).contains(&variable.0),
+                Operation::Divide(_, divisor) => {
+                    self.builder.operations()[divisor.0] == Operation::Input(self.epsilon)
+                }
+                _ => operation.operands().all(|operand| self.fixed[operand.0]),
+            };
+            let operands = operation.operands().map(|operand| self.ready[operand.0]).max().unwrap_or(0);
+            self.ready.push(if fixed { 0 } else { operands + operation.latency() });
+            self.fixed.push(fixed);
+            let is_counted = !fixed && !matches!(operation, Operation::Input(_));
+            let size = self.sizes.last().copied().unwrap_or(0);
+            self.sizes.push(size + usize::from(is_counted));
+        }
+    }
+
+    /// The cycle in which a step's result can be used.
+    pub(in crate::plan) fn ready(&mut self, node: Node) -> u32 {
+        self.settle();
+        self.ready[node.0]
+    }
+
+    /// Operations that depend on a state and that a step needs.
+    pub(in crate::plan) fn size_of(&mut self, node: Node) -> usize {
+        self.settle();
+        let operations = self.builder.operations();
+        let mut needed = vec![false; operations.len()];
+        needed[node.0] = true;
+        let mut size = 0;
+        for index in (0..=node.0).rev().filter(|&index| !self.fixed[index]) {
+            if needed[index] {
+                size += usize::from(!matches!(operations[index], Operation::Input(_)));
+                for operand in operations[index].operands() {
+                    needed[operand.0] = true;
+                }
+            }
+        }
+        size
+    }
+
+    /// The number of steps, to go back to with [`Self::truncate`].
+    pub(in crate::plan) fn length(&self) -> usize {
+        self.builder.operations().len()
+    }
+
+    /// Forgets all steps but the first `length`.
+    pub(in crate::plan) fn truncate(&mut self, length: usize) {
+        self.builder.truncate(length);
+        self.ready.truncate(length);
+        self.fixed.truncate(length);
+        self.sizes.truncate(length);
+    }
+
+    /// Operations that depend on a state, so far.
+    pub(in crate::plan) fn kernel_size(&mut self) -> usize {
+        self.settle();
+        self.sizes.last().copied().unwrap_or(0)
+    }
+
+    pub(in crate::plan) fn input(&mut self, variable: Variable) -> Node {
+        self.builder.input(variable)
+    }
+
+    pub(in crate::plan) fn constant(&mut self, value: &Rational) -> Node {
+        self.builder.constant(value)
+    }
+
+    pub(in crate::plan) fn zero(&mut self) -> Node {
+        self.constant(&Rational::zero())
+    }
+
+    pub(in crate::plan) fn is_zero(&self, signed: Signed) -> bool {
+        self.builder.is_zero(signed.node)
+    }
+
+    /// a · b
+    pub(in crate::plan) fn multiply(&mut self, a: Node, b: Node) -> Node {
+        self.builder.multiply(a, b)
+    }
+
+    /// The product of all, the earliest two first; a product that exists already comes before a new
+    /// one.
+    ///
+    /// Unless the draft folds, two constants are not multiplied with each other as long as there is
+    /// a state: their product would be rounded the same way in every step, and the integrals of a
+    /// long orbit would drift.
+    pub(in crate::plan) fn product(&mut self, factors: &[Node]) -> Node {
+        match factors {
+            [] => return self.constant(&Rational::one()),
+            [a, b] => return self.multiply(*a, *b),
+            _ => {}
+        }
+        let mut factors = factors.to_vec();
+        while factors.len() > 2 {
+            factors = self.sorted(factors, |node| *node);
+            let fixed = factors.iter().filter(|node| self.fixed[node.0]).count();
+            let earliest =
+                if !self.folds && (1..factors.len()).contains(&fixed) { (fixed - 1, fixed) } else { (0, 1) };
+            let (first, second) = self.known_pair(&factors).unwrap_or(earliest);
+            let b = factors.remove(second);
+            let a = factors.remove(first);
+            factors.push(self.multiply(a, b));
+        }
+        factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
+    }
+
+    /// Two factors whose product is a step already; first those of a factor that has no other such
+    /// partner.
+    fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
+        let pairs = (0..factors.len()).flat_map(|i| (i + 1..factors.len()).map(move |j| (i, j)));
+        let known: Vec<(usize, usize)> =
+            pairs.filter(|&(i, j)| self.builder.has_product(factors[i], factors[j])).collect();
+        let partners = |i: usize| known.iter().filter(|&&(a, b)| a == i || b == i).count();
+        known.iter().copied().min_by_key(|&(i, j)| partners(i).min(partners(j)))
+    }
+
+    /// The sum of all, each with its sign, the earliest two first.
+    pub(in crate::plan) fn sum(&mut self, terms: &[Signed]) -> Node {
+        let sum = self.signed_sum(terms);
+        self.node(sum)
+    }
+
+    /// The value with its sign.
+    pub(in crate::plan) fn node(&mut self, signed: Signed) -> Node {
+        if signed.negative { self.builder.negate(signed.node) } else { signed.node }
+    }
+
+    /// The same, its sign beside it.
+    pub(in crate::plan) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
+        let mut terms = self.sorted(terms.to_vec(), |term| term.node);
+        terms.reverse();
+        while let [.., b, a] = terms[..] {
+            let sum = self.pair(a, b);
+            terms.truncate(terms.len() - 2);
+            self.settle();
+            let mut place = terms.len();
+            while place > 0 && self.order(terms[place - 1].node) < self.order(sum.node) {
+                place -= 1;
+            }
+            terms.insert(place, sum);
+        }
+        terms.pop().unwrap_or_else(|| Signed::plus(self.zero()))
+    }
+
+    fn pair(&mut self, a: Signed, b: Signed) -> Signed {
+        match (a.negative, b.negative) {
+            (false, false) => Signed::plus(self.builder.add(a.node, b.node)),
+            (false, true) => Signed::plus(self.builder.subtract(a.node, b.node)),
+            (true, false) => Signed::plus(self.builder.subtract(b.node, a.node)),
+            (true, true) => Signed { node: self.builder.add(a.node, b.node), negative: true },
+        }
+    }
+
+    /// The values in the order in which they are ready, constants first.
+    fn sorted<V>(&mut self, values: Vec<V>, node: impl Fn(&V) -> Node) -> Vec<V> {
+        self.settle();
+        sorted_by_key(values, |value| self.order(node(value)))
+    }
+
+    /// What values are sorted by.
+    fn order(&self, node: Node) -> (bool, u32, Node) {
+        (!self.fixed[node.0], self.ready[node.0], node)
+    }
+}
+
+/// A summand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::plan) struct Signed {
+    pub(in crate::plan) node: Node,
+    pub(in crate::plan) negative: bool,
+}
+
+impl Signed {
+    pub(in crate::plan) fn plus(node: Node) -> Self {
+        Signed { node, negative: false }
+    }
+
+    /// The same value, or its negation.
+    pub(in crate::plan) fn flipped(self, flip: bool) -> Self {
+        Signed { negative: self.negative != flip, ..self }
+    }
+}

@@ -1,0 +1,225 @@
+//! Powers of ε distributed over the states and parameters of each term: ε²x²y becomes (εx)(εx)y.
+//!
+//! With X = εx computed first, a term needs no multiplication by ε of its own, and only ε itself
+//! enters as a rounded constant. A scaled symbol is a variable of its own, numbered after all
+//! others.
+//!
+//! A form divided by the time step has the [inverse time step](crate::plan::forms::inverse) besides, the last of
+//! these variables.
+
+use crate::field::Field;
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational::Rational;
+
+use crate::plan::cost::{DIVIDE, MULTIPLY};
+
+/// Coefficients are variables from here on; there are fewer symbols than that.
+const COEFFICIENTS: u16 = 1 << 15;
+/// 1/(2ε), for all forms the same variable.
+pub(in crate::plan) const INVERSE_STEP: Variable = Variable(COEFFICIENTS - 1);
+/// When a state of the next point is ready, about: after a division.
+const LATE: u32 = 2 * DIVIDE;
+
+/// Which symbols of a term take its powers of ε.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::plan) enum First {
+    /// States before parameters: for fields whose parameters multiply some terms only.
+    States,
+    /// Parameters before states: εa₁ is computed once, so that x need not be scaled.
+    Parameters,
+}
+
+/// Polynomials over plain and scaled symbols.
+#[derive(Clone, Debug)]
+pub(in crate::plan) struct Scaling {
+    states: usize,
+    /// Where scaled symbols begin: states, parameters, ε and the second states come before.
+    offset: u16,
+    epsilon: Variable,
+    first: First,
+    /// Whether the constants of a term are prepared as one, although that rounds them twice.
+    pub(in crate::plan) folds: bool,
+}
+
+impl Scaling {
+    pub(in crate::plan) fn new(field: &Field, first: First) -> Self {
+        let symbols = &field.symbols;
+        let (states, parameters) = (symbols.states.len(), symbols.parameters.len());
+        let offset = u16::try_from(2 * states + parameters + 1).expect("symbols are numbered by 16 bits");
+        Scaling { states, offset, epsilon: symbols.epsilon(), first, folds: is_dissipative(field) }
+    }
+
+    pub(in crate::plan) fn states(&self) -> u16 {
+        u16::try_from(self.states).expect("straight lines have few states")
+    }
+
+    pub(in crate::plan) fn epsilon(&self) -> Variable {
+        self.epsilon
+    }
+
+    /// The variable of the k-th coefficient that was gathered.
+    pub(in crate::plan) fn coefficient(&self, k: usize) -> Variable {
+        Variable(COEFFICIENTS + u16::try_from(k).expect("few coefficients are gathered"))
+    }
+
+    /// εv for a state or parameter v.
+    pub(in crate::plan) fn scaled(&self, symbol: Variable) -> Variable {
+        Variable(symbol.0 + self.offset)
+    }
+
+    /// v, if the variable is εv.
+    pub(in crate::plan) fn unscaled(&self, variable: Variable) -> Option<Variable> {
+        let is_scaled = variable.0 >= self.offset && variable.0 < INVERSE_STEP.0;
+        if is_scaled { Some(Variable(variable.0 - self.offset)) } else { None }
+    }
+
+    /// When a variable is ready; `None` for what depends on no state.
+    pub(in crate::plan) fn ready(&self, variable: Variable) -> Option<u32> {
+        let Variable(index) = variable;
+        if index >= INVERSE_STEP.0 {
+            return None;
+        }
+        let (symbol, scaling) =
+            if index >= self.offset { (index - self.offset, MULTIPLY) } else { (index, 0) };
+        if (symbol as usize) < self.states {
+            Some(scaling)
+        } else if symbol > self.epsilon.0 {
+            Some(LATE + scaling)
+        } else {
+            None
+        }
+    }
+
+    /// Every way to scale the terms that the orders of preference allow, without repetition: where
+    /// a term has fewer powers of ε than states, the states that come first in the order stay
+    /// plain.
+    pub(in crate::plan) fn ways(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
+        if !polynomial.contains(self.epsilon) {
+            return vec![polynomial.clone()];
+        }
+        let present = polynomial.variables().into_iter().map(|variable| usize::from(variable.0));
+        let present: Vec<usize> = present.filter(|&index| index < self.states).collect();
+        if present.is_empty() {
+            return vec![self.scale(polynomial, &[])];
+        }
+        let mut ways: Vec<Polynomial> = Vec::new();
+        for order in orders(&present) {
+            let scaled = self.scale(polynomial, &order);
+            if !ways.contains(&scaled) {
+                ways.push(scaled);
+            }
+        }
+        ways
+    }
+
+    /// The first of the ways.
+    pub(in crate::plan) fn scale_first(&self, polynomial: &Polynomial) -> Polynomial {
+        self.scale(polynomial, &(0..self.states).collect::<Vec<_>>())
+    }
+
+    fn scale(&self, polynomial: &Polynomial, plain: &[usize]) -> Polynomial {
+        if !polynomial.contains(self.epsilon) {
+            return polynomial.clone();
+        }
+        let terms = polynomial
+            .terms()
+            .map(|(monomial, coefficient)| (self.scale_term(monomial, plain), coefficient.clone()));
+        Polynomial::from_terms(terms)
+    }
+
+    fn scale_term(&self, monomial: &Monomial, plain: &[usize]) -> Monomial {
+        let mut powers_of_eps = monomial.exponent(self.epsilon);
+        let mut result = Monomial::one();
+        let is_state = |variable: Variable| usize::from(variable.0) < self.states;
+        let states =
+            plain.iter().rev().map(|&i| Variable(u16::try_from(i).expect("states are numbered by 16 bits")));
+        let parameters = monomial
+            .powers()
+            .iter()
+            .map(|(variable, _)| *variable)
+            .filter(|v| !is_state(*v) && *v != self.epsilon && *v != INVERSE_STEP);
+        let order: Vec<Variable> = match self.first {
+            First::States => states.chain(parameters).collect(),
+            First::Parameters => parameters.chain(states).collect(),
+        };
+        for variable in order {
+            let exponent = monomial.exponent(variable);
+            if exponent == 0 {
+                continue;
+            }
+            let scaled = exponent.min(powers_of_eps);
+            powers_of_eps -= scaled;
+            result.multiply_by(variable, exponent - scaled);
+            result.multiply_by(self.scaled(variable), scaled);
+        }
+        result.multiply_by(self.epsilon, powers_of_eps);
+        result.multiply_by(INVERSE_STEP, monomial.exponent(INVERSE_STEP));
+        result
+    }
+}
+
+/// Whether volumes shrink or grow everywhere at one rate, div f being a constant other than 0. Such
+/// a field keeps no measure and no integral that a constant rounded twice could make drift.
+fn is_dissipative(field: &Field) -> bool {
+    let n = field.dimension();
+    let slopes = (0..n).map(|i| field.components[i].numerator.derivative(field.symbols.state(i)));
+    let divergence = slopes.fold(Polynomial::zero(), |sum, slope| &sum + &slope);
+    field.components.iter().all(|component| component.denominator.is_one())
+        && !divergence.is_zero()
+        && !field.symbols.has_state(&divergence)
+}
+
+/// Orders of these states in which each comes first once.
+fn orders(states: &[usize]) -> impl Iterator<Item = Vec<usize>> {
+    (0..states.len()).map(|first| [&states[first..], &states[..first]].concat())
+}
+
+/// The coefficient, if it is ±2ᵏ.
+pub(in crate::plan) fn is_power_of_two(coefficient: &Rational) -> bool {
+    coefficient
+        .as_small_ratio()
+        .is_some_and(|(p, q)| p.unsigned_abs().is_power_of_two() && q.unsigned_abs().is_power_of_two())
+}
+
+/// The ways to distribute ε first; without parameters there is one.
+pub(in crate::plan) fn scalings(field: &Field) -> Vec<Scaling> {
+    let scaling = |first| Scaling::new(field, first);
+    if field.symbols.parameters.is_empty() {
+        vec![scaling(First::States)]
+    } else {
+        vec![scaling(First::Parameters), scaling(First::States)]
+    }
+}
+
+/// p/εᵏ, a polynomial in the other symbols, ε and h: ε cancels as far as p has it.
+pub(in crate::plan) fn over_eps(polynomial: &Polynomial, power: u32, epsilon: Variable) -> Polynomial {
+    let divided = polynomial.terms().map(|(monomial, coefficient)| {
+        let cancelled = monomial.exponent(epsilon).min(power);
+        let rest = monomial.div(&Monomial::power(epsilon, cancelled)).expect("it has so many powers of ε");
+        // 1/ε is 2h.
+        let scale = Rational::from(1 << (power - cancelled));
+        (rest.mul(&Monomial::power(INVERSE_STEP, power - cancelled)), coefficient * &scale)
+    });
+    Polynomial::from_terms(divided)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// (1 + 2εx + 3ε²xy)/ε² = 4h² + 4hx + 3xy; over ε, what has ε² keeps one.
+    #[test]
+    fn eps_cancels_as_far_as_a_term_has_it() {
+        let [x, y, epsilon] = [0, 1, 2].map(|index| Polynomial::variable(Variable(index)));
+        let h = Polynomial::variable(INVERSE_STEP);
+        let times = |factor: i64, polynomial: &Polynomial| polynomial.scale(&Rational::from(factor));
+        let xy = &x * &y;
+        let d =
+            &(&Polynomial::one() + &times(2, &(&epsilon * &x))) + &times(3, &(&(&epsilon * &epsilon) * &xy));
+        let over_square = &(&times(4, &(&h * &h)) + &times(4, &(&h * &x))) + &times(3, &xy);
+        assert_eq!(over_eps(&d, 2, Variable(2)), over_square);
+        let over_one = &(&times(2, &h) + &times(2, &x)) + &times(3, &(&epsilon * &xy));
+        assert_eq!(over_eps(&d, 1, Variable(2)), over_one);
+        assert_eq!(over_eps(&d, 0, Variable(2)), d);
+    }
+}

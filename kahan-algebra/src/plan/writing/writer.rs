@@ -1,0 +1,265 @@
+//! Writes scaled polynomials as steps, reusing what is there already: a polynomial that was
+//! computed before, up to its sign, and one of which a multiple shortens the polynomial at hand.
+
+mod cheapest;
+mod coefficients;
+mod reuse;
+mod terms;
+
+use std::rc::Rc;
+
+use crate::field::Field;
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational::Rational;
+use crate::table::sorted_by_key;
+
+use crate::plan::Node;
+use crate::plan::numbered::Numbered;
+use crate::plan::writing::draft::{Draft, Signed};
+use crate::plan::writing::nesting::{Goal, Nesting, Summand};
+use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
+
+/// The most terms of a polynomial for which multiples of others are looked for: their number grows
+/// with its square.
+const REUSED: usize = 24;
+
+/// The most terms for which a constant that they have in common may stay inside: its product with
+/// each of their factors may be a step already.
+const SHARED: usize = 3;
+
+/// An entry of a matrix: its polynomial over scaled symbols, where it is known, and the step that
+/// computes it.
+#[derive(Clone, Debug)]
+pub(in crate::plan) struct Entry {
+    pub(in crate::plan) polynomial: Option<Polynomial>,
+    pub(in crate::plan) written: Signed,
+}
+
+/// A draft with the polynomials that its steps compute.
+#[derive(Clone, Debug)]
+pub(in crate::plan) struct Writer {
+    pub(in crate::plan) draft: Draft,
+    pub(in crate::plan) scaling: Scaling,
+    /// The polynomials, their leading coefficients positive, in the order of their making.
+    made: Numbered<Rc<Polynomial>>,
+    /// The step of each.
+    steps: Vec<Signed>,
+    /// The numbers of those that are sums.
+    sums: Vec<usize>,
+    /// Steps that stand for symbols.
+    put: Vec<(Variable, Node)>,
+    /// Sums of constants that were prepared as one.
+    coefficients: Vec<Polynomial>,
+    /// Forms for `Goal::Early` and `Goal::Few`.
+    nestings: Rc<[Nesting; 2]>,
+}
+
+impl Writer {
+    /// An empty one for each way to distribute ε. Its clones share what they estimate of forms.
+    pub(in crate::plan) fn empty(field: &Field) -> Vec<Self> {
+        scalings(field).into_iter().map(Self::new).collect()
+    }
+
+    fn new(scaling: Scaling) -> Self {
+        let nestings = Rc::new([Goal::Early, Goal::Few].map(|goal| Nesting::new(goal, scaling.clone())));
+        Writer {
+            draft: Draft::new(&scaling),
+            scaling,
+            made: Numbered::default(),
+            steps: Vec::new(),
+            sums: Vec::new(),
+            put: Vec::new(),
+            coefficients: Vec::new(),
+            nestings,
+        }
+    }
+
+    /// A plain or scaled symbol.
+    pub(in crate::plan) fn variable(&mut self, variable: Variable) -> Node {
+        if variable == INVERSE_STEP {
+            return self.inverse_step(&Rational::one());
+        }
+        match self.scaling.unscaled(variable) {
+            None => self.symbol(variable),
+            Some(symbol) => {
+                let (eps, symbol) = (self.draft.input(self.scaling.epsilon()), self.symbol(symbol));
+                self.draft.multiply(eps, symbol)
+            }
+        }
+    }
+
+    /// c/(2ε), which is prepared.
+    pub(in crate::plan) fn inverse_step(&mut self, c: &Rational) -> Node {
+        let half = self.draft.constant(&(c * &Rational::new(1, 2)));
+        let eps = self.draft.input(self.scaling.epsilon());
+        self.draft.builder.divide(half, eps)
+    }
+
+    /// A plain symbol; a state of the next point is a step.
+    fn symbol(&mut self, symbol: Variable) -> Node {
+        let put = self.put.iter().find(|(variable, _)| *variable == symbol).map(|(_, node)| *node);
+        put.unwrap_or_else(|| self.draft.input(symbol))
+    }
+
+    /// c/d; with c = 2 the increment 2εn/d costs no multiplication by 2.
+    pub(in crate::plan) fn reciprocal(&mut self, c: &Rational, denominator: Node) -> Node {
+        let c = self.draft.constant(c);
+        self.draft.builder.divide(c, denominator)
+    }
+
+    /// ε/d
+    pub(in crate::plan) fn eps_over(&mut self, denominator: Node) -> Node {
+        let eps = self.draft.input(self.scaling.epsilon());
+        self.draft.builder.divide(eps, denominator)
+    }
+
+    /// From now on a step stands for this symbol.
+    pub(in crate::plan) fn put(&mut self, symbol: Variable, node: Node) {
+        self.put.push((symbol, node));
+    }
+
+    /// A polynomial, made for the goal.
+    pub(in crate::plan) fn write(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
+        let (sign, positive) = normalised(polynomial);
+        if let Some(number) = self.made.find(&positive) {
+            return self.steps[number].flipped(sign);
+        }
+        let written = self.write_new(&positive, goal);
+        self.remember_positive(positive, written);
+        written.flipped(sign)
+    }
+
+    /// A polynomial in plain symbols and ε, its powers of ε distributed in the first way.
+    pub(in crate::plan) fn write_scaled(&mut self, polynomial: &Polynomial, goal: Goal) -> Signed {
+        let scaled = self.scaling.scale_first(polynomial);
+        self.write(&scaled, goal)
+    }
+
+    /// Notes that a step computes this polynomial in plain symbols and ε.
+    pub(in crate::plan) fn remember_scaled(&mut self, polynomial: &Polynomial, written: Signed) {
+        let scaled = self.scaling.scale_first(polynomial);
+        self.remember(&scaled, written);
+    }
+
+    /// An entry of a matrix, its powers of ε distributed in the first way.
+    pub(in crate::plan) fn entry(&mut self, polynomial: &Polynomial, goal: Goal) -> Entry {
+        let polynomial = self.scaling.scale_first(polynomial);
+        let written = self.write(&polynomial, goal);
+        Entry { polynomial: Some(polynomial), written }
+    }
+
+    /// The step that computes this polynomial over scaled symbols, if there is one.
+    pub(in crate::plan) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
+        let gathered = self.gathered(polynomial);
+        let (sign, positive) = normalised(gathered.as_ref().unwrap_or(polynomial));
+        self.made.find(&positive).map(|number| self.steps[number].flipped(sign))
+    }
+
+    /// Notes that a step computes this polynomial.
+    pub(in crate::plan) fn remember(&mut self, polynomial: &Polynomial, written: Signed) {
+        let (sign, positive) = normalised(polynomial);
+        self.remember_positive(positive, written.flipped(sign));
+    }
+
+    fn remember_positive(&mut self, polynomial: Rc<Polynomial>, written: Signed) {
+        let is_sum = polynomial.len() > 1;
+        let number = self.made.number(polynomial);
+        if number == self.steps.len() {
+            self.steps.push(written);
+            if is_sum {
+                self.sums.push(number);
+            }
+        }
+    }
+
+    fn write_new(&mut self, polynomial: &Rc<Polynomial>, goal: Goal) -> Signed {
+        if let Some(gathered) = self.gathered(polynomial) {
+            return self.write(&gathered, goal);
+        }
+        if let Some(value) = polynomial.as_constant() {
+            return Signed::plus(self.draft.constant(&value));
+        }
+        let common = polynomial.monomial_content();
+        let content = polynomial.content();
+        if polynomial.len() == 1 {
+            return self.term(&common, &content, None);
+        }
+        if !common.is_one() || !content.is_one() {
+            let inner = polynomial.div_monomial(&common).expect("all terms have it").primitive_part();
+            if goal == Goal::Few && inner.len() <= SHARED && self.has_constant(&common) {
+                let write = |writer: &mut Self, is_product: &bool| match is_product {
+                    true => writer.multiple(&common, &content, &inner, goal),
+                    false => writer.write_flat(polynomial),
+                };
+                return self.cheapest(&[true, false], write, |_| 0);
+            }
+            return self.multiple(&common, &content, &inner, goal);
+        }
+        if goal == Goal::Few
+            && polynomial.len() <= REUSED
+            && let Some(written) = self.write_reusing(polynomial)
+        {
+            return written;
+        }
+        self.write_nested(polynomial, goal)
+    }
+
+    fn has_constant(&self, monomial: &Monomial) -> bool {
+        monomial.powers().iter().any(|(variable, _)| self.scaling.ready(*variable).is_none())
+    }
+
+    /// Term by term.
+    fn write_flat(&mut self, polynomial: &Polynomial) -> Signed {
+        let terms: Vec<Signed> = polynomial
+            .terms()
+            .map(|(monomial, coefficient)| self.term(monomial, coefficient, None))
+            .collect();
+        self.draft.signed_sum(&terms)
+    }
+
+    fn write_nested(&mut self, polynomial: &Rc<Polynomial>, goal: Goal) -> Signed {
+        let nestings = Rc::clone(&self.nestings);
+        let nesting = &nestings[usize::from(goal == Goal::Few)];
+        let mut fixed = Vec::new();
+        let mut terms = Vec::new();
+        // Low degrees first: their products can be factors of the others.
+        let parts = sorted_by_key(nesting.best(polynomial), |part| match part {
+            Summand::Term(monomial, _) => monomial.degree(),
+            Summand::Product(..) => 0,
+        });
+        for part in parts {
+            match part {
+                Summand::Term(monomial, coefficient) if nesting.is_fixed(&monomial) => {
+                    fixed.push((monomial, coefficient));
+                }
+                Summand::Term(monomial, coefficient) => terms.push(self.term(&monomial, &coefficient, None)),
+                Summand::Product(monomial, content, inner) => {
+                    terms.push(self.multiple(&monomial, &content, &inner, goal));
+                }
+            }
+        }
+        if !fixed.is_empty() {
+            terms.push(self.fixed_sum(fixed));
+        }
+        self.draft.signed_sum(&terms)
+    }
+
+    /// coefficient · monomial · inner
+    fn multiple(
+        &mut self,
+        monomial: &Monomial,
+        coefficient: &Rational,
+        inner: &Polynomial,
+        goal: Goal,
+    ) -> Signed {
+        let written = self.write(inner, goal);
+        let product = self.term(monomial, coefficient, Some(written.node));
+        product.flipped(written.negative)
+    }
+}
+
+/// The sign of the leading coefficient, and the polynomial with a positive one.
+fn normalised(polynomial: &Polynomial) -> (bool, Rc<Polynomial>) {
+    let negative = polynomial.leading_term().is_some_and(|(_, coefficient)| coefficient.is_negative());
+    (negative, Rc::new(if negative { -polynomial } else { polynomial.clone() }))
+}

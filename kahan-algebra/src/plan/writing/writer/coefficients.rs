@@ -1,0 +1,72 @@
+//! Constants: sums of them that multiply one product of states are one coefficient, computed when
+//! the map is prepared.
+
+use crate::poly::{Monomial, Polynomial, Variable};
+use crate::rational::Rational;
+
+use super::Writer;
+use crate::plan::writing::draft::Signed;
+
+impl Writer {
+    /// The polynomial with each sum of constants that multiplies one product of states as one
+    /// coefficient; of products of constants only where they may be rounded twice. `None` where
+    /// there is no such sum.
+    pub(super) fn gathered(&mut self, polynomial: &Polynomial) -> Option<Polynomial> {
+        if !polynomial.terms().any(|(monomial, _)| self.mixes(monomial)) {
+            return None;
+        }
+        let groups = polynomial.group(|variable| self.scaling.ready(variable).is_some());
+        let folds = self.scaling.folds;
+        let is_sum = |states: &Monomial, coefficient: &Polynomial| {
+            coefficient.len() > 1 && !states.is_one() && (folds || coefficient.degree() < 2)
+        };
+        if !groups.iter().any(|(states, coefficient)| is_sum(states, coefficient)) {
+            return None;
+        }
+        let mut terms = Vec::new();
+        for (states, coefficient) in groups {
+            if !is_sum(&states, &coefficient) {
+                terms.extend(
+                    coefficient.terms().map(|(monomial, value)| (states.mul(monomial), value.clone())),
+                );
+                continue;
+            }
+            let (content, sum) = (coefficient.content(), coefficient.primitive_part());
+            let variable = self.coefficient(&sum);
+            terms.push((states.mul(&Monomial::variable(variable)), content));
+        }
+        Some(Polynomial::from_terms(terms))
+    }
+
+    /// Whether constants multiply states in a term.
+    fn mixes(&self, monomial: &Monomial) -> bool {
+        let (mut has_state, mut has_constant) = (false, false);
+        for (variable, _) in monomial.powers() {
+            let is_state = self.scaling.ready(*variable).is_some();
+            has_state |= is_state;
+            has_constant |= !is_state;
+        }
+        has_state && has_constant
+    }
+
+    /// The variable that stands for a sum of constants.
+    pub(in crate::plan) fn coefficient(&mut self, sum: &Polynomial) -> Variable {
+        if let Some(k) = self.coefficients.iter().position(|known| known == sum) {
+            return self.scaling.coefficient(k);
+        }
+        let variable = self.scaling.coefficient(self.coefficients.len());
+        let terms = sum.terms().map(|(monomial, value)| (monomial.clone(), value.clone())).collect();
+        let written = self.fixed_sum(terms);
+        let node = self.draft.node(written);
+        self.coefficients.push(sum.clone());
+        self.put(variable, node);
+        variable
+    }
+
+    /// What depends on no state: one prepared constant, whatever it costs.
+    pub(super) fn fixed_sum(&mut self, terms: Vec<(Monomial, Rational)>) -> Signed {
+        let nodes: Vec<Signed> =
+            terms.iter().map(|(monomial, coefficient)| self.term(monomial, coefficient, None)).collect();
+        self.draft.signed_sum(&nodes)
+    }
+}

@@ -1,0 +1,121 @@
+//! Reuse: a polynomial as multiples of sums that are steps already, and a rest.
+
+use crate::poly::{Monomial, Polynomial, Term};
+use crate::rational::Rational;
+use crate::table::Table;
+
+use super::Writer;
+use crate::plan::writing::draft::Signed;
+use crate::plan::writing::nesting::Goal;
+
+impl Writer {
+    /// The polynomial as multiples of sums that exist already, and a rest; `None` where no multiple
+    /// shortens it.
+    pub(super) fn write_reusing(&mut self, polynomial: &Polynomial) -> Option<Signed> {
+        let mut rest = polynomial.clone();
+        let mut multipliers: Table<usize, Polynomial> = Table::new();
+        while let Some((sum, multiplier, left)) = self.best_multiple(&rest) {
+            let entry = multipliers.or_default(sum);
+            *entry = &*entry + &multiplier;
+            rest = left;
+        }
+        if multipliers.is_empty() {
+            return None;
+        }
+        let mut terms = Vec::new();
+        for (sum, multiplier) in multipliers {
+            let sum = self.steps[self.sums[sum]];
+            let multiplier = self.write(&multiplier, Goal::Few);
+            let node = self.draft.product(&[multiplier.node, sum.node]);
+            terms.push(Signed { node, negative: multiplier.negative != sum.negative });
+        }
+        if !rest.is_zero() {
+            terms.push(self.write(&rest, Goal::Few));
+        }
+        Some(self.draft.signed_sum(&terms))
+    }
+
+    /// The sum g and the term m for which P − m·g is shortest, if it is shorter by two terms, or
+    /// nothing.
+    pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
+        let mut best: Option<(usize, Multiple)> = None;
+        for (index, &number) in self.sums.iter().enumerate() {
+            let sum = &self.made.items()[number];
+            if sum.len() > polynomial.len() {
+                continue;
+            }
+            let least = best.as_ref().map_or(polynomial.len() - 1, |(_, best)| best.left);
+            if let Some(multiple) = shortest_rest(polynomial, sum, least) {
+                best = Some((index, multiple));
+            }
+        }
+        let (index, Multiple { monomial, ratio, .. }) = best?;
+        let multiplier = Polynomial::term(monomial, ratio);
+        let left = polynomial - &(&multiplier * &self.made.items()[self.sums[index]]);
+        Some((index, multiplier, left))
+    }
+}
+
+/// A term m, and what m·g leaves of a polynomial.
+struct Multiple {
+    monomial: Monomial,
+    ratio: Rational,
+    /// How many terms P − m·g has.
+    left: usize,
+}
+
+/// The term m that leaves the fewest terms of P − m·g, if that are fewer than `least`; of several
+/// the first, in the order of the terms of P and g of which it is the quotient.
+fn shortest_rest(polynomial: &Polynomial, sum: &Polynomial, least: usize) -> Option<Multiple> {
+    let mut best: Option<Multiple> = None;
+    for term in polynomial.as_terms() {
+        let mut place = 0;
+        loop {
+            let below = best.as_ref().map_or(least, |best| best.left);
+            // What m·g has in common with P: its terms, and once more those with their coefficient,
+            // which are none before this one.
+            let common = (polynomial.len() + sum.len() + 1).saturating_sub(below);
+            if common + place > 2 * sum.len() {
+                break;
+            }
+            if let Some(multiple) = multiple_at(polynomial, sum, [term, &sum.as_terms()[place]], common) {
+                best = Some(multiple);
+            }
+            place += 1;
+        }
+    }
+    best
+}
+
+/// The quotient of a term of P by one of g, if P and its product with g have at least so much in
+/// `common`. Most have not, which shows soon.
+fn multiple_at(
+    polynomial: &Polynomial,
+    sum: &Polynomial,
+    [(dividend, coefficient), (divisor, scale)]: [&Term; 2],
+    common: usize,
+) -> Option<Multiple> {
+    let monomial = dividend.div(divisor)?;
+    let ratio = coefficient.checked_div(scale)?;
+    let mut may_miss = sum.len() - common.div_ceil(2);
+    let mut terms = polynomial.as_terms();
+    let (mut met, mut equal) = (0, 0);
+    for (own, scale) in sum.as_terms() {
+        let product = monomial.mul(own);
+        while let [(first, _), later @ ..] = terms
+            && *first > product
+        {
+            terms = later;
+        }
+        match terms {
+            [(first, coefficient), ..] if *first == product => {
+                met += 1;
+                equal += usize::from(*coefficient == scale * &ratio);
+            }
+            _ if may_miss == 0 => return None,
+            _ => may_miss -= 1,
+        }
+    }
+    let left = polynomial.len() + sum.len() - met - equal;
+    (met + equal >= common).then_some(Multiple { monomial, ratio, left })
+}
