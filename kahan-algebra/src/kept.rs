@@ -80,8 +80,8 @@ impl Values {
         u16::try_from(self.first + place).ok().map(Variable)
     }
 
-    /// The variable of a value, which is a new one where it is none yet; `None` where there are more
-    /// values than 16 bits can number.
+    /// The variable of a value, which is a new one where it is none yet; `None` where there are
+    /// more values than 16 bits can number.
     fn intern(&mut self, value: Value) -> Option<Variable> {
         let known = self.values.iter().position(|known| *known == value);
         let place = known.unwrap_or(self.values.len());
@@ -140,8 +140,8 @@ impl Values {
         })
     }
 
-    /// 1 over a polynomial that is free of states and not 0; `None` where there are more values than
-    /// 16 bits can number.
+    /// 1 over a polynomial that is free of states and not 0; `None` where there are more values
+    /// than 16 bits can number.
     pub(crate) fn reciprocal(&mut self, divisor: &Polynomial) -> Option<Polynomial> {
         let inverse = divisor.content().recip().expect("a divisor is not zero");
         let primitive = divisor.scale(&inverse);
@@ -293,8 +293,8 @@ impl Kept {
         Kept { components: components.collect(), values: kept }
     }
 
-    /// What stands for a field that was made of another one: its polynomials, its denominators being
-    /// divisors.
+    /// What stands for a field that was made of another one: its polynomials, its denominators
+    /// being divisors.
     pub(crate) fn of(field: &Field) -> Self {
         let mut values = Values::of(&field.symbols);
         let components = field.components.iter().map(|component| {
@@ -361,8 +361,8 @@ impl Kept {
         self.over_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
-    /// The same over the values that are free of all that `varies`; where such a thing is divided by,
-    /// the field itself.
+    /// The same over the values that are free of all that `varies`; where such a thing is divided
+    /// by, the field itself.
     pub(crate) fn over_values_free_of(
         &self,
         field: &Field,
@@ -417,9 +417,9 @@ impl Kept {
         OverConstants { field, kept, places, values: self.values.clone(), symbols: symbols.clone() }
     }
 
-    /// Whether a step may lose digits that the text keeps if it is planned from expanded sums: where
-    /// a product of two of them is written, or where a constant stands before one, as in `(y - 1)/s`,
-    /// unless it depends on the component's own state and A is as large as the constant.
+    /// Whether a step may lose digits that the text keeps if it is planned from expanded sums:
+    /// where a product of two of them is written, or where a constant stands before one, as in `(y
+    /// - 1)/s`, unless it depends on the component's own state and A is as large as the constant.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
         let (values, slopes) = self.jacobian(symbols);
         let is_sum = |variable: Variable| values.place(variable).is_some();

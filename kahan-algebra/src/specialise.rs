@@ -110,8 +110,8 @@ impl Specialisation<'_> {
         })
     }
 
-    /// What is kept of these components; `None` where a relation fixes a quotient, and where what was
-    /// divided by is gone from them.
+    /// What is kept of these components; `None` where a relation fixes a quotient, and where what
+    /// was divided by is gone from them.
     fn kept(&self, kept: &Kept, components: &[Component]) -> Option<Kept> {
         let mut values = Values::of(self.new);
         let put = |variable| match self.relations.value(variable) {

@@ -11,8 +11,8 @@ fn system(text: &str) -> System {
     read(&lex(text).tokens).system().unwrap_or_else(|mistakes| panic!("{text}: {mistakes:?}"))
 }
 
-/// f at a state and at values of the parameters in the order of their names' first use; `None` where
-/// the field divides by zero.
+/// f at a state and at values of the parameters in the order of their names' first use; `None`
+/// where the field divides by zero.
 fn field<A: Arithmetic>(
     text: &str,
     arithmetic: &A,
@@ -77,7 +77,8 @@ fn a_relation_between_values_costs_no_reduction() {
     for (first, second) in [(same, same), (same, related), (related, related)] {
         let system = system(&text(first, second));
         assert!(derive(&system).reduced_map.is_some(), "{first} and {second}");
-        // 1 + ε(p² − q²)z is a factor of det A that both numerators share: at its zero there is a step.
+        // 1 + ε(p² − q²)z is a factor of det A that both numerators share: at its zero there is a
+        // step.
         let point =
             Point { state: vec![q(1), q(2), q(-1)], parameters: vec![q(3), q(1)], eps: Rational::new(1, 8) };
         let next = Interpreter::new(&system).next(&Exact, &point);

@@ -16,7 +16,8 @@ use super::lower::{HIGHEST_POWER, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope, expressions};
 use super::stand_in::StandIn;
 
-/// Compiles the claims in order; one that is broken is left out, and keeps its name in what stands in.
+/// Compiles the claims in order; one that is broken is left out, and keeps its name in what stands
+/// in.
 pub(super) fn compile_all(
     block: &Block,
     components: &[Component],

@@ -3,9 +3,9 @@
 //!
 //! What cancels, cancels: only the result counts, not what it passed through. Sizes are limited, so
 //! that no input hangs the compiler. Beside p/q stands what was written, as far as that loses
-//! nothing: a sum in which a name or the highest degree cancels, and a quotient that has no pole where
-//! its divisor vanishes, stand as they are expanded and reduced; all other sums and divisors are
-//! [kept](crate::kept).
+//! nothing: a sum in which a name or the highest degree cancels, and a quotient that has no pole
+//! where its divisor vanishes, stand as they are expanded and reduced; all other sums and divisors
+//! are [kept](crate::kept).
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::field::Component;

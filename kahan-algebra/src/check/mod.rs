@@ -1,9 +1,9 @@
 //! Syntax to a checked system or family, one rule a function.
 //!
-//! Names first, then constants, equations and claims. What is broken is reported once; whoever looks
-//! at it later takes something harmless for it (a zero right-hand side), so that one mistake makes one
-//! error. A block with a mistake is [`Broken`]: nothing is said of its field, and its type has a
-//! [`StandIn`].
+//! Names first, then constants, equations and claims. What is broken is reported once; whoever
+//! looks at it later takes something harmless for it (a zero right-hand side), so that one mistake
+//! makes one error. A block with a mistake is [`Broken`]: nothing is said of its field, and its
+//! type has a [`StandIn`].
 
 mod claims;
 mod conditions;

@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 
 pub use lines::{Lines, Place};
 pub use listing::StepListing;
-pub use names::{StepName, StepNames, constant_names};
+pub use names::{ValueName, ValueNames, constant_names};
 pub(crate) use scheme::Scheme;
 
 use crate::arithmetic::Arithmetic;
@@ -130,8 +130,8 @@ struct Planned {
 }
 
 impl Planned {
-    /// The field over its constants; the field itself where its `map` has common factors that it has
-    /// not over them.
+    /// The field over its constants; the field itself where its `map` has common factors that it
+    /// has not over them.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let over = system.kept.over_constants(&system.field);
         let Some(map) = map else { return Planned { over, map: None } };

@@ -1,6 +1,6 @@
-//! Names for the steps of a plan, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`.
+//! Names for the values of a plan, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`.
 //!
-//! Generated code and listings call a step the same; what has no short description is numbered.
+//! Generated code and listings call a value the same; what has no short description is numbered.
 
 use rustc_hash::FxHashSet;
 
@@ -8,9 +8,9 @@ use crate::plan::{Node, Operation, Plan, descriptions, kind};
 use crate::symbols::Symbols;
 use crate::table::Table;
 
-/// What a step is called.
+/// What a value is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum StepName {
+pub enum ValueName {
     /// By what it computes.
     Described(String),
     /// By its kind, `sum` or `product`, and a number.
@@ -19,20 +19,20 @@ pub enum StepName {
 
 /// The names given so far in one plan, no two alike.
 #[derive(Clone, Debug)]
-pub struct StepNames {
-    /// What each step could be called.
+pub struct ValueNames {
+    /// What each value could be called.
     descriptions: Vec<Option<String>>,
     kinds: Vec<&'static str>,
     taken: FxHashSet<String>,
-    /// How many steps of each kind have been numbered.
+    /// How many values of each kind have been numbered.
     numbered: Table<&'static str, usize>,
 }
 
-impl StepNames {
+impl ValueNames {
     /// For a plan; `prepared` are the names of its prepared constants.
     #[must_use]
     pub fn of(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Self {
-        StepNames {
+        ValueNames {
             descriptions: descriptions(plan, symbols, prepared),
             kinds: (0..plan.operations.len()).map(|index| kind(plan, Node(index))).collect(),
             taken: FxHashSet::default(),
@@ -43,23 +43,24 @@ impl StepNames {
     /// The same without the names in `taken`.
     #[must_use]
     pub fn without(self, taken: impl IntoIterator<Item = String>) -> Self {
-        StepNames { taken: taken.into_iter().collect(), ..self }
+        ValueNames { taken: taken.into_iter().collect(), ..self }
     }
 
-    /// Names a step. Two steps may have one description: then the second is numbered.
-    pub fn name(&mut self, step: Node) -> StepName {
-        self.name_as(step, self.kinds[step.0])
+    /// Names a value. Two values may have one description: then the second is numbered.
+    pub fn name(&mut self, value: Node) -> ValueName {
+        self.name_as(value, self.kinds[value.0])
     }
 
     /// The same; where it is numbered, it is one of `what`.
-    fn name_as(&mut self, step: Node, what: &'static str) -> StepName {
-        if let Some(text) = self.descriptions[step.0].clone().filter(|text| self.taken.insert(text.clone())) {
-            return StepName::Described(text);
+    fn name_as(&mut self, value: Node, what: &'static str) -> ValueName {
+        if let Some(text) = self.descriptions[value.0].clone().filter(|text| self.taken.insert(text.clone()))
+        {
+            return ValueName::Described(text);
         }
         loop {
             let number = self.numbered.or_default(what);
             *number += 1;
-            let name = StepName::Numbered(what, *number);
+            let name = ValueName::Numbered(what, *number);
             if self.taken.insert(name.to_string()) {
                 return name;
             }
@@ -67,11 +68,11 @@ impl StepNames {
     }
 }
 
-impl std::fmt::Display for StepName {
+impl std::fmt::Display for ValueName {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            StepName::Described(text) => f.write_str(text),
-            StepName::Numbered(what, number) => write!(f, "{what}_{number}"),
+            ValueName::Described(text) => f.write_str(text),
+            ValueName::Numbered(what, number) => write!(f, "{what}_{number}"),
         }
     }
 }
@@ -79,7 +80,7 @@ impl std::fmt::Display for StepName {
 /// A name for each prepared constant, no two alike: ε and a parameter keep their own.
 #[must_use]
 pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
-    let mut names = StepNames::of(constants, symbols, &[]).without(symbol_names(symbols));
+    let mut names = ValueNames::of(constants, symbols, &[]).without(symbol_names(symbols));
     let name = |output: &Node| match constants.operations[output.0] {
         Operation::Input(variable) => symbols.name(variable),
         _ => names.name_as(*output, "constant").to_string(),
@@ -87,15 +88,15 @@ pub fn constant_names(constants: &Plan, symbols: &Symbols) -> Vec<String> {
     constants.outputs.iter().map(name).collect()
 }
 
-/// A name for each step of the plan of prepared constants, whose results are called `prepared`.
+/// A name for each value of the plan of prepared constants, whose results are called `prepared`.
 pub(super) fn listed_constants(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<String> {
     let taken = symbol_names(symbols).chain(prepared.iter().cloned());
-    let steps = StepNames::of(plan, symbols, &[]).without(taken);
-    let place = |step: Node| plan.outputs.iter().position(|output| *output == step);
-    listed(plan, symbols, steps, |step| place(step).map(|place| prepared[place].clone()))
+    let values = ValueNames::of(plan, symbols, &[]).without(taken);
+    let place = |value: Node| plan.outputs.iter().position(|output| *output == value);
+    listed(plan, symbols, values, |value| place(value).map(|place| prepared[place].clone()))
 }
 
-/// A name for each step of a kernel: none of the names in `constants`, which `prepared` are among.
+/// A name for each value of a kernel: none of the names in `constants`, which `prepared` are among.
 pub(super) fn listed_kernel(
     plan: &Plan,
     symbols: &Symbols,
@@ -103,18 +104,18 @@ pub(super) fn listed_kernel(
     constants: &[String],
 ) -> Vec<String> {
     let taken = symbol_names(symbols).chain(constants.iter().cloned());
-    let steps = StepNames::of(plan, symbols, prepared).without(taken);
-    listed(plan, symbols, steps, |step| match plan.operations[step.0] {
+    let values = ValueNames::of(plan, symbols, prepared).without(taken);
+    listed(plan, symbols, values, |value| match plan.operations[value.0] {
         Operation::Prepared(place) => Some(prepared[place].clone()),
         _ => None,
     })
 }
 
-/// The names of all steps in their order; literals are their values.
+/// The names of all values in their order; literals are their values.
 fn listed(
     plan: &Plan,
     symbols: &Symbols,
-    mut steps: StepNames,
+    mut values: ValueNames,
     known: impl Fn(Node) -> Option<String>,
 ) -> Vec<String> {
     let mut names: Vec<String> = Vec::with_capacity(plan.operations.len());
@@ -126,7 +127,7 @@ fn listed(
             Operation::Negate(a) if matches!(plan.operations[a.0], Operation::Constant(_)) => {
                 format!("(-{})", names[a.0])
             }
-            _ => steps.name(Node(index)).to_string(),
+            _ => values.name(Node(index)).to_string(),
         });
         names.push(name);
     }

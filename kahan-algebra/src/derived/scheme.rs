@@ -5,8 +5,8 @@ use crate::kahan::scaled_matrix;
 use crate::plan::Plan;
 use crate::symbols::Symbols;
 
-/// The numerators p of the field and the matrix Â. Over ℚ and in prime fields the expanded forms lose
-/// nothing and divide by nothing.
+/// The numerators p of the field and the matrix Â. Over ℚ and in prime fields the expanded forms
+/// lose nothing and divide by nothing.
 pub(crate) struct Scheme {
     pub(crate) symbols: Symbols,
     pub(crate) numerators: Plan,

@@ -13,7 +13,7 @@ pub(super) struct Price {
     /// Products of two entries.
     products: usize,
     /// The pivots that wait for each other.
-    chain: usize,
+    critical_path: usize,
 }
 
 impl Graph {
@@ -72,7 +72,7 @@ impl Graph {
             products += left().map(|pivot| 1 + lengths[pivot]).sum::<usize>();
             chains.push(left().map(|pivot| 1 + chains[pivot]).max().unwrap_or(0));
         }
-        Price { products, chain: chains.into_iter().max().unwrap_or(0) }
+        Price { products, critical_path: chains.into_iter().max().unwrap_or(0) }
     }
 
     /// The place of each variable in a block.

@@ -93,7 +93,8 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// The couplings of a field with more than [`MOST_EXPANDED`] variables, from f′ over its values.
+    /// The couplings of a field with more than [`MOST_EXPANDED`] variables, from f′ over its
+    /// values.
     #[must_use]
     pub(crate) fn of(values: &Values, slopes: &[Vec<Polynomial>]) -> Option<Self> {
         (slopes.len() > MOST_EXPANDED).then(|| Self::among(values, slopes))
@@ -158,11 +159,12 @@ impl Couplings {
         let scaled = 2 * self.places.len() + n;
         let operations =
             of_slopes.operations() + of_field.operations() + scaled + 2 * self.products() + 3 * n;
-        let chain = of_slopes.chain.max(of_field.chain) as usize + self.chain();
+        let critical_path =
+            of_slopes.critical_path.max(of_field.critical_path) as usize + self.critical_path();
         let count = |number: usize| {
             u32::try_from(number).expect("fields that are eliminated have a most of variables")
         };
-        StepCost { operations: count(operations), divisions: count(n), chain: count(chain) }
+        StepCost { operations: count(operations), divisions: count(n), critical_path: count(critical_path) }
     }
 
     /// The products of elimination and of what is solved after it.
@@ -177,7 +179,7 @@ impl Couplings {
 
     /// Cycles from the entries to the last of the solution: a division and three multiply-adds for
     /// each pivot that waits for others.
-    fn chain(&self) -> usize {
+    fn critical_path(&self) -> usize {
         const PIVOT: usize = 26;
         let mut chains: Vec<usize> = Vec::with_capacity(self.rows.len());
         for row in &self.rows {

@@ -1,7 +1,8 @@
 //! A family: the same equations at every site of a chain, for any number of sites.
 //!
-//! In: a checked family. Out: its straight lines for one site ([`Lines`](crate::derived::Lines)), the plain system of a
-//! chain of n sites ([`Family::at_sites`]), and what its map keeps whatever n is ([`conserved`]).
+//! In: a checked family. Out: its straight lines for one site ([`Lines`](crate::derived::Lines)),
+//! the plain system of a chain of n sites ([`Family::at_sites`]), and what its map keeps whatever n
+//! is ([`conserved`]).
 
 pub mod conserved;
 mod expand;

@@ -87,8 +87,8 @@ impl Reduced {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Whether this has no degree in ε and the states that the `other` form of the same map has not:
-    /// as many factors were divided out. Each has symbols of its own.
+    /// Whether this has no degree in ε and the states that the `other` form of the same map has
+    /// not: as many factors were divided out. Each has symbols of its own.
     #[must_use]
     pub(crate) fn is_as_short(&self, symbols: &Symbols, other: &Reduced, others: &Symbols) -> bool {
         let degrees = |reduced: &Reduced, symbols: &Symbols| -> Vec<u32> {

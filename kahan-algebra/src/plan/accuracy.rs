@@ -193,8 +193,8 @@ fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     Ratio { measured: ratio(0.0), largest: ratio(band) }
 }
 
-/// Errors in order, each inserted among those before it: there are few, and the sorts of the standard
-/// library would run unoptimised.
+/// Errors in order, each inserted among those before it: there are few, and the sorts of the
+/// standard library would run unoptimised.
 fn sorted(errors: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut all: Vec<f64> = errors.collect();
     let errors: &mut [f64] = &mut all;

@@ -16,7 +16,7 @@ pub struct PlanBuilder {
 }
 
 impl PlanBuilder {
-    /// Closes the plan with these results; steps that no result needs are dropped.
+    /// Closes the plan with these results; operations that no result needs are dropped.
     #[must_use]
     pub fn finish(&self, outputs: &[Node]) -> Plan {
         Plan::of_results(self.operations(), outputs)
@@ -27,12 +27,12 @@ impl PlanBuilder {
         self.intern(Operation::Prepared(index))
     }
 
-    /// The steps so far.
+    /// The operations so far.
     pub(super) fn operations(&self) -> &[Operation] {
         self.operations.items()
     }
 
-    /// Forgets all steps but the first `length`.
+    /// Forgets all operations but the first `length`.
     pub(super) fn truncate(&mut self, length: usize) {
         self.operations.truncate(length);
     }
@@ -45,12 +45,12 @@ impl PlanBuilder {
         }
     }
 
-    /// Whether the product of two steps is a step already.
+    /// Whether the product of two operations is an operation already.
     pub(super) fn has_product(&self, a: Node, b: Node) -> bool {
         self.operations.find(&Operation::Multiply(a.min(b), a.max(b))).is_some()
     }
 
-    /// This very operation, without simplification; the same one as before, if it is a step
+    /// This very operation, without simplification; the same one as before, if it is an operation
     /// already.
     pub(super) fn intern(&mut self, operation: Operation) -> Node {
         Node(self.operations.number(operation))
@@ -146,7 +146,7 @@ impl PlanBuilder {
         if self.is_constant(b, 0) || self.is_constant(a, 1) {
             return b;
         }
-        // One order for both orders: a·b and b·a are the same step.
+        // One order for both orders: a·b and b·a are the same operation.
         self.with_sign_outside(a, b, Self::multiply)
             .unwrap_or_else(|| self.intern(Operation::Multiply(a.min(b), a.max(b))))
     }

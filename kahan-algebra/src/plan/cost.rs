@@ -1,5 +1,5 @@
-//! What a plan costs: operations counted, and the length of the chain from a state to the next
-//! state.
+//! What a plan costs: operations counted, and the length of the critical path from a state to the
+//! next state.
 //!
 //! The latencies are those of the x86-64 cores of the last ten years, in cycles; others differ by
 //! one or two, which changes no choice between plans by much. They serve to compare plans, and
@@ -19,7 +19,7 @@ pub(super) const DIVIDE: u32 = 14;
 /// What a prepared constant that was rounded more than once costs, in operations.
 pub(super) const DERIVED: usize = 3;
 
-/// Operations of a plan, and its chain.
+/// Operations of a plan, and its critical path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Additions, subtractions and negations.
@@ -32,7 +32,7 @@ pub struct Cost {
     pub divisions: usize,
     /// Cycles from the inputs to the last result, if nothing else hinders: additions 3,
     /// multiplications and multiply-adds 4, divisions 14.
-    pub chain: u32,
+    pub critical_path: u32,
 }
 
 impl Cost {
@@ -61,7 +61,7 @@ impl Operation {
 }
 
 impl Plan {
-    /// The operations of the plan and its chain.
+    /// The operations of the plan and its critical path.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let mut cost = Cost::default();
@@ -79,11 +79,12 @@ impl Plan {
             }
         }
         let ready = self.ready();
-        cost.chain = self.outputs.iter().map(|output| ready[output.0]).max().unwrap_or(0);
+        cost.critical_path = self.outputs.iter().map(|output| ready[output.0]).max().unwrap_or(0);
         cost
     }
 
-    /// The cycle in which each step's result can be used, inputs being there from the beginning.
+    /// The cycle in which each operation's result can be used, inputs being there from the
+    /// beginning.
     pub(super) fn ready(&self) -> Vec<u32> {
         let mut ready: Vec<u32> = Vec::with_capacity(self.operations.len());
         for operation in &self.operations {

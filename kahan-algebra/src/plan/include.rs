@@ -5,13 +5,13 @@ use crate::poly::Variable;
 use super::{Node, Operation, Plan, PlanBuilder};
 
 impl PlanBuilder {
-    /// Adds the steps of another plan and returns its results here.
+    /// Adds the operations of another plan and returns its results here.
     pub fn include(&mut self, plan: &Plan) -> Vec<Node> {
         self.include_mapped(plan, Self::input)
     }
 
-    /// Adds the steps of another plan, `input` standing for its variables, and returns its results
-    /// here.
+    /// Adds the operations of another plan, `input` standing for its variables, and returns its
+    /// results here.
     pub fn include_mapped(
         &mut self,
         plan: &Plan,
@@ -24,7 +24,7 @@ impl PlanBuilder {
         plan.outputs.iter().map(|output| steps[output.0]).collect()
     }
 
-    /// Every step of another plan, by its index there.
+    /// Every operation of another plan, by its index there.
     pub(super) fn include_all(&mut self, plan: &Plan) -> Vec<Node> {
         self.include_with(plan, |builder, index, renamed| {
             builder.intern(plan.operations[index].with_operands(|node| renamed[node.0]))

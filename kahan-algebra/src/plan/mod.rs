@@ -8,8 +8,8 @@
 //! billions of times, so four rooms take more care of it:
 //!
 //! 1. `forms` decides what is computed: which ways there are to solve A·x̃ = b, and the cheapest.
-//! 2. `writing` decides how a polynomial becomes operations: how it is nested, where ε goes, what is
-//!    reused.
+//! 2. `writing` decides how a polynomial becomes operations: how it is nested, where ε goes, what
+//!    is reused.
 //! 3. `step` decides what is prepared and what is computed for each state, and rewrites that.
 //! 4. `accuracy` measures what a long step loses, and refuses forms that lose too much.
 //!
@@ -47,7 +47,7 @@ pub struct Node(pub usize);
 /// A straight-line program with several results.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Plan {
-    /// The steps, operands before their uses, no step twice.
+    /// The operations, operands before their uses, no operation twice.
     pub operations: Vec<Operation>,
     /// The results.
     pub outputs: Vec<Node>,
@@ -71,7 +71,7 @@ impl Plan {
         builder.finish(&outputs)
     }
 
-    /// The plan of these results, with those of the steps that they need.
+    /// The plan of these results, with those of the operations that they need.
     pub(super) fn of_results(steps: &[Operation], outputs: &[Node]) -> Self {
         let mut needed = vec![false; steps.len()];
         for output in outputs {
@@ -103,7 +103,7 @@ impl Plan {
 
     /// Runs the plan; `input` gives the value of each variable. A result that divides by zero on
     /// its way is `None`; the others are not touched by that. Cost: one arithmetic operation a
-    /// step.
+    /// operation.
     pub fn evaluate<A: Arithmetic>(
         &self,
         arithmetic: &A,
@@ -142,7 +142,7 @@ impl Plan {
         distinct(inputs)
     }
 
-    /// How many times each step is used, as an operand or as a result.
+    /// How many times each operation is used, as an operand or as a result.
     #[must_use]
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.operations.len()];

@@ -1,4 +1,4 @@
-//! The steps that plans are made of.
+//! The operations that plans are made of.
 
 use crate::arithmetic::Arithmetic;
 use crate::poly::Variable;
@@ -6,7 +6,7 @@ use crate::rational::Rational;
 
 use super::Node;
 
-/// One step of a plan; its operands are earlier steps.
+/// One operation of a plan; its operands are earlier operations.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// A state, a parameter or ε.
@@ -72,9 +72,9 @@ impl Operation {
         renamed
     }
 
-    /// The value of the operation from the `values` of all steps before it; `None` where it, or one
-    /// of its operands, has none, and for an input. A multiply-add of the machine's floats is a
-    /// multiplication and an addition here: those that fuse are the generated code's business.
+    /// The value of the operation from the `values` of all operations before it; `None` where it,
+    /// or one of its operands, has none, and for an input. A multiply-add of the machine's floats
+    /// is a multiplication and an addition here: those that fuse are the generated code's business.
     #[inline(always)]
     pub fn compute<A: Arithmetic>(&self, arithmetic: &A, values: &[Option<A::Value>]) -> Option<A::Value> {
         let value = |node: Node| values[node.0].as_ref();
@@ -97,8 +97,8 @@ impl Operation {
     }
 }
 
-/// The operands of one operation. All passes ask for them, and adapters of the standard library would
-/// be a dozen calls for each where nothing is optimised.
+/// The operands of one operation. All passes ask for them, and adapters of the standard library
+/// would be a dozen calls for each where nothing is optimised.
 struct Operands {
     nodes: [Node; 3],
     next: usize,

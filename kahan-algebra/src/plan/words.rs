@@ -1,5 +1,5 @@
 //! Steps in words, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`. Whoever names
-//! steps, in generated code or in a listing, begins with these.
+//! values, in generated code or in a listing, begins with these.
 
 use crate::rational::Rational;
 use crate::symbols::Symbols;
@@ -17,15 +17,15 @@ enum Kind {
     Sum,
 }
 
-/// A step in words.
+/// An operation in words.
 #[derive(Clone)]
 struct Description {
     text: String,
     kind: Kind,
 }
 
-/// What each step of a plan computes, in words that make a name; `None` where that would be long,
-/// where it would begin with a digit, and for every quotient but that of a constant by ε.
+/// What each operation of a plan computes, in words that make a name; `None` where that would be
+/// long, where it would begin with a digit, and for every quotient but that of a constant by ε.
 /// `prepared` are the names of the prepared constants.
 #[must_use]
 pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) -> Vec<Option<String>> {
@@ -46,7 +46,8 @@ pub(crate) fn descriptions(plan: &Plan, symbols: &Symbols, prepared: &[String]) 
     plan.operations.iter().zip(known).map(named).collect()
 }
 
-/// What kind of step this is, for those whose description would be long: a number makes it a name.
+/// What kind of operation this is, for those whose description would be long: a number makes it a
+/// name.
 #[must_use]
 pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     match plan.operations[node.0] {
@@ -59,7 +60,7 @@ pub(crate) fn kind(plan: &Plan, node: Node) -> &'static str {
     }
 }
 
-/// A step in words, from the words for its operands.
+/// An operation in words, from the words for its operands.
 fn describe<'a>(
     operation: &Operation,
     symbols: &Symbols,

@@ -145,7 +145,7 @@ impl Composition {
         StepCost {
             operations: stages * stage.operations,
             divisions: stages * stage.divisions,
-            chain: stages * stage.chain,
+            critical_path: stages * stage.critical_path,
         }
     }
 }

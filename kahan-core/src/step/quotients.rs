@@ -79,7 +79,7 @@ impl<T: Scalar, const N: usize> Quotients<T, N> {
     ///
     /// What x lacks is added while the step waits for its division: with b = x + c and what is left
     /// of c, t = b + n·r is the next point, and what that lacks is n·r − (t − b) and the rest of c.
-    /// The chain from state to state is that of a plain step.
+    /// The critical path from state to state is that of a plain step.
     ///
     /// Where |n·r| ≤ |b| (Dekker 1971), nothing is lost but the rounding of n·r itself. Where a
     /// component is smaller than its increment, t − b is rounded, and what t lacks is wrong by at

@@ -28,9 +28,9 @@ pub trait Kernel<const N: usize, const C: usize> {
 /// A prepared constant with nothing else of the step in the 32 bytes around it.
 ///
 /// Compilers load scalars that lie side by side as one vector, and shuffling it apart is waited for
-/// in the chain of an orbit. They load a single-precision constant with the twelve bytes after it,
-/// too, and compute on with all four numbers. Zeros stand there: what else might lie there can be
-/// subnormal, and processors take many times as long for that.
+/// in the critical path of an orbit. They load a single-precision constant with the twelve bytes
+/// after it, too, and compute on with all four numbers. Zeros stand there: what else might lie
+/// there can be subnormal, and processors take many times as long for that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
 pub struct Padded<T>(T, [u32; 3]);

@@ -108,8 +108,8 @@ where
     }
 }
 
-/// A step with a second division, which shortens the chain of one orbit, beside the form for lanes,
-/// which share one divider.
+/// A step with a second division, which shortens the critical path of one orbit, beside the form
+/// for lanes, which share one divider.
 #[derive(Clone, Copy, Debug)]
 pub struct OneOrbit<S, G> {
     step: S,

@@ -59,8 +59,8 @@ impl<'a> Type<'a> {
         if self.has_parameters() { quote!(#name<#scalar>) } else { quote!(#name) }
     }
 
-    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas` is told
-    /// whether the user's own documentation comes first.
+    /// Expands to `#[derive(…)] pub struct E7<T> { pub xi: T }`, or `… struct E6;`. `formulas` is
+    /// told whether the user's own documentation comes first.
     pub(super) fn emit_definition(&self, formulas: impl FnOnce(bool) -> TokenStream) -> TokenStream {
         let (name, scalar) = (&self.name, &self.scalar);
         let nothing = RustHeader::default();
@@ -91,9 +91,9 @@ impl<'a> Type<'a> {
         quote! { #(#attributes)* #formulas #derives #visibility struct #name<#scalar> { #(#fields),* } }
     }
 
-    /// The definition with its implementations and what rustc is to report; a block without a header
-    /// has a value, `Field { mu: Clone::clone(&mu) }`, and the names of the parameters in it are the
-    /// user's own tokens, so that they mean what they mean there.
+    /// The definition with its implementations and what rustc is to report; a block without a
+    /// header has a value, `Field { mu: Clone::clone(&mu) }`, and the names of the parameters in it
+    /// are the user's own tokens, so that they mean what they mean there.
     pub(super) fn emit_with(&self, items: &TokenStream, input: &Flat) -> TokenStream {
         if self.header.is_some() {
             return items.clone();

@@ -159,8 +159,8 @@ fn emit(core: &TokenStream, checked: Checked, input: &Flat) -> TokenStream {
     }
 }
 
-/// The errors of a block, and its type: as far as its equations were found, with methods that compute
-/// nothing, so that rustc reports no more than the mistakes.
+/// The errors of a block, and its type: as far as its equations were found, with methods that
+/// compute nothing, so that rustc reports no more than the mistakes.
 fn emit_broken(core: &TokenStream, broken: &Broken, input: &Flat) -> TokenStream {
     let Broken { diagnostics, stand_in } = broken;
     let errors = emit_errors(diagnostics, input);

@@ -1,12 +1,12 @@
 //! Names for the steps of a plan as Rust's.
 
-use kahan_algebra::derived::{StepName, StepNames};
+use kahan_algebra::derived::{ValueName, ValueNames};
 use kahan_algebra::plan::{Node, Operation};
 use proc_macro2::{Ident, Span};
 
 /// `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1`, `__sum_1` for what has no short
 /// description.
-pub(super) fn binding(names: &mut StepNames, node: Node, operation: &Operation) -> Ident {
+pub(super) fn binding(names: &mut ValueNames, node: Node, operation: &Operation) -> Ident {
     let ratio = match operation {
         Operation::Constant(value) => value.as_small_ratio(),
         _ => None,
@@ -19,8 +19,8 @@ pub(super) fn binding(names: &mut StepNames, node: Node, operation: &Operation) 
         Some((numerator, 1)) => signed(numerator),
         Some((numerator, denominator)) => format!("{}_{denominator}", signed(numerator)),
         None => match names.name(node) {
-            StepName::Described(text) => format!("__t_{text}"),
-            StepName::Numbered(what, number) => format!("__{what}_{number}"),
+            ValueName::Described(text) => format!("__t_{text}"),
+            ValueName::Numbered(what, number) => format!("__{what}_{number}"),
         },
     };
     Ident::new(&name, Span::call_site())

@@ -11,7 +11,7 @@
 //! are borrowed, so they are cloned: free for floats, and little beside an operation for big
 //! rationals.
 
-use kahan_algebra::derived::StepNames;
+use kahan_algebra::derived::ValueNames;
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::Symbols;
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
@@ -90,7 +90,7 @@ struct Emitter<'a> {
     /// How deeply each step is nested from its nearest `let`s.
     depths: Vec<usize>,
     lets: Vec<Option<Ident>>,
-    names: StepNames,
+    names: ValueNames,
     bindings: TokenStream,
 }
 
@@ -122,7 +122,7 @@ impl<'a> Emitter<'a> {
             uses: vec![0; plan.operations.len()],
             depths: Vec::with_capacity(plan.operations.len()),
             lets: vec![None; plan.operations.len()],
-            names: StepNames::of(plan, symbols, constants.unwrap_or_default()),
+            names: ValueNames::of(plan, symbols, constants.unwrap_or_default()),
             bindings: TokenStream::new(),
         };
         let operands = plan.operations.iter().flat_map(|operation| emitter.operands(operation));

@@ -148,11 +148,12 @@ impl<'a> NamedStep<'a> {
     }
 }
 
-/// Expands to `const COST: StepCost = StepCost::of(operations, divisions, chain);`.
+/// Expands to `const COST: StepCost = StepCost::of(operations, divisions, critical_path);`.
 pub(super) fn emit_cost(cost: StepCost) -> TokenStream {
-    let StepCost { operations, divisions, chain } = cost;
-    let [operations, divisions, chain] = [operations, divisions, chain].map(Literal::u32_unsuffixed);
+    let StepCost { operations, divisions, critical_path } = cost;
+    let [operations, divisions, critical_path] =
+        [operations, divisions, critical_path].map(Literal::u32_unsuffixed);
     quote! {
-        const COST: __kahan::StepCost = __kahan::StepCost::of(#operations, #divisions, #chain);
+        const COST: __kahan::StepCost = __kahan::StepCost::of(#operations, #divisions, #critical_path);
     }
 }

@@ -71,8 +71,11 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     /// What a step of the generated code costs.
     #[must_use]
     pub fn cost(&self) -> StepCost {
-        let of_plan =
-            |plan::StepCost { operations, divisions, chain }| StepCost { operations, divisions, chain };
+        let of_plan = |plan::StepCost { operations, divisions, critical_path }| StepCost {
+            operations,
+            divisions,
+            critical_path,
+        };
         match self.engine.derived.step() {
             Some(step) => of_plan(step.cost()),
             None => match &self.engine.derived.couplings {

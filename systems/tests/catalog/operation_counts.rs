@@ -67,9 +67,9 @@ fn table() -> String {
         write!(table, "{name:<20}").expect("a string takes everything");
         let cost = step_cost(&system(text).field);
         let numbers = cost.map(|(constants, cost)| {
-            let Cost { additions, multiplications, fused, divisions, chain } = cost;
-            let chain = usize::try_from(chain).expect("a chain is short");
-            [constants, additions, multiplications, fused, divisions, cost.operations(), chain]
+            let Cost { additions, multiplications, fused, divisions, critical_path } = cost;
+            let critical_path = usize::try_from(critical_path).expect("a critical path is short");
+            [constants, additions, multiplications, fused, divisions, cost.operations(), critical_path]
         });
         for (column, title) in titles.iter().enumerate() {
             let number = numbers.map_or_else(|| "-".to_owned(), |numbers| numbers[column].to_string());
@@ -95,8 +95,8 @@ fn the_table_of_operation_counts_is_the_committed_one() {
     );
 }
 
-/// What careful code by hand takes, written for the shortest chain with one reciprocal (E5: two):
-/// everything from a state to the next, products of ε and parameters prepared, common
+/// What careful code by hand takes, written for the shortest critical path with one reciprocal (E5:
+/// two): everything from a state to the next, products of ε and parameters prepared, common
 /// subexpressions once. e = ε, d = 2ε, X = e·x and so on, i = 1/D; each increment is a numerator
 /// times i. The comments state what is counted: additions, multiplications, divisions.
 const BY_HAND: [(&str, usize); 8] = [

@@ -106,8 +106,8 @@ impl<'a> Blocks<'a> {
         self.solved().map(block).collect::<Option<_>>().map(Arrangement)
     }
 
-    /// All states by minors of at most so many operations, the rows in the cheapest `orders`, as far
-    /// as these are different.
+    /// All states by minors of at most so many operations, the rows in the cheapest `orders`, as
+    /// far as these are different.
     pub(in crate::plan) fn whole(&self, orders: usize, operations: usize) -> Vec<Arrangement> {
         let most = operations.min(MOST_OPERATIONS);
         let arrangement = |rank: usize| {

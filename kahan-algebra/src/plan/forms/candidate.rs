@@ -80,5 +80,5 @@ fn price_of(kernel: &Plan, components: usize, derived: usize) -> u64 {
     let cost = kernel.cost();
     // A negated numerator becomes a subtraction at the end.
     let operations = cost.operations() - negated.len() + DERIVED * derived;
-    Goal::Early.price(operations, cost.chain)
+    Goal::Early.price(operations, cost.critical_path)
 }

@@ -60,8 +60,8 @@ impl Forms<'_> {
     }
 }
 
-/// The forms of a field's step: from products of sums that are `kept`; of the reduced map, if that is within the budget, or of A; `None`
-/// where the field is too large for straight lines.
+/// The forms of a field's step: from products of sums that are `kept`; of the reduced map, if that
+/// is within the budget, or of A; `None` where the field is too large for straight lines.
 pub(in crate::plan) fn forms<'a>(
     field: &'a Field,
     kept: Option<&Kept>,

@@ -75,8 +75,8 @@ impl FactoredMap<'_> {
         writer.write(&gathered, Goal::Early)
     }
 
-    /// x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ), the denominator being written, and c/(that) its reciprocal; `None`
-    /// where that tells already that the form is of no use.
+    /// x̃ − x = 2(n/εᵏ⁻¹)/(d/εᵏ), the denominator being written, and c/(that) its reciprocal;
+    /// `None` where that tells already that the form is of no use.
     fn over_power(
         &self,
         power: u32,

@@ -1,4 +1,4 @@
-//! Cramer's rule on steps: the determinants of A and of A with one column replaced by the
+//! Cramer's rule on operations: the determinants of A and of A with one column replaced by the
 //! right-hand side, without a division. After k rows the minor of every set of k columns is known,
 //! each from those of one row less, so that all the determinants share them; zero entries leave out
 //! what they would multiply.
@@ -45,7 +45,7 @@ fn single(draft: &Draft, row: &[Entry]) -> Table<u64, Signed> {
     entries.filter(|(_, written)| !draft.is_zero(*written)).collect()
 }
 
-/// The minors of two rows, of which some may be steps already.
+/// The minors of two rows, of which some may be operations already.
 fn pairs(writer: &mut Writer, first: &[Entry], second: &[Entry]) -> Table<u64, Signed> {
     let mut minors = Table::new();
     for j in 1..first.len() {
@@ -144,6 +144,6 @@ pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<us
 
 /// The most minors of one size.
 const MOST_MINORS: usize = 4096;
-/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop is
-/// faster.
+/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop
+/// is faster.
 pub(in crate::plan) const MOST_OPERATIONS: usize = 600;

@@ -2,8 +2,8 @@
 //!
 //! - `structure` finds blocks of the field, and states in them that do not act on each other.
 //! - `factors` and `factored_map` write the reduced map as products over one base of factors.
-//! - `minors` writes determinants of A, `blocks` solves A block by block, `products` solves it with f
-//!   as it was written, `inverse` divides by the time step, `tangent` carries tangent vectors.
+//! - `minors` writes determinants of A, `blocks` solves A block by block, `products` solves it with
+//!   f as it was written, `inverse` divides by the time step, `tangent` carries tangent vectors.
 //! - `candidate` gives a finished form its price, `candidates` compares them.
 
 pub(in crate::plan) mod blocks;

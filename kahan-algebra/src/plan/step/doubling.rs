@@ -37,7 +37,7 @@ impl Plan {
         builder.intern(operation)
     }
 
-    /// For a product 2c·x, the step c·x, if there is one.
+    /// For a product 2c·x, the operation c·x, if there is one.
     fn half(&self, operation: &Operation, constants: &Plan) -> Option<Node> {
         let Operation::Multiply(a, b) = *operation else { return None };
         let (factor, value) = match (&self.operations[a.0], &self.operations[b.0]) {
@@ -55,7 +55,7 @@ impl Plan {
         Some(Node(single))
     }
 
-    /// c for a step 2·c.
+    /// c for an operation 2·c.
     fn half_of(&self, node: Node) -> Option<Node> {
         let is_two = |node: Node| match &self.operations[node.0] {
             Operation::Constant(value) => value.as_i64() == Some(2),

@@ -1,8 +1,9 @@
-//! Multiply-adds: where a product is used once, in a sum, and the chain does not become longer.
+//! Multiply-adds: where a product is used once, in a sum, and the critical path does not become
+//! longer.
 //!
 //! A multiply-add saves an instruction and takes 4 cycles from the last of its operands, where an
-//! addition takes 3. So it is right unless the addend comes late on the chain that everything waits
-//! for.
+//! addition takes 3. So it is right unless the addend comes late on the critical path that
+//! everything waits for.
 
 use crate::plan::cost::{ADD, FUSED};
 use crate::plan::{Node, Operation, Plan};
@@ -59,10 +60,11 @@ impl Plan {
         (fused <= required.max(unfused)).then_some(candidate)
     }
 
-    /// The latest cycle in which each step may be ready without making the plan's chain longer.
+    /// The latest cycle in which each operation may be ready without making the plan's critical
+    /// path longer.
     pub(in crate::plan) fn required(&self) -> Vec<u32> {
-        let chain = self.cost().chain;
-        let mut required = vec![chain; self.operations.len()];
+        let critical_path = self.cost().critical_path;
+        let mut required = vec![critical_path; self.operations.len()];
         for (index, operation) in self.operations.iter().enumerate().rev() {
             let latest = required[index].saturating_sub(operation.latency());
             for operand in operation.operands() {
@@ -86,7 +88,7 @@ mod tests {
         let product = builder.multiply(x, y);
         let sum = builder.subtract(z, product);
         let cost = builder.finish(&[sum]).fused().cost();
-        assert_eq!((cost.fused, cost.operations(), cost.chain), (1, 2, FUSED));
+        assert_eq!((cost.fused, cost.operations(), cost.critical_path), (1, 2, FUSED));
         // A product with another use stays.
         let cost = builder.finish(&[sum, product]).fused().cost();
         assert_eq!((cost.fused, cost.operations()), (0, 2));
@@ -102,7 +104,7 @@ mod tests {
         let square = builder.multiply(y, y);
         let sum = builder.add(square, cube);
         let cost = builder.finish(&[sum]).fused().cost();
-        assert_eq!((cost.fused, cost.operations(), cost.chain), (1, 4, 4 + FUSED));
+        assert_eq!((cost.fused, cost.operations(), cost.critical_path), (1, 4, 4 + FUSED));
     }
 
     /// Fused, the sum would be ready a cycle later, and everything waits for it.

@@ -2,8 +2,9 @@
 
 use crate::plan::{Node, Plan};
 
-/// From the states and the prepared constants ([`Operation::Prepared`](crate::plan::Operation::Prepared))
-/// to the factors of the increments: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
+/// From the states and the prepared constants
+/// ([`Operation::Prepared`](crate::plan::Operation::Prepared)) to the factors of the increments:
+/// x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
     /// Its results are the numerators, one a component, and then the reciprocals, no two alike,

@@ -37,7 +37,7 @@ pub struct StepCost {
     /// The divisions among them.
     pub divisions: u32,
     /// Cycles from one state to the next in a long orbit.
-    pub chain: u32,
+    pub critical_path: u32,
 }
 
 /// A step in straight lines: x̃ᵢ − xᵢ = numeratorᵢ · reciprocalᵢ.
@@ -47,11 +47,11 @@ pub struct StepPlan {
     pub constants: Plan,
     /// What is computed for each state.
     pub kernel: Kernel,
-    /// Whether the step divides by ε when it is prepared: then it serves floats only, and an ε that is
-    /// away from zero.
+    /// Whether the step divides by ε when it is prepared: then it serves floats only, and an ε that
+    /// is away from zero.
     pub has_inverse_step: bool,
-    /// The plan for lanes, where it is another one: a second division can shorten the chain of one
-    /// orbit, but many orbits at once are bound by the divider. Where this plan [divides by
+    /// The plan for lanes, where it is another one: a second division can shorten the critical path
+    /// of one orbit, but many orbits at once are bound by the divider. Where this plan [divides by
     /// ε](Self::has_inverse_step), also the one for all scalars but floats, and for an ε near zero.
     pub general: Option<Box<StepPlan>>,
     /// The largest of the sizes ‖εf′‖∞ = 1, 10, 100, 1000 up to which this step loses about as
@@ -124,7 +124,7 @@ impl StepPlan {
         StepCost {
             operations: count(self.operations() as u64),
             divisions: count(self.kernel.plan.cost().divisions as u64),
-            chain: count(self.cycles()),
+            critical_path: count(self.cycles()),
         }
     }
 
@@ -181,10 +181,11 @@ impl StepPlan {
         let (constants, kernel) = builder
             .finish(&outputs)
             .split(field.symbols.epsilon(), |variable| field.symbols.is_state(variable));
-        // Neither with multiply-adds nor without may the chain become longer.
+        // Neither with multiply-adds nor without may the critical path become longer.
         let doubled = kernel.doubled(&constants).fused();
         let kernel = kernel.fused();
-        let kernel = if doubled.cost().chain > kernel.cost().chain { kernel } else { doubled };
+        let kernel =
+            if doubled.cost().critical_path > kernel.cost().critical_path { kernel } else { doubled };
         let (constants, kernel) = with_signs(constants, kernel, Wanted::TurnedConstants);
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
         // Parameters divide nothing yet: what is divided by stands for itself.

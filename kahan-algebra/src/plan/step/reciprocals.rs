@@ -55,7 +55,7 @@ pub(in crate::plan) fn with_signs_of_reciprocals(kernel: Kernel) -> Kernel {
 }
 
 impl Plan {
-    /// Whether a step is a literal divided by something, once or several times.
+    /// Whether an operation is a literal divided by something, once or several times.
     pub(in crate::plan) fn is_reciprocal(&self, node: Node) -> bool {
         base(self, node).is_some()
     }
@@ -72,7 +72,7 @@ fn base(kernel: &Plan, reciprocal: Node) -> Option<Node> {
     }
 }
 
-/// The literal that a step divides.
+/// The literal that an operation divides.
 fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
     let Operation::Divide(dividend, _) = kernel.operations[quotient.0] else { return None };
     match &kernel.operations[dividend.0] {
@@ -81,7 +81,7 @@ fn dividend_of(kernel: &Plan, quotient: Node) -> Option<&Rational> {
     }
 }
 
-/// Whether no other step computes with a quotient than those that divide it further, down to
+/// Whether no other operation computes with a quotient than those that divide it further, down to
 /// results: where one component is eliminated before others, increments are made of reciprocals,
 /// too.
 fn is_only_divided(kernel: &Plan, quotient: Node) -> bool {

@@ -74,7 +74,7 @@ pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node,
     u64::from(back) * UNIT
 }
 
-/// The cycles from a variable to a step at least; `None` where it does not depend on it.
+/// The cycles from a variable to an operation at least; `None` where it does not depend on it.
 fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<u32> {
     let mut arrival: Vec<Option<u32>> = Vec::with_capacity(node.0 + 1);
     for operation in &operations[..=node.0] {

@@ -26,9 +26,9 @@ pub(in crate::plan) enum Wanted {
     Additions,
 }
 
-/// The constants and the kernel with their signs chosen; neither operations nor chain are more than
-/// before. Cost: operations² for each difference among the constants and each sum that subtracts, a
-/// few times over.
+/// The constants and the kernel with their signs chosen; neither operations nor critical path are
+/// more than before. Cost: operations² for each difference among the constants and each sum that
+/// subtracts, a few times over.
 #[must_use]
 pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan, wanted: Wanted) -> (Plan, Plan) {
     let search = Search::new(&constants, &kernel);
@@ -40,7 +40,8 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan, wanted: Wanted)
     let turned: Vec<bool> = search.prepared.iter().map(is_turned).collect();
     let rebuilt = search.rebuilt(&signs);
     let (before, after) = (kernel.cost(), rebuilt.cost());
-    let is_no_worse = after.operations() <= before.operations() && after.chain <= before.chain;
+    let is_no_worse =
+        after.operations() <= before.operations() && after.critical_path <= before.critical_path;
     let is_wanted = wanted == Wanted::Additions || turned.contains(&true);
     if !is_wanted || !is_no_worse {
         return (constants, kernel);

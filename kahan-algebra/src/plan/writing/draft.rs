@@ -8,14 +8,15 @@ use crate::table::sorted_by_key;
 use crate::plan::writing::scaling::Scaling;
 use crate::plan::{Node, Operation, PlanBuilder};
 
-/// A builder with the cycle in which each step's result can be used.
+/// A builder with the cycle in which each operation's result can be used.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Draft {
     pub(in crate::plan) builder: PlanBuilder,
     ready: Vec<u32>,
-    /// Whether a step depends on no state: it is a constant that a prepared map computes once.
+    /// Whether an operation depends on no state: it is a constant that a prepared map computes
+    /// once.
     fixed: Vec<bool>,
-    /// How many operations up to each step depend on a state.
+    /// How many operations up to each operation depend on a state.
     sizes: Vec<usize>,
     /// Variables from here to ε are parameters, the others states.
     states: u16,
@@ -56,13 +57,13 @@ impl Draft {
         }
     }
 
-    /// The cycle in which a step's result can be used.
+    /// The cycle in which an operation's result can be used.
     pub(in crate::plan) fn ready(&mut self, node: Node) -> u32 {
         self.settle();
         self.ready[node.0]
     }
 
-    /// Operations that depend on a state and that a step needs.
+    /// Operations that depend on a state and that an operation needs.
     pub(in crate::plan) fn size_of(&mut self, node: Node) -> usize {
         self.settle();
         let operations = self.builder.operations();
@@ -80,12 +81,12 @@ impl Draft {
         size
     }
 
-    /// The number of steps, to go back to with [`Self::truncate`].
+    /// The number of operations, to go back to with [`Self::truncate`].
     pub(in crate::plan) fn length(&self) -> usize {
         self.builder.operations().len()
     }
 
-    /// Forgets all steps but the first `length`.
+    /// Forgets all operations but the first `length`.
     pub(in crate::plan) fn truncate(&mut self, length: usize) {
         self.builder.truncate(length);
         self.ready.truncate(length);
@@ -146,8 +147,8 @@ impl Draft {
         factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
     }
 
-    /// Two factors whose product is a step already; first those of a factor that has no other such
-    /// partner.
+    /// Two factors whose product is an operation already; first those of a factor that has no other
+    /// such partner.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
         let pairs = (0..factors.len()).flat_map(|i| (i + 1..factors.len()).map(move |j| (i, j)));
         let known: Vec<(usize, usize)> =

@@ -1,7 +1,7 @@
 //! How to nest one polynomial: which variable to take out of which terms, by what that costs.
 //!
 //! A polynomial is a sum of terms and of products v·q; every choice of v gives another form. The
-//! estimate of a form counts its operations and the cycle in which its value is ready, no step
+//! estimate of a form counts its operations and the cycle in which its value is ready, no operation
 //! being shared; the cheapest form is kept.
 
 use std::cell::RefCell;

@@ -70,7 +70,7 @@ impl Products {
         self.lists.push(list);
     }
 
-    /// Adds the product times a power of ε, which goes where it costs the fewest steps: to the
+    /// Adds the product times a power of ε, which goes where it costs the fewest operations: to the
     /// monomial or to one of the factors.
     pub(in crate::plan) fn push_with(&mut self, writer: &mut Writer, product: &Factored, power: Power) {
         if product.coefficient.is_zero() {

@@ -4,8 +4,8 @@
 //! enters as a rounded constant. A scaled symbol is a variable of its own, numbered after all
 //! others.
 //!
-//! A form divided by the time step has the [inverse time step](crate::plan::forms::inverse) besides, the last of
-//! these variables.
+//! A form divided by the time step has the [inverse time step](crate::plan::forms::inverse)
+//! besides, the last of these variables.
 
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};

@@ -1,4 +1,4 @@
-//! Writes scaled polynomials as steps, reusing what is there already: a polynomial that was
+//! Writes scaled polynomials as operations, reusing what is there already: a polynomial that was
 //! computed before, up to its sign, and one of which a multiple shortens the polynomial at hand.
 
 mod cheapest;
@@ -24,25 +24,25 @@ use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};
 const REUSED: usize = 24;
 
 /// The most terms for which a constant that they have in common may stay inside: its product with
-/// each of their factors may be a step already.
+/// each of their factors may be an operation already.
 const SHARED: usize = 3;
 
-/// An entry of a matrix: its polynomial over scaled symbols, where it is known, and the step that
-/// computes it.
+/// An entry of a matrix: its polynomial over scaled symbols, where it is known, and the operation
+/// that computes it.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Entry {
     pub(in crate::plan) polynomial: Option<Polynomial>,
     pub(in crate::plan) written: Signed,
 }
 
-/// A draft with the polynomials that its steps compute.
+/// A draft with the polynomials that its operations compute.
 #[derive(Clone, Debug)]
 pub(in crate::plan) struct Writer {
     pub(in crate::plan) draft: Draft,
     pub(in crate::plan) scaling: Scaling,
     /// The polynomials, their leading coefficients positive, in the order of their making.
     made: Numbered<Rc<Polynomial>>,
-    /// The step of each.
+    /// The operation of each.
     steps: Vec<Signed>,
     /// The numbers of those that are sums.
     sums: Vec<usize>,
@@ -95,7 +95,7 @@ impl Writer {
         self.draft.builder.divide(half, eps)
     }
 
-    /// A plain symbol; a state of the next point is a step.
+    /// A plain symbol; a state of the next point is an operation.
     fn symbol(&mut self, symbol: Variable) -> Node {
         let put = self.put.iter().find(|(variable, _)| *variable == symbol).map(|(_, node)| *node);
         put.unwrap_or_else(|| self.draft.input(symbol))
@@ -113,7 +113,7 @@ impl Writer {
         self.draft.builder.divide(eps, denominator)
     }
 
-    /// From now on a step stands for this symbol.
+    /// From now on an operation stands for this symbol.
     pub(in crate::plan) fn put(&mut self, symbol: Variable, node: Node) {
         self.put.push((symbol, node));
     }
@@ -135,7 +135,7 @@ impl Writer {
         self.write(&scaled, goal)
     }
 
-    /// Notes that a step computes this polynomial in plain symbols and ε.
+    /// Notes that an operation computes this polynomial in plain symbols and ε.
     pub(in crate::plan) fn remember_scaled(&mut self, polynomial: &Polynomial, written: Signed) {
         let scaled = self.scaling.scale_first(polynomial);
         self.remember(&scaled, written);
@@ -148,14 +148,14 @@ impl Writer {
         Entry { polynomial: Some(polynomial), written }
     }
 
-    /// The step that computes this polynomial over scaled symbols, if there is one.
+    /// The operation that computes this polynomial over scaled symbols, if there is one.
     pub(in crate::plan) fn known(&mut self, polynomial: &Polynomial) -> Option<Signed> {
         let gathered = self.gathered(polynomial);
         let (sign, positive) = normalised(gathered.as_ref().unwrap_or(polynomial));
         self.made.find(&positive).map(|number| self.steps[number].flipped(sign))
     }
 
-    /// Notes that a step computes this polynomial.
+    /// Notes that an operation computes this polynomial.
     pub(in crate::plan) fn remember(&mut self, polynomial: &Polynomial, written: Signed) {
         let (sign, positive) = normalised(polynomial);
         self.remember_positive(positive, written.flipped(sign));

@@ -58,7 +58,7 @@ impl PlanSheet {
                 "multiply_adds": cost.map(|cost| cost.fused),
                 "divisions": cost.map(|cost| cost.divisions),
                 "operations": cost.map(|cost| cost.operations()),
-                "chain_cycles": cost.map(|cost| cost.chain),
+                "chain_cycles": cost.map(|cost| cost.critical_path),
             })
         });
         let listing = |step: &StepListing| {
@@ -194,7 +194,7 @@ fn notes() -> Vec<String> {
     let latency = |operation: fn(Node, Node) -> Operation| {
         let inputs = [Operation::Input(Variable(0)), Operation::Input(Variable(1))];
         let operations = inputs.into_iter().chain([operation(Node(0), Node(1))]).collect();
-        Plan { operations, outputs: vec![Node(2)] }.cost().chain
+        Plan { operations, outputs: vec![Node(2)] }.cost().critical_path
     };
     let add = latency(Operation::Add);
     let multiply = latency(Operation::Multiply);
@@ -211,9 +211,10 @@ fn notes() -> Vec<String> {
 
 fn cells(cost: Option<Cost>) -> [String; 6] {
     let Some(cost) = cost else { return std::array::from_fn(|_| "-".to_owned()) };
-    let Cost { additions, multiplications, fused, divisions, chain } = cost;
-    let chain = usize::try_from(chain).expect("a count of cycles");
-    [additions, multiplications, fused, divisions, cost.operations(), chain].map(|count| count.to_string())
+    let Cost { additions, multiplications, fused, divisions, critical_path } = cost;
+    let critical_path = usize::try_from(critical_path).expect("a count of cycles");
+    [additions, multiplications, fused, divisions, cost.operations(), critical_path]
+        .map(|count| count.to_string())
 }
 
 /// A row of the table, the numbers to the right.

@@ -30,8 +30,8 @@ struct Solution {
 }
 
 impl Arrangement {
-    /// The turns of the rows that are different, at most `most` of them: after some, the rows of each
-    /// block stand as they did.
+    /// The turns of the rows that are different, at most `most` of them: after some, the rows of
+    /// each block stand as they did.
     fn turns(&self, most: usize) -> Range<usize> {
         let is_as_before = |turn: &usize| {
             self.0.iter().all(|block| block.rows.is_empty() || turn.is_multiple_of(block.rows.len()))

@@ -1,4 +1,5 @@
-//! Several ways to write one thing: each is tried, the one that makes the fewest steps is kept.
+//! Several ways to write one thing: each is tried, the one that makes the fewest operations is
+//! kept.
 
 use crate::poly::Polynomial;
 
@@ -10,7 +11,7 @@ use crate::plan::writing::nesting::Goal;
 
 impl Writer {
     /// A polynomial in plain symbols and ε, its powers of ε distributed in the way that adds the
-    /// fewest steps.
+    /// fewest operations.
     pub(in crate::plan) fn write_cheapest(&mut self, polynomial: &Polynomial) -> Signed {
         let ways = self.scaling.ways(polynomial);
         self.cheapest(&ways, |writer, way| writer.write(way, Goal::Few), |_| 0)
@@ -26,7 +27,7 @@ impl Writer {
         self.cheapest(&ways, write, |_| 0)
     }
 
-    /// The factors of a term, in the way that adds the fewest steps, and its sign.
+    /// The factors of a term, in the way that adds the fewest operations, and its sign.
     pub(in crate::plan) fn cheapest_term(&mut self, term: &Polynomial) -> (Vec<Node>, bool) {
         let ways = self.scaling.ways(term);
         let factors = |writer: &mut Self, way: &Polynomial| {
@@ -36,8 +37,8 @@ impl Writer {
         self.cheapest(&ways, factors, |(nodes, _)| nodes.len())
     }
 
-    /// Of one attempt or more that which makes the fewest steps, its result's own price added, the
-    /// first of several; the others leave no trace.
+    /// Of one attempt or more that which makes the fewest operations, its result's own price added,
+    /// the first of several; the others leave no trace.
     pub(in crate::plan) fn cheapest<A, R>(
         &mut self,
         attempts: &[A],

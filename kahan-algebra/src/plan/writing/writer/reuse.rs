@@ -1,4 +1,4 @@
-//! Reuse: a polynomial as multiples of sums that are steps already, and a rest.
+//! Reuse: a polynomial as multiples of sums that are operations already, and a rest.
 
 use crate::poly::{Monomial, Polynomial, Term};
 use crate::rational::Rational;
