@@ -22,7 +22,7 @@ pub(crate) enum Value {
     Reciprocal(Polynomial),
 }
 
-/// The values of a field, by the variables that stand for them: those behind all of its symbols.
+/// The values of a field. Variables stand for them that are numbered after all of its symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Values {
     first: usize,
@@ -33,21 +33,21 @@ pub(crate) struct Values {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kept {
     pub(crate) values: Values,
-    /// One polynomial a state.
+    /// One polynomial for each state.
     pub(crate) components: Vec<Polynomial>,
 }
 
-/// A field in which the values that are free of states are parameters behind those that it has: a
-/// quadratic field like every other, of which a step can be planned.
+/// A field whose values are parameters of it, numbered after its own, where they are free of
+/// states: a quadratic field like every other, of which a step can be planned.
 #[derive(Clone, Debug)]
-pub(crate) struct OverConstants {
+pub(crate) struct WithConstants {
     pub(crate) field: Field,
-    /// The same with its sums that depend on states.
-    pub(crate) kept: Kept,
-    /// For each parameter that is a value, which one.
+    /// This field over the sums that depend on states; `None` where it is the field itself.
+    pub(crate) kept: Option<Kept>,
+    /// For each added parameter the index of the value that it is.
     places: Vec<usize>,
     values: Values,
-    /// Those of the field itself.
+    /// The field's own symbols, without the added parameters.
     symbols: Symbols,
 }
 
@@ -124,17 +124,18 @@ impl Values {
     pub(crate) fn divide_only_by(&self, polynomial: &Polynomial, denominator: &Polynomial) -> bool {
         polynomial.variables().into_iter().filter_map(|variable| self.place(variable)).all(
             |place| match &self.values[place] {
-                Value::Reciprocal(divisor) => denominator.checked_div(&self.expanded(divisor)).is_some(),
+                Value::Reciprocal(divisor) => denominator.checked_div(&self.with_sums(divisor)).is_some(),
                 Value::Sum(sum) => self.divide_only_by(sum, denominator),
             },
         )
     }
 
-    /// A polynomial with what its values are put in, where all of them are sums.
-    fn expanded(&self, polynomial: &Polynomial) -> Polynomial {
+    /// Replaces each value in a polynomial by the sum that it is. The caller guarantees that no
+    /// value in it is a reciprocal.
+    fn with_sums(&self, polynomial: &Polynomial) -> Polynomial {
         polynomial.variables().into_iter().fold(polynomial.clone(), |polynomial, variable| {
             match self.place(variable).map(|place| &self.values[place]) {
-                Some(value) => polynomial.composed(variable, &self.expanded(value.polynomial())),
+                Some(value) => polynomial.composed(variable, &self.with_sums(value.polynomial())),
                 None => polynomial,
             }
         })
@@ -196,7 +197,7 @@ impl Values {
         gradient
     }
 
-    /// A plan whose inputs may be values, with what they are put in.
+    /// The same plan with each input that is a value replaced by what it is.
     pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
         let mut builder = PlanBuilder::default();
         let mut nodes = Nodes::of(self, &|variable| variable);
@@ -357,17 +358,17 @@ impl Kept {
 
     /// The field over those values that are free of states, which become parameters. Where a
     /// coefficient vanishes once its values are put in, this is the `field` itself.
-    pub(crate) fn over_constants(&self, field: &Field) -> OverConstants {
-        self.over_values_free_of(field, |variable| field.symbols.is_state(variable))
+    pub(crate) fn with_constants(&self, field: &Field) -> WithConstants {
+        self.with_values_free_of(field, |variable| field.symbols.is_state(variable))
     }
 
     /// The same over the values that are free of all that `varies`; where such a thing is divided
     /// by, the field itself.
-    pub(crate) fn over_values_free_of(
+    pub(crate) fn with_values_free_of(
         &self,
         field: &Field,
         varies: impl Fn(Variable) -> bool,
-    ) -> OverConstants {
+    ) -> WithConstants {
         let symbols = &field.symbols;
         let mut over = symbols.clone();
         let (mut places, mut moving) = (Vec::new(), Vec::new());
@@ -378,7 +379,7 @@ impl Kept {
             };
             if value.polynomial().variables().iter().any(is_moving) {
                 if matches!(value, Value::Reciprocal(_)) {
-                    return OverConstants::plain(field);
+                    return WithConstants::plain(field);
                 }
                 moving.push(place);
             } else {
@@ -405,34 +406,37 @@ impl Kept {
         };
         let component = |numerator| Component { numerator, denominator: Polynomial::one() };
         let expanded: Vec<Component> =
-            kept.components.iter().map(|of| component(kept.values.expanded(of))).collect();
+            kept.components.iter().map(|of| component(kept.values.with_sums(of))).collect();
         let is_as_sparse = expanded
             .iter()
             .zip(&field.components)
             .all(|(over, own)| states(&over.numerator) == states(&own.numerator));
         if !is_as_sparse {
-            return OverConstants::plain(field);
+            return WithConstants::plain(field);
         }
         let field = Field { components: expanded, symbols: over };
-        OverConstants { field, kept, places, values: self.values.clone(), symbols: symbols.clone() }
+        let (values, symbols) = (self.values.clone(), symbols.clone());
+        WithConstants { field, kept: Some(kept), places, values, symbols }
     }
 
-    /// Whether a step may lose digits that the text keeps if it is planned from expanded sums:
-    /// where a product of two of them is written, or where a constant stands before one, as in `(y
-    /// - 1)/s`, unless it depends on the component's own state and A is as large as the constant.
+    /// Whether a step may lose digits that the text keeps if it is planned from expanded sums. That
+    /// is so where a product of two of them is written, and where a constant stands before one, as
+    /// in `(y - 1)/s`. A sum that depends on the component's own state does no harm: the constant
+    /// then stands on the diagonal of A, too, and is divided by.
+    ///
+    /// The caller guarantees that every value is a sum, as in a field with constants.
     pub(crate) fn needs_sums(&self, symbols: &Symbols) -> bool {
-        let (values, slopes) = self.jacobian(symbols);
-        let is_sum = |variable: Variable| values.place(variable).is_some();
-        self.components.iter().zip(&slopes).enumerate().any(|(i, (component, _))| {
-            component.terms().any(|(monomial, _)| {
-                let sums = monomial.degree_where(is_sum);
-                let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);
-                let depends = |variable: Variable| {
-                    values.expanded(&Polynomial::variable(variable)).contains(symbols.state(i))
-                };
-                let has_own =
-                    monomial.powers().iter().any(|(variable, _)| is_sum(*variable) && depends(*variable));
-                sums > 1 || sums > 0 && monomial.degree_where(is_constant) > 0 && !has_own
+        let is_sum = |variable: Variable| self.values.place(variable).is_some();
+        let is_constant = |variable: Variable| !is_sum(variable) && !symbols.is_state(variable);
+        self.components.iter().enumerate().any(|(i, component)| {
+            let own = symbols.state(i);
+            let has_own = |variable: Variable| {
+                is_sum(variable) && self.values.with_sums(&Polynomial::variable(variable)).contains(own)
+            };
+            component.terms().any(|(monomial, _)| match monomial.degree_where(is_sum) {
+                0 => false,
+                1 => monomial.degree_where(is_constant) > 0 && monomial.degree_where(has_own) == 0,
+                _ => true,
             })
         })
     }
@@ -469,7 +473,7 @@ impl Kept {
     }
 }
 
-impl OverConstants {
+impl WithConstants {
     /// A plan in the variables of a family's line as one without values: `constant` is the index of
     /// the value that a variable of the plan stands for, `rename` what a variable of the field is
     /// called in the new plan.
@@ -488,13 +492,11 @@ impl OverConstants {
         builder.finish(&outputs)
     }
 
-    /// The field itself.
+    /// The field itself, with its denominators and nothing that is kept.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
         let values = Values::of(&symbols);
-        let components = field.components.iter().map(|component| component.numerator.clone()).collect();
-        let kept = Kept { values: values.clone(), components };
-        OverConstants { field: field.clone(), kept, places: Vec::new(), values, symbols }
+        WithConstants { field: field.clone(), kept: None, places: Vec::new(), values, symbols }
     }
 
     /// Whether no parameter is a value, so that this is the field itself.

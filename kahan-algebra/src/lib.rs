@@ -6,9 +6,9 @@
 //! macro, the maps made at run time and the command read the same [`Derived`].
 //!
 //! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`],
-//! [`system`], [`family`], [`kahan`], [`plan`], [`elimination`], [`derived`], [`relations`],
-//! [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact arithmetic of
-//! [`rational`], [`poly`] and [`rational_function`].
+//! [`kept`], [`system`], [`family`], [`kahan`], [`plan`], [`elimination`], [`derived`],
+//! [`relations`], [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact
+//! arithmetic of [`rational`], [`poly`] and [`rational_function`].
 
 pub mod arithmetic;
 pub mod check;

@@ -1,8 +1,8 @@
 //! A program in the terms of the machine: the same instructions, of which fewer kinds are left.
 //!
 //! In: a program as its caller wrote it. Out: products and sums apart where multiply-adds are not
-//! fused, every value once, nothing that no result needs, and a copy where a result would be a
-//! number that lies somewhere else.
+//! fused, every value once, no instruction that no result needs, and a copy where a result is a
+//! number that lies in another array.
 
 use std::collections::HashMap;
 
@@ -24,7 +24,7 @@ pub(crate) enum Ends {
     Elsewhere,
 }
 
-/// The number whose only bit is the sign.
+/// The number whose only bit is the sign: to change a sign is to flip that bit.
 pub(crate) const SIGN: Instruction = Literal((-0.0_f64).to_bits());
 
 impl Program {
@@ -32,7 +32,7 @@ impl Program {
     /// instructions.
     pub(crate) fn lowered(&self, fuses: bool, ends: Ends) -> Self {
         let mut lowering = Lowering { lowered: Program::default(), known: HashMap::new(), fuses };
-        // What is not needed is not written, and nobody asks for its place.
+        // An instruction that no result needs is not written, and has no place.
         let (is_needed, mut places) = (self.needed(), vec![usize::MAX; self.instructions.len()]);
         for (index, instruction) in self.instructions.iter().enumerate() {
             if is_needed[index] {
@@ -60,13 +60,14 @@ impl Program {
 /// A program that is being written for the machine.
 struct Lowering {
     lowered: Program,
-    /// The place of every instruction that stands there.
+    /// The place of every instruction that was written.
     known: HashMap<Instruction, usize>,
     fuses: bool,
 }
 
 impl Lowering {
-    /// The place of what an instruction computes, whose operands are places already.
+    /// Writes an instruction, unless it is there already, and returns its place in the lowered
+    /// program. Its operands must be such places.
     fn write(&mut self, instruction: Instruction) -> usize {
         match instruction {
             Copy(a) => a,

@@ -12,7 +12,7 @@ use crate::token::Span;
 
 use super::conditions;
 use super::entries::entry_places;
-use super::lower::{HIGHEST_POWER, MOST_BITS, Target, lower};
+use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope, expressions};
 use super::stand_in::StandIn;
 
@@ -147,11 +147,11 @@ impl Target for Operations<'_> {
     fn power(&mut self, a: Node, exponent: u64, span: Span) -> Result<Node, Diagnostic> {
         let bits = self.compiler.builder.constant_size(a).map(|value| value.bits().max(1));
         let is_short_number = bits.is_some_and(|bits| bits.saturating_mul(exponent) <= MOST_BITS);
-        if !is_short_number && exponent > HIGHEST_POWER.unsigned_abs() {
+        if !is_short_number && exponent > HIGHEST_EXPONENT.unsigned_abs() {
             return Err(Diagnostic::new(
                 Kind::Exponent,
                 span,
-                format!("exponents in claims go from −{HIGHEST_POWER} to {HIGHEST_POWER}"),
+                format!("exponents in claims go from −{HIGHEST_EXPONENT} to {HIGHEST_EXPONENT}"),
                 "write the claim with smaller powers",
             ));
         }

@@ -5,7 +5,7 @@ use crate::rational::Rational;
 use crate::syntax::{Block, Expr};
 use crate::token::Span;
 
-use super::expand::expanded;
+use super::expand::expand_unkept;
 use super::names::Scope;
 
 /// Evaluates the constants in order and enters them into the scope.
@@ -58,5 +58,5 @@ fn constant_value(expr: &Expr, scope: &Scope) -> Result<Option<Rational>, Diagno
     if poisoned {
         return Ok(None);
     }
-    expanded(expr, scope).map(|expansion| expansion.as_constant())
+    expand_unkept(expr, scope).map(|expansion| expansion.as_constant())
 }

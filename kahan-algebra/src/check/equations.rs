@@ -7,7 +7,7 @@ use crate::poly::Monomial;
 use crate::syntax::{Block, Expr, ExprKind};
 use crate::token::Span;
 
-use super::expand::{Expansion, expand, expanded, too_high};
+use super::expand::{Expansion, expand, expand_unkept, too_high};
 use super::names::Scope;
 
 /// Expands every equation, and keeps what is written of it; a broken one becomes zero.
@@ -66,8 +66,9 @@ fn describe(monomial: &Monomial, scope: &Scope) -> String {
 /// The place that raises the degree above two: of a sum its first term that is too high, of a
 /// product the factor at which the degree passes two, of a power the whole of it.
 fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
-    let degree =
-        |expr: &Expr| expanded(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator));
+    let degree = |expr: &Expr| {
+        expand_unkept(expr, scope).map_or(0, |expansion| scope.symbols.degree(&expansion.numerator))
+    };
     match &expr.kind {
         ExprKind::Negation(inner) => raising_factor(inner, scope),
         ExprKind::Sum(terms) => match terms.iter().find(|term| degree(&term.expr) > 2) {

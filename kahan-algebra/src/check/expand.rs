@@ -1,11 +1,12 @@
 //! Fractions p/q, to which equations, constants and relations behind `when` are lowered: p is
 //! expanded in states and parameters, q is free of states.
 //!
-//! What cancels, cancels: only the result counts, not what it passed through. Sizes are limited, so
-//! that no input hangs the compiler. Beside p/q stands what was written, as far as that loses
-//! nothing: a sum in which a name or the highest degree cancels, and a quotient that has no pole
-//! where its divisor vanishes, stand as they are expanded and reduced; all other sums and divisors
-//! are [kept](crate::kept).
+//! Only the result counts, not what it passed through, with one exception: `power` refuses a power
+//! of a sum beyond degree 64 in the states at once, as to expand it takes too long. Sizes are
+//! limited, so that no input hangs the compiler. Beside p/q stands what was written, as far as that
+//! loses nothing: a sum in which a name or the highest degree cancels, and a quotient that has no
+//! pole where its divisor vanishes, stand as they are expanded and reduced; all other sums and
+//! divisors are [kept](crate::kept).
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::field::Component;
@@ -16,15 +17,14 @@ use crate::rational_function::RationalFunction;
 use crate::syntax::{Expr, Reference};
 use crate::token::Span;
 
-use super::lower::{HIGHEST_POWER, MOST_BITS, Target, lower};
+use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
 
 /// The largest number of terms of an expansion.
 const MOST_TERMS: usize = 100_000;
 /// The largest number of products of terms in one expansion.
 const MOST_WORK: u64 = 300_000;
-/// The largest degree in the states that a power of a sum may have; more does not cancel in
-/// earnest, and takes long.
+/// The largest degree in the states that a power of a sum may have, whatever cancels it later.
 const HIGHEST_DEGREE: u64 = 64;
 
 /// p/q
@@ -71,7 +71,7 @@ pub(super) fn expand(expr: &Expr, scope: &Scope, values: &mut Values) -> Result<
 }
 
 /// The same, of which nothing is kept.
-pub(super) fn expanded(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
+pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
     expand(expr, scope, &mut Values::of(&scope.symbols))
 }
 
@@ -159,7 +159,7 @@ impl Target for Fractions<'_> {
         let still_has = |(variables, degree): (Vec<Variable>, u32)| {
             degree <= reached && variables.iter().all(|variable| left.contains(variable))
         };
-        Ok(if extents.into_iter().all(still_has) { sum } else { self.expanded(sum) })
+        Ok(if extents.into_iter().all(still_has) { sum } else { self.without_kept(sum) })
     }
 
     fn multiply(&mut self, a: Expansion, b: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
@@ -200,7 +200,7 @@ impl Target for Fractions<'_> {
         let is_single = inverse.denominator.is_one() || !denominator.is_one();
         let kept = if is_single { None } else { self.values.quotient(a.kept(), b.kept()) };
         let numerator = self.product(&a.numerator, &inverse.numerator, span)?;
-        let inverse = self.expanded(inverse);
+        let inverse = self.without_kept(inverse);
         let kept = kept.or_else(|| self.kept_product(&a, &inverse));
         let denominator = self.product(&a.denominator, &inverse.denominator, span)?;
         self.reduced(Expansion { numerator, denominator, kept }, span)
@@ -210,10 +210,10 @@ impl Target for Fractions<'_> {
         let wrong = |kind, message: String, help: &str| Err(Diagnostic::new(kind, span, message, help));
         let degree = self.scope.symbols.degree(&base.numerator);
         let number = base.as_constant();
-        if degree == 0 && number.is_none() && exponent > HIGHEST_POWER.unsigned_abs() {
+        if degree == 0 && number.is_none() && exponent > HIGHEST_EXPONENT.unsigned_abs() {
             return wrong(
                 Kind::TooLarge,
-                format!("exponents of parameters go to {HIGHEST_POWER}"),
+                format!("exponents of parameters go to {HIGHEST_EXPONENT}"),
                 "declare the power as a parameter of its own",
             );
         }
@@ -239,7 +239,7 @@ impl Target for Fractions<'_> {
         let power = |polynomial: &Polynomial, budget: &mut Budget| polynomial.pow_within(exponent, budget);
         let powers = (power(&base.numerator, &mut self.budget), power(&base.denominator, &mut self.budget));
         let (Ok(numerator), Ok(denominator)) = powers else {
-            return Err(if degree > 0 { too_high(span, "this power", reached) } else { too_large(span) });
+            return Err(if reached > 2 { too_high(span, "this power", reached) } else { too_large(span) });
         };
         let kept = match exponent {
             0 => None,
@@ -304,14 +304,15 @@ impl Fractions<'_> {
                 let (numerator, denominator) = (function.numerator().clone(), function.denominator().clone());
                 let kept = kept.filter(|kept| self.values.divide_only_by(kept, &denominator));
                 let reduced = Expansion { numerator, denominator, kept };
-                Ok(if reduced.kept.is_some() { reduced } else { self.expanded(reduced) })
+                Ok(if reduced.kept.is_some() { reduced } else { self.without_kept(reduced) })
             }
             Ok(None) | Err(_) => Err(too_large(span)),
         }
     }
 
-    /// What is kept of a fraction that does not stand as it was written: its divisor.
-    fn expanded(&mut self, expansion: Expansion) -> Expansion {
+    /// The same fraction, of which nothing is kept but its divisor: it does not stand as it was
+    /// written.
+    fn without_kept(&mut self, expansion: Expansion) -> Expansion {
         if expansion.denominator.is_one() {
             return Expansion { kept: None, ..expansion };
         }
@@ -331,7 +332,7 @@ pub(super) fn too_high(span: Span, term: &str, degree: u64) -> Diagnostic {
     )
 }
 
-/// The mistake of an expansion beyond the limits.
+/// The mistake of an expansion beyond the limits of terms or of work.
 fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(
         Kind::TooLarge,

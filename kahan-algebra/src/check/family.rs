@@ -15,7 +15,8 @@ use super::outside::values_beyond_the_ends;
 use super::stand_in::StandIn;
 use super::sums::summand;
 
-/// Checks the family of a block: what may stand in for it, and the family if it has no mistake.
+/// Checks the family of a block. There is always a stand-in, and a family where the block has no
+/// mistake.
 pub(crate) fn check_family(
     block: &Block,
     head: &FamilyHead,

@@ -2,15 +2,17 @@
 //! meaning.
 //!
 //! Equations, constants and relations are lowered to fractions ([`expand`](super::expand)), claims
-//! to plans ([`claims`](super::claims)). Here stands what both refuse, with its place.
+//! to plans ([`claims`](super::claims)). [`lower`] refuses zero divisors, negative exponents where
+//! there may be none, and `sum(…)` out of place; each target refuses what is too large for it.
 
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::rational::Rational;
 use crate::syntax::{Expr, ExprKind, Reference};
 use crate::token::Span;
 
-/// The largest exponent of something that is no number.
-pub(super) const HIGHEST_POWER: i64 = 64;
+/// The largest exponent of a parameter in an equation, and of anything but a short number in a
+/// claim.
+pub(super) const HIGHEST_EXPONENT: i64 = 64;
 /// The largest size of a number, in bits.
 pub(super) const MOST_BITS: u64 = 1 << 16;
 

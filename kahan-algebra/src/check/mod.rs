@@ -1,4 +1,4 @@
-//! Syntax to a checked system or family, one rule a function.
+//! Syntax to a checked system or family; each rule has a function.
 //!
 //! Names first, then constants, equations and claims. What is broken is reported once; whoever
 //! looks at it later takes something harmless for it (a zero right-hand side), so that one mistake
@@ -103,8 +103,8 @@ impl Checked {
     }
 }
 
-/// Checks a block of plain equations: what may stand in for it, and its system with those of its
-/// claims that are understood, if there is a field.
+/// Checks a block of plain equations. There is always a stand-in, and a system where the equations
+/// have no mistake; claims with a mistake are left out of it.
 pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
     if let Some(equation) = block.equations.get(MOST_EQUATIONS) {
         diagnostics.report(

@@ -20,7 +20,7 @@ pub struct Broken {
     pub stand_in: StandIn,
 }
 
-/// The names of a block.
+/// What is known of a block with mistakes: its header and its names.
 #[derive(Clone, Debug)]
 pub struct StandIn {
     /// The header, where there is one.
@@ -46,7 +46,7 @@ impl StandIn {
         self.claims.push((kind, name.clone(), is_unconditional));
     }
 
-    /// The system of these names in which nothing moves and all claims are 0, which nobody proves.
+    /// The system of these names in which nothing moves and all claims are 0. Nobody proves them.
     #[must_use]
     pub fn system(&self) -> System {
         let symbols = self.symbols.clone();
@@ -69,6 +69,7 @@ impl StandIn {
         let mut builder = PlanBuilder::default();
         let zero = builder.constant(&Rational::zero());
         let expr = || Expr { kind: ExprKind::Number(Rational::zero()), span: name.span };
+        // Whether there is a condition decides which methods a claim has; any serves.
         let condition = || Condition::fixed(&self.symbols, self.symbols.epsilon(), &Rational::one());
         Claim {
             kind: *kind,

@@ -1,7 +1,7 @@
 //! The straight lines of one site: its field, its rows of A(x,ε), what its claims sum.
 
 use crate::field::{Component, Field};
-use crate::kept::OverConstants;
+use crate::kept::WithConstants;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable, gcd};
 use crate::rational::Rational;
@@ -54,13 +54,17 @@ impl Family {
         let given = self.line_symbols();
         let is_of_site = |variable| !matches!(self.role(variable), Role::Parameter(_) | Role::Epsilon);
         let field = Field { symbols: self.symbols.clone(), components: self.components.clone() };
-        let over = self.kept.over_values_free_of(&field, is_of_site);
-        let components = &over.field.components;
+        let with_constants = self.kept.with_values_free_of(&field, is_of_site);
+        let components = &with_constants.field.components;
         let own = self.symbols.parameters.len();
         let mut symbols = given.clone();
-        symbols.parameters.extend_from_slice(&over.field.symbols.parameters[own..]);
-        let mut writer =
-            LineWriter { family: self, over: &over, symbols: &symbols, builder: PlanBuilder::default() };
+        symbols.parameters.extend_from_slice(&with_constants.field.symbols.parameters[own..]);
+        let mut writer = LineWriter {
+            family: self,
+            with_constants: &with_constants,
+            symbols: &symbols,
+            builder: PlanBuilder::default(),
+        };
         let field: Vec<Node> = components.iter().map(|component| writer.quotient(component)).collect();
         let center = self.place(0, 0);
         let mut entries = Vec::new();
@@ -88,10 +92,11 @@ impl Family {
             Symbol::Parameter(k) if k >= self.parameters.len() => Ok(k - self.parameters.len()),
             symbol => Err(given.variable(symbol)),
         };
-        let constants = over.put_into_line(&constants, constant, &|variable| match self.role(variable) {
-            Role::Parameter(k) => given.parameter(k),
-            _ => unreachable!("such values are made of parameters of the chain"),
-        });
+        let constants =
+            with_constants.put_into_line(&constants, constant, &|variable| match self.role(variable) {
+                Role::Parameter(k) => given.parameter(k),
+                _ => unreachable!("such values are made of parameters of the chain"),
+            });
         let names = constant_names(&constants, &given);
         let symbols = Symbols { states: given.states.clone(), parameters: names };
         let read = |operation: &Operation| match operation {
@@ -156,8 +161,8 @@ impl Family {
 
 struct LineWriter<'a> {
     family: &'a Family,
-    /// The field over its constants.
-    over: &'a OverConstants,
+    /// The field whose constants are parameters.
+    with_constants: &'a WithConstants,
     symbols: &'a Symbols,
     builder: PlanBuilder,
 }
@@ -166,7 +171,7 @@ impl LineWriter<'_> {
     /// A variable of the family in the line.
     fn renamed(&self, variable: Variable) -> Variable {
         let family = self.family;
-        let symbol = self.over.field.symbols.symbol(variable);
+        let symbol = self.with_constants.field.symbols.symbol(variable);
         if let Symbol::Parameter(k) = symbol
             && let Some(value) = k.checked_sub(family.symbols.parameters.len())
         {

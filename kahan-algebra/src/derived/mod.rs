@@ -20,7 +20,7 @@ pub(crate) use scheme::Scheme;
 use crate::arithmetic::Arithmetic;
 use crate::elimination::{Couplings, MOST_EXPANDED};
 use crate::kahan::{RationalMap, bilinear_form, matrix_of, polarization, scaled_rhs};
-use crate::kept::OverConstants;
+use crate::kept::WithConstants;
 use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
 use crate::symbols::{Symbol, Symbols};
@@ -35,17 +35,17 @@ pub struct Derived {
     /// What each component of the field divides by, free of states: where one is zero there is no
     /// field.
     pub divisors: Plan,
-    /// f(x), a component a result.
+    /// f(x), one result for each component.
     pub field: Plan,
     /// f′(x), row by row.
     pub field_jacobian: Plan,
-    /// Q(x,y), a component a result; y are the second states.
+    /// Q(x,y), one result for each component; y are the second states.
     pub bilinear: Plan,
-    /// Q(x,y) + ½B(x+y) + c, a component a result.
+    /// Q(x,y) + ½B(x+y) + c, one result for each component.
     pub polarized: Plan,
     /// A(x,ε), row by row.
     pub matrix: Plan,
-    /// b(x,ε), a component a result.
+    /// b(x,ε), one result for each component.
     pub rhs: Plan,
     /// The map as polynomials; `None` beyond the budget of terms.
     pub map: Option<RationalMap>,
@@ -87,23 +87,23 @@ pub fn derive(system: &System) -> Derived {
     let System { field, kept, .. } = system;
     let map = if field.dimension() > MOST_EXPANDED { None } else { RationalMap::of(field) };
     let planned = Planned::of(system, map.as_ref());
-    let over = &planned.over;
+    let with = &planned.with_constants;
     let (values, slopes) = kept.jacobian(&field.symbols);
     let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
     let single = |plan: &Plan| Plan::together([plan]);
     let over_divisors = |polynomials: Vec<Polynomial>| {
-        let divisors = over.field.components.iter().map(|component| &component.denominator);
-        over.put_into(&quotients(polynomials.iter().zip(divisors)))
+        let divisors = with.field.components.iter().map(|component| &component.denominator);
+        with.put_into(&quotients(polynomials.iter().zip(divisors)))
     };
     Derived {
         divisors: kept.divisors(),
         field: kept.plan(),
         field_jacobian: values.plan(slopes.iter().flatten()),
-        bilinear: over_divisors(bilinear_form(&over.field)),
-        polarized: over_divisors(polarization(&over.field)),
+        bilinear: over_divisors(bilinear_form(&with.field)),
+        polarized: over_divisors(polarization(&with.field)),
         matrix: values
             .plan(matrix_of(slopes.clone(), field.symbols.epsilon(), |_| Polynomial::one()).iter().flatten()),
-        rhs: over_divisors(scaled_rhs(&over.field)),
+        rhs: over_divisors(scaled_rhs(&with.field)),
         det_matrix: planned.with_map(|map| over_product(map, [&map.denominator])),
         rational_map: planned
             .with_map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
@@ -125,35 +125,35 @@ pub fn derive(system: &System) -> Derived {
 /// What a step and the map are planned from.
 #[derive(Clone, Debug)]
 struct Planned {
-    over: OverConstants,
+    with_constants: WithConstants,
     map: Option<RationalMap>,
 }
 
 impl Planned {
-    /// The field over its constants; the field itself where its `map` has common factors that it
-    /// has not over them.
+    /// The field with constants, unless the map of that keeps a factor that `map` divides out: then
+    /// the field itself.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
-        let over = system.kept.over_constants(&system.field);
-        let Some(map) = map else { return Planned { over, map: None } };
-        let own = if over.is_plain() { None } else { RationalMap::of(&over.field) };
+        let with = system.kept.with_constants(&system.field);
+        let Some(map) = map else { return Planned { with_constants: with, map: None } };
+        let own = if with.is_plain() { None } else { RationalMap::of(&with.field) };
         match own
-            .filter(|own| own.reduced.is_as_short(&over.field.symbols, &map.reduced, &system.field.symbols))
+            .filter(|own| own.reduced.is_as_short(&with.field.symbols, &map.reduced, &system.field.symbols))
         {
-            Some(own) => Planned { over, map: Some(own) },
-            None => Planned { over: OverConstants::plain(&system.field), map: Some(map.clone()) },
+            Some(own) => Planned { with_constants: with, map: Some(own) },
+            None => Planned { with_constants: WithConstants::plain(&system.field), map: Some(map.clone()) },
         }
     }
 
     fn with_map(&self, plan: impl FnOnce(&RationalMap) -> Plan) -> Option<Plan> {
-        self.map.as_ref().map(|map| self.over.put_into(&plan(map)))
+        self.map.as_ref().map(|map| self.with_constants.put_into(&plan(map)))
     }
 
     /// The reduced map, where a factor that depends on states was divided out.
     fn reduced_map(&self) -> Option<Plan> {
-        let symbols = &self.over.field.symbols;
+        let symbols = &self.with_constants.field.symbols;
         let reduced = &self.map.as_ref()?.reduced;
         let plan = || Plan::of(reduced.numerators(symbols).iter().chain([&reduced.denominator]));
-        symbols.has_state(&reduced.common_factor).then(|| self.over.put_into(&plan()))
+        symbols.has_state(&reduced.common_factor).then(|| self.with_constants.put_into(&plan()))
     }
 }
 
@@ -162,20 +162,20 @@ impl Derived {
     ///
     /// Cost: the first call plans it, which takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
-        let Planned { over, map } = &self.planned;
+        let Planned { with_constants: with, map } = &self.planned;
         let plan = || {
             Some(
-                StepPlan::of_map(&over.field, Some(&over.kept), map.as_ref())?
-                    .mapped(&|plan| over.put_into(plan)),
+                StepPlan::of_map(&with.field, with.kept.as_ref(), map.as_ref())?
+                    .mapped(&|plan| with.put_into(plan)),
             )
         };
         let written = || if self.couplings.is_some() { None } else { plan() };
         self.step.get_or_init(written).as_ref()
     }
 
-    /// v ↦ (∂x̃/∂x)·v where x̃ is known besides x, a component a result; `None` where the reduced
-    /// map has a value at zeros of det A, and where there is no such form that is short and keeps
-    /// its digits.
+    /// v ↦ (∂x̃/∂x)·v where x̃ is known besides x, one result for each component; `None` where the
+    /// reduced map has a value at zeros of det A, and where there is no such form that is short and
+    /// keeps its digits.
     ///
     /// The symbols are those of the [variational](System::variational) field: x and v are its
     /// states, and x̃ is the first half of its second states.
@@ -184,9 +184,9 @@ impl Derived {
     pub fn carry(&self) -> Option<(&Symbols, &Plan)> {
         let plan = || {
             let System { field, kept, .. } = self.system.variational();
-            let over = kept.over_constants(&field);
-            let plan = Plan::of_tangent(&over.field)?;
-            Some((field.symbols, over.put_into(&plan)))
+            let with = kept.with_constants(&field);
+            let plan = Plan::of_tangent(&with.field)?;
+            Some((field.symbols, with.put_into(&plan)))
         };
         let has_other_poles = self.reduced_map.is_some();
         let planned = || if has_other_poles || self.step().is_none() { None } else { plan() };

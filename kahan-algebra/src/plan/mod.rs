@@ -1,11 +1,11 @@
 //! Straight lines: which operations are computed in which order, every common subexpression once.
 //!
-//! A plan is data. The emitter turns it into Rust, [`Plan::evaluate`] runs it in any
-//! [`Arithmetic`]: rationals, a prime field, dual numbers, degree bounds, rational functions,
-//! floats. Both see the same operations in the same order.
+//! A plan is data. The emitter turns it into Rust, and [`Plan::evaluate`] runs the same operations
+//! in the same order in any [`Arithmetic`]: rationals, a prime field, dual numbers, degree bounds,
+//! rational functions, floats.
 //!
-//! Most plans write polynomials in nested form (`horner`) and are done. That of a step is computed
-//! billions of times, so four rooms take more care of it:
+//! For most plans `horner` nests polynomials, and that is all. A step is computed billions of
+//! times, so four modules take more care of its plan:
 //!
 //! 1. `forms` decides what is computed: which ways there are to solve A·x̃ = b, and the cheapest.
 //! 2. `writing` decides how a polynomial becomes operations: how it is nested, where ε goes, what
@@ -102,8 +102,8 @@ impl Plan {
     }
 
     /// Runs the plan; `input` gives the value of each variable. A result that divides by zero on
-    /// its way is `None`; the others are not touched by that. Cost: one arithmetic operation a
-    /// operation.
+    /// its way is `None`; the others are not touched by that. Cost: one
+    /// arithmetic operation for each of its own.
     pub fn evaluate<A: Arithmetic>(
         &self,
         arithmetic: &A,

@@ -1,7 +1,8 @@
 //! The prover: are the claims of a block true?
 //!
 //! A claim is an identity between rational functions of the states, the parameters and ε (a
-//! residual that vanishes). `modular` evaluates it at random points modulo random primes, with an
+//! residual that vanishes). `residual` turns it into pairs of values that must agree, at the points
+//! that `sample` draws. `modular` evaluates it at random points modulo random primes, with an
 //! error below 2⁻¹⁰⁰ (derived in [`sizes`]), and at one exact point; that is quick enough for a
 //! compiler. `normal_form` expands it over ℚ, for `kahan verify`. `refute` finds a small exact
 //! counterexample to a false one.

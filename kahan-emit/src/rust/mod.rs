@@ -15,7 +15,7 @@
 //! ```
 //!
 //! and without one to `{ …the same with an anonymous type…; Field { mu: mu.clone() } }`. Mistakes
-//! become `compile_error!` beside all of that, so that code which uses the type stays quiet.
+//! become `compile_error!` beside a type that stands in, so that code which uses it stays quiet.
 //!
 //! Names: everything of ours is reached through `__kahan`, and bindings begin with `__` (a state
 //! `x` is `__s_x`, a parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in
@@ -159,8 +159,8 @@ fn emit(core: &TokenStream, checked: Checked, input: &Flat) -> TokenStream {
     }
 }
 
-/// The errors of a block, and its type: as far as its equations were found, with methods that
-/// compute nothing, so that rustc reports no more than the mistakes.
+/// The errors of a block, and what rustc needs to report nothing else: where states were found, the
+/// type with methods that are 0; where there is a header, the type alone; else nothing.
 fn emit_broken(core: &TokenStream, broken: &Broken, input: &Flat) -> TokenStream {
     let Broken { diagnostics, stand_in } = broken;
     let errors = emit_errors(diagnostics, input);

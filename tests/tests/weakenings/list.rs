@@ -262,7 +262,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
         weaker: "if !self.claims.is_proved(&on_relation) {" },
     // What is kept of a text.
     Weakening { name: "a sum in which a name cancels and that stands", file: "kahan-algebra/src/check/expand.rs", tests: KEPT,
-        text: "if extents.into_iter().all(still_has) { sum } else { self.expanded(sum) }",
+        text: "if extents.into_iter().all(still_has) { sum } else { self.without_kept(sum) }",
         weaker: "{ let _ = extents.into_iter().all(still_has); sum }" },
     Weakening { name: "a divisor that is none of the field's", file: "kahan-algebra/src/check/expand.rs", tests: KEPT,
         text: "kept.filter(|kept| self.values.divide_only_by(kept, &denominator))",

@@ -60,7 +60,8 @@ impl Forms<'_> {
     }
 }
 
-/// The forms of a field's step: from products of sums that are `kept`; of the reduced map, if that
+/// The forms of a field's step: from products of sums that are `kept`, and from nothing else where
+/// there are some; of the reduced map, if that
 /// is within the budget, or of A; `None` where the field is too large for straight lines.
 pub(in crate::plan) fn forms<'a>(
     field: &'a Field,

@@ -1,9 +1,9 @@
 //! The step of a field in which products of sums of states are written, as in `(x - 1)*(y - 1)/s`:
 //! from A and f as they are written, without an expansion.
 //!
-//! Near a zero of both sums the terms of the expanded product cancel, and what stands before it may
-//! be so large that the step feels it. Cramer's rule on A·(x̃ − x) = 2εf multiplies f by cofactors
-//! and expands nothing.
+//! Near a zero of both sums the terms of the expanded product cancel, and a large factor, as 1/s,
+//! magnifies the rounding error until it shows in the step. Cramer's rule on A·(x̃ − x) = 2εf
+//! multiplies f by cofactors and leaves it as it is.
 
 use crate::field::Field;
 use crate::kahan::matrix_of;
@@ -16,8 +16,8 @@ use crate::plan::forms::minors::{Determinants, MOST_OPERATIONS, determinants, op
 use crate::plan::writing::draft::Signed;
 use crate::plan::writing::writer::{Entry, Writer};
 
-/// One form for each row along which the last expansion goes; none where there are too many
-/// operations.
+/// One form for each row that the determinants are developed along last; none where there are too
+/// many operations.
 pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> {
     let n = field.dimension();
     let epsilon = field.symbols.epsilon();

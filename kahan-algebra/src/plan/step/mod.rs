@@ -68,8 +68,8 @@ impl StepPlan {
         Self::of_map(field, None, RationalMap::of(field).as_ref())
     }
 
-    /// The same from a map that has been derived already, or was found to be beyond the budget, and
-    /// from the products of sums that are kept of the field.
+    /// The same from what is known: the products of sums that are kept of the field, and its map,
+    /// unless that is beyond the budget.
     #[must_use]
     pub(crate) fn of_map(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Self> {
         let is_reduced = |map: &RationalMap| map.reduced.common_factor.as_constant().is_none();
@@ -77,6 +77,7 @@ impl StepPlan {
         let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
         let forms = candidates::forms(field, kept, map)?;
         let accuracy = Accuracy::of(field);
+        // The cheapest form serves lanes, and one orbit unless another form lets it wait less.
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);
@@ -85,6 +86,7 @@ impl StepPlan {
         let others = one_orbit.into_iter().skip(1).chain(single);
         let shortest = others.min_by_key(|plan| (plan.recurrence(), plan.operations()));
         let shortest = shortest.filter(|shortest| shortest.recurrence() < recurrence);
+        // Where the cheapest form loses digits in long steps, a steadier one takes its place.
         let mut loss = accuracy.loss(&cheapest);
         let mut general = cheapest;
         if loss.is_refused() {
@@ -110,7 +112,7 @@ impl StepPlan {
     }
 
     /// Operations from a state to the next: the kernel's, the last multiplication where there is
-    /// one, and an addition a component.
+    /// one, and an addition for each component.
     #[must_use]
     pub fn operations(&self) -> usize {
         let products = self.kernel.reciprocal_of.iter().flatten().count();
@@ -152,7 +154,7 @@ impl StepPlan {
                 (None, None) => Operation::Add(state, numerator),
             }));
         }
-        // Each step once, and none that no result needs.
+        // Each operation once, and none that no result needs.
         Plan::together([&Plan { operations, outputs }])
     }
 
@@ -188,7 +190,8 @@ impl StepPlan {
             if doubled.cost().critical_path > kernel.cost().critical_path { kernel } else { doubled };
         let (constants, kernel) = with_signs(constants, kernel, Wanted::TurnedConstants);
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
-        // Parameters divide nothing yet: what is divided by stands for itself.
+        // Reciprocals of parameters are still inputs here; `mapped` puts them in later. So a
+        // division that is found now is one by ε.
         let has_inverse_step =
             constants.operations.iter().any(|operation| matches!(operation, Operation::Divide(..)));
         StepPlan { constants, kernel, has_inverse_step, general: None, holds_to: LARGEST_SIZE }
