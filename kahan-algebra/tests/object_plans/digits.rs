@@ -27,8 +27,12 @@ use kahan_algebra::system::System;
 
 use super::written::Written;
 
-/// The random fields.
-const FIELDS: usize = 200;
+/// The random fields; others by `KAHAN_FIELDS=2000`.
+fn fields() -> usize {
+    std::env::var("KAHAN_FIELDS")
+        .map_or(200, |number| number.parse().expect("KAHAN_FIELDS is a whole number"))
+}
+
 /// The points of each field.
 const POINTS: usize = 7;
 /// The runs of the text at each point.
@@ -472,7 +476,7 @@ fn catalog() -> Vec<(String, String)> {
 #[test]
 fn the_digits_of_the_text_are_kept() {
     let mut all: Vec<(String, Losses)> = Vec::new();
-    for number in 0..FIELDS {
+    for number in 0..fields() {
         let name = format!("{number:03}");
         let mut draw = Draw::of(&name, number);
         let text = draw.field();
