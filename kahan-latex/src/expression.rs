@@ -1,7 +1,7 @@
 //! Expressions as they were written, in LaTeX.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Level, Notation};
+use kahan_algebra::render::{Level, Notation, sum_of};
 use kahan_algebra::syntax::{Expr, ExprKind, Factor, Reference};
 
 use crate::notation::Latex;
@@ -18,20 +18,7 @@ pub(crate) fn write(expr: &Expr) -> (String, Level) {
             (Latex.name(&Reference::Site { array, offset: *offset }.to_string()), Level::Atom)
         }
         ExprKind::Negation(inner) => (format!("-{}", at_least(inner, Level::Product)), Level::Sum),
-        ExprKind::Sum(terms) => {
-            let mut text = String::new();
-            for (index, term) in terms.iter().enumerate() {
-                text.push_str(match (index, term.negative) {
-                    (0, false) => "",
-                    (0, true) => "-",
-                    (_, false) => " + ",
-                    (_, true) => " - ",
-                });
-                let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
-                text.push_str(&at_least(&term.expr, level));
-            }
-            (text, Level::Sum)
-        }
+        ExprKind::Sum(terms) => (sum_of(terms, at_least), Level::Sum),
         ExprKind::Product(factors) => product(factors),
         ExprKind::OverSites(inner) => (format!("\\sum_i ({})", write(inner).0), Level::Atom),
         ExprKind::Power(base, exponent) => {

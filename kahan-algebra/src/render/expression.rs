@@ -1,6 +1,6 @@
 //! Expressions as they were written.
 
-use crate::syntax::{Expr, ExprKind, Reference};
+use crate::syntax::{Expr, ExprKind, Reference, Term};
 
 use super::notation::{Notation, Text};
 
@@ -35,20 +35,7 @@ fn write(expr: &Expr) -> (String, Level) {
         }
         // −(a·b) is read back as it was written.
         ExprKind::Negation(inner) => (format!("-{}", at_least(inner, Level::Power)), Level::Sum),
-        ExprKind::Sum(terms) => {
-            let mut text = String::new();
-            for (index, term) in terms.iter().enumerate() {
-                text.push_str(match (index, term.negative) {
-                    (0, false) => "",
-                    (0, true) => "-",
-                    (_, false) => " + ",
-                    (_, true) => " - ",
-                });
-                let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
-                text.push_str(&at_least(&term.expr, level));
-            }
-            (text, Level::Sum)
-        }
+        ExprKind::Sum(terms) => (sum_of(terms, at_least), Level::Sum),
         ExprKind::Product(factors) => {
             let mut text = String::new();
             for (index, factor) in factors.iter().enumerate() {
@@ -67,6 +54,23 @@ fn write(expr: &Expr) -> (String, Level) {
             (Text.power(&at_least(base, Level::Atom), *exponent), Level::Power)
         }
     }
+}
+
+/// Terms with their signs; `at_least` writes one so that it binds as tightly as it must.
+#[must_use]
+pub fn sum_of(terms: &[Term], at_least: fn(&Expr, Level) -> String) -> String {
+    let mut text = String::new();
+    for (index, term) in terms.iter().enumerate() {
+        text.push_str(match (index, term.negative) {
+            (0, false) => "",
+            (0, true) => "-",
+            (_, false) => " + ",
+            (_, true) => " - ",
+        });
+        let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
+        text.push_str(&at_least(&term.expr, level));
+    }
+    text
 }
 
 fn at_least(expr: &Expr, level: Level) -> String {
