@@ -39,6 +39,20 @@ fn a_difference_and_a_divisor_are_computed_as_they_are_written() {
 }
 
 #[test]
+fn differences_in_parentheses_and_the_order_of_a_factor_are_kept() {
+    let [p, x, small] = [1.0 + 1e-9, 2.0 + 1e-9, 1e-9_f64];
+    let f = field("xdot = y + (x - z) + (p - q); ydot = 0; zdot = 0;", &Float64, &[x, small, 2.0], &[p, 1.0]);
+    assert_eq!(f.expect("defined")[0], small + (x - 2.0) + (p - 1.0));
+    let f = field(
+        "xdot = x*(1 - p - q); ydot = (z - x + y)*x; zdot = 0;",
+        &Float64,
+        &[x, small, 2.0],
+        &[p, small],
+    );
+    assert_eq!(f.expect("defined")[..2], [x * ((1.0 - p) - small), x * ((2.0 - x) + small)]);
+}
+
+#[test]
 fn what_cancels_leaves_no_pole() {
     for (text, value) in [
         ("xdot = (p^2 - q^2)*x/(p - q); ydot = y;", q(20)),

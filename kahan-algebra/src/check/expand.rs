@@ -24,6 +24,8 @@ use super::names::{Meaning, Scope};
 const MOST_TERMS: usize = 100_000;
 /// The largest number of products of terms in one expansion.
 const MOST_WORK: u64 = 300_000;
+/// A sum of more terms has them in no order.
+const MOST_IN_ORDER: usize = 64;
 /// The largest degree in the states that a power of a sum may have, whatever cancels it later.
 const HIGHEST_DEGREE: u64 = 64;
 
@@ -36,11 +38,13 @@ pub(super) struct Expansion {
     /// The same over the values that are kept; `None` where it is the numerator, and nothing is
     /// divided by.
     kept: Option<Polynomial>,
+    /// The terms of a sum of three or more, as they are added one after the other.
+    order: Vec<Polynomial>,
 }
 
 impl Expansion {
     fn polynomial(numerator: Polynomial) -> Self {
-        Expansion { numerator, denominator: Polynomial::one(), kept: None }
+        Expansion { numerator, denominator: Polynomial::one(), kept: None, order: Vec::new() }
     }
 
     /// Its value, if it is a number.
@@ -117,7 +121,8 @@ impl Target for Fractions<'_> {
 
     fn negate(&mut self, a: Expansion) -> Expansion {
         let kept = a.kept.as_ref().map(|kept| -kept);
-        Expansion { numerator: -&a.numerator, denominator: a.denominator, kept }
+        let order = a.order.iter().map(|term| -term).collect();
+        Expansion { numerator: -&a.numerator, denominator: a.denominator, kept, order }
     }
 
     /// Terms over the same denominator are added in one go, so that long sums cost a sort.
@@ -125,10 +130,7 @@ impl Target for Fractions<'_> {
         if terms.iter().map(|(_, term)| term.numerator.len()).sum::<usize>() > 4 * MOST_TERMS {
             return Err(too_large(span));
         }
-        let kept = terms
-            .iter()
-            .any(|(_, term)| term.kept.is_some())
-            .then(|| Polynomial::sum_of(terms.iter().map(|(negative, term)| (*negative, term.kept()))));
+        let (kept, order) = self.kept_sum(&terms);
         let extents = kept.iter().flat_map(|_| terms.iter().map(|(_, term)| self.extent(term)));
         let extents: Vec<(Vec<Variable>, u32)> = extents.collect();
         let mut groups: Vec<(Polynomial, Vec<(bool, Polynomial)>)> = Vec::new();
@@ -154,7 +156,7 @@ impl Target for Fractions<'_> {
             });
         }
         let (numerator, denominator) = total.unwrap_or_else(|| (Polynomial::zero(), Polynomial::one()));
-        let sum = self.reduced(Expansion { numerator, denominator, kept }, span)?;
+        let sum = self.reduced(Expansion { numerator, denominator, kept, order }, span)?;
         let (left, reached) = self.extent(&sum);
         let still_has = |(variables, degree): (Vec<Variable>, u32)| {
             degree <= reached && variables.iter().all(|variable| left.contains(variable))
@@ -169,7 +171,7 @@ impl Target for Fractions<'_> {
         let kept = self.kept_product(&a, &b);
         let numerator = self.product(&a.numerator, &b.numerator, span)?;
         let denominator = self.product(&a.denominator, &b.denominator, span)?;
-        self.reduced(Expansion { numerator, denominator, kept }, span)
+        self.reduced(Expansion { numerator, denominator, kept, order: Vec::new() }, span)
     }
 
     /// A divisor is free of states, also after expansion.
@@ -194,16 +196,25 @@ impl Target for Fractions<'_> {
                 let scale = divisor.recip().expect("a divisor is not zero");
                 Expansion::polynomial(denominator.scale(&scale))
             }
-            None => Expansion { numerator: denominator.clone(), denominator: numerator.clone(), kept: None },
+            None => {
+                Expansion { denominator: numerator.clone(), ..Expansion::polynomial(denominator.clone()) }
+            }
         };
         // 1/(1/p) is p, with its divisor gone.
         let is_single = inverse.denominator.is_one() || !denominator.is_one();
-        let kept = if is_single { None } else { self.values.quotient(a.kept(), b.kept()) };
+        let kept = if is_single {
+            None
+        } else {
+            {
+                let (a, b) = (self.factor(&a), self.factor(&b));
+                self.values.quotient(&a, &b)
+            }
+        };
         let numerator = self.product(&a.numerator, &inverse.numerator, span)?;
         let inverse = self.without_kept(inverse);
         let kept = kept.or_else(|| self.kept_product(&a, &inverse));
         let denominator = self.product(&a.denominator, &inverse.denominator, span)?;
-        self.reduced(Expansion { numerator, denominator, kept }, span)
+        self.reduced(Expansion { numerator, denominator, kept, order: Vec::new() }, span)
     }
 
     fn power(&mut self, base: Expansion, exponent: u64, span: Span) -> Result<Expansion, Diagnostic> {
@@ -243,11 +254,11 @@ impl Target for Fractions<'_> {
         };
         let kept = match exponent {
             0 => None,
-            1 => base.kept,
+            1 => return Ok(base),
             _ if base.kept.is_none() && base.numerator.len() < 2 => None,
-            _ => power(&self.values.factor(base.kept()), &mut self.budget).ok(),
+            _ => power(&self.factor(&base), &mut self.budget).ok(),
         };
-        Ok(Expansion { numerator, denominator, kept })
+        Ok(Expansion { numerator, denominator, kept, order: Vec::new() })
     }
 
     fn is_zero(&self, a: &Expansion) -> bool {
@@ -270,6 +281,32 @@ impl Fractions<'_> {
         a.mul_within(b, &mut self.budget).map_err(|_| too_large(span))
     }
 
+    /// The sum as it was written, where that is not the sum of the numerators, and the order of its
+    /// terms. A sum among them, which stands in parentheses, is a value.
+    fn kept_sum(&mut self, terms: &[(bool, Expansion)]) -> (Option<Polynomial>, Vec<Polynomial>) {
+        let is_whole = |(_, term): &(bool, Expansion)| term.kept.is_none() && term.kept().len() < 2;
+        let is_plain = terms.len() < 2 || terms.iter().all(is_whole);
+        if is_plain && terms.len() > MOST_IN_ORDER {
+            return (None, Vec::new());
+        }
+        let mut written: Vec<Polynomial> = Vec::with_capacity(terms.len());
+        for (negative, term) in terms {
+            let factor = if terms.len() < 2 { term.kept().clone() } else { self.factor(term) };
+            written.push(if *negative { -&factor } else { factor });
+        }
+        let is_kept = !is_plain || terms.iter().any(|(_, term)| term.kept.is_some());
+        let kept = is_kept.then(|| Polynomial::sum_of(written.iter().map(|term| (false, term))));
+        let has_order = (3..=MOST_IN_ORDER).contains(&written.len());
+        (kept, if has_order { written } else { Vec::new() })
+    }
+
+    /// What is kept of something as a factor of a product. The terms of a sum are added in the order
+    /// in which they were written, each partial sum being a value.
+    fn factor(&mut self, of: &Expansion) -> Polynomial {
+        let Some((first, others)) = of.order.split_first() else { return self.values.factor(of.kept()) };
+        others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))
+    }
+
     /// The product as it was written, its factors being values where they are sums; `None` where
     /// that is nothing but the numerator.
     fn kept_product(&mut self, a: &Expansion, b: &Expansion) -> Option<Polynomial> {
@@ -284,7 +321,7 @@ impl Fractions<'_> {
         if let Some(sign) = b.as_constant().filter(|value| is_sign(value.clone())) {
             return a.kept.as_ref().map(|kept| kept.scale(&sign));
         }
-        Some(&self.values.factor(a.kept()) * &self.values.factor(b.kept()))
+        Some(&self.factor(a) * &self.factor(b))
     }
 
     /// The variables on which something depends, and its degree in the states.
@@ -295,15 +332,15 @@ impl Fractions<'_> {
 
     /// In lowest terms. Where that changes it, it does not stand as it was written.
     fn reduced(&mut self, expansion: Expansion, span: Span) -> Result<Expansion, Diagnostic> {
-        let Expansion { numerator, denominator, kept } = expansion;
-        if denominator.is_one() || !self.reduces {
-            return Ok(Expansion { numerator, denominator, kept });
+        if expansion.denominator.is_one() || !self.reduces {
+            return Ok(expansion);
         }
+        let Expansion { numerator, denominator, kept, order } = expansion;
         match RationalFunction::new_within(numerator, denominator, &mut self.budget) {
             Ok(Some(function)) => {
                 let (numerator, denominator) = (function.numerator().clone(), function.denominator().clone());
                 let kept = kept.filter(|kept| self.values.divide_only_by(kept, &denominator));
-                let reduced = Expansion { numerator, denominator, kept };
+                let reduced = Expansion { numerator, denominator, kept, order };
                 Ok(if reduced.kept.is_some() { reduced } else { self.without_kept(reduced) })
             }
             Ok(None) | Err(_) => Err(too_large(span)),
@@ -314,11 +351,11 @@ impl Fractions<'_> {
     /// written.
     fn without_kept(&mut self, expansion: Expansion) -> Expansion {
         if expansion.denominator.is_one() {
-            return Expansion { kept: None, ..expansion };
+            return Expansion { kept: None, order: Vec::new(), ..expansion };
         }
         let kept = self.values.reciprocal(&expansion.denominator);
         let kept = kept.map(|reciprocal| &expansion.numerator * &reciprocal);
-        Expansion { kept, ..expansion }
+        Expansion { kept, order: Vec::new(), ..expansion }
     }
 }
 
