@@ -2,7 +2,7 @@
 //! nowhere else.
 //!
 //! In: a checked system. Out: a [`Derived`], in which each plan has a name; of a family its
-//! [`Lines`], for a proof the [scheme](Scheme). Whoever writes code, runs a map, proves or prints
+//! [`Lines`], for a proof the `scheme`. Whoever writes code, runs a map, proves or prints
 //! reads it from there, so that all of them compute the same operations in the same order.
 
 mod lines;

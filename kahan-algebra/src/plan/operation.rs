@@ -29,7 +29,7 @@ pub enum Operation {
     MultiplySubtract(Node, Node, Node),
     /// a − b · c, likewise
     SubtractProduct(Node, Node, Node),
-    /// The prepared constant with this index, in the kernel of a [`StepPlan`].
+    /// The prepared constant with this index, in the kernel of a [`StepPlan`](super::StepPlan).
     Prepared(usize),
 }
 
