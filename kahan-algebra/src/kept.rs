@@ -7,6 +7,8 @@
 //! divides by nothing. What holds: with the definitions of the values put in, the components are
 //! those of the [`Field`], which stays the one that is proved, reduced and printed.
 
+use rustc_hash::FxHashMap;
+
 use crate::field::{Component, Field};
 use crate::plan::{Node, Plan, PlanBuilder};
 use crate::poly::{Monomial, Polynomial, Variable};
@@ -14,7 +16,7 @@ use crate::rational::Rational;
 use crate::symbols::{Symbol, Symbols};
 
 /// What a value is, in states, parameters and values before it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Value {
     /// A sum that was written as a factor.
     Sum(Polynomial),
@@ -27,6 +29,8 @@ pub(crate) enum Value {
 pub(crate) struct Values {
     first: usize,
     values: Vec<Value>,
+    /// The index of each.
+    places: FxHashMap<Value, usize>,
 }
 
 /// A field over its values.
@@ -68,7 +72,7 @@ impl Value {
 impl Values {
     /// None yet.
     pub(crate) fn of(symbols: &Symbols) -> Self {
-        Values { first: symbols.count(), values: Vec::new() }
+        Values { first: symbols.count(), values: Vec::new(), places: FxHashMap::default() }
     }
 
     /// The index of the value that this variable stands for.
@@ -83,13 +87,23 @@ impl Values {
     /// The variable of a value, which is a new one where it is none yet; `None` where there are
     /// more values than 16 bits can number.
     fn intern(&mut self, value: Value) -> Option<Variable> {
-        let known = self.values.iter().position(|known| *known == value);
-        let place = known.unwrap_or(self.values.len());
-        let variable = self.variable(place)?;
-        if known.is_none() {
-            self.values.push(value);
+        if let Some(place) = self.places.get(&value) {
+            return self.variable(*place);
         }
+        let variable = self.variable(self.values.len())?;
+        self.push(value);
         Some(variable)
+    }
+
+    fn push(&mut self, value: Value) {
+        self.places.insert(value.clone(), self.values.len());
+        self.values.push(value);
+    }
+
+    /// These values besides, none of which is one already.
+    fn with(mut self, values: impl IntoIterator<Item = Value>) -> Self {
+        values.into_iter().for_each(|value| self.push(value));
+        self
     }
 
     /// A polynomial as a factor of a product: a sum becomes a value times a number, a single term
@@ -100,8 +114,8 @@ impl Values {
         }
         let (mut content, mut sum) = (polynomial.content(), polynomial.primitive_part());
         let other = Value::Sum(-&sum);
-        if self.values.contains(&other)
-            || (content.is_negative() && !self.values.contains(&Value::Sum(sum.clone())))
+        if self.places.contains_key(&other)
+            || (content.is_negative() && !self.places.contains_key(&Value::Sum(sum.clone())))
         {
             (content, sum) = (-content, -&sum);
         }
@@ -267,7 +281,7 @@ impl<'a> Nodes<'a> {
 impl Kept {
     /// These components over values, of which those that none needs are left out.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
-        let mut kept = Values { first: values.first, values: Vec::new() };
+        let mut kept = Values { first: values.first, values: Vec::new(), places: FxHashMap::default() };
         let mut renamed: Vec<Option<Variable>> = vec![None; values.values.len()];
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -323,8 +337,8 @@ impl Kept {
         };
         let components = self.components.iter().map(|component| component.map_variables(rename));
         let components = components.chain(rows.iter().map(along)).collect();
-        let values = values.values.iter().map(|value| value.renamed(&rename)).collect();
-        Kept::new(Values { values, ..moved }, components)
+        let renamed = values.values.iter().map(|value| value.renamed(&rename));
+        Kept::new(Values::of(tangent).with(renamed), components)
     }
 
     /// The plan of f(x), a component a result.
@@ -397,9 +411,10 @@ impl Kept {
             },
             None => over.variable(symbols.symbol(variable)),
         };
-        let values = moving.iter().map(|&place| self.values.values[place].renamed(&rename)).collect();
+        let values = moving.iter().map(|&place| self.values.values[place].renamed(&rename));
+        let values = Values::of(&over).with(values);
         let components = self.components.iter().map(|component| component.map_variables(rename)).collect();
-        let kept = Kept { values: Values { values, ..sums }, components };
+        let kept = Kept { values, components };
         let states = |polynomial: &Polynomial| -> Vec<_> {
             let by_states = polynomial.group(|variable| symbols.is_state(variable));
             by_states.into_iter().map(|(states, _)| states).collect()
@@ -440,9 +455,7 @@ impl Kept {
             })
         })
     }
-}
 
-impl Kept {
     /// The components with something put in for each variable, over values that join the `others`.
     pub(crate) fn with(&self, others: &mut Values, put: impl Fn(Variable) -> Polynomial) -> Vec<Polynomial> {
         let mut moved: Vec<Polynomial> = Vec::with_capacity(self.values.values.len());
@@ -509,14 +522,11 @@ impl WithConstants {
         if self.is_plain() {
             return plan.clone();
         }
-        let mut builder = PlanBuilder::default();
-        let mut nodes = Nodes::of(&self.values, &|variable| variable);
         let first = self.symbols.parameters.len();
-        let outputs =
-            builder.include_mapped(plan, |builder, variable| match self.field.symbols.symbol(variable) {
-                Symbol::Parameter(k) if k >= first => nodes.value(builder, self.places[k - first]),
-                symbol => builder.input(self.symbols.variable(symbol)),
-            });
-        builder.finish(&outputs)
+        let constant = |variable| match self.field.symbols.symbol(variable) {
+            Symbol::Parameter(k) if k >= first => Ok(k - first),
+            symbol => Err(self.symbols.variable(symbol)),
+        };
+        self.put_into_line(plan, constant, &|variable| variable)
     }
 }

@@ -205,10 +205,8 @@ impl Target for Fractions<'_> {
         let kept = if is_single {
             None
         } else {
-            {
-                let (a, b) = (self.factor(&a), self.factor(&b));
-                self.values.quotient(&a, &b)
-            }
+            let (a, b) = (self.factor(&a), self.factor(&b));
+            self.values.quotient(&a, &b)
         };
         let numerator = self.product(&a.numerator, &inverse.numerator, span)?;
         let inverse = self.without_kept(inverse);

@@ -134,9 +134,10 @@ impl Planned {
     /// the field itself.
     fn of(system: &System, map: Option<&RationalMap>) -> Self {
         let with = system.kept.with_constants(&system.field);
-        let Some(map) = map else { return Planned { with_constants: with, map: None } };
-        let own = if with.is_plain() { None } else { RationalMap::of(&with.field) };
-        match own
+        let Some(map) = map.filter(|_| !with.is_plain()) else {
+            return Planned { with_constants: with, map: map.cloned() };
+        };
+        match RationalMap::of(&with.field)
             .filter(|own| own.reduced.is_as_short(&with.field.symbols, &map.reduced, &system.field.symbols))
         {
             Some(own) => Planned { with_constants: with, map: Some(own) },

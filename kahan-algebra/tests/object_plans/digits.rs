@@ -427,7 +427,7 @@ struct Example {
     parameters: fn(&mut Draw) -> Vec<(&'static str, f64)>,
 }
 
-const EXAMPLES: [Example; 4] = [
+const EXAMPLES: [Example; 5] = [
     Example {
         name: "a-common-divisor",
         text: "xdot = -g*x/(1 + nu) - 0.1*mu*y + x*y/(mu - nu); ydot = x - y;",
@@ -448,6 +448,11 @@ const EXAMPLES: [Example; 4] = [
         name: "a-product-of-differences",
         text: "xdot = (x - 1)*(y - 1); ydot = x - y;",
         parameters: |_| Vec::new(),
+    },
+    Example {
+        name: "a-large-product-of-differences",
+        text: "xdot = p*(x - 1)*(y - 1); ydot = x - y;",
+        parameters: |draw| vec![("p", 1e9 * draw.between(0.5, 1.0))],
     },
     // The product of both differences, expanded, is less than half an ulp of its terms.
     Example {
