@@ -5,11 +5,12 @@
 
 mod map;
 
+use kahan_syntax::rational::Rational;
+
 use crate::arithmetic::{Arithmetic, determinant};
 use crate::derived::{Derived, derive};
 use crate::plan::Plan;
 use crate::poly::Variable;
-use crate::rational::Rational;
 use crate::symbols::Symbol;
 use crate::system::{System, upper_index};
 

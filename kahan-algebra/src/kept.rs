@@ -9,11 +9,11 @@
 
 use rustc_hash::FxHashMap;
 
+use kahan_syntax::rational::Rational;
+
 use crate::field::{Component, Field};
-use crate::plan::{Node, Plan, PlanBuilder};
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
-use crate::symbols::{Symbol, Symbols};
+use crate::symbols::Symbols;
 
 /// What a value is, in states, parameters and values before it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -28,7 +28,7 @@ pub(crate) enum Value {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Values {
     first: usize,
-    values: Vec<Value>,
+    pub(crate) values: Vec<Value>,
     /// The index of each.
     places: FxHashMap<Value, usize>,
 }
@@ -49,14 +49,14 @@ pub(crate) struct WithConstants {
     /// This field over the sums that depend on states; `None` where it is the field itself.
     pub(crate) kept: Option<Kept>,
     /// For each added parameter the index of the value that it is.
-    places: Vec<usize>,
-    values: Values,
+    pub(crate) places: Vec<usize>,
+    pub(crate) values: Values,
     /// The field's own symbols, without the added parameters.
-    symbols: Symbols,
+    pub(crate) symbols: Symbols,
 }
 
 impl Value {
-    fn polynomial(&self) -> &Polynomial {
+    pub(crate) fn polynomial(&self) -> &Polynomial {
         let (Value::Sum(polynomial) | Value::Reciprocal(polynomial)) = self;
         polynomial
     }
@@ -76,7 +76,7 @@ impl Values {
     }
 
     /// The index of the value that this variable stands for.
-    fn place(&self, variable: Variable) -> Option<usize> {
+    pub(crate) fn place(&self, variable: Variable) -> Option<usize> {
         usize::from(variable.0).checked_sub(self.first)
     }
 
@@ -210,22 +210,6 @@ impl Values {
         of_values[place] = Some(gradient.clone());
         gradient
     }
-
-    /// The same plan with each input that is a value replaced by what it is.
-    pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
-        let mut builder = PlanBuilder::default();
-        let mut nodes = Nodes::of(self, &|variable| variable);
-        let outputs = builder.include_mapped(plan, |builder, variable| match self.place(variable) {
-            Some(place) => nodes.value(builder, place),
-            None => builder.input(variable),
-        });
-        builder.finish(&outputs)
-    }
-
-    /// The plan of polynomials over the values, one result each.
-    pub(crate) fn plan<'a>(&self, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
-        self.put_into(&Plan::of(polynomials))
-    }
 }
 
 /// ∂/∂xᵢ for the states i on which something depends, in no order.
@@ -238,43 +222,6 @@ impl Gradient {
             Some((_, sum)) => *sum = &*sum + &slope,
             None => self.0.push((state, slope)),
         }
-    }
-}
-
-/// Values in a plan under construction, each written once.
-struct Nodes<'a> {
-    values: &'a Values,
-    /// What the other variables are called in the plan.
-    rename: &'a dyn Fn(Variable) -> Variable,
-    known: Vec<Option<Node>>,
-}
-
-impl<'a> Nodes<'a> {
-    fn of(values: &'a Values, rename: &'a dyn Fn(Variable) -> Variable) -> Self {
-        Nodes { values, rename, known: vec![None; values.values.len()] }
-    }
-
-    fn value(&mut self, builder: &mut PlanBuilder, place: usize) -> Node {
-        if let Some(node) = self.known[place] {
-            return node;
-        }
-        let value = &self.values.values[place];
-        let outputs = builder.include_mapped(&Plan::of([value.polynomial()]), |builder, variable| match self
-            .values
-            .place(variable)
-        {
-            Some(place) => self.value(builder, place),
-            None => builder.input((self.rename)(variable)),
-        });
-        let node = match value {
-            Value::Sum(_) => outputs[0],
-            Value::Reciprocal(_) => {
-                let one = builder.constant(&Rational::one());
-                builder.divide(one, outputs[0])
-            }
-        };
-        self.known[place] = Some(node);
-        node
     }
 }
 
@@ -339,20 +286,6 @@ impl Kept {
         let components = components.chain(rows.iter().map(along)).collect();
         let renamed = values.values.iter().map(|value| value.renamed(&rename));
         Kept::new(Values::of(tangent).with(renamed), components)
-    }
-
-    /// The plan of f(x), a component a result.
-    pub(crate) fn plan(&self) -> Plan {
-        self.values.plan(&self.components)
-    }
-
-    /// The plan of everything that is divided by, one result each: where one is zero there is no
-    /// field.
-    pub(crate) fn divisors(&self) -> Plan {
-        self.values.plan(self.values.values.iter().filter_map(|value| match value {
-            Value::Reciprocal(divisor) => Some(divisor),
-            Value::Sum(_) => None,
-        }))
     }
 
     /// f′(x) over the values, row by row, and the values with what it has besides.
@@ -487,24 +420,6 @@ impl Kept {
 }
 
 impl WithConstants {
-    /// A plan in the variables of a family's line as one without values: `constant` is the index of
-    /// the value that a variable of the plan stands for, `rename` what a variable of the field is
-    /// called in the new plan.
-    pub(crate) fn put_into_line(
-        &self,
-        plan: &Plan,
-        constant: impl Fn(Variable) -> Result<usize, Variable>,
-        rename: &dyn Fn(Variable) -> Variable,
-    ) -> Plan {
-        let mut builder = PlanBuilder::default();
-        let mut nodes = Nodes::of(&self.values, rename);
-        let outputs = builder.include_mapped(plan, |builder, variable| match constant(variable) {
-            Ok(index) => nodes.value(builder, self.places[index]),
-            Err(other) => builder.input(other),
-        });
-        builder.finish(&outputs)
-    }
-
     /// The field itself, with its denominators and nothing that is kept.
     pub(crate) fn plain(field: &Field) -> Self {
         let symbols = field.symbols.clone();
@@ -515,18 +430,5 @@ impl WithConstants {
     /// Whether no parameter is a value, so that this is the field itself.
     pub(crate) fn is_plain(&self) -> bool {
         self.places.is_empty()
-    }
-
-    /// A plan of this field as one of the field itself: what the values are is put in.
-    pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
-        if self.is_plain() {
-            return plan.clone();
-        }
-        let first = self.symbols.parameters.len();
-        let constant = |variable| match self.field.symbols.symbol(variable) {
-            Symbol::Parameter(k) if k >= first => Ok(k - first),
-            symbol => Err(self.symbols.variable(symbol)),
-        };
-        self.put_into_line(plan, constant, &|variable| variable)
     }
 }

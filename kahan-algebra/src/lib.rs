@@ -1,47 +1,62 @@
 //! The exact front end of Kahan's method.
 //!
-//! In: text or tokens of the language of `kahan!`. Out: a checked quadratic vector field with a
+//! In: tokens of the language of `kahan!`. Out: a checked quadratic vector field with a
 //! verdict on every claim about its map ([`read`]), and every plan that evaluates it
 //! ([`derive()`]). It must not know any target language, nor the scalars of `kahan-core`: the
 //! macro, the maps made at run time and the command read the same [`Derived`].
 //!
-//! Modules in reading order: [`token`], [`lexer`], [`syntax`], [`parse`], [`check`], [`field`],
-//! [`kept`], [`system`], [`family`], [`kahan`], [`plan`], [`elimination`], [`derived`],
-//! [`relations`], [`prove`], [`specialise`], [`interpret`], [`render`]; beneath them the exact
-//! arithmetic of [`rational`], [`poly`] and [`rational_function`].
+//! `kahan-syntax` makes a tree of the text; [`check`] makes a [`system`] or a [`family`] of it,
+//! [`prove`] judges the claims, [`derived`] makes the [`plan`]s. The modules stand below from the
+//! exact arithmetic upward.
+
+// Each needs those before it only, which a test guards.
+pub mod prime_field;
+
+pub mod poly;
+
+pub mod rational_function;
+
+pub mod symbols;
 
 pub mod arithmetic;
-pub mod check;
-pub mod derived;
-pub mod diagnostics;
-pub mod elimination;
-pub mod family;
+
 pub mod field;
-pub mod interpret;
+
 pub mod kahan;
+
 pub mod kept;
-pub mod lexer;
-pub mod parse;
+
 pub mod plan;
-pub mod poly;
-pub mod prime_field;
-pub mod prove;
-pub mod rational;
-pub mod rational_function;
+
 pub mod relations;
-pub mod render;
-pub mod specialise;
-pub mod symbols;
-pub mod syntax;
+
 pub mod system;
-pub mod table;
-pub mod token;
+
 mod variational;
 
+pub mod elimination;
+
+pub mod render;
+
+pub mod family;
+
+pub mod derived;
+
+pub mod interpret;
+
+pub mod specialise;
+
+pub mod prove;
+
+pub mod check;
+
 pub use derived::{Derived, derive};
+/// Who reads a field here needs no second crate for its text, its numbers and its mistakes.
+pub use kahan_syntax::{diagnostics, lexer, rational, syntax, table, token};
 
 use check::{Broken, Checked};
 use diagnostics::Diagnostics;
+use kahan_syntax::parse;
 use prime_field::Shake256;
 use token::Token;
 

@@ -27,7 +27,7 @@ pub use gcd::{gcd, gcd_all, gcd_all_within, gcd_within};
 pub use images::{RESIDUES_PER_TERM, degree_bounds};
 pub use monomial::{Monomial, Variable};
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 /// One monomial with its coefficient.
 pub(crate) type Term = (Monomial, Rational);

@@ -15,7 +15,7 @@ use num_traits::ToPrimitive;
 
 pub use random::{Random, Shake256, SplitMix64};
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 /// The field ℤ/p; elements are `u64` below p.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,8 +14,9 @@ mod tests;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_within};
-use crate::rational::Rational;
 
 /// A quotient of two polynomials, in lowest terms.
 #[derive(Clone, PartialEq, Eq, Hash)]

@@ -1,15 +1,16 @@
 //! A system on which some of its parameters have values: a smaller system, reduced after the values
 //! are put in.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::ClaimKind;
+
 use crate::field::{Component, Field};
 use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
 use crate::poly::{Polynomial, Variable};
-use crate::rational::Rational;
 use crate::rational_function::RationalFunction;
 use crate::relations::{Obstacle, Relations};
 use crate::symbols::{Symbol, Symbols};
-use crate::syntax::ClaimKind;
 use crate::system::{Claim, Condition, System};
 
 impl System {

@@ -3,16 +3,17 @@
 
 use std::ops::Range;
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{self, ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
+use kahan_syntax::token::Span;
+
 use crate::field::Field;
 use crate::kept::Kept;
 use crate::plan::{Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable};
-use crate::rational::Rational;
 use crate::rational_function::RationalFunction;
 use crate::relations::Relations;
 use crate::symbols::Symbols;
-use crate::syntax::{self, ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
-use crate::token::Span;
 
 /// A field with its claims.
 #[derive(Clone, Debug)]

@@ -65,7 +65,8 @@ impl Symbols {
 
 #[cfg(test)]
 mod tests {
-    use crate::lexer::lex;
+    use kahan_syntax::lexer::lex;
+
     use crate::render::{Notation, Text};
 
     #[test]

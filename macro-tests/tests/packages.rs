@@ -82,7 +82,7 @@ fn a_program_needs_nothing_but_the_packages() {
             program = Some(read(&path.join("README.md")));
         }
         // Cargo warns of a patch that nothing uses.
-        if ["kahan-algebra", "kahan-core", "kahan-derive", "kahan-emit"].contains(&name) {
+        if ["kahan-algebra", "kahan-core", "kahan-derive", "kahan-emit", "kahan-syntax"].contains(&name) {
             manifest += &format!("{name} = {{ path = {path:?} }}\n");
         }
     }

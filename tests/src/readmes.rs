@@ -9,6 +9,9 @@ struct Repository;
 #[doc = include_str!("../../docs/speed.md")]
 struct Speed;
 
+#[doc = include_str!("../../kahan-syntax/README.md")]
+struct Syntax;
+
 #[doc = include_str!("../../kahan-algebra/README.md")]
 struct Algebra;
 

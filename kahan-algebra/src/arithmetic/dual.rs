@@ -1,6 +1,6 @@
 //! Dual numbers over any arithmetic: a value and its gradient in n directions.
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 use super::Arithmetic;
 

@@ -1,6 +1,6 @@
 //! Exact rationals.
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 use super::Arithmetic;
 

@@ -1,6 +1,6 @@
 //! Binary floats: the same operations, rounded; division by zero is infinite, not an error.
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 use super::Arithmetic;
 

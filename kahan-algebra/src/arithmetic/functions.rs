@@ -7,8 +7,9 @@
 
 use std::cell::RefCell;
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::{Budget, Polynomial};
-use crate::rational::Rational;
 
 use super::Arithmetic;
 

@@ -1,6 +1,6 @@
 //! Linear systems in any arithmetic: elimination with the best pivot of each column.
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 use super::Arithmetic;
 

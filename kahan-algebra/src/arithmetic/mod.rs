@@ -16,7 +16,7 @@ pub use linear::{Solved, determinant, solve};
 pub use modular::Modular;
 pub use sizes::{Size, Sizes};
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 /// Field operations on values of one sort. Division may fail; so may a constant (a prime that
 /// divides a denominator).

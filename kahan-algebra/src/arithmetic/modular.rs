@@ -1,7 +1,8 @@
 //! Residues modulo a prime.
 
+use kahan_syntax::rational::Rational;
+
 use crate::prime_field::PrimeField;
-use crate::rational::Rational;
 
 use super::Arithmetic;
 

@@ -6,7 +6,7 @@
 //! submultiplicative). Running a plan in [`Sizes`] so gives bounds for its results; they saturate
 //! instead of overflowing.
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 use super::Arithmetic;
 

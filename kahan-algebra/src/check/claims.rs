@@ -2,13 +2,14 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{self, Block, ClaimBody, ClaimKind, Expr, Reference};
+use kahan_syntax::token::Span;
+
 use crate::field::Component;
 use crate::plan::{Node, PlanBuilder};
-use crate::rational::Rational;
-use crate::syntax::{self, Block, ClaimBody, ClaimKind, Expr, Reference};
 use crate::system::{Claim, upper_index};
-use crate::token::Span;
 
 use super::conditions;
 use super::entries::entry_places;

@@ -4,17 +4,18 @@
 //! be fixed, and ε = 0 is no step. Where they hold, the field itself and the relations as written
 //! must exist.
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::syntax;
+use kahan_syntax::table::sorted_by_key;
+use kahan_syntax::token::Span;
+
 use crate::field::Component;
 use crate::poly::{OverBudget, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::relations::{Obstacle, Relations};
 use crate::render::{Notation, Text};
 use crate::symbols::Symbols;
-use crate::syntax;
 use crate::system::Condition;
-use crate::table::sorted_by_key;
-use crate::token::Span;
 
 use super::expand::{Expansion, expand_as_written};
 use super::names::Scope;

@@ -1,9 +1,9 @@
 //! `const c = 1/2;`: constant expressions over numbers and earlier constants.
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::rational::Rational;
-use crate::syntax::{Block, Expr};
-use crate::token::Span;
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{Block, Expr};
+use kahan_syntax::token::Span;
 
 use super::expand::expand_unkept;
 use super::names::Scope;

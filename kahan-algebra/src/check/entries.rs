@@ -1,7 +1,7 @@
 //! The entries of a bracket: pairs of different states, each once.
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{self, ClaimBody, TensorEntry};
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::syntax::{self, ClaimBody, TensorEntry};
 
 use super::names::Scope;
 

@@ -1,11 +1,12 @@
 //! Equations: expanded exactly, of degree at most two in the states.
 
-use crate::diagnostics::{Diagnostic, Diagnostics};
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics};
+use kahan_syntax::syntax::{Block, Expr, ExprKind};
+use kahan_syntax::token::Span;
+
 use crate::field::Component;
 use crate::kept::{Kept, Values};
 use crate::poly::Monomial;
-use crate::syntax::{Block, Expr, ExprKind};
-use crate::token::Span;
 
 use super::expand::{Expansion, expand, expand_unkept, too_high};
 use super::names::Scope;

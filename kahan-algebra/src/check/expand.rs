@@ -8,14 +8,15 @@
 //! pole where its divisor vanishes, stand as they are expanded and reduced; all other sums and
 //! divisors are [kept](crate::kept).
 
-use crate::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{Expr, Reference};
+use kahan_syntax::token::Span;
+
 use crate::field::Component;
 use crate::kept::Values;
 use crate::poly::{Budget, Polynomial, Variable};
-use crate::rational::Rational;
 use crate::rational_function::RationalFunction;
-use crate::syntax::{Expr, Reference};
-use crate::token::Span;
 
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};

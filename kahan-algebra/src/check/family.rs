@@ -1,11 +1,12 @@
 //! A family: arrays, parameters of the chain and of its sites, equations, sums.
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead, Reference};
+use kahan_syntax::token::Span;
+
 use crate::family::{Family, SiteSum};
 use crate::field::Component;
 use crate::symbols::Symbols;
-use crate::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead, Reference};
-use crate::token::Span;
 
 use super::constants;
 use super::equations;

@@ -5,10 +5,10 @@
 //! to plans ([`claims`](super::claims)). [`lower`] refuses zero divisors, negative exponents where
 //! there may be none, and `sum(…)` out of place; each target refuses what is too large for it.
 
-use crate::diagnostics::{Diagnostic, Kind};
-use crate::rational::Rational;
-use crate::syntax::{Expr, ExprKind, Reference};
-use crate::token::Span;
+use kahan_syntax::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{Expr, ExprKind, Reference};
+use kahan_syntax::token::Span;
 
 /// The largest exponent of a parameter in an equation, and of anything but a short number in a
 /// claim.

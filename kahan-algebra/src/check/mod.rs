@@ -15,21 +15,21 @@ mod family;
 mod lower;
 mod names;
 mod outside;
-mod spelling;
 mod stand_in;
 mod sums;
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::syntax::{Block, Header};
+use kahan_syntax::token::Span;
+
 use crate::family::Family;
 use crate::field::Field;
-use crate::syntax::{Block, Header};
 use crate::system::System;
-use crate::token::Span;
 
 use names::Scope;
 
 pub(crate) use family::check_family;
-pub use spelling::nearest;
+pub use kahan_syntax::spelling::nearest;
 pub use stand_in::{Broken, StandIn};
 
 /// The most equations of a block: 16 bits number its states, a second copy of them, and parameters.

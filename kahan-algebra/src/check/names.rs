@@ -4,15 +4,15 @@ mod declared;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostics::{Diagnostics, Kind};
-use crate::poly::Variable;
-use crate::rational::Rational;
-use crate::symbols::Symbols;
-use crate::syntax::{Block, ClaimBody, Expr, Name, Reference};
-use crate::table::sorted_by_key;
-use crate::token::Span;
+use kahan_syntax::diagnostics::{Diagnostics, Kind};
+use kahan_syntax::rational::Rational;
+use kahan_syntax::spelling::{is_keyword, nearest};
+use kahan_syntax::syntax::{Block, ClaimBody, Expr, Name, Reference};
+use kahan_syntax::table::sorted_by_key;
+use kahan_syntax::token::Span;
 
-use super::spelling::{is_keyword, nearest};
+use crate::poly::Variable;
+use crate::symbols::Symbols;
 
 /// What a name means in an equation.
 #[derive(Clone, Debug)]

@@ -1,10 +1,11 @@
 //! Beyond the ends of an open chain: states are 0 there, and parameters of sites have no value.
 
-use crate::diagnostics::{Diagnostics, Kind};
+use kahan_syntax::diagnostics::{Diagnostics, Kind};
+use kahan_syntax::syntax::{Block, Reference};
+
 use crate::family::{Family, Role};
 use crate::field::Component;
 use crate::poly::Monomial;
-use crate::syntax::{Block, Reference};
 
 /// Reports parameters of neighbours that are needed where there is no neighbour: they may only
 /// multiply a state that lies as far outside, which is 0.

@@ -1,14 +1,15 @@
 //! What stands in for a block with mistakes, so that the rest of a program is checked against its
 //! type: the names that were found, and nothing that could be computed.
 
-use crate::diagnostics::Diagnostic;
+use kahan_syntax::diagnostics::Diagnostic;
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
+
 use crate::field::{Component, Field};
 use crate::kept::Kept;
 use crate::plan::PlanBuilder;
 use crate::poly::Polynomial;
-use crate::rational::Rational;
 use crate::symbols::Symbols;
-use crate::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
 use crate::system::{Claim, Condition, System};
 
 /// A block with mistakes.

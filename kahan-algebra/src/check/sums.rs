@@ -1,7 +1,7 @@
 //! `sum(…)` in the claims of a family: what it sums.
 
-use crate::diagnostics::{Diagnostic, Kind};
-use crate::syntax::{Expr, ExprKind, Factor, Reference, Term};
+use kahan_syntax::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::syntax::{Expr, ExprKind, Factor, Reference, Term};
 
 /// What a claim sums over all sites: the claim with `sum` taken off, as sums are linear.
 pub(super) fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {

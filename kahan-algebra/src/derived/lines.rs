@@ -1,12 +1,13 @@
 //! The straight lines of one site: its field, its rows of A(x,ε), what its claims sum.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::table::distinct;
+
 use crate::field::{Component, Field};
 use crate::kept::WithConstants;
 use crate::plan::{Node, Operation, Plan, PlanBuilder};
 use crate::poly::{Polynomial, Variable, gcd};
-use crate::rational::Rational;
 use crate::symbols::{Symbol, Symbols};
-use crate::table::distinct;
 
 use crate::family::{Family, Role, SiteSum};
 

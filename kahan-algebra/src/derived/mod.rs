@@ -17,6 +17,8 @@ pub use listing::StepListing;
 pub use names::{ValueName, ValueNames, constant_names};
 pub(crate) use scheme::Scheme;
 
+use kahan_syntax::syntax::ClaimKind;
+
 use crate::arithmetic::Arithmetic;
 use crate::elimination::{Couplings, MOST_EXPANDED};
 use crate::kahan::{RationalMap, bilinear_form, matrix_of, polarization, scaled_rhs};
@@ -24,7 +26,6 @@ use crate::kept::WithConstants;
 use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
 use crate::symbols::{Symbol, Symbols};
-use crate::syntax::ClaimKind;
 use crate::system::{Claim, System};
 
 /// The plans of a system. Their inputs are states, parameters and ε, which is half the time step.

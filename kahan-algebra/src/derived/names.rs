@@ -4,9 +4,10 @@
 
 use rustc_hash::FxHashSet;
 
+use kahan_syntax::table::Table;
+
 use crate::plan::{Node, Operation, Plan, descriptions, kind};
 use crate::symbols::Symbols;
-use crate::table::Table;
 
 /// What a value is called.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Which variables act on each other, and what elimination in some order fills in.
 
-use crate::table::distinct;
+use kahan_syntax::table::distinct;
 
 /// The entries of f′ beside the diagonal that are not identically zero, by rows.
 pub(super) struct Graph {

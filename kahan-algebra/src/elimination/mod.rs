@@ -15,14 +15,15 @@
 mod graph;
 mod orders;
 
-use crate::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::table::distinct;
+use kahan_syntax::token::Span;
+
 use crate::field::Field;
 use crate::kahan::field_jacobian;
 use crate::kept::Values;
 use crate::plan::{Plan, StepCost, triangular_blocks};
 use crate::poly::Polynomial;
-use crate::table::distinct;
-use crate::token::Span;
 
 use graph::Graph;
 use orders::cheapest;

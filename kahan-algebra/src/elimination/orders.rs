@@ -1,6 +1,6 @@
 //! Orders in which a block may be eliminated, and the choice among them by what they fill in.
 
-use crate::table::sorted_by_key;
+use kahan_syntax::table::sorted_by_key;
 
 use super::graph::Graph;
 
@@ -60,7 +60,7 @@ fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
             waits[place] = waits[place].max(waits[chosen] + 1);
             let others = tied.iter().chain(&around[place]).copied();
             let others = others.filter(|&other| other != place && other != chosen);
-            around[place] = crate::table::distinct(others);
+            around[place] = kahan_syntax::table::distinct(others);
         }
         order.push(chosen);
     }

@@ -5,7 +5,8 @@
 //! for all chains up to [`longest`] sites, in which places near the left end, near the right end
 //! and in between occur by themselves, holds for all. Each chain is expanded and compared exactly.
 
-use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+
 use crate::poly::Polynomial;
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};

@@ -1,14 +1,15 @@
 //! A family at a given number of sites, as the plain system that a block of equations gives.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
+use kahan_syntax::token::Span;
+
 use crate::field::{Component, Field};
 use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
 use crate::symbols::Symbols;
-use crate::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
 use crate::system::{Claim, System};
-use crate::token::Span;
 
 use super::{Family, Role, SiteSum};
 

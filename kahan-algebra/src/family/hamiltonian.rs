@@ -4,12 +4,13 @@
 //! x̃ − x = 2ε A⁻¹ f (E. Celledoni, R. I. McLachlan, B. Owren, G. R. W. Quispel, J. Phys. A 46
 //! (2013) 025201).
 
-use crate::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::syntax::{Boundary, Reference};
+use kahan_syntax::table::Table;
+
 use crate::poly::{Monomial, Polynomial};
 use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
-use crate::syntax::{Boundary, Reference};
-use crate::table::Table;
 
 use super::conserved::{longest, plural};
 use super::linear::Equations;

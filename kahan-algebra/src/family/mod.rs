@@ -11,14 +11,15 @@ mod linear;
 #[cfg(test)]
 mod tests;
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{Boundary, Expr, Header, Name};
+use kahan_syntax::token::Span;
+
 use crate::field::Component;
 use crate::kept::Kept;
 use crate::poly::Variable;
-use crate::rational::Rational;
 use crate::render::{Notation, Text};
 use crate::symbols::{Symbol, Symbols};
-use crate::syntax::{Boundary, Expr, Header, Name};
-use crate::token::Span;
 
 /// A family of quadratic equations ẋᵢ = f(xᵢ₋ᵣ … xᵢ₊ᵣ), checked.
 #[derive(Clone, Debug)]

@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
+use kahan_syntax::lexer::lex;
+use kahan_syntax::syntax::Reference;
+
 use crate::check::Checked;
-use crate::lexer::lex;
 use crate::prime_field::SplitMix64;
 use crate::read;
-use crate::syntax::Reference;
 
 /// A term: its coefficient, and names with the offsets of their sites.
 type Term = (i64, Vec<(&'static str, i64)>);
@@ -142,7 +143,10 @@ fn holds(text: &str) -> bool {
     let reading = reading(text);
     let false_claims = reading.diagnostics().len();
     assert!(
-        reading.diagnostics().iter().all(|mistake| mistake.kind == crate::diagnostics::Kind::FalseClaim),
+        reading
+            .diagnostics()
+            .iter()
+            .all(|mistake| mistake.kind == kahan_syntax::diagnostics::Kind::FalseClaim),
         "{text}: {:?}",
         reading.diagnostics()
     );

@@ -1,8 +1,9 @@
 //! The map and its Jacobian at a point.
 
+use kahan_syntax::rational::Rational;
+
 use crate::arithmetic::{Arithmetic, Dual, solve};
 use crate::plan::{Operation, Plan, StepPlan};
-use crate::rational::Rational;
 
 use super::{Interpreter, Point};
 

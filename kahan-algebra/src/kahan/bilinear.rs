@@ -1,9 +1,10 @@
 //! The symmetric bilinear form Q(x, y) = ½[Q(x+y) − Q(x) − Q(y)] and the polarised field Q(x,y) +
 //! ½B(x+y) + c.
 
+use kahan_syntax::rational::Rational;
+
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial};
-use crate::rational::Rational;
 use crate::symbols::Symbol;
 
 /// The numerators of Q(x, y), over qᵢ; y are the second states.

@@ -1,8 +1,9 @@
 //! f′(x), the matrix A(x,ε) = I − ε f′(x) and the right-hand side b(x,ε) = x + εBx + 2εc.
 
+use kahan_syntax::rational::Rational;
+
 use crate::field::Field;
 use crate::poly::{Polynomial, Variable};
-use crate::rational::Rational;
 
 /// The numerators of f′(x): entry (i, j) is ∂pᵢ/∂xⱼ, over qᵢ.
 #[must_use]

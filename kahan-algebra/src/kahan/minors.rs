@@ -3,8 +3,9 @@
 //! Laplace expansion row by row: after k rows, the minor of every set of k columns is known, each
 //! from those of k−1. Zero minors are left out, so sparse matrices stay cheap.
 
+use kahan_syntax::table::Table;
+
 use crate::poly::{Budget, OverBudget, Polynomial};
-use crate::table::Table;
 
 /// The largest number of nonzero minors kept at a time.
 const MOST_MINORS: usize = 4096;

@@ -6,9 +6,10 @@
 //! those of N̂ and D̂ too, because D̂ is not divisible by ε (at ε = 0 it is ∏q). The greatest of
 //! them is divided out: where it alone vanishes the map has a removable pole.
 
+use kahan_syntax::rational::Rational;
+
 use crate::field::Field;
 use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within};
-use crate::rational::Rational;
 use crate::symbols::Symbols;
 
 use super::matrix::scaled_matrix;

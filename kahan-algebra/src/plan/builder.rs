@@ -3,8 +3,9 @@
 //! Simplifications are exact identities only (0 + a, 1 · a, a − (−b), …), so a plan computes what
 //! was asked over ℚ.
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::Variable;
-use crate::rational::Rational;
 
 use super::numbered::Numbered;
 use super::{Node, Operation, Plan};

@@ -1,7 +1,8 @@
 //! Polynomials in nested (Horner) form, whatever it costs: for all plans but steps.
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
 
 use super::{Node, PlanBuilder};
 

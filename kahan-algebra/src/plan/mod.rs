@@ -13,7 +13,8 @@
 //! 3. `step` decides what is prepared and what is computed for each state, and rewrites that.
 //! 4. `accuracy` measures what a long step loses, and refuses forms that lose too much.
 //!
-//! `cost` says what operations cost, `words` what they are called.
+//! `values` puts in what a field keeps as it was written, `cost` says what operations cost, `words`
+//! what they are called.
 
 mod accuracy;
 mod builder;
@@ -24,6 +25,7 @@ mod include;
 mod numbered;
 mod operation;
 mod step;
+mod values;
 mod words;
 mod writing;
 
@@ -36,9 +38,10 @@ pub use step::kernel::Kernel;
 pub use step::{StepCost, StepPlan};
 pub(crate) use words::{descriptions, kind};
 
+use kahan_syntax::table::distinct;
+
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Polynomial, Variable};
-use crate::table::distinct;
 
 /// The result of an operation: its index in the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

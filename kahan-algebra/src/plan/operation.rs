@@ -1,8 +1,9 @@
 //! The operations that plans are made of.
 
+use kahan_syntax::rational::Rational;
+
 use crate::arithmetic::Arithmetic;
 use crate::poly::Variable;
-use crate::rational::Rational;
 
 use super::Node;
 

@@ -1,7 +1,8 @@
 //! Steps in words, by what they compute: `two_eps`, `eps_a1`, `one_plus_eps_x`. Whoever names
 //! values, in generated code or in a listing, begins with these.
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
+
 use crate::symbols::Symbols;
 
 use super::{Node, Operation, Plan};

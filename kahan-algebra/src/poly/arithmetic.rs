@@ -8,8 +8,9 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use kahan_syntax::rational::Rational;
+
 use super::{Monomial, Polynomial, Term};
-use crate::rational::Rational;
 
 impl Polynomial {
     /// The sum of all, each with whether it is subtracted. Costs a sort.

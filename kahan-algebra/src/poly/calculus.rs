@@ -1,8 +1,9 @@
 //! Derivatives, substitution, renaming, and a polynomial seen as one in a single variable.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::table::Table;
+
 use super::{Budget, Monomial, OverBudget, Polynomial, Term, Variable};
-use crate::rational::Rational;
-use crate::table::Table;
 
 impl Polynomial {
     /// The partial derivative.

@@ -1,7 +1,8 @@
 //! What can be taken out of every term: a rational and a monomial.
 
+use kahan_syntax::rational::Rational;
+
 use super::{Monomial, Polynomial};
-use crate::rational::Rational;
 
 impl Polynomial {
     /// The rational c such that self/c is primitive: integer coefficients without a common factor,

@@ -7,10 +7,11 @@
 //! sequence in the variable of least degree, stopped as soon as the bound is met. All results are
 //! exact: the prime decides how fast, never what.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::table::{Table, sorted_by_key};
+
 use super::images::degree_bounds;
 use super::{Budget, Monomial, OverBudget, Polynomial, Variable};
-use crate::rational::Rational;
-use crate::table::{Table, sorted_by_key};
 
 /// The greatest common divisor, primitive with positive leading coefficient; gcd(0, b) is the
 /// primitive part of b.

@@ -13,9 +13,10 @@
 //! The points are fixed, so results are reproducible; unlucky points loosen a bound and never
 //! falsify it.
 
+use kahan_syntax::table::Table;
+
 use super::{Budget, OverBudget, Polynomial, Variable};
 use crate::prime_field::{PrimeField, SplitMix64};
-use crate::table::Table;
 
 /// Where the images are taken.
 const FIELD: PrimeField = PrimeField::MERSENNE_61;

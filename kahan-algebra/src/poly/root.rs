@@ -2,8 +2,9 @@
 
 use num_bigint::BigInt;
 
+use kahan_syntax::rational::Rational;
+
 use super::{Monomial, Polynomial};
-use crate::rational::Rational;
 
 impl Polynomial {
     /// r with r² = self and a positive leading coefficient; `None` if there is none. Costs a

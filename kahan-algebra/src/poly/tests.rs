@@ -1,6 +1,7 @@
+use kahan_syntax::rational::Rational;
+
 use super::{Budget, Monomial, OverBudget, Polynomial, Variable, gcd, gcd_all, gcd_within};
 use crate::prime_field::SplitMix64;
-use crate::rational::Rational;
 
 fn v(index: u16) -> Polynomial {
     Polynomial::variable(Variable(index))

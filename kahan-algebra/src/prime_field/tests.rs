@@ -1,7 +1,8 @@
 use num_bigint::BigInt;
 
+use kahan_syntax::rational::Rational;
+
 use super::{PrimeField, Random, Shake256, SplitMix64, is_prime_u64, random_prime_61};
-use crate::rational::Rational;
 
 #[test]
 fn primality_is_decided() {
@@ -109,7 +110,7 @@ fn the_points_of_a_proof_depend_on_each_bit_of_their_seed() {
     let distinct: std::collections::BTreeSet<u64> = primes.collect();
     assert_eq!(distinct.len(), 257);
     // As the seed of a block's proof depends on each word of it.
-    let seed = |text: &str| crate::seed(&crate::lexer::lex(text).tokens);
+    let seed = |text: &str| crate::seed(&kahan_syntax::lexer::lex(text).tokens);
     assert_ne!(seed("xdot = x;"), seed("xdot = y;"));
     assert_eq!(seed("xdot = x;"), seed("xdot  =x ;"));
 }

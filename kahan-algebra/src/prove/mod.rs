@@ -19,11 +19,12 @@ pub use normal_form::prove_by_normal_form;
 pub use refute::Refutation;
 pub use sizes::{ERROR_EXPONENT, points_needed};
 
+use kahan_syntax::diagnostics::{Diagnostics, Kind};
+use kahan_syntax::syntax::ClaimKind;
+
 use crate::derived::Scheme;
-use crate::diagnostics::{Diagnostics, Kind};
 use crate::prime_field::Shake256;
 use crate::render::condition_text;
-use crate::syntax::ClaimKind;
 use crate::system::{Claim, Condition, System};
 
 use sample::Samples;

@@ -1,9 +1,10 @@
 //! The quick proof: random points modulo random primes, and one exact point. The error bound is
 //! derived in [`super::sizes`].
 
+use kahan_syntax::syntax::ClaimKind;
+
 use crate::arithmetic::{Arithmetic, Exact};
 use crate::derived::Scheme;
-use crate::syntax::ClaimKind;
 use crate::system::Claim;
 
 use super::Verdict;

@@ -1,12 +1,13 @@
 //! The thorough proof: both sides of every identity as rational functions over ℚ, compared by
 //! expanding their difference. Independent of the modular proof, and of any probability.
 
+use kahan_syntax::rational::Rational;
+
 use crate::arithmetic::{Arithmetic, Function, Functions};
 use crate::derived::Scheme;
 use crate::kahan::RationalMap;
 use crate::plan::PlanBuilder;
 use crate::poly::{Budget, Polynomial, Variable};
-use crate::rational::Rational;
 use crate::relations::put_into;
 use crate::system::{Claim, System};
 

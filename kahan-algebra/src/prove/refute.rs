@@ -1,12 +1,13 @@
 //! A counterexample to a false claim: the first point of small rationals at which its two sides
 //! differ.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::ClaimKind;
+
 use crate::arithmetic::{Arithmetic, Exact, solve};
 use crate::derived::Scheme;
 use crate::prime_field::SplitMix64;
-use crate::rational::Rational;
 use crate::symbols::Symbols;
-use crate::syntax::ClaimKind;
 use crate::system::{Claim, upper_index};
 
 use super::residual::{Place, congruence, pairs};

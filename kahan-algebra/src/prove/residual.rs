@@ -10,9 +10,10 @@
 //! Because ∂x̃/∂x = Â(x,ε)⁻¹ Â(x̃,−ε), the third line is J P Jᵀ = P(x̃) without an inverse.
 //! Derivatives are those of dual numbers.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::ClaimKind;
+
 use crate::arithmetic::{Arithmetic, Dual, DualNumber};
-use crate::rational::Rational;
-use crate::syntax::ClaimKind;
 use crate::system::{Claim, upper_index};
 
 use super::sample::{Sample, run};

@@ -1,11 +1,12 @@
 //! One step of the map at one point, in any field, with all that claims are tested on.
 
+use kahan_syntax::rational::Rational;
+
 use crate::arithmetic::{Arithmetic, Exact, Modular, determinant, solve};
 use crate::derived::Scheme;
 use crate::plan::{Plan, PlanBuilder};
 use crate::poly::Variable;
 use crate::prime_field::{PrimeField, Random, Shake256};
-use crate::rational::Rational;
 use crate::system::Condition;
 
 /// A point x, its image x̃, and the matrices Â(x,ε), Â(x̃,−ε).

@@ -1,7 +1,8 @@
+use kahan_syntax::rational::Rational;
+
 use super::RationalFunction;
 use crate::poly::{Budget, Monomial, OverBudget, Polynomial, Variable, gcd};
 use crate::prime_field::SplitMix64;
-use crate::rational::Rational;
 
 fn random_polynomial(rng: &mut SplitMix64, terms: usize) -> Polynomial {
     Polynomial::from_terms((0..terms).map(|_| {

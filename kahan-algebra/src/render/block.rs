@@ -1,7 +1,8 @@
 //! A system as a block of `kahan!`, in one canonical layout.
 
+use kahan_syntax::syntax::{ClaimBody, Expr, Header, Reference};
+
 use crate::field::Component;
-use crate::syntax::{ClaimBody, Expr, Header, Reference};
 use crate::system::{Claim, Condition, System};
 
 use super::claim::claim_text;

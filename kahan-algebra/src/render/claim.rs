@@ -1,6 +1,7 @@
 //! Claims as written, and as statements.
 
-use crate::syntax::{ClaimBody, ClaimKind};
+use kahan_syntax::syntax::ClaimBody;
+
 use crate::system::{Claim, System};
 
 use super::expression::expression_text;
@@ -73,16 +74,4 @@ pub fn condition_note(system: &System, claim: &Claim) -> String {
     let nonzero = claim.conditions.iter().flat_map(|condition| &condition.nonzero);
     let texts = nonzero.map(|factor| format!("{} != 0", Text.polynomial(&system.field.symbols, factor)));
     texts.collect::<Vec<_>>().join(", ")
-}
-
-impl ClaimKind {
-    /// What such a claim says, in words.
-    #[must_use]
-    pub fn meaning(self) -> &'static str {
-        match self {
-            ClaimKind::Integral => "integral of motion: F(x~) = F(x)",
-            ClaimKind::Density => "invariant density: rho(x~) det dx~/dx = rho(x)",
-            ClaimKind::Bracket => "invariant Poisson tensor: J P(x) J^T = P(x~), Jacobi",
-        }
-    }
 }

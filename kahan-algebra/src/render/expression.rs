@@ -1,6 +1,6 @@
 //! Expressions as they were written.
 
-use crate::syntax::{Expr, ExprKind, Reference, Term};
+use kahan_syntax::syntax::{Expr, ExprKind, Reference, Term};
 
 use super::notation::{Notation, Text};
 

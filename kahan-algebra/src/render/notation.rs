@@ -2,11 +2,12 @@
 
 use std::fmt;
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::Expr;
+use kahan_syntax::table::sorted_by_key;
+
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
 use crate::symbols::{Symbol, Symbols};
-use crate::syntax::Expr;
-use crate::table::sorted_by_key;
 
 use super::expression::expression_text;
 

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 use std::ops::Range;
 
-use crate::diagnostics::Diagnostic;
+use kahan_syntax::diagnostics::Diagnostic;
 
 /// Writes `diagnostic` about `text`; `ranges` are the byte ranges of its tokens, `origin` names the
 /// text.

@@ -7,10 +7,10 @@ use kahan_algebra::arithmetic::{Arithmetic, Dual};
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::interpret::Point;
 use kahan_algebra::lexer::lex;
-use kahan_algebra::parse::parse;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::{Block, ClaimBody, ClaimKind, Expr, ExprKind};
+use kahan_syntax::parse::parse;
 
 /// A block and the order of its names.
 pub(crate) struct Written {

@@ -2,11 +2,12 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostics::{Diagnostics, Kind};
-use crate::symbols::Symbols;
-use crate::syntax::{Block, Name};
+use kahan_syntax::diagnostics::{Diagnostics, Kind};
+use kahan_syntax::spelling::is_keyword;
+use kahan_syntax::syntax::{Block, Name};
 
-use super::super::spelling::is_keyword;
+use crate::symbols::Symbols;
+
 use super::{Scope, is_epsilon, report_reserved};
 
 impl Scope {

@@ -16,10 +16,11 @@
 
 mod solve;
 
+use kahan_syntax::rational::Rational;
+
 use crate::field::Field;
 use crate::kahan::{polarization, scaled_matrix};
 use crate::poly::Polynomial;
-use crate::rational::Rational;
 use crate::symbols::Symbol;
 
 use crate::plan::forms::minors;

@@ -1,6 +1,6 @@
 //! One form of a step, with its price.
 
-use crate::table::distinct;
+use kahan_syntax::table::distinct;
 
 use crate::plan::cost::DERIVED;
 use crate::plan::writing::nesting::Goal;

@@ -1,12 +1,13 @@
 //! The forms of a step that are compared: for each a draft of the denominator and the numerators of
 //! εn and d, from the reduced polynomials or from the determinants of A.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::table::sorted_by_key;
+
 use crate::field::Field;
 use crate::kahan::{RationalMap, scaled_matrix};
 use crate::kept::Kept;
 use crate::poly::Polynomial;
-use crate::rational::Rational;
-use crate::table::sorted_by_key;
 
 use crate::plan::forms::blocks::Blocks;
 use crate::plan::forms::candidate::Candidate;

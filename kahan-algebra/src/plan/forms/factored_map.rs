@@ -1,10 +1,11 @@
 //! What all forms of a reduced map are made from: its numerators and its denominator as products
 //! over one base of factors.
 
+use kahan_syntax::rational::Rational;
+
 use crate::field::Field;
 use crate::kahan::RationalMap;
 use crate::poly::{Monomial, Polynomial};
-use crate::rational::Rational;
 
 use crate::plan::Node;
 use crate::plan::forms::candidate::Candidate;

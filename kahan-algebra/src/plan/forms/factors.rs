@@ -3,8 +3,9 @@
 //! square discriminant falls apart. No complete factorisation: what is found this way is what a
 //! step can reuse.
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::{Budget, Monomial, Polynomial, gcd_all_within, gcd_within};
-use crate::rational::Rational;
 
 /// The work that looking for factors may take; beyond it polynomials stay as they are.
 const WORK: u64 = 20_000;
@@ -156,7 +157,7 @@ mod tests {
     use crate::kahan::RationalMap;
 
     fn factors_of(text: &str) -> (Field, Vec<Polynomial>, Vec<Factored>) {
-        let field = crate::read(&crate::lexer::lex(text).tokens).system().expect("a system").field;
+        let field = crate::read(&kahan_syntax::lexer::lex(text).tokens).system().expect("a system").field;
         let reduced = RationalMap::of(&field).expect("the field is small").reduced;
         let mut all = reduced.increments;
         all.push(reduced.denominator);

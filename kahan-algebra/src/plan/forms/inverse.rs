@@ -9,9 +9,10 @@
 //! Such a step has no value at ε = 0 and leaves the range of the scalar earlier, so whoever takes
 //! it has another one besides.
 
+use kahan_syntax::rational::Rational;
+
 use crate::arithmetic::Arithmetic;
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
 
 use crate::plan::StepPlan;
 use crate::plan::forms::candidate::Candidate;

@@ -3,8 +3,9 @@
 //! each from those of one row less, so that all the determinants share them; zero entries leave out
 //! what they would multiply.
 
+use kahan_syntax::table::{Table, sorted_by_key};
+
 use crate::poly::Polynomial;
-use crate::table::{Table, sorted_by_key};
 
 use crate::plan::writing::draft::{Draft, Signed};
 use crate::plan::writing::writer::{Entry, Writer};

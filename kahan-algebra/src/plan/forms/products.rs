@@ -5,11 +5,12 @@
 //! magnifies the rounding error until it shows in the step. Cramer's rule on A·(x̃ − x) = 2εf
 //! multiplies f by cofactors and leaves it as it is.
 
+use kahan_syntax::rational::Rational;
+
 use crate::field::Field;
 use crate::kahan::matrix_of;
 use crate::kept::Kept;
 use crate::poly::Polynomial;
-use crate::rational::Rational;
 
 use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::minors::{Determinants, MOST_OPERATIONS, determinants, operations};

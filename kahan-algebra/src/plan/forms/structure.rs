@@ -1,9 +1,10 @@
 //! The structure of a field that its step can use: which states move without others, and which do
 //! not act on each other.
 
+use kahan_syntax::table::{distinct, sorted_by_key};
+
 use crate::field::Field;
 use crate::kahan::field_jacobian;
-use crate::table::{distinct, sorted_by_key};
 
 /// Which entries of f′ are not identically zero.
 pub(in crate::plan) struct Structure {

@@ -9,9 +9,10 @@
 //! which is the second half of the map of the variational field. So it is written as a step is, by
 //! [`blocks`](crate::plan::forms::blocks); but x̃ is an input, and the first half is left out.
 
+use kahan_syntax::table::sorted_by_key;
+
 use crate::field::Field;
 use crate::symbols::Symbol;
-use crate::table::sorted_by_key;
 
 use crate::plan::accuracy::Accuracy;
 use crate::plan::forms::blocks::{Arrangement, Blocks};

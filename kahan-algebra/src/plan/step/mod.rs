@@ -233,7 +233,7 @@ mod tests {
             "struct P { a, b } xdot = a*x*y; ydot = b*y^2 - x;",
             "struct P { a, b, c, d, k } xdot = a*x*(1 - x/k) - b*x*y; ydot = c*x*y - d*y - b*y*z; zdot = b*y*z - a*z;",
         ] {
-            let field = crate::read(&crate::lexer::lex(text).tokens).system().expect("a system").field;
+            let field = crate::read(&kahan_syntax::lexer::lex(text).tokens).system().expect("a system").field;
             let map = RationalMap::of(&field).expect("the field is small");
             let (all, made) = shorter(&field, &map, |_| u64::MAX);
             let (some, fewer) = shorter(&field, &map, |limit| limit);

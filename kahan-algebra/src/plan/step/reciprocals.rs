@@ -5,7 +5,7 @@
 //! fold a negation into the last subtraction, but a step over anything else (error bounds, lanes,
 //! double-doubles) would carry it out.
 
-use crate::rational::Rational;
+use kahan_syntax::rational::Rational;
 
 use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
 

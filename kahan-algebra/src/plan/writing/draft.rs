@@ -1,9 +1,10 @@
 //! A plan in the making that knows when each of its values is ready, so that sums and products can
 //! be grouped with what arrives last at the end.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::table::sorted_by_key;
+
 use crate::poly::Variable;
-use crate::rational::Rational;
-use crate::table::sorted_by_key;
 
 use crate::plan::writing::scaling::Scaling;
 use crate::plan::{Node, Operation, PlanBuilder};

@@ -8,9 +8,10 @@ use std::cell::RefCell;
 use std::cmp::Reverse;
 use std::rc::Rc;
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::table::sorted_by_key;
+
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
-use crate::table::sorted_by_key;
 
 use crate::plan::cost::{DERIVED, MULTIPLY, gathered, multiplied};
 use crate::plan::numbered::Numbered;

@@ -1,8 +1,9 @@
 //! The numerators εn, or n divided by a power of ε, as products of factors, with what several of
 //! them share multiplied once.
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
 
 use crate::plan::Node;
 use crate::plan::forms::factors::Factored;

@@ -7,9 +7,10 @@
 //! A form divided by the time step has the [inverse time step](crate::plan::forms::inverse)
 //! besides, the last of these variables.
 
+use kahan_syntax::rational::Rational;
+
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
 
 use crate::plan::cost::{DIVIDE, MULTIPLY};
 

@@ -8,10 +8,11 @@ mod terms;
 
 use std::rc::Rc;
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::table::sorted_by_key;
+
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
-use crate::table::sorted_by_key;
 
 use crate::plan::Node;
 use crate::plan::numbered::Numbered;

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::{Polynomial, Variable};
-use crate::rational::Rational;
 use crate::symbols::Symbol;
 
 use super::Arrangement;

@@ -1,7 +1,8 @@
+use kahan_syntax::rational::Rational;
+
 use super::*;
 use crate::arithmetic::Exact;
 use crate::poly::Variable;
-use crate::rational::Rational;
 
 /// The constant a − b, and beside it a.
 fn constants() -> Plan {

@@ -1,8 +1,9 @@
 //! Constants: sums of them that multiply one product of states are one coefficient, computed when
 //! the map is prepared.
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::{Monomial, Polynomial, Variable};
-use crate::rational::Rational;
 
 use super::Writer;
 use crate::plan::writing::draft::Signed;

@@ -1,8 +1,9 @@
 //! Reuse: a polynomial as multiples of sums that are operations already, and a rest.
 
+use kahan_syntax::rational::Rational;
+use kahan_syntax::table::Table;
+
 use crate::poly::{Monomial, Polynomial, Term};
-use crate::rational::Rational;
-use crate::table::Table;
 
 use super::Writer;
 use crate::plan::writing::draft::Signed;

@@ -1,7 +1,8 @@
 //! Terms: a product of symbols with its coefficient, which goes where it costs nothing.
 
+use kahan_syntax::rational::Rational;
+
 use crate::poly::{Monomial, Variable};
-use crate::rational::Rational;
 
 use super::Writer;
 use crate::plan::Node;

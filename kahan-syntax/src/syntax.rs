@@ -1,8 +1,7 @@
 //! What was written: a block of `kahan!`, item by item, with the place of everything.
 //!
-//! Nothing here is checked: names may be unknown, degrees too high, claims false. [`crate::check`]
-//! turns a block into a [`crate::field::Field`] and claims about it. Sums and products are flat
-//! lists, so that a sum of 20 000 terms is as shallow as one of two.
+//! Nothing here is checked: names may be unknown, degrees too high, claims false. `kahan-algebra`
+//! turns a block into a field and claims about it. Sums and products are flat lists, so that a sum of 20 000 terms is as shallow as one of two.
 
 use core::fmt;
 
@@ -121,6 +120,16 @@ impl ClaimKind {
             ClaimKind::Integral => "integral",
             ClaimKind::Density => "density",
             ClaimKind::Bracket => "bracket",
+        }
+    }
+
+    /// What such a claim says, in words.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            ClaimKind::Integral => "integral of motion: F(x~) = F(x)",
+            ClaimKind::Density => "invariant density: rho(x~) det dx~/dx = rho(x)",
+            ClaimKind::Bracket => "invariant Poisson tensor: J P(x) J^T = P(x~), Jacobi",
         }
     }
 }

@@ -10,10 +10,7 @@ use std::ops::Index;
 
 /// The list in order, equal items in the order in which they were. Costs a move of what lies behind
 /// for each item that comes late.
-pub(crate) fn sorted_by<T>(
-    list: impl IntoIterator<Item = T>,
-    compare: impl Fn(&T, &T) -> Ordering,
-) -> Vec<T> {
+pub fn sorted_by<T>(list: impl IntoIterator<Item = T>, compare: impl Fn(&T, &T) -> Ordering) -> Vec<T> {
     let mut sorted: Vec<T> = Vec::new();
     for item in list {
         // Most lists are nearly in order.
@@ -28,12 +25,12 @@ pub(crate) fn sorted_by<T>(
 }
 
 /// The list in the order of its keys.
-pub(crate) fn sorted_by_key<T, K: Ord>(list: impl IntoIterator<Item = T>, key: impl Fn(&T) -> K) -> Vec<T> {
+pub fn sorted_by_key<T, K: Ord>(list: impl IntoIterator<Item = T>, key: impl Fn(&T) -> K) -> Vec<T> {
     sorted_by(list, |left, right| key(left).cmp(&key(right)))
 }
 
 /// The list in order, each item once.
-pub(crate) fn distinct<T: Ord + Copy>(list: impl IntoIterator<Item = T>) -> Vec<T> {
+pub fn distinct<T: Ord + Copy>(list: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut sorted = sorted_by_key(list, |item| *item);
     sorted.dedup();
     sorted
@@ -53,7 +50,7 @@ impl<K: Ord, V> Table<K, V> {
     }
 
     /// Of entries whose keys are strictly increasing.
-    pub(crate) fn from_sorted(entries: Vec<(K, V)>) -> Self {
+    pub fn from_sorted(entries: Vec<(K, V)>) -> Self {
         debug_assert!(entries.is_sorted_by(|(left, _), (right, _)| left < right));
         Table { entries }
     }

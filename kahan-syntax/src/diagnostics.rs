@@ -82,7 +82,7 @@ impl fmt::Display for Diagnostic {
 ///
 /// ```
 /// let name = "x".repeat(1_000_000);
-/// let message = kahan_algebra::diagnostics::brief(&format!("there is no `{name}` here"));
+/// let message = kahan_syntax::diagnostics::brief(&format!("there is no `{name}` here"));
 /// assert!(message.starts_with("there is no `xxx") && message.ends_with("xxx` here"));
 /// assert!(message.len() < 100);
 /// ```

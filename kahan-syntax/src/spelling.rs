@@ -1,7 +1,8 @@
 //! Names as letters: which ones Rust keeps for itself, and which are slips of others.
 
 /// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
-pub(super) fn is_keyword(name: &str) -> bool {
+#[must_use]
+pub fn is_keyword(name: &str) -> bool {
     const KEYWORDS: [&str; 53] = [
         "_", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern",
         "false", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref",

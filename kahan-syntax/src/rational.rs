@@ -151,7 +151,7 @@ impl Rational {
     }
 
     /// A number that equal rationals have in common, and different small ones mostly do not.
-    pub(crate) fn key(&self) -> u32 {
+    pub fn key(&self) -> u32 {
         match &self.0 {
             Repr::Small { num, den } => (*num as u32) ^ (*den as u32).rotate_left(16),
             Repr::Big(_) => self.bits() as u32,

@@ -1,0 +1,25 @@
+//! The language of `kahan!`, as far as it is text.
+//!
+//! In: text, or the tokens of a macro. Out: the syntax tree of a block, each part with its place
+//! and each number exact, and the mistakes that can be seen without knowing what a name means. The
+//! crate must not know polynomials: what is a vector field, and whether a claim holds, is decided
+//! by `kahan-algebra`.
+//!
+//! `kahan-algebra` shares the exact numbers ([`rational`]) and the short sorted lists ([`table`]).
+
+// Each needs those before it only, which a test guards.
+pub mod rational;
+
+pub mod table;
+
+pub mod token;
+
+pub mod lexer;
+
+pub mod syntax;
+
+pub mod diagnostics;
+
+pub mod spelling;
+
+pub mod parse;
