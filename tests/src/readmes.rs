@@ -9,19 +9,19 @@ struct Repository;
 #[doc = include_str!("../../docs/speed.md")]
 struct Speed;
 
-#[doc = include_str!("../../kahan-syntax/README.md")]
+#[doc = include_str!("../../crates/kahan-syntax/README.md")]
 struct Syntax;
 
-#[doc = include_str!("../../kahan-algebra/README.md")]
+#[doc = include_str!("../../crates/kahan-algebra/README.md")]
 struct Algebra;
 
-#[doc = include_str!("../../kahan-factor/README.md")]
+#[doc = include_str!("../../crates/kahan-factor/README.md")]
 struct Factor;
 
-#[doc = include_str!("../../kahan-latex/README.md")]
+#[doc = include_str!("../../crates/kahan-latex/README.md")]
 struct Latex;
 
-#[doc = include_str!("../../kahan-emit/README.md")]
+#[doc = include_str!("../../crates/kahan-emit/README.md")]
 struct Emit;
 
 #[doc = include_str!("../../kahan-derive/README.md")]
@@ -30,17 +30,17 @@ struct Derive;
 #[doc = include_str!("../../kahan-core/README.md")]
 struct Core;
 
-#[doc = include_str!("../../kahan-discover/README.md")]
+#[doc = include_str!("../../crates/kahan-discover/README.md")]
 struct Discover;
 
-#[doc = include_str!("../../kahan-runtime/README.md")]
+#[doc = include_str!("../../crates/kahan-runtime/README.md")]
 struct Runtime;
 
 #[doc = include_str!("../../systems/README.md")]
 struct Systems;
 
-#[doc = include_str!("../../kahan-paper/README.md")]
+#[doc = include_str!("../../crates/kahan-paper/README.md")]
 struct Paper;
 
-#[doc = include_str!("../../kahan-measure/README.md")]
+#[doc = include_str!("../../crates/kahan-measure/README.md")]
 struct Measure;

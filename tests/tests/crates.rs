@@ -157,7 +157,7 @@ fn what_the_macro_and_the_command_share_is_compiled_once() {
 fn what_is_timed_is_optimised() {
     // The command is not: it reads and prints.
     assert!(not_optimised("Cargo.toml").contains(&"kahan-cli".to_owned()));
-    for manifest in ["Cargo.toml", "benches/Cargo.toml", "kahan-sweep/Cargo.toml"] {
+    for manifest in ["Cargo.toml", "benches/Cargo.toml", "crates/kahan-sweep/Cargo.toml"] {
         for name in not_optimised(manifest) {
             let is_timed = name == "*" || TIMED.iter().any(|timed| name.starts_with(timed));
             assert!(!is_timed, "{manifest} builds {name} without optimisation, which is timed");

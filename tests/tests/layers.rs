@@ -37,13 +37,13 @@ const CORE: Layered = Layered {
 };
 
 const SYNTAX: Layered = Layered {
-    folder: "kahan-syntax",
+    folder: "crates/kahan-syntax",
     name: "kahan_syntax",
     layers: &["rational", "table", "token", "lexer", "syntax", "diagnostics", "spelling", "parse"],
 };
 
 const ALGEBRA: Layered = Layered {
-    folder: "kahan-algebra",
+    folder: "crates/kahan-algebra",
     name: "kahan_algebra",
     layers: &[
         "prime_field",
@@ -70,7 +70,7 @@ const ALGEBRA: Layered = Layered {
 };
 
 const COMMAND: Layered = Layered {
-    folder: "kahan-cli",
+    folder: "crates/kahan-cli",
     name: "kahan_cli",
     layers: &["numbers", "printing", "reading", "plot", "document", "atlas", "commands"],
 };

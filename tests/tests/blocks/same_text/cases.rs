@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// Where the cases stand, relative to this package.
-const FOLDER: &str = "../macro-tests/tests/compile_errors";
+const FOLDER: &str = "macro/tests/compile_errors";
 
 /// One case.
 pub(super) struct CompileCase {

@@ -1,0 +1,109 @@
+//! The packages as users get them: unpacked outside the repository, with a program that has nothing
+//! else.
+//!
+//! 1. Every published crate is packed, and unpacked into a temporary folder.
+//! 2. Each has its licences and its README as files.
+//! 3. A crate that asks for `kahan-core` of the registry gets these folders, and runs the example
+//!    of the packed README.
+//! 4. No file of the repository took part.
+//!
+//! `cargo test -p kahan-macro-tests --test packages -- --ignored` compiles everything once more, so
+//! the usual run of the tests leaves it out. Whether every packed crate compiles, `cargo package
+//! --workspace` tells.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs, process};
+
+const CARRIED: [&str; 4] = ["Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md"];
+
+fn run(command: &mut Command) {
+    let output = command.output().unwrap_or_else(|error| panic!("{command:?}: {error}"));
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?}\n{errors}");
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn entries(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder of ours");
+    entries.map(|entry| entry.expect("a readable folder").path()).collect()
+}
+
+/// Packs every published crate of the workspace, and unpacks it in `folder`.
+fn unpacked(workspace: &Path, folder: &Path) -> Vec<PathBuf> {
+    let target = folder.join("packing");
+    run(Command::new(env!("CARGO"))
+        .args(["package", "--offline", "--no-verify", "--allow-dirty", "--workspace"])
+        .args(
+            ["kahan-tests", "kahan-macro-tests", "kahan-core-tests"].map(|name| format!("--exclude={name}")),
+        )
+        .arg("--target-dir")
+        .arg(&target)
+        .current_dir(workspace));
+    let crates = folder.join("crates");
+    fs::create_dir_all(&crates).expect("a folder of ours");
+    let packed = entries(&target.join("package")).into_iter();
+    for archive in packed.filter(|path| path.extension().is_some_and(|extension| extension == "crate")) {
+        run(Command::new("tar").arg("-xzf").arg(archive).arg("-C").arg(&crates));
+    }
+    entries(&crates)
+}
+
+/// The first block of Rust in a README.
+fn example(readme: &str) -> &str {
+    let (_, block) = readme.split_once("```rust\n").expect("an example");
+    block.split_once("```").expect("its end").0
+}
+
+#[test]
+#[ignore = "compiles everything once more"]
+fn a_program_needs_nothing_but_the_packages() {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("a workspace");
+    let folder = env::temp_dir().join(format!("kahan-packages-{}", process::id()));
+    let crates = unpacked(workspace, &folder);
+    assert_eq!(crates.len(), 14, "{crates:?}");
+
+    let mut manifest = "[package]\nname = \"user\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n\
+                        [dependencies]\nkahan-core = \"0.1\"\n\n[patch.crates-io]\n"
+        .to_owned();
+    let mut program = None;
+    for path in crates {
+        for name in CARRIED {
+            let file = path.join(name);
+            let carried = fs::symlink_metadata(&file).is_ok_and(|metadata| metadata.is_file());
+            assert!(carried, "{} is missing, or a link", file.display());
+        }
+        let name = path.file_name().and_then(|name| name.to_str()).expect("a name");
+        let (name, _version) = name.rsplit_once('-').expect("a name and a version");
+        if name == "kahan-core" {
+            program = Some(read(&path.join("README.md")));
+        }
+        // Cargo warns of a patch that nothing uses.
+        if ["kahan-algebra", "kahan-core", "kahan-derive", "kahan-emit", "kahan-syntax"].contains(&name) {
+            manifest += &format!("{name} = {{ path = {path:?} }}\n");
+        }
+    }
+
+    let user = folder.join("user");
+    fs::create_dir_all(user.join("src")).expect("a folder of ours");
+    fs::write(user.join("Cargo.toml"), manifest).expect("a file of ours");
+    let program = program.expect("a package of kahan-core");
+    fs::write(user.join("src/main.rs"), format!("fn main() {{\n{}}}\n", example(&program)))
+        .expect("a file of ours");
+    fs::copy(workspace.join("Cargo.lock"), user.join("Cargo.lock")).expect("the workspace has a lock file");
+    run(Command::new(env!("CARGO"))
+        .args(["run", "--offline"])
+        .current_dir(&user)
+        .env("CARGO_TARGET_DIR", user.join("target"))
+        .env_remove("RUSTFLAGS"));
+
+    // Cargo lists every file that was read for the program.
+    let files = read(&user.join("target/debug/user.d"));
+    let ours = workspace.to_str().expect("a path in UTF-8");
+    assert!(files.contains("kahan-core"), "{files}");
+    assert!(!files.contains(&format!("{ours}/")), "{files}");
+    fs::remove_dir_all(&folder).expect("a folder of ours");
+}

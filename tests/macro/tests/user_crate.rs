@@ -1,0 +1,64 @@
+//! Crates of a user's own, with kahan-core as their one dependency, built by cargo as a user builds
+//! them: `cargo test -p kahan-macro-tests -- --ignored`, which packs the crates as well.
+//!
+//! They share the target folder of the compile-error cases, so that dependencies are compiled once.
+//! That clippy has nothing to say of them is a step of `.ci/run`, since it would check every
+//! dependency once more.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Once;
+use std::{env, fs};
+
+/// What trybuild passes to rustc; with other flags cargo would compile every dependency a second
+/// time.
+const FLAGS: &str = r#"build.rustflags=["--cfg","trybuild","--verbose","-A","dead_code"]"#;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/user_crates")
+}
+
+/// Runs cargo on the user crates and gives its standard output.
+fn cargo(arguments: &[&str]) -> String {
+    // The folder for temporary files of tests is `tmp` in the target folder.
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("tests").join("trybuild");
+    // Once, so that no cargo reads half a file.
+    static LOCK_FILE: Once = Once::new();
+    LOCK_FILE.call_once(|| {
+        let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../Cargo.lock");
+        fs::copy(lock, folder().join("Cargo.lock")).expect("the workspace has a lock file");
+    });
+    let output = Command::new(env!("CARGO"))
+        .args(["--offline", "--config", FLAGS])
+        .args(arguments)
+        // As trybuild names it: without, cargo compiles all dependencies once more, since those of
+        // the macro are then built with the same flags.
+        .args(["--target", "host-tuple"])
+        .current_dir(folder())
+        .env("CARGO_TARGET_DIR", target)
+        .env("CARGO_INCREMENTAL", "0")
+        .env_remove("RUSTFLAGS")
+        .output()
+        .expect("cargo runs");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "cargo {arguments:?}\n{errors}");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+// One test, because cargo would make them wait for each other anyway.
+#[test]
+#[ignore = "compiles kahan-core once more; .ci/run runs it"]
+fn crates_of_users_run() {
+    cargo(&["run", "--quiet", "--package", "renamed"]);
+    cargo(&["run", "--quiet", "--package", "edition_2021"]);
+}
+
+#[test]
+fn a_program_over_floats_contains_no_big_integers() {
+    let program = |package: &str| {
+        cargo(&["tree", "--package", package, "--edges", "normal,no-proc-macro", "--prefix", "none"])
+    };
+    assert!(!program("edition_2021").contains("num-bigint"));
+    assert!(!program("without_std").contains("num-bigint"));
+    assert!(program("renamed").contains("num-bigint"));
+}
