@@ -5,7 +5,7 @@
 //! every dimension. The file is written anew by `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests
 //! back_ends`.
 
-pub use kahan_measure::random_fields::{RandomField, every_field};
+pub use kahan_study::random_fields::{RandomField, every_field};
 
 /// The fields that are compiled over floats, too, by name: of those in six variables, `Sparse6` has
 /// a closed form within the budget of terms, and `Dense6` is eliminated in a loop.

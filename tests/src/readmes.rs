@@ -42,5 +42,5 @@ struct Systems;
 #[doc = include_str!("../../crates/kahan-paper/README.md")]
 struct Paper;
 
-#[doc = include_str!("../../crates/kahan-measure/README.md")]
+#[doc = include_str!("../../crates/kahan-study/README.md")]
 struct Measure;

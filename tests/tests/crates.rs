@@ -15,7 +15,7 @@ const CATALOG_TREE: usize = 45;
 
 /// How the names of crates begin whose code is timed: by `kahan trade`, by sweeps of settings, and
 /// by the benchmarks, the last of these.
-const TIMED: [&str; 5] = ["kahan-core", "kahan-jit", "kahan-measure", "kahan-runtime", "kahan-bench"];
+const TIMED: [&str; 5] = ["kahan-core", "kahan-jit", "kahan-study", "kahan-runtime", "kahan-bench"];
 
 /// Crates, each with those that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;

@@ -24,7 +24,7 @@ use anyhow::{Result, ensure};
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
 use kahan_core::{Dd, Lift};
-use kahan_measure::reference::{Limits, Reference, Trajectory};
+use kahan_study::reference::{Limits, Reference, Trajectory};
 
 use scene::{Scene, Setting, to};
 use unseen_fields::{

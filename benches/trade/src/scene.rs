@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd, FloatScalar, Lift, Need, Precision, Scheme, ThroughF64};
-use kahan_measure::reference::Reference;
+use kahan_study::reference::Reference;
 use kahan_runtime::interpreted::round;
 
 /// A scheme at an ε.

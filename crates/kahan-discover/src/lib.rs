@@ -76,6 +76,7 @@ pub mod structure;
 #[cfg(test)]
 mod tests;
 pub mod thiele;
+pub mod watch;
 pub mod weights;
 mod words;
 mod writing;
@@ -87,3 +88,4 @@ pub use poles::{Poles, poles};
 pub use report::{DiscoverError, Options, Report, Stage};
 pub use scan::{Scan, Scanned, scan};
 pub use stages::discover;
+pub use watch::{Finding, Progress, Unwatched, Watch};

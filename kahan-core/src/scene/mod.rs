@@ -123,7 +123,7 @@ impl Scene {
     ///
     /// # How good
     /// Seeded scenes of many fields, chaotic, stiff, escaping and beside equilibria, are chosen for
-    /// by `cargo test --release -p kahan-measure --test scenes -- --ignored`: none that is accepted
+    /// by `cargo test --release -p kahan-study --test scenes -- --ignored`: none that is accepted
     /// may be beyond its tolerance, and few may be refused that some setting serves. In `benches/`
     /// the package `kahan-bench-trade` times the choice against every other setting.
     ///

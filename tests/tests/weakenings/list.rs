@@ -30,8 +30,8 @@ const KEPT: &str = "-p kahan-algebra --test kept";
 const TEXTS: &str = "-p kahan-algebra --test object_plans";
 const SCANS: &str = "-p kahan-discover --test scans";
 const ECHELONS: &str = "-p kahan-discover --lib -- matrix modulus";
-const REFERENCES: &str = "-p kahan-measure --lib -- reference";
-const CERTIFICATE: &str = "crates/kahan-measure/src/reference/certificate.rs";
+const REFERENCES: &str = "-p kahan-study --lib -- reference";
+const CERTIFICATE: &str = "crates/kahan-study/src/reference/certificate.rs";
 
 const fn rule(name: &'static str, file: &'static str, text: &'static str, weaker: &'static str) -> Weakening {
     Weakening { name, file, text, weaker, tests: RULES }

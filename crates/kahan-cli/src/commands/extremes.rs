@@ -5,8 +5,8 @@ mod report;
 use std::time::Instant;
 
 use clap::Args;
-use kahan_measure::extremes::{CannotRun, Subject, standard, survey, survey_each, total, total_of_each};
-use kahan_measure::random_fields::{OddField, RandomField, numbered, odd};
+use kahan_study::extremes::{CannotRun, Subject, standard, survey, survey_each, total, total_of_each};
+use kahan_study::random_fields::{OddField, RandomField, numbered, odd};
 
 use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::{Block, Source, whole};

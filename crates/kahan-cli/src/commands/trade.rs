@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use kahan_core::{Need, Scene};
-use kahan_measure::trade::{Subject, Trade as Measured};
+use kahan_study::trade::{Subject, Trade as Measured};
 
 use crate::plot::{Sheet, Theme};
 use crate::printing::{Answer, Progress, Refusal, Sink};

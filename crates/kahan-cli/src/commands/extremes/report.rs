@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use kahan_measure::extremes::{Broken, Cell, Place, Subject, Tally};
-use kahan_measure::random_fields::{RandomField, odd};
+use kahan_study::extremes::{Broken, Cell, Place, Subject, Tally};
+use kahan_study::random_fields::{RandomField, odd};
 use serde_json::{Value, json};
 
 use crate::printing::layout::{labelled, table};

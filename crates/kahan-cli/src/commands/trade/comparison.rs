@@ -2,8 +2,8 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Need, Scene};
-use kahan_measure::reference::Method;
-use kahan_measure::trade::{Measured, Subject, Trade};
+use kahan_study::reference::Method;
+use kahan_study::trade::{Measured, Subject, Trade};
 use serde_json::{Value, json};
 
 use super::paste::rust_of;

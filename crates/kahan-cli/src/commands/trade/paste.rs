@@ -2,7 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Precision, Setting};
-use kahan_measure::trade::Subject;
+use kahan_study::trade::Subject;
 
 use super::comparison::Comparison;
 

@@ -5,7 +5,7 @@ use super::comparison::Comparison;
 use crate::plot::{Drawing, Mark, NumberLine, Plot, Series, Side};
 
 use kahan_core::Precision;
-use kahan_measure::trade::Measured;
+use kahan_study::trade::Measured;
 
 /// Width and height of the view box.
 pub(super) const SIZE: (f64, f64) = (720.0, 480.0);

@@ -1,8 +1,8 @@
 //! What `kahan trade` says in words.
 
 use kahan_core::{Composition, Need, Precision};
-use kahan_measure::reference::Method;
-use kahan_measure::trade::Measured;
+use kahan_study::reference::Method;
+use kahan_study::trade::Measured;
 
 use super::comparison::Comparison;
 use super::paste::rust_of;

@@ -8,7 +8,7 @@ mod edges;
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd, ThroughF64};
-use kahan_measure::reference::{Limits, Reference, Trajectory};
+use kahan_study::reference::{Limits, Reference, Trajectory};
 use kahan_systems::E6;
 use serde_json::Value;
 

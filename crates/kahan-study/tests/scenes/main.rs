@@ -4,7 +4,7 @@
 //! The truth is a Taylor series in 32 digits that a second method agrees with to a tenth of the
 //! tolerance; scenes without one are not judged. No clock: every run of a seed gives the same
 //! numbers. Two thousand scenes take minutes, so they are not part of `cargo test`; repeat them, or
-//! others, with `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-measure --test scenes
+//! others, with `KAHAN_SEED=1 KAHAN_SCENES=2000 cargo test --release -p kahan-study --test scenes
 //! -- --ignored --nocapture`.
 
 mod seeded_fields;
@@ -13,7 +13,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Dd, Lift, NoSetting, Precision, Scene, Scheme, Setting};
-use kahan_measure::reference::{Limits, Reference, Trajectory};
+use kahan_study::reference::{Limits, Reference, Trajectory};
 
 use seeded_fields::*;
 

@@ -4,7 +4,7 @@ use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
 use kahan_core::{Dd, KahanMap};
-use kahan_measure::reference::{Limits, Method, NoReference, Reference, Trajectory};
+use kahan_study::reference::{Limits, Method, NoReference, Reference, Trajectory};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
 fn q(texts: &[&str]) -> Vec<BigRational> {

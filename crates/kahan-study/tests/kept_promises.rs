@@ -9,10 +9,10 @@ use kahan_algebra::lexer::lex;
 use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
 use kahan_core::prelude::*;
-use kahan_measure::extremes::{
+use kahan_study::extremes::{
     Cell, Compiled, Number, Place, Regime, Subject, Tally, standard, survey, survey_each, total_of_each,
 };
-use kahan_measure::random_fields::{OddField, odd, odd_chain, odd_of_many};
+use kahan_study::random_fields::{OddField, odd, odd_chain, odd_of_many};
 use kahan_systems::E2;
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::SYSTEMS;

@@ -1,6 +1,6 @@
 //! Random fields of odd tempers as a user compiles them, each step judged by exact arithmetic.
 //!
-//! `cargo test --release -p kahan-measure --test compiled_extremes -- --ignored --nocapture` writes
+//! `cargo test --release -p kahan-study --test compiled_extremes -- --ignored --nocapture` writes
 //! a crate into the target folder, with `kahan-core` as its one dependency: forty fields of 1 to 8
 //! variables, twelve of 9 to 40, and eight chains. It builds it, has it try each step
 //! on seeded points in `f32`, `f64` and `Dd`, and judges what it returned: points and results pass
@@ -18,9 +18,9 @@ use std::{env, fs};
 use kahan_algebra::check::Checked;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::read_unproved;
-use kahan_measure::extremes::{Broken, Cell, Compiled, Number, Tally};
-use kahan_measure::random_fields::{OddField, odd, odd_chain, odd_of_many};
 use kahan_runtime::threads::for_each;
+use kahan_study::extremes::{Broken, Cell, Compiled, Number, Tally};
+use kahan_study::random_fields::{OddField, odd, odd_chain, odd_of_many};
 
 const SEED: u64 = 1;
 /// So many fields are compiled in one crate.

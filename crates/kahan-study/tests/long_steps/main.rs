@@ -5,7 +5,7 @@
 //! [holds](StepPlan::holds_to), its median error ‖x̃ − exact‖∞/(u‖exact‖∞) is at most 30 times that
 //! of elimination, or 300, and its 99th percentile 100 times, or 1000. The large sample, of 300
 //! fields, is a command; `KAHAN_SEED` draws other fields and points:
-//! `KAHAN_SEED=7 cargo test --release -p kahan-measure --test long_steps -- --ignored --nocapture`.
+//! `KAHAN_SEED=7 cargo test --release -p kahan-study --test long_steps -- --ignored --nocapture`.
 
 mod hard_fields;
 
