@@ -8,7 +8,7 @@ use crate::atlas::{Found, Making, page};
 use clap::Args;
 use kahan_paper::Paper;
 
-use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
 
 /// Writes the paper's tables, solutions, figures and claims into one page.
 ///
@@ -40,7 +40,7 @@ impl Atlas {
         // the work is interrupted.
         drop(Sink::file(&path, "--out")?);
         let paper = Paper::new();
-        let progress = Progress::new(Found::steps(&paper) as u64, "claims and orbits");
+        let progress = Prompt::new(Found::steps(&paper) as u64, "claims and orbits");
         let found = Found::compute(&paper, || progress.advance(1));
         progress.finish();
         let sink = Sink::file(&path, "--out")?;

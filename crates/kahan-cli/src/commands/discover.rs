@@ -11,7 +11,7 @@ use kahan_algebra::render::{folded, macro_block};
 use kahan_discover::{Options, discover};
 
 use super::search::{Search, refused};
-use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::number;
 pub(super) use discovery::{Discovery, evaluation};
 
@@ -94,7 +94,7 @@ impl Discover {
             ..Options::default()
         };
         let clock = Instant::now();
-        let progress = Progress::stages();
+        let progress = Prompt::stages();
         let report = discover(&system, &options, &mut |stage| progress.say(&stage.to_string()));
         progress.finish();
         let report = report.map_err(|error| refused(&name, &error))?;

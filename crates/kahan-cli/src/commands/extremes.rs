@@ -8,7 +8,7 @@ use clap::Args;
 use kahan_study::extremes::{CannotRun, Subject, standard, survey, survey_each, total, total_of_each};
 use kahan_study::random_fields::{OddField, RandomField, numbered, odd};
 
-use crate::printing::{Answer, Progress, Refusal};
+use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Block, Source, whole};
 use report::Report;
 
@@ -116,7 +116,7 @@ impl Extremes {
         let fields = self.random_fields(&mut subjects)?;
         let clock = Instant::now();
         let trials = total(self.trials) + total_of_each(self.odd_fields, self.odd_trials);
-        let progress = Progress::new(trials, "trials");
+        let progress = Prompt::new(trials, "trials");
         let advance = |done| progress.advance(done);
         let mut tally = survey(&subjects, self.trials, self.seed, None, &advance);
         let of_number = |number| odd_subject(&odd(self.seed, number));

@@ -9,7 +9,7 @@ use kahan_runtime::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
 use serde_json::{Map, Value, json};
 
 use crate::printing::layout::table;
-use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Request, Start, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow.
@@ -87,7 +87,7 @@ impl Heights {
             .map_err(|_| request.undefined_field())?;
         let mut orbit =
             orbit.within(Bounds { max_digits: Some(self.max_digits), seconds: Some(self.seconds) });
-        let progress = Progress::new(self.steps, "steps");
+        let progress = Prompt::new(self.steps, "steps");
         let survey =
             Survey::of(&mut orbit, self.steps, |heights| progress.advance(u64::from(heights.step > 0)));
         progress.finish();

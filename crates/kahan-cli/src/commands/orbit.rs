@@ -20,7 +20,7 @@ use kahan_algebra::interpret::UndefinedField;
 use serde_json::{Map, Value, json};
 
 use crate::numbers::{DoubleDouble, Printable, Rounded, ScalarKind};
-use crate::printing::{Answer, Broken, Format, Progress, Refusal, Sink, Table, has_room_for_progress};
+use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, has_room_for_progress};
 use crate::reading::{Request, Start, whole};
 use chain::is_array;
 use exact::ExactOrbit;
@@ -182,7 +182,7 @@ impl Orbit {
     fn write(
         &self,
         head: Map<String, Value>,
-        fill: impl FnOnce(&mut Table, Option<&Progress>) -> Result<Option<String>, Broken>,
+        fill: impl FnOnce(&mut Table, Option<&Prompt>) -> Result<Option<String>, Broken>,
     ) -> Result<Answer, Refusal> {
         let file = self.out.as_deref().filter(|path| !is_array(path));
         let sink = match file {
@@ -192,7 +192,7 @@ impl Orbit {
         let format = if self.json && file.is_none() { Format::Json } else { Format::Csv };
         let mut table = Table::new(sink, format);
         let progress =
-            has_room_for_progress(file.is_some()).then(|| Progress::new(self.steps.unsigned_abs(), "steps"));
+            has_room_for_progress(file.is_some()).then(|| Prompt::new(self.steps.unsigned_abs(), "steps"));
         let written = table.begin(&head).and_then(|()| {
             let stopped = fill(&mut table, progress.as_ref())?;
             table.end(&json!(stopped))?;
@@ -257,7 +257,7 @@ struct Rows<'a> {
     every: i64,
     /// The most steps between two looks at the orbit.
     at_once: i64,
-    progress: Option<&'a Progress>,
+    progress: Option<&'a Prompt>,
 }
 
 /// Steps of floats between two looks: some hundredths of a second.

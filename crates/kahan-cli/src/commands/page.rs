@@ -19,7 +19,7 @@ use maud::{Markup, html};
 
 use super::atlas::{index_in, today};
 use crate::document::{Making, colophon, document, readable};
-use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Block, Source, coordinates, number, seconds};
 
 use figures::{Subject, command};
@@ -144,7 +144,7 @@ struct Chapter {
 
 /// All parts, one after the other.
 fn chapters(subject: &Subject<'_>, block: &Block, system: &System, parameters: &[Rational]) -> Vec<Chapter> {
-    let progress = Progress::stages();
+    let progress = Prompt::stages();
     let mut chapters = Vec::new();
     let mut chapter = |id, title, make: &dyn Fn() -> Markup| {
         progress.say(title);

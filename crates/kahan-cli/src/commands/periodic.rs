@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 use crate::plot::{Format, Mark, Plot, Series, Sheet, Theme};
 use crate::printing::layout::{Rows, table};
-use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Range, Request, Start, whole};
 
 /// Finds a periodic point near a first one, its multipliers, and how it changes.
@@ -171,7 +171,7 @@ impl<'a> Family<'a> {
         let ends = [range.from.to_f64(), range.to.to_f64()];
         let map = |value| self.at(value).by(self.parameter);
         // A branch that winds has more.
-        let progress = Progress::new(range.steps as u64, "cycles");
+        let progress = Prompt::new(range.steps as u64, "cycles");
         let branch = branch(map, cycle, ends, range.steps, |_| progress.advance(1));
         progress.finish();
         branch

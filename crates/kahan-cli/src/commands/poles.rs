@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use super::search::refused;
 use crate::printing::layout::{Rows, table};
-use crate::printing::{Answer, Progress, Refusal, shorten};
+use crate::printing::{Answer, Prompt, Refusal, shorten};
 use crate::reading::{Source, number, seconds, whole};
 
 /// Follows what a map sends to infinity or blows down, and says whether it comes back.
@@ -90,7 +90,7 @@ impl Poles {
             seconds: self.seconds,
             ..Options::default()
         };
-        let progress = Progress::stages();
+        let progress = Prompt::stages();
         progress.say("degrees of iterates");
         let found = poles(&system, &options, self.steps, &mut |done, count| {
             progress.say(&format!("curve {} of {count}", done + 1));

@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 
 use super::search::{Search, refused};
 use crate::printing::layout::table;
-use crate::printing::{Answer, Progress, Refusal};
+use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::number;
 
 /// Finds values of parameters and of eps, on a grid, at which a map is special.
@@ -75,7 +75,7 @@ impl Scan {
             ));
         }
         let clock = Instant::now();
-        let progress = Progress::new(total as u64, "points");
+        let progress = Prompt::new(total as u64, "points");
         let found = scan(&system, &axes, &options, &mut |_, _| progress.advance(1));
         progress.finish();
         let found = found.map_err(|error| refused(&name, &error))?;

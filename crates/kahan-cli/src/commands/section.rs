@@ -8,7 +8,7 @@ use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
 use kahan_runtime::{MapAt, RuntimePoint};
 use serde_json::{Value, json};
 
-use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Formula, Request, Start, whole};
 
 /// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
@@ -91,7 +91,7 @@ impl Section {
         let mut crossings = Crossings::new(&at, height(&at, &plane), direction, |crossing: Point| {
             points.borrow_mut().push(crossing);
         });
-        let progress = Progress::new(self.steps, "steps");
+        let progress = Prompt::new(self.steps, "steps");
         let (mut made, mut is_finite) = (0, true);
         crossings.observe(0, &x);
         while is_finite && made < self.steps && points.borrow().len() < self.points {

@@ -12,7 +12,7 @@ use kahan_core::{Need, Scene};
 use kahan_study::trade::{Subject, Trade as Measured};
 
 use crate::plot::{Sheet, Theme};
-use crate::printing::{Answer, Progress, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Source, coordinates, number, seconds};
 pub(super) use comparison::Comparison;
 
@@ -135,7 +135,7 @@ impl Trade {
         let subject = Subject { system: &system, command, parameters: &parameters, start: &start };
         let scene = Scene::new(horizon, need, tolerance);
         // How many there will be depends on what they show.
-        let progress = Progress::new(60, "settings");
+        let progress = Prompt::new(60, "settings");
         let trade = Measured::of(&subject, &scene, self.seconds, &mut |_| progress.advance(1));
         progress.finish();
         let trade = trade.map_err(|why| Refusal::new(format!("{name}: {why}")))?;

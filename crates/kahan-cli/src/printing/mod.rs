@@ -6,12 +6,12 @@ pub(crate) mod layout;
 mod npy;
 mod output;
 pub(crate) mod page;
-mod progress;
+mod prompt;
 mod sink;
 mod table;
 
 pub(crate) use npy::Npy;
 pub(crate) use output::{Answer, Refusal, columns, finish, shorten, warn, widths};
-pub(crate) use progress::Progress;
+pub(crate) use prompt::Prompt;
 pub(crate) use sink::{Broken, Sink, has_room_for_progress};
 pub(crate) use table::{Cell, Format, Table};

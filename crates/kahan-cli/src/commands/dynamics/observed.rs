@@ -7,7 +7,7 @@ use kahan_core::observe::{
 };
 use kahan_runtime::MapAt;
 
-use crate::printing::{Progress, Refusal};
+use crate::printing::{Prompt, Refusal};
 use crate::reading::Request;
 
 /// What is asked.
@@ -43,7 +43,7 @@ impl Asked {
         let (at, start) = request.in_floats()?;
         let at = at.composed(composition);
         let (variables, integrals) = (start.len(), at.map().field().integrals().len());
-        let progress = Progress::new(2 * self.steps, "steps");
+        let progress = Prompt::new(2 * self.steps, "steps");
         let loops = Loop { at: &at, start: &start, progress: &progress };
 
         let tangents = (
@@ -103,7 +103,7 @@ impl Asked {
 struct Loop<'a> {
     at: &'a MapAt<f64>,
     start: &'a [f64],
-    progress: &'a Progress,
+    progress: &'a Prompt,
 }
 
 impl Loop<'_> {

@@ -7,7 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_runtime::{Field, Indicator, MapAt, threads};
 
 use super::Colour;
-use crate::printing::{Progress, Refusal};
+use crate::printing::{Prompt, Refusal};
 use crate::reading::{self, Request, number};
 
 /// Cells whose orbits a thread follows together.
@@ -71,7 +71,7 @@ impl<'a> Cells<'a> {
         // Where the map is the same for all cells, a mistake is told once.
         self.request.in_floats()?;
         let cells = self.along[0].len() * self.along[1].len();
-        let progress = Progress::new(cells as u64, "orbits");
+        let progress = Prompt::new(cells as u64, "orbits");
         let stretches = threads::map(cells.div_ceil(STRETCH), |stretch| {
             let cells = stretch * STRETCH..cells.min((stretch + 1) * STRETCH);
             let values = Stretch::of(self, cells.clone()).values(self);

@@ -4,7 +4,7 @@ use kahan_runtime::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
 
 use super::{Drawn, Subject};
 use crate::plot::{Mark, Plot, Series};
-use crate::printing::{Progress, Refusal};
+use crate::printing::{Prompt, Refusal};
 
 /// The most digits of a numerator or denominator.
 const MOST_DIGITS: u64 = 1_000_000;
@@ -25,7 +25,7 @@ impl Subject<'_> {
         let bounds = Bounds { max_digits: Some(MOST_DIGITS), seconds: Some(self.asked.seconds) };
         let mut orbit = orbit.within(bounds);
         let steps = self.asked.steps;
-        let progress = Progress::new(steps, "steps");
+        let progress = Prompt::new(steps, "steps");
         let survey = Survey::of(&mut orbit, steps, |heights| progress.advance(u64::from(heights.step > 0)));
         progress.finish();
         let is_exponential = survey.growth == Growth::Exponential;

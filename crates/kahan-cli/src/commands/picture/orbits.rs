@@ -6,11 +6,11 @@ use kahan_algebra::rational::Rational;
 use kahan_runtime::{Field, MapAt};
 
 use super::Subject;
-use crate::printing::{Progress, Refusal};
+use crate::printing::{Prompt, Refusal};
 
 /// Progress, and the time that is left.
 pub(super) struct Pace {
-    progress: Progress,
+    progress: Prompt,
     end: Instant,
 }
 
@@ -21,7 +21,7 @@ impl Pace {
     pub(super) fn new(steps: u64, seconds: f64) -> Self {
         // A time beyond all clocks is no bound, and a century is none either.
         let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
-        Pace { progress: Progress::new(steps, "steps"), end: Instant::now() + allowed }
+        Pace { progress: Prompt::new(steps, "steps"), end: Instant::now() + allowed }
     }
 
     pub(super) fn is_over(&self) -> bool {

@@ -13,7 +13,7 @@ use clap::Args;
 use kahan_algebra::render::claim_text;
 use kahan_paper::{Established, Paper, establish_block_claim};
 
-use crate::printing::{Answer, Progress, Refusal};
+use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Block, Source};
 use report::{Form, Report, Row, in_one_line};
 
@@ -87,7 +87,7 @@ impl Verify {
         if self.mutate {
             return Ok(mutate::run(&paper, &claims, self.json));
         }
-        let progress = Progress::new(claims.len() as u64, "claims");
+        let progress = Prompt::new(claims.len() as u64, "claims");
         let established = paper.establish_all(&claims, &|| progress.advance(1));
         progress.finish();
         let rows = claims.iter().zip(established).map(|(claim, established)| Row {

@@ -8,7 +8,7 @@ use kahan_paper::{Claim, Outcome, Paper, failing_mutation};
 use serde_json::{Value, json};
 
 use super::report::NO_CLAIMS;
-use crate::printing::{Answer, Progress};
+use crate::printing::{Answer, Prompt};
 
 /// What became of the mutations of one claim.
 struct Trial {
@@ -22,7 +22,7 @@ struct Trial {
 /// Tries the mutations of each claim of the paper until one fails.
 pub(super) fn run(paper: &Paper, claims: &[&Claim], as_json: bool) -> Answer {
     let start = Instant::now();
-    let progress = Progress::new(claims.len() as u64, "claims");
+    let progress = Prompt::new(claims.len() as u64, "claims");
     let trials = paper.for_all(claims, |claim| {
         let mut tried = 0;
         let failed = mutations(&claim.statement).into_iter().find(|mutation| {
@@ -39,7 +39,7 @@ pub(super) fn run(paper: &Paper, claims: &[&Claim], as_json: bool) -> Answer {
 /// Tries the mutations of each claim of a block until one fails.
 pub(super) fn run_block(name: &str, system: &System, as_json: bool) -> Answer {
     let start = Instant::now();
-    let progress = Progress::new(system.claims.len() as u64, "claims");
+    let progress = Prompt::new(system.claims.len() as u64, "claims");
     let trials = system.claims.iter().enumerate().map(|(index, claim)| {
         let (tried, failed) = failing_mutation(system, index);
         progress.advance(1);

@@ -6,28 +6,28 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Progress of long work with a known end.
-pub(crate) struct Progress(ProgressBar);
+pub(crate) struct Prompt(ProgressBar);
 
-impl Progress {
+impl Prompt {
     /// A bar of so many steps of one sort: `claims`.
     pub(crate) fn new(steps: u64, what: &str) -> Self {
         if !stderr().is_terminal() {
-            return Progress(ProgressBar::hidden());
+            return Prompt(ProgressBar::hidden());
         }
         let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} ({elapsed}, {eta} left)");
         let bar = ProgressBar::new(steps).with_message(what.to_owned());
-        Progress(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
+        Prompt(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
     }
 
     /// A spinner, for work in stages whose end is not known.
     pub(crate) fn stages() -> Self {
         if !stderr().is_terminal() {
-            return Progress(ProgressBar::hidden());
+            return Prompt(ProgressBar::hidden());
         }
         let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
         let spinner = ProgressBar::new_spinner();
         spinner.enable_steady_tick(Duration::from_millis(120));
-        Progress(spinner.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())))
+        Prompt(spinner.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())))
     }
 
     /// The stage that begins.
