@@ -32,7 +32,7 @@ pub(crate) fn brackets(
     symbols: &Symbols,
     integrals: &[Formula],
     density: &Formula,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Vec<String> {
     let n = symbols.dimension();
     if n < 2 {

@@ -64,7 +64,7 @@ pub fn ceiling(
     enough: usize,
     trials: usize,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Ceiling> {
     let n = setting.dimension();
     if setting.eps().is_some() || n > MOST_VARIABLES {

@@ -40,8 +40,13 @@ impl Formula {
     /// The claim's name.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
-        self.text.split_whitespace().nth(1)
+        name_of(&self.text)
     }
+}
+
+/// The name of a claim that is written as a line.
+pub(crate) fn name_of(text: &str) -> Option<&str> {
+    text.split_whitespace().nth(1)
 }
 
 /// Writes and proves claims about one field, some of its parameters and ε perhaps fixed.

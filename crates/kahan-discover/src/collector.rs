@@ -25,6 +25,8 @@ pub(crate) struct Collector<'a> {
     /// A point and its image.
     pub(crate) step: Option<DrawnStep>,
     pub(crate) independent: Independent<'a>,
+    /// Hears of each formula that is kept.
+    pub(crate) tell: &'a dyn Fn(&Formula),
     pub(crate) formulas: Vec<Formula>,
 }
 
@@ -70,6 +72,7 @@ impl Collector<'_> {
             self.claims.integral(symbols, index, &numerator, &denominator, &factors_of(&self.formulas));
         if let Some(formula) = formula {
             self.independent.keep(&numerator, &denominator);
+            (self.tell)(&formula);
             self.formulas.push(formula);
         }
     }

@@ -50,7 +50,7 @@ pub fn survivors(
     formulas: &[Formula],
     degree: u32,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Survivors> {
     let modulus = Modulus::mersenne_61();
     let draw = setting.draw(modulus, random)?;

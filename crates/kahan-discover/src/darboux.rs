@@ -46,7 +46,7 @@ fn null_vectors(
     monomials: &Monomials,
     support: &[usize],
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
     sampled_null_vectors(modulus, support.len(), deadline, || {
@@ -64,7 +64,7 @@ pub fn measure_space(
     map: &ModularMap,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Space> {
     let monomials = Monomials::new(map.dimension(), degree);
     let all: Vec<usize> = (0..monomials.len()).collect();
@@ -86,7 +86,7 @@ pub fn measure(
     factors: &[Polynomial],
     highest: u32,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> (Option<Measure>, DensitySearch) {
     let mut search = DensitySearch::default();
     let found = |measure: Measure| {
@@ -125,7 +125,7 @@ fn lifted(
     space: &Space,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Measure> {
     let monomials = Monomials::new(setting.dimension(), degree);
     let simplest = (0..space.dimension()).min_by_key(|&index| space.terms(index))?;

@@ -1,34 +1,121 @@
-//! Until when work may go on.
+//! Until when work may go on, and what it tells whoever watches it.
 
-use std::cell::Cell;
-use std::time::{Duration, Instant};
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+use kahan_algebra::syntax::ClaimKind;
+
+use crate::watch::{Finding, Progress, Watch};
+
+/// Within a stage, the watch looks again after so long.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
+
+/// Work that is watched. It knows what it has told, and whether the watch has ended it: from then
+/// on it calls the watch no more.
+pub struct Work<'a> {
+    watch: &'a dyn Watch,
+    /// What it is at, how much of that is done, and of how many.
+    stage: RefCell<String>,
+    count: Cell<(u64, Option<u64>)>,
+    /// When the watch looked last.
+    looked: Cell<Option<Duration>>,
+    is_ended: Cell<bool>,
+    told: RefCell<BTreeSet<String>>,
+}
+
+impl<'a> Work<'a> {
+    /// Work that begins, and has told nothing.
+    #[must_use]
+    pub fn new(watch: &'a dyn Watch) -> Self {
+        Work {
+            watch,
+            stage: RefCell::default(),
+            count: Cell::default(),
+            looked: Cell::default(),
+            is_ended: Cell::default(),
+            told: RefCell::default(),
+        }
+    }
+
+    /// Shows how far the work is. The watch looks where a stage begins; at what is counted it looks
+    /// when it has not for a while, and always where there is no clock.
+    pub fn show(&self, progress: &Progress<'_>) {
+        self.count.set((progress.done, progress.of));
+        let begins = *self.stage.borrow() != progress.what;
+        if begins {
+            progress.what.clone_into(&mut self.stage.borrow_mut());
+        }
+        let now = self.now();
+        if begins || now.is_none() || self.is_time_to_look(now) {
+            self.look(now);
+        }
+    }
+
+    /// Tells of a claim that is proved, unless it was told before. The watch looks at once, so that
+    /// it can end the work with that.
+    pub fn found(&self, kind: ClaimKind, text: &str) {
+        if !self.is_ended.get() && self.told.borrow_mut().insert(text.to_owned()) {
+            self.watch.found(&Finding::claimed(kind, text));
+            self.look(self.now());
+        }
+    }
+
+    /// The time, unless there is no clock or the work is ended.
+    fn now(&self) -> Option<Duration> {
+        if self.is_ended.get() { None } else { self.watch.now() }
+    }
+
+    fn is_time_to_look(&self, now: Option<Duration>) -> bool {
+        let last = self.looked.get().unwrap_or_default();
+        now.is_some_and(|now| now.saturating_sub(last) >= BETWEEN_LOOKS)
+    }
+
+    fn look(&self, now: Option<Duration>) {
+        if self.is_ended.get() {
+            return;
+        }
+        self.looked.set(now);
+        let (done, of) = self.count.get();
+        let answer = self.watch.look(&Progress { what: &self.stage.borrow(), done, of });
+        self.is_ended.set(answer.is_break());
+    }
+}
 
 /// A time after which nothing is begun, and which remembers whether something was left out for it:
-/// a sentence about what was not found may only be written where nothing was.
-#[derive(Clone, Debug)]
-pub struct Deadline {
-    end: Option<Instant>,
+/// a sentence about what was not found may only be written where nothing was. It comes at once
+/// where the watch ends the work, and never by time where there is no clock.
+#[derive(Clone)]
+pub struct Deadline<'a> {
+    work: Option<&'a Work<'a>>,
+    end: Option<Duration>,
     has_stopped: Cell<bool>,
 }
 
-impl Deadline {
-    /// So many seconds after `start`; not a number and negative ones count as 0.
+impl<'a> Deadline<'a> {
+    /// So many seconds from now; not a number and negative ones count as 0.
     #[must_use]
-    pub fn after(start: Instant, seconds: f64) -> Self {
+    pub fn after(work: &'a Work<'a>, seconds: f64) -> Self {
         let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, 1e9) };
-        Deadline { end: Some(start + Duration::from_secs_f64(seconds)), has_stopped: Cell::new(false) }
+        let end = work.now().map(|now| now + Duration::from_secs_f64(seconds));
+        Deadline { work: Some(work), end, has_stopped: Cell::new(false) }
     }
 
     /// None at all.
     #[must_use]
     pub fn never() -> Self {
-        Deadline { end: None, has_stopped: Cell::new(false) }
+        Deadline { work: None, end: None, has_stopped: Cell::new(false) }
     }
 
     /// Whether the time has come. Who asks stops if it has.
     #[must_use]
     pub fn passed(&self) -> bool {
-        let passed = self.end.is_some_and(|end| Instant::now() >= end);
+        let Some(work) = self.work else { return false };
+        let now = work.now();
+        if work.is_time_to_look(now) {
+            work.look(now);
+        }
+        let passed = work.is_ended.get() || self.end.zip(now).is_some_and(|(end, now)| now >= end);
         self.has_stopped.set(self.has_stopped.get() || passed);
         passed
     }
@@ -38,18 +125,61 @@ impl Deadline {
     pub fn has_stopped(&self) -> bool {
         self.has_stopped.get()
     }
+
+    /// The seconds until then: infinitely many where it does not come by time, none where the work
+    /// is ended.
+    #[must_use]
+    pub fn left(&self) -> f64 {
+        match (self.work, self.end) {
+            (Some(work), _) if work.is_ended.get() => 0.0,
+            (Some(work), Some(end)) => {
+                work.now().map_or(f64::INFINITY, |now| end.saturating_sub(now).as_secs_f64())
+            }
+            _ => f64::INFINITY,
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tests::Ticking;
+    use crate::watch::Unwatched;
 
     #[test]
     fn a_deadline_remembers_only_what_it_stopped() {
-        let past = Deadline::after(Instant::now(), f64::NAN);
+        let (clock, unwatched) = (Ticking::default(), Unwatched);
+        let work = Work::new(&clock);
+        let past = Deadline::after(&work, f64::NAN);
         assert!(!past.has_stopped());
         assert!(past.passed() && past.has_stopped());
-        let far = Deadline::after(Instant::now(), 1e300);
+        let far = Deadline::after(&work, 1e300);
         assert!(!far.passed() && !far.has_stopped() && !Deadline::never().passed());
+        assert!(far.left() > 1e8 && past.left() == 0.0);
+        let unwatched = Work::new(&unwatched);
+        let timeless = Deadline::after(&unwatched, 0.0);
+        assert!(!timeless.passed() && timeless.left() == f64::INFINITY);
+    }
+
+    /// A tick of the clock is a millisecond.
+    #[test]
+    fn the_watch_looks_some_times_a_second_and_no_more_once_it_has_ended_the_work() {
+        let clock = Ticking::ending_at_look(4);
+        let work = Work::new(&clock);
+        let far = Deadline::after(&work, 1e9);
+        work.show(&Progress::stage("one"));
+        work.show(&Progress::stage("two"));
+        assert_eq!(clock.looks(), 2, "a stage that begins is seen");
+        for done in 0..250 {
+            work.show(&Progress { what: "two", done, of: Some(250) });
+        }
+        assert_eq!(clock.looks(), 3, "what is counted is seen now and then");
+        assert!((0..250).any(|_| far.passed()), "the fourth look ends the work");
+        assert!(far.passed() && far.has_stopped() && far.left() == 0.0);
+        let ticks = clock.ticks();
+        work.show(&Progress::stage("three"));
+        work.found(ClaimKind::Integral, "integral H = x;");
+        assert!(Deadline::after(&work, 1e9).passed());
+        assert_eq!((clock.looks(), clock.ticks(), clock.findings()), (4, ticks, 0));
     }
 }

@@ -15,7 +15,7 @@ use crate::stepping::Stepping;
 use crate::thiele::{SPARE, degree};
 
 /// Where to stop.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct DegreeLimits<'a> {
     /// The number of iterates.
     pub iterates: usize,
@@ -23,7 +23,7 @@ pub struct DegreeLimits<'a> {
     /// five while nothing can be said of growth.
     pub degree: usize,
     /// When to stop in any case.
-    pub deadline: &'a Deadline,
+    pub deadline: &'a Deadline<'a>,
 }
 
 /// As many degrees are taken while growth is undecided, and four times as far.
@@ -105,7 +105,13 @@ impl<'a> Line<'a> {
 
     /// Brings at least `count` samples to the iterate `steps`; `false` if points keep ending at
     /// poles, or the deadline passes.
-    fn prepare(&mut self, count: usize, steps: usize, random: &mut SplitMix64, deadline: &Deadline) -> bool {
+    fn prepare(
+        &mut self,
+        count: usize,
+        steps: usize,
+        random: &mut SplitMix64,
+        deadline: &Deadline<'_>,
+    ) -> bool {
         let map = self.map;
         self.samples.retain_mut(|sample| sample.advance(map, steps));
         let mut failures = 0;

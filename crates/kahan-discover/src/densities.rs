@@ -36,7 +36,7 @@ pub(crate) fn densities(
     field: &Field,
     is_even: bool,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> (Vec<Formula>, DensitySearch) {
     let symbols = setting.family().symbols();
     let factors = factors_of(integrals);

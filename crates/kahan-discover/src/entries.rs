@@ -21,7 +21,7 @@ pub(crate) fn entries_of_degree<M: Stepping>(
     relation_degree: u32,
     degree: u32,
     reach: Reach,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) {
     let map = search.map;
     let modulus = map.modulus();

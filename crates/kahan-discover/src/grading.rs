@@ -117,7 +117,7 @@ pub fn lift_graded(
     variables: &[Variable],
     grading: &Grading,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<RationalFunction>> {
     let chosen = grading.separated();
     if !chosen.is_empty()
@@ -134,7 +134,7 @@ fn lift_scaled(
     grading: &Grading,
     chosen: &[usize],
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<RationalFunction>> {
     let kept: Vec<usize> = (0..variables.len()).filter(|unknown| !chosen.contains(unknown)).collect();
     let mut scaled = |modulus: Modulus, values: &[u64], random: &mut SplitMix64| {

@@ -49,7 +49,11 @@ pub fn is_within_reach(n: usize) -> bool {
 /// K and H with f = K∇H, found by linear algebra: f′(x)K is symmetric for all x, which is linear in
 /// K; then H is cubic, which is linear in H. `None` where there is none among the K of a basis and
 /// their sum, where H has more than 400 coefficients, or where the field is zero.
-pub fn hamiltonian(setting: &Setting, random: &mut SplitMix64, deadline: &Deadline) -> Option<Hamiltonian> {
+pub fn hamiltonian(
+    setting: &Setting,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<Hamiltonian> {
     let n = setting.dimension();
     if n < 2 || !is_within_reach(n) {
         return None;
@@ -145,7 +149,7 @@ fn potential(
     monomials: &Monomials,
     tensor: &[u64],
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<u64>> {
     let modulus = map.modulus();
     let n = map.dimension();

@@ -66,7 +66,7 @@ pub fn random_relations(
     map: &impl Stepping,
     monomials: &Monomials,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Relations> {
     for _ in 0..MOST_DRAWS {
         if deadline.passed() {
@@ -86,7 +86,12 @@ impl Hilbert {
     /// time.
     ///
     /// Cost: with N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
-    pub fn of(setting: &Setting, degree: u32, random: &mut SplitMix64, deadline: &Deadline) -> Option<Self> {
+    pub fn of(
+        setting: &Setting,
+        degree: u32,
+        random: &mut SplitMix64,
+        deadline: &Deadline<'_>,
+    ) -> Option<Self> {
         let monomials = Monomials::new(setting.dimension(), degree);
         let mut found: Option<Hilbert> = None;
         for modulus in [Modulus::mersenne_61(), Modulus::random(random)] {
@@ -115,7 +120,7 @@ impl Hilbert {
         setting: &Setting,
         degree: u32,
         random: &mut SplitMix64,
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<Self> {
         let monomials = Monomials::new(setting.dimension(), degree);
         let modulus = Modulus::mersenne_61();
@@ -166,7 +171,7 @@ impl Hilbert {
         &self,
         map: &impl Stepping,
         random: &mut SplitMix64,
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<u32> {
         (self.relation_degree?..=self.degree()).find(|&degree| {
             let monomials = Monomials::new(map.dimension(), degree);

@@ -37,6 +37,8 @@ pub struct Aims<'a> {
     pub known: Option<&'a (Polynomial, Polynomial)>,
     /// How large formulas may be.
     pub reach: Reach,
+    /// Hears of each as soon as it is proved.
+    pub tell: &'a dyn Fn(&Formula),
 }
 
 /// Independent integrals over ℚ with all unknowns, each proved, of least degree first: as many as
@@ -46,7 +48,7 @@ pub fn integrals(
     claims: &Claims<'_>,
     aims: &Aims<'_>,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Vec<Formula> {
     let mut collector = Collector {
         setting,
@@ -55,6 +57,7 @@ pub fn integrals(
         known: aims.known,
         step: setting.step(random),
         independent: Independent::new(setting, random),
+        tell: aims.tell,
         formulas: Vec::new(),
     };
     for kept in &aims.kept {
@@ -73,7 +76,7 @@ impl Collector<'_> {
         hilbert: &Hilbert,
         reach: Reach,
         random: &mut SplitMix64,
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<()> {
         let setting = self.setting;
         let draw = setting.draw(Modulus::mersenne_61(), random)?;
@@ -195,7 +198,7 @@ pub(crate) struct SearchLimits<'a> {
     pub(crate) relation_degree: u32,
     highest: u32,
     reach: Reach,
-    pub(crate) deadline: &'a Deadline,
+    pub(crate) deadline: &'a Deadline<'a>,
 }
 
 /// Whether the polynomial is not 0 where all states are.

@@ -171,7 +171,7 @@ impl Leaf {
         &self,
         setting: &Setting,
         random: &mut SplitMix64,
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<Vec<Coordinate>> {
         let n = setting.dimension();
         let linear = Monomials::new(n, 1);

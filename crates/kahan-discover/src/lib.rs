@@ -11,7 +11,8 @@
 //! prover of `kahan-algebra` has proved its text. An integral whose formula would fill pages is
 //! given by a Hirota–Kimura [`Basis`], which evaluates it.
 //!
-//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`] (the tools);
+//! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`],
+//! [`watch`] (the tools);
 //! [`stepping`], [`family`], [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`],
 //! [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`lift`], [`weights`],
 //! [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`],
@@ -22,10 +23,10 @@
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};
-//! use kahan_discover::{Options, discover};
+//! use kahan_discover::{Options, Unwatched, discover};
 //!
 //! let system = read(&lexer::lex("xdot = -x*z; ydot = y*z; zdot = x^2 - y^2;").tokens).system().expect("a system");
-//! let report = discover(&system, &Options::default(), &mut |_| {}).unwrap();
+//! let report = discover(&system, &Options::default(), &Unwatched).unwrap();
 //! assert_eq!(report.independent_integrals(), 2);
 //! assert_eq!(report.integrals.len(), 2); // each `text` is a line for `kahan!`
 //! ```
@@ -85,7 +86,7 @@ pub use basis::Basis;
 pub use ceiling::Ceiling;
 pub use deadline::Deadline;
 pub use poles::{Poles, poles};
-pub use report::{DiscoverError, Options, Report, Stage};
+pub use report::{DiscoverError, Options, Report};
 pub use scan::{Scan, Scanned, scan};
 pub use stages::discover;
 pub use watch::{Finding, Progress, Unwatched, Watch};

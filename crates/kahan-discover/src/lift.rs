@@ -44,7 +44,7 @@ pub fn lift(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<RationalFunction>> {
     let mut primes: Vec<(Modulus, Vec<Vec<u64>>)> = Vec::new();
     let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };
@@ -72,7 +72,7 @@ struct Lifter<'a> {
     oracle: &'a mut Oracle<'a>,
     unknowns: usize,
     random: &'a mut SplitMix64,
-    deadline: &'a Deadline,
+    deadline: &'a Deadline<'a>,
 }
 
 impl Lifter<'_> {
@@ -182,7 +182,7 @@ pub fn confirms(
     functions: &[RationalFunction],
     variables: &[Variable],
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> bool {
     let modulus = Modulus::random(random);
     let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };

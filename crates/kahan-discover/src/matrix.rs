@@ -31,7 +31,7 @@ impl Echelon {
         modulus: &Modulus,
         rows: Vec<Vec<u64>>,
         columns: usize,
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<Self> {
         let (mut pivots, mut echelon) = (Vec::new(), Vec::new());
         for row in rows {
@@ -72,7 +72,7 @@ impl Echelon {
         modulus: &Modulus,
         rows: Vec<Vec<u64>>,
         columns: usize,
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<Vec<Vec<u64>>> {
         let echelon = Echelon::within(modulus, rows, columns, deadline)?;
         Some(echelon.null_space(modulus).into_iter().map(|vector| vector.entries).collect())
@@ -117,7 +117,7 @@ fn cleared(
     pivots: &[usize],
     rows: &mut [Vec<u64>],
     columns: usize,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<()> {
     let free: Vec<usize> = (0..columns).filter(|column| pivots.binary_search(column).is_err()).collect();
     // What cleared rows have in the columns without a pivot, the last row first.
@@ -184,7 +184,7 @@ const SPARE: usize = 6;
 pub(crate) fn sampled_null_vectors(
     modulus: &Modulus,
     columns: usize,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
     mut row: impl FnMut() -> Option<Vec<u64>>,
 ) -> Option<Vec<Vec<u64>>> {
     let mut rows = Vec::with_capacity(columns + SPARE);

@@ -53,7 +53,7 @@ impl PencilEntry {
         modulus: &Modulus,
         orbits: &[Relations],
         values: &[Vec<u64>],
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<(Vec<u64>, Vec<u64>)> {
         let width = self.numerator.len() + self.denominator.len();
         let mut rows = Vec::with_capacity(width + SPARE);
@@ -81,7 +81,7 @@ impl PencilEntry {
 impl Pencil {
     /// The space of another map of the family; `None` where it has another form, the map has no
     /// value, or the deadline passes.
-    pub fn at(&self, map: &impl Stepping, random: &mut SplitMix64, deadline: &Deadline) -> Option<Space> {
+    pub fn at(&self, map: &impl Stepping, random: &mut SplitMix64, deadline: &Deadline<'_>) -> Option<Space> {
         let modulus = *map.modulus();
         let monomials = Monomials::new(map.dimension(), self.degree);
         let form = &self.space.form;
@@ -117,7 +117,7 @@ impl Pencil {
         map: &impl Stepping,
         monomials: &Monomials,
         random: &mut SplitMix64,
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<Space> {
         let modulus = map.modulus();
         let Form { support, .. } = &self.space.form;

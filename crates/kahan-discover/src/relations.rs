@@ -41,7 +41,7 @@ impl Relations {
         map: &impl Stepping,
         start: Vec<u64>,
         monomials: &Monomials,
-        deadline: &Deadline,
+        deadline: &Deadline<'_>,
     ) -> Option<Self> {
         let wanted = monomials.len() + SPARE;
         let orbit = map.orbit(start, wanted);

@@ -30,8 +30,8 @@ pub struct Options {
     /// The degree beyond which no further iterate is taken; up to four times as much for the first
     /// five.
     pub iterate_degree: usize,
-    /// The time to spend, in seconds; what is not finished then is left out, and the report says
-    /// so.
+    /// The time to spend, in seconds by the clock of whoever watches; what is not finished then is
+    /// left out, and the report says so. Without a clock it does not count.
     pub seconds: f64,
 }
 
@@ -45,42 +45,6 @@ impl Default for Options {
             iterate_degree: 1200,
             seconds: 60.0,
         }
-    }
-}
-
-/// What a search is doing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// Linear and quadratic integrals of the flow.
-    Flow,
-    /// Degrees of iterates.
-    Degrees,
-    /// Hilbert functions.
-    Orbits,
-    /// The structure of the field.
-    Structure,
-    /// Formulas of integrals.
-    Integrals,
-    /// Invariant densities.
-    Densities,
-    /// The composed map.
-    Composition,
-    /// Relations of a degree beyond the one that the number of variables chose.
-    Further(u32),
-}
-
-impl fmt::Display for Stage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Stage::Flow => "linear and quadratic integrals of the flow",
-            Stage::Degrees => "degrees of iterates",
-            Stage::Orbits => "relations on orbits",
-            Stage::Structure => "structure of the field",
-            Stage::Integrals => "formulas of integrals",
-            Stage::Densities => "invariant densities",
-            Stage::Composition => "what survives composition",
-            Stage::Further(degree) => return write!(f, "relations of degree {degree} on orbits"),
-        })
     }
 }
 

@@ -4,13 +4,11 @@
 mod proposals;
 mod shapes;
 
-use std::time::{Duration, Instant};
-
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 
-use crate::deadline::Deadline;
+use crate::deadline::{Deadline, Work};
 use crate::degrees::{DegreeLimits, degrees};
 use crate::hilbert::{Hilbert, default_degree};
 use crate::modulus::Modulus;
@@ -18,6 +16,7 @@ use crate::monomials::Monomials;
 use crate::report::{DiscoverError, Options};
 use crate::setting::Setting;
 use crate::stages::specialised;
+use crate::watch::{Progress, Watch};
 
 pub use proposals::Proposal;
 
@@ -105,8 +104,8 @@ const ITERATE_DEGREE: usize = 250;
 const MOST_MONOMIALS: usize = 84;
 
 /// Degrees and ranks on the grid of all quantities, and what is proved where relations between them
-/// hold. `options` fixes further parameters and ε, the degree of relations and the time; `progress`
-/// is told of every point (done, of how many).
+/// hold. `options` fixes further parameters and ε, the degree of relations and the time; `watch`
+/// is told how many points are done, and of claims where relations hold as they are proved.
 ///
 /// # Errors
 /// As [`discover`](crate::discover()), for the field at generic values of what is scanned.
@@ -114,10 +113,10 @@ pub fn scan(
     system: &System,
     scanned: &[Scanned],
     options: &Options,
-    progress: &mut dyn FnMut(usize, usize),
+    watch: &dyn Watch,
 ) -> Result<Scan, DiscoverError> {
-    let start = Instant::now();
-    let deadline = Deadline::after(start, options.seconds);
+    let work = &Work::new(watch);
+    let deadline = Deadline::after(work, options.seconds);
     for quantity in scanned.iter().filter(|quantity| quantity.name != "eps") {
         if !system.field.symbols.parameters.contains(&quantity.name) {
             return Err(DiscoverError::UnknownParameter(quantity.name.clone()));
@@ -128,9 +127,12 @@ pub fn scan(
         let small = |degree: &u32| Monomials::count(n, *degree) <= MOST_MONOMIALS;
         (1..=default_degree(n)).rev().find(small).unwrap_or(1)
     });
+    let total: usize = scanned.iter().map(|quantity| quantity.values.len()).product();
+    let show =
+        |done: usize| work.show(&Progress { what: "points", done: done as u64, of: Some(total as u64) });
+    show(0);
     // Without it there is nothing to compare with: it is looked at in any case.
     let generic = look(system, &[], options, degree, &Deadline::never())?.ok_or(DiscoverError::NoMap)?;
-    let total: usize = scanned.iter().map(|quantity| quantity.values.len()).product();
     let mut points = Vec::new();
     for index in 0..total {
         if deadline.passed() {
@@ -149,14 +151,12 @@ pub fn scan(
             break;
         }
         points.push(GridPoint { values: values.into_iter().map(|(_, value)| value).collect(), sight });
-        progress(index + 1, total);
+        show(index + 1);
     }
     let out_of_time = points.len() < total;
     let names = scanned.iter().map(|quantity| quantity.name.clone()).collect();
     let mut scan = Scan { names, generic, points, relations: Vec::new(), out_of_time };
-    let time = Duration::try_from_secs_f64(options.seconds).unwrap_or(Duration::MAX);
-    let end = start.checked_add(time).unwrap_or_else(|| start + Duration::from_secs(1 << 32));
-    scan.relations = proposals::proposals(system, &scan, options, end);
+    scan.relations = proposals::proposals(system, &scan, options, work, &deadline);
     Ok(scan)
 }
 
@@ -166,7 +166,7 @@ fn look(
     values: &[(String, Rational)],
     options: &Options,
     degree: u32,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Result<Option<Sight>, DiscoverError> {
     let is_scanned = |name: &str| values.iter().any(|(scanned, _)| scanned == name);
     let mut parameters: Vec<(String, Rational)> =

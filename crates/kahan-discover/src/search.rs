@@ -45,7 +45,7 @@ pub fn spanned_pencils<M: Stepping>(
     relation_degree: u32,
     wanted: usize,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Vec<Pencil> {
     let mut search = Search::new(map, random);
     for degree in 1..=relation_degree {
@@ -72,7 +72,7 @@ pub fn pencils_of_entries<M: Stepping>(
     reach: Reach,
     known: impl Fn(&[u64]) -> Vec<Vec<u64>>,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Vec<Pencil> {
     let mut search = Search::new(map, random);
     search.gradients = known(&search.point);
@@ -146,7 +146,7 @@ fn span_of_relations(
     map: &impl Stepping,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Space> {
     let monomials = Monomials::new(map.dimension(), degree);
     let mut vectors: Vec<Vec<u64>> = Vec::new();

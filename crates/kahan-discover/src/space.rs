@@ -144,7 +144,7 @@ pub fn lift_space(
     form: &Form,
     mut at: impl FnMut(Modulus, &[u64], &mut SplitMix64) -> Option<Space>,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<Polynomial>> {
     let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let space = at(modulus, unknowns, random)?;

@@ -1,7 +1,5 @@
 //! The whole search, stage by stage.
 
-use std::time::Instant;
-
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -9,6 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
+use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 
 use crate::basis::{Basis, candidates, completing, prove};
@@ -16,7 +15,7 @@ use crate::brackets::brackets;
 use crate::ceiling::{Ceiling, FEW_TRIALS, MANY_TRIALS, ceiling};
 use crate::claims::{Claims, Formula};
 use crate::composition::{Survivors, survivors};
-use crate::deadline::Deadline;
+use crate::deadline::{Deadline, Work};
 use crate::degrees::{DegreeLimits, degrees};
 use crate::densities::densities;
 use crate::growth::GrowthVerdict;
@@ -29,14 +28,14 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
 use crate::report::{
-    Bound, DensitySearch, DiscoverError, HamiltonianReport, ModifiedPlace, Options, Report, Stage,
-    StructureReport,
+    Bound, DensitySearch, DiscoverError, HamiltonianReport, ModifiedPlace, Options, Report, StructureReport,
 };
 use crate::search::Reach;
 use crate::setting::{DrawnStep, Setting};
 use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
+use crate::watch::{Progress, Watch};
 use crate::words::sentences;
 use crate::writing::factors_of;
 
@@ -51,8 +50,9 @@ const LONG: usize = 1000;
 const FAR_SHORTER: usize = 4;
 
 /// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
-/// at, so that nothing is found but from the equations; `progress` is told of every stage as it
-/// begins.
+/// at, so that nothing is found but from the equations. `watch` is told of every stage as it
+/// begins, and of each claim that the report will hold as soon as that is proved; where relations
+/// of higher degrees show more, a claim may be written anew, and is told again.
 ///
 /// Equal fields and options give equal results, unless time runs out. Where no degree is given,
 /// the search goes on to higher degrees while something may be missing and there is time, and
@@ -60,15 +60,22 @@ const FAR_SHORTER: usize = 4;
 ///
 /// # Errors
 /// Where there is no map to look at: see [`DiscoverError`].
-pub fn discover(
+pub fn discover(system: &System, options: &Options, watch: &dyn Watch) -> Result<Report, DiscoverError> {
+    let work = Work::new(watch);
+    discover_within(system, options, &work, &|kind, text| work.found(kind, text))
+}
+
+/// The same as a part of other work; `tell` hears the kind and the line of each claim.
+pub(crate) fn discover_within(
     system: &System,
     options: &Options,
-    progress: &mut dyn FnMut(Stage),
+    work: &Work<'_>,
+    tell: &dyn Fn(ClaimKind, &str),
 ) -> Result<Report, DiscoverError> {
-    let start = Instant::now();
     // Until when each stage may go on.
     let [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, end] =
-        [0.1, 0.25, 0.42, 0.5, 0.85, 0.95, 1.0].map(|share| Deadline::after(start, options.seconds * share));
+        [0.1, 0.25, 0.42, 0.5, 0.85, 0.95, 1.0].map(|share| Deadline::after(work, options.seconds * share));
+    let begins = |stage: &str| work.show(&Progress::stage(stage));
     let fixed = specialised(system, &options.parameters)?;
     let symbols = &fixed.field.symbols;
     if options.eps.as_ref().is_some_and(Rational::is_zero) {
@@ -82,15 +89,15 @@ pub fn discover(
         return Err(DiscoverError::Collapse);
     }
 
-    progress(Stage::Flow);
+    begins("linear and quadratic integrals of the flow");
     let of_flow = flow_integrals(&setting, 2, random, &for_flow);
 
-    progress(Stage::Degrees);
+    begins("degrees of iterates");
     let limits =
         DegreeLimits { iterates: options.iterates, degree: options.iterate_degree, deadline: &for_degrees };
     let degrees = degrees(&draw.map, random, limits);
 
-    progress(Stage::Orbits);
+    begins("relations on orbits");
     let usual = default_degree(setting.dimension());
     let degree = options.degree.unwrap_or(usual);
     let mut hilbert = Hilbert::of(&setting, degree, random, &for_orbits);
@@ -101,7 +108,7 @@ pub fn discover(
         hilbert = Hilbert::of(&setting, lower, random, &for_structure);
     }
 
-    progress(Stage::Structure);
+    begins("structure of the field");
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
     let mut structure = structure(&setting, &fixed, &of_flow, random);
     let hamiltonian = hamiltonian(&setting, random, &for_structure).filter(|found| found.holds(&fixed.field));
@@ -122,9 +129,11 @@ pub fn discover(
         kept: &kept,
         is_even: structure.is_even,
         place: &place,
+        begins: &begins,
+        tell,
     };
     let until = Until { integrals: for_integrals, densities: for_densities, end: end.clone() };
-    let mut found = search.found(hilbert.as_ref(), None, random, &until, progress);
+    let mut found = search.found(hilbert.as_ref(), None, random, &until);
     let mut is_stopped =
         [&for_flow, &for_degrees, &for_orbits, &for_structure].iter().any(|deadline| deadline.has_stopped())
             || until.has_stopped();
@@ -150,15 +159,15 @@ pub fn discover(
         if Monomials::count(n, degree) > MOST_MONOMIALS_AT_ALL {
             break Bound::Size;
         }
-        progress(Stage::Further(degree));
+        begins(&format!("relations of degree {degree} on orbits"));
         let Some(further) = known.further(&setting, degree, random, &end) else {
             break if end.has_stopped() { Bound::Time } else { Bound::Poles };
         };
         let are_more = further.integrals > known.integrals;
         hilbert = Some(further);
         if are_more {
-            let until = Until::shares_of_the_rest(start, options.seconds);
-            let next = search.found(hilbert.as_ref(), Some(&found), random, &until, progress);
+            let until = Until::shares_of(work, end.left());
+            let next = search.found(hilbert.as_ref(), Some(&found), random, &until);
             is_stopped |= until.has_stopped();
             // Where the time ran out the formulas before may be more.
             found = if next.said() < found.said() {
@@ -213,19 +222,16 @@ fn complete(hilbert: &Hilbert, n: usize, known: usize, ceiling: Option<&Ceiling>
 }
 
 /// Until when the stages that look for formulas may go on.
-struct Until {
-    integrals: Deadline,
-    densities: Deadline,
-    end: Deadline,
+struct Until<'a> {
+    integrals: Deadline<'a>,
+    densities: Deadline<'a>,
+    end: Deadline<'a>,
 }
 
-impl Until {
+impl<'a> Until<'a> {
     /// As much of the time that is left as each had of the whole after the stages before.
-    fn shares_of_the_rest(start: Instant, seconds: f64) -> Self {
-        let gone = start.elapsed().as_secs_f64();
-        let after = |share: f64| {
-            Deadline::after(start, if gone < seconds { gone + share * (seconds - gone) } else { 0.0 })
-        };
+    fn shares_of(work: &'a Work<'a>, left: f64) -> Self {
+        let after = |share: f64| Deadline::after(work, share * left);
         Until { integrals: after(0.7), densities: after(0.9), end: after(1.0) }
     }
 
@@ -247,6 +253,9 @@ struct Search<'a> {
     is_even: bool,
     /// Where independence is seen.
     place: &'a DrawnStep,
+    /// Who hears of a stage that begins, and of a claim that is proved.
+    begins: &'a dyn Fn(&str),
+    tell: &'a dyn Fn(ClaimKind, &str),
 }
 
 /// What was found with the relations of some degree.
@@ -279,12 +288,11 @@ impl Search<'_> {
         hilbert: Option<&Hilbert>,
         before: Option<&Found>,
         random: &mut SplitMix64,
-        until: &Until,
-        progress: &mut dyn FnMut(Stage),
+        until: &Until<'_>,
     ) -> Found {
         let setting = self.setting;
         let symbols = &self.field.symbols;
-        progress(Stage::Integrals);
+        (self.begins)("formulas of integrals");
         let shown = hilbert.map_or(0, |hilbert| hilbert.integrals);
         let defining = hilbert
             .filter(|_| shown > 0)
@@ -295,9 +303,21 @@ impl Search<'_> {
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let are_enough = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>() >= shown;
         let reach = if are_enough { Reach::SHORT } else { Reach::FULL };
-        let aims = Aims { kept: self.kept.to_vec(), hilbert, known: self.modified, reach };
+        // What a basis says in a line need not fill a page; what none says stays, however long, and
+        // so does the modified Hamiltonian, which has a compact form.
+        let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_CHARACTERS;
+        let tell = |formula: &Formula| (self.tell)(formula.kind, &formula.text);
+        let tell_if_short = |formula: &Formula| {
+            if is_short(formula) {
+                tell(formula);
+            }
+        };
+        let aims =
+            Aims { kept: self.kept.to_vec(), hilbert, known: self.modified, reach, tell: &tell_if_short };
         let mut all_integrals = integrals(setting, self.claims, &aims, random, &until.integrals);
         let modified_is_proved = self.add_modified(&mut all_integrals, random);
+        // Each but the modified Hamiltonian was told; none is told twice.
+        all_integrals.iter().for_each(tell_if_short);
 
         let own = self
             .hamiltonian
@@ -308,9 +328,6 @@ impl Search<'_> {
         gradients.extend(defining.map_or_else(Vec::new, |degree| self.normals(degree, &until.integrals)));
         let independent = self.rank(&gradients).max(shown);
 
-        // What a basis says in a line need not fill a page; what none says stays, however long, and
-        // so does the modified Hamiltonian, which has a compact form.
-        let is_short = |formula: &Formula| !are_enough || formula.text.len() <= MOST_CHARACTERS;
         let (mut integrals, long): (Vec<Formula>, Vec<Formula>) =
             all_integrals.iter().cloned().partition(is_short);
         let mut gradients: Vec<Vec<u64>> =
@@ -318,6 +335,7 @@ impl Search<'_> {
         let mut add = |gradients: &mut Vec<Vec<u64>>, formula: Formula| {
             let gradient = self.gradient(&formula);
             if gradient.is_some_and(|gradient| self.extends(gradients, gradient)) {
+                tell(&formula);
                 integrals.push(formula);
             }
         };
@@ -342,7 +360,7 @@ impl Search<'_> {
         }
         let modified_place = self.modified_place(&integrals, &bases, own.as_ref());
 
-        progress(Stage::Densities);
+        (self.begins)("invariant densities");
         let (densities, density_search) = match before.filter(|before| !before.densities.is_empty()) {
             Some(before) => (before.densities.clone(), before.density_search),
             None => densities(
@@ -355,12 +373,14 @@ impl Search<'_> {
                 &until.densities,
             ),
         };
+        densities.iter().for_each(tell);
         let brackets = match densities.first() {
             Some(density) => brackets(self.claims, symbols, &integrals, density, &until.densities),
             None => Vec::new(),
         };
+        brackets.iter().for_each(|bracket| (self.tell)(ClaimKind::Bracket, bracket));
 
-        progress(Stage::Composition);
+        (self.begins)("what survives composition");
         let survivors = hilbert
             .filter(|hilbert| hilbert.integrals > 0)
             .and_then(|hilbert| survivors(setting, &integrals, hilbert.degree(), random, &until.end));
@@ -416,7 +436,7 @@ impl Search<'_> {
 
     /// What the relations up to a degree on the orbit of the place say of gradients there; nothing
     /// where the time is over.
-    fn normals(&self, degree: u32, deadline: &Deadline) -> Vec<Vec<u64>> {
+    fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let DrawnStep { draw, here, .. } = self.place;
         let monomials = Monomials::new(self.setting.dimension(), degree);
         Relations::on_orbit(&draw.map, here.clone(), &monomials, deadline)

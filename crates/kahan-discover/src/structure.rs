@@ -68,7 +68,7 @@ pub fn flow_integrals(
     setting: &Setting,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> FlowIntegrals {
     let symbols = setting.family().symbols();
     let mut independent = Independent::new(setting, random);
@@ -92,7 +92,7 @@ fn flow_space(
     setting: &Setting,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<Polynomial>> {
     if Monomials::count(setting.dimension(), degree) > MOST_MONOMIALS {
         return None;
@@ -121,7 +121,7 @@ fn flow_null_vectors(
     monomials: &Monomials,
     support: &[usize],
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<Vec<u64>>> {
     let modulus = map.modulus();
     sampled_null_vectors(modulus, support.len(), deadline, || {

@@ -1,5 +1,9 @@
-//! What tests share: the claims of a block as reduced rational functions, and the plans of a
-//! system modulo a prime.
+//! What tests share: the claims of a block as reduced rational functions, the plans of a system
+//! modulo a prime, and a watch.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
 
 use kahan_algebra::arithmetic::{Arithmetic, Function, Functions};
 use kahan_algebra::poly::{Budget, Polynomial};
@@ -8,6 +12,7 @@ use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::system::{Claim, System};
 
 use crate::modulus::Modulus;
+use crate::watch::{Finding, Progress, Watch};
 
 /// A claim by its name.
 pub(crate) fn claim<'a>(system: &'a System, name: &str) -> &'a Claim {
@@ -63,5 +68,48 @@ impl Arithmetic for Modulus {
 
     fn is_zero(&self, a: &u64) -> bool {
         *a == 0
+    }
+}
+
+/// A watch whose clock shows a millisecond more whenever it is asked, and which may end the work.
+#[derive(Debug, Default)]
+pub(crate) struct Ticking {
+    ticks: AtomicU64,
+    looks: AtomicU64,
+    findings: AtomicU64,
+    last_look: Option<u64>,
+}
+
+impl Ticking {
+    /// Its look of this number, counted from 1, answers that the work is to end.
+    pub(crate) fn ending_at_look(number: u64) -> Self {
+        Ticking { last_look: Some(number), ..Ticking::default() }
+    }
+
+    pub(crate) fn ticks(&self) -> u64 {
+        self.ticks.load(Ordering::Relaxed)
+    }
+
+    pub(crate) fn looks(&self) -> u64 {
+        self.looks.load(Ordering::Relaxed)
+    }
+
+    pub(crate) fn findings(&self) -> u64 {
+        self.findings.load(Ordering::Relaxed)
+    }
+}
+
+impl Watch for Ticking {
+    fn now(&self) -> Option<Duration> {
+        Some(Duration::from_millis(self.ticks.fetch_add(1, Ordering::Relaxed)))
+    }
+
+    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
+        let look = self.looks.fetch_add(1, Ordering::Relaxed) + 1;
+        if self.last_look == Some(look) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn found(&self, _: &Finding) {
+        self.findings.fetch_add(1, Ordering::Relaxed);
     }
 }

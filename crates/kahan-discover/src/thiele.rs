@@ -15,7 +15,7 @@ pub(crate) const SPARE: usize = 4;
 /// `None` if it needs more points, or the deadline passes. Cost: 4 products for each pair of
 /// points, up to twice the degree of them.
 #[must_use]
-pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline) -> Option<usize> {
+pub fn degree(modulus: &Modulus, points: &[u64], values: &[u64], deadline: &Deadline<'_>) -> Option<usize> {
     let mut points = points.to_vec();
     let mut values = values.to_vec();
     for level in 0.. {

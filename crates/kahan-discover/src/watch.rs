@@ -10,21 +10,31 @@ use std::time::Duration;
 
 use kahan_algebra::syntax::ClaimKind;
 
-/// What long work may use, and whom it tells.
+use crate::claims::name_of;
+
+/// What long work may use, and whom it tells. Whoever watches says what it has a use for; all else
+/// is as if nobody watched.
 pub trait Watch: Sync {
     /// The time since a moment that stays the same; `None` where there is no clock. Then work that
     /// is bounded by time alone goes on to its other bounds.
-    fn now(&self) -> Option<Duration>;
+    fn now(&self) -> Option<Duration> {
+        None
+    }
 
-    /// Hears how far the work is; `Break` ends it, and what is known by then is the answer. Work
-    /// calls this some times a second at most, and at least when a stage begins.
-    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()>;
+    /// Hears how far the work is. `Break` ends it: nothing here is called any more, and what is
+    /// known by then is the answer, as if the time were over. Work calls this when a stage begins,
+    /// after each finding, and else some times a second at most, as far as there is a clock.
+    fn look(&self, _progress: &Progress<'_>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 
     /// Hears of a finding as soon as it is proved.
-    fn found(&self, finding: &Finding);
+    fn found(&self, _finding: &Finding) {}
 
     /// How many threads the work may use, at least 1. Answers do not depend on it.
-    fn threads(&self) -> usize;
+    fn threads(&self) -> usize {
+        1
+    }
 }
 
 /// How far work is.
@@ -46,6 +56,16 @@ impl<'a> Progress<'a> {
     }
 }
 
+/// A count or a stage in words.
+impl fmt::Display for Progress<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.of {
+            Some(of) => write!(f, "{} of {of} {}", self.done, self.what),
+            None => f.write_str(self.what),
+        }
+    }
+}
+
 /// Something that a map keeps, as a claim of the language of `kahan!`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
@@ -55,6 +75,13 @@ pub struct Finding {
     pub name: String,
     /// The claim as a line that can be pasted.
     pub text: String,
+}
+
+impl Finding {
+    /// What a claim of this kind says.
+    pub(crate) fn claimed(kind: ClaimKind, text: &str) -> Self {
+        Finding { kind, name: name_of(text).unwrap_or_default().to_owned(), text: text.to_owned() }
+    }
 }
 
 impl fmt::Display for Finding {
@@ -67,18 +94,4 @@ impl fmt::Display for Finding {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unwatched;
 
-impl Watch for Unwatched {
-    fn now(&self) -> Option<Duration> {
-        None
-    }
-
-    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    fn found(&self, _: &Finding) {}
-
-    fn threads(&self) -> usize {
-        1
-    }
-}
+impl Watch for Unwatched {}

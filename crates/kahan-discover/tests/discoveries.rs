@@ -7,7 +7,7 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::{lexer, read};
 use kahan_discover::hilbert::default_degree;
 use kahan_discover::report::{Bound, ModifiedPlace};
-use kahan_discover::{DiscoverError, Options, Report, discover};
+use kahan_discover::{DiscoverError, Options, Report, Unwatched, discover};
 
 mod support;
 use support::*;
@@ -24,16 +24,20 @@ fn report(text: &str, options: &Options) -> Report {
     searched(text, &Options { degree: options.degree.or(Some(usual)), ..options.clone() })
 }
 
-/// The report of a search that goes on to higher degrees where no degree is given.
+/// The report of a search that goes on to higher degrees where no degree is given; the watch heard
+/// of all of it.
 fn searched(text: &str, options: &Options) -> Report {
-    discover(&system(text), options, &mut |_| {}).expect("there is a map")
+    let watch = Recording::with_a_clock();
+    let report = discover(&system(text), options, &watch).expect("there is a map");
+    let told: Vec<String> = watch.findings().into_iter().map(|finding| finding.text).collect();
+    assert!(claims(&report).iter().all(|claim| told.iter().any(|told| told == claim)), "{text}: {told:?}");
+    assert_eq!(told.len(), claims(&report).len(), "{text}: {told:?}");
+    report
 }
 
 /// Every line compiles behind the equations as they were written, all of them together.
 fn check_lines(text: &str, report: &Report) {
-    let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
-    let lines: Vec<&str> = formulas.chain(report.brackets.iter().map(String::as_str)).collect();
-    let block = format!("{text} {}", lines.join(" "));
+    let block = format!("{text} {}", claims(report).join(" "));
     let reading = read(&lexer::lex(&block).tokens);
     assert!(reading.diagnostics().is_empty(), "{block}: {:?}", reading.diagnostics());
 }
@@ -384,7 +388,7 @@ fn wrong_input_is_explained() {
         parameters: vec![(name.to_owned(), Rational::from(value))],
         ..options()
     };
-    let error = |text: &str, options: &Options| discover(&system(text), options, &mut |_| {}).unwrap_err();
+    let error = |text: &str, options: &Options| discover(&system(text), options, &Unwatched).unwrap_err();
     assert_eq!(error(E9, &with("zeta", 1)), DiscoverError::UnknownParameter("zeta".to_owned()));
     assert_eq!(error("xdot = y/a; ydot = x;", &with("a", 0)), DiscoverError::UndefinedField);
     let at_one = Options { eps: Some(Rational::one()), ..options() };

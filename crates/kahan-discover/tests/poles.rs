@@ -3,7 +3,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_discover::growth::{Growth, GrowthVerdict};
 use kahan_discover::poles::{Pattern, Poles};
-use kahan_discover::{DiscoverError, Options, poles};
+use kahan_discover::{DiscoverError, Options, Unwatched, poles};
 
 mod exact_germ;
 mod support;
@@ -12,7 +12,7 @@ use support::*;
 
 fn found(text: &str, eps: Option<Rational>, steps: usize) -> Poles {
     let options = Options { eps, ..Options::default() };
-    poles(&system(text), &options, steps, &mut |_, _| {}).expect("there is a map")
+    poles(&system(text), &options, steps, &Unwatched).expect("there is a map")
 }
 
 /// Each curve with its verdict and the dimensions of its images up to that.
@@ -119,7 +119,7 @@ fn every_verdict_is_that_of_the_moved_curve() {
 #[test]
 fn what_has_no_poles_to_follow_says_why() {
     let refused = |text: &str, eps| {
-        poles(&system(text), &Options { eps, ..Options::default() }, 3, &mut |_, _| {}).expect_err(text)
+        poles(&system(text), &Options { eps, ..Options::default() }, 3, &Unwatched).expect_err(text)
     };
     assert_eq!(refused(E1, Some(Rational::zero())), DiscoverError::ZeroStep);
     assert_eq!(refused("xdot = x;", Some(Rational::from(1))), DiscoverError::NoMap);

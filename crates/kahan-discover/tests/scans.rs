@@ -2,15 +2,14 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::{lexer, read};
-use kahan_discover::{DiscoverError, Options, Scan, Scanned, scan};
+use kahan_discover::{DiscoverError, Options, Scan, Scanned, Unwatched, scan};
 
 mod support;
 use support::*;
 
 fn scanned(text: &str, name: &str, from: i64, to: i64, step: Rational) -> Scan {
     let axis = Scanned::range(name, &Rational::from(from), &Rational::from(to), &step).unwrap();
-    let options = Options { seconds: 3600.0, ..Options::default() };
-    scan(&system(text), &[axis], &options, &mut |_, _| {}).unwrap()
+    scan(&system(text), &[axis], &Options::default(), &Unwatched).unwrap()
 }
 
 /// The values with as many integrals as this.
@@ -46,12 +45,11 @@ fn the_time_steps_of_lotka_volterra_are_special() {
 fn grids_have_axes_and_names_are_checked() {
     let half = Rational::new(1, 2);
     let axis = |name: &str| Scanned { name: name.to_owned(), values: vec![half.clone(), Rational::one()] };
-    let mut calls = 0;
-    let options = Options { seconds: 3600.0, ..Options::default() };
-    let found = scan(&system(E7), &[axis("xi"), axis("eps")], &options, &mut |_, _| calls += 1).unwrap();
-    assert_eq!((found.points.len(), calls), (4, 4));
+    let options = Options::default();
+    let found = scan(&system(E7), &[axis("xi"), axis("eps")], &options, &Unwatched).unwrap();
+    assert_eq!(found.points.len(), 4);
     assert_eq!(found.points[1].values, [half.clone(), Rational::one()]);
-    let error = scan(&system(E7), &[axis("zeta")], &options, &mut |_, _| {}).unwrap_err();
+    let error = scan(&system(E7), &[axis("zeta")], &options, &Unwatched).unwrap_err();
     assert_eq!(error, DiscoverError::UnknownParameter("zeta".to_owned()));
     assert!(Scanned::range("xi", &half, &Rational::one(), &Rational::zero()).is_none());
     // A parameter that the field is divided by has a value without a map.
@@ -59,18 +57,26 @@ fn grids_have_axes_and_names_are_checked() {
         &system("xdot = y/a; ydot = x^2;"),
         &[Scanned { name: "a".to_owned(), values: vec![Rational::zero(), Rational::one()] }],
         &options,
-        &mut |_, _| {},
+        &Unwatched,
     );
     assert_eq!(divided.unwrap().points[0].sight, None);
 }
 
-/// A grid of integers on several axes.
+/// A grid of integers on several axes; the watch heard of all points, and of each claim.
 fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
     let integers = (Rational::from(from), Rational::from(to), Rational::one());
     let axis = |name: &&str| Scanned::range(name, &integers.0, &integers.1, &integers.2).unwrap();
     let axes: Vec<Scanned> = names.iter().map(axis).collect();
-    let options = Options { seconds: 3600.0, ..Options::default() };
-    scan(&system(text), &axes, &options, &mut |_, _| {}).unwrap()
+    let watch = Recording::default();
+    let found = scan(&system(text), &axes, &Options::default(), &watch).unwrap();
+    let told: Vec<String> = watch.findings().into_iter().map(|finding| finding.text).collect();
+    let said = found.relations.iter().flat_map(|relation| &relation.claims);
+    assert_eq!(told, said.cloned().collect::<Vec<_>>(), "{text}");
+    let total = found.points.len();
+    let mut looks = watch.looks();
+    looks.retain(|look| look.ends_with("points"));
+    assert_eq!(looks, (0..=total).map(|done| format!("{done} of {total} points")).collect::<Vec<_>>());
+    found
 }
 
 /// The relations with the number of their points and of their claims, each claim proved where it

@@ -4,13 +4,19 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{available_parallelism, scope};
 
+/// How many threads the machine runs at once, at least 1.
+#[must_use]
+pub fn available() -> usize {
+    available_parallelism().map_or(1, usize::from)
+}
+
 /// Runs `work` for each index below `count`, in about this order, each on whichever thread comes
 /// free.
 ///
 /// `threads` is the number of threads, by default as many as the machine runs at once. A thread
 /// that panics ends the call with its panic.
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
-    let threads = threads.or_else(|| available_parallelism().ok().map(usize::from)).unwrap_or(1);
+    let threads = threads.unwrap_or_else(available);
     let next = AtomicUsize::new(0);
     scope(|scope| {
         for _ in 0..threads.clamp(1, count.max(1)) {

@@ -12,7 +12,7 @@ use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::{KahanMap, ProjectivePoint};
 use kahan_discover::poles::Pattern;
-use kahan_discover::{Options, poles};
+use kahan_discover::{Options, Unwatched, poles};
 use kahan_runtime::Field;
 use kahan_runtime::interpreted::Interpreted;
 use kahan_tests::exact::{Q, q};
@@ -122,7 +122,7 @@ fn follow_all(subject: &Subject, eps: &Rational) -> usize {
     let map = Field::of(subject.system).with(parameters.iter().map(|(name, value)| (name, value)));
     let map: Map = map.expect("a field").as_kahan_map().expect("few variables");
     let options = Options { eps: Some(eps.clone()), parameters, iterates: 2, ..Options::default() };
-    let found = match poles(subject.system, &options, 8, &mut |_, _| {}) {
+    let found = match poles(subject.system, &options, 8, &Unwatched) {
         Ok(found) => found,
         Err(_) => return 0,
     };

@@ -4,7 +4,6 @@
 mod discovery;
 
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::Args;
 use kahan_algebra::render::{folded, macro_block};
@@ -93,12 +92,11 @@ impl Discover {
             seconds: search.seconds,
             ..Options::default()
         };
-        let clock = Instant::now();
-        let progress = Prompt::stages();
-        let report = discover(&system, &options, &mut |stage| progress.say(&stage.to_string()));
-        progress.finish();
+        let prompt = Prompt::stages();
+        let report = discover(&system, &options, &prompt);
+        prompt.finish();
         let report = report.map_err(|error| refused(&name, &error))?;
-        Ok(Discovery { name, system, fixed, eps, report, seconds: clock.elapsed().as_secs_f64() })
+        Ok(Discovery { name, system, fixed, eps, report, seconds: prompt.seconds() })
     }
 }
 

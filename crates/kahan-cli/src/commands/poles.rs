@@ -90,12 +90,9 @@ impl Poles {
             seconds: self.seconds,
             ..Options::default()
         };
-        let progress = Prompt::stages();
-        progress.say("degrees of iterates");
-        let found = poles(&system, &options, self.steps, &mut |done, count| {
-            progress.say(&format!("curve {} of {count}", done + 1));
-        });
-        progress.finish();
+        let prompt = Prompt::stages();
+        let found = poles(&system, &options, self.steps, &prompt);
+        prompt.finish();
         let found = found.map_err(|error| refused(&name, &error))?;
         Ok((name, found))
     }

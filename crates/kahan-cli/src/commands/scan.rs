@@ -1,8 +1,6 @@
 //! `kahan scan`: which values of parameters, and of ε, are special. What is seen is
 //! `kahan-discover`'s; this only prints it.
 
-use std::time::Instant;
-
 use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
@@ -74,12 +72,11 @@ impl Scan {
                 "which values? give a range to a parameter or to eps, FROM:TO:STEP, as in --param xi=-2:2:1/12 or --eps 1/4:2:1/4",
             ));
         }
-        let clock = Instant::now();
-        let progress = Prompt::new(total as u64, "points");
-        let found = scan(&system, &axes, &options, &mut |_, _| progress.advance(1));
-        progress.finish();
+        let prompt = Prompt::new(total as u64, "points");
+        let found = scan(&system, &axes, &options, &prompt);
+        prompt.finish();
         let found = found.map_err(|error| refused(&name, &error))?;
-        let seconds = clock.elapsed().as_secs_f64();
+        let seconds = prompt.seconds();
         Ok(if search.json {
             Answer::json(&object(&name, &found, seconds))
         } else {

@@ -1,47 +1,83 @@
-//! A progress bar or a spinner on standard error, where that is a terminal; nothing elsewhere.
+//! Who watches long work at a prompt: a bar or a spinner on standard error, where that is a
+//! terminal, the machine's clock, and its processors.
 
 use std::io::{IsTerminal, stderr};
-use std::time::Duration;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use kahan_discover::{Progress, Watch};
+use kahan_runtime::threads;
 
-/// Progress of long work with a known end.
-pub(crate) struct Prompt(ProgressBar);
+/// The user, who sees how far long work is, and what it found once it is done.
+pub(crate) struct Prompt {
+    bar: ProgressBar,
+    since: Instant,
+}
 
 impl Prompt {
     /// A bar of so many steps of one sort: `claims`.
     pub(crate) fn new(steps: u64, what: &str) -> Self {
-        if !stderr().is_terminal() {
-            return Prompt(ProgressBar::hidden());
-        }
-        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} ({elapsed}, {eta} left)");
-        let bar = ProgressBar::new(steps).with_message(what.to_owned());
-        Prompt(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
+        Self::showing(|| {
+            let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} ({elapsed}, {eta} left)");
+            let bar = ProgressBar::new(steps).with_message(what.to_owned());
+            bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        })
     }
 
     /// A spinner, for work in stages whose end is not known.
     pub(crate) fn stages() -> Self {
-        if !stderr().is_terminal() {
-            return Prompt(ProgressBar::hidden());
-        }
-        let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
-        let spinner = ProgressBar::new_spinner();
-        spinner.enable_steady_tick(Duration::from_millis(120));
-        Prompt(spinner.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner())))
+        Self::showing(|| {
+            let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
+            let spinner = ProgressBar::new_spinner();
+            spinner.enable_steady_tick(Duration::from_millis(120));
+            spinner.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()))
+        })
+    }
+
+    fn showing(bar: impl FnOnce() -> ProgressBar) -> Self {
+        let bar = if stderr().is_terminal() { bar() } else { ProgressBar::hidden() };
+        Prompt { bar, since: Instant::now() }
     }
 
     /// The stage that begins.
     pub(crate) fn say(&self, stage: &str) {
-        self.0.set_message(stage.to_owned());
+        self.bar.set_message(stage.to_owned());
     }
 
     /// So many steps are done.
     pub(crate) fn advance(&self, steps: u64) {
-        self.0.inc(steps);
+        self.bar.inc(steps);
     }
 
     /// Removes the bar.
     pub(crate) fn finish(&self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
+    }
+
+    /// The time since the work began.
+    pub(crate) fn seconds(&self) -> f64 {
+        self.since.elapsed().as_secs_f64()
+    }
+}
+
+impl Watch for Prompt {
+    fn now(&self) -> Option<Duration> {
+        Some(self.since.elapsed())
+    }
+
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        // A bar counts one sort of things to its end; stages in between are no part of that.
+        let is_bar = self.bar.length().is_some();
+        if is_bar && progress.of.is_some() {
+            self.bar.set_position(progress.done);
+        } else if !is_bar {
+            self.say(&progress.to_string());
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn threads(&self) -> usize {
+        threads::available()
     }
 }

@@ -223,7 +223,7 @@ pub(crate) fn completing(
     wanted: usize,
     place: &DrawnStep,
     gradients: &mut Vec<Vec<u64>>,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Vec<Basis> {
     let mut found = Vec::new();
     let map = &place.draw.map;
@@ -260,7 +260,7 @@ pub(crate) fn candidates(
     setting: &Setting,
     degree: u32,
     random: &mut SplitMix64,
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Vec<Basis> {
     let monomials = Monomials::new(setting.dimension(), degree);
     let Some(draw) = setting.draw(Modulus::mersenne_61(), random) else { return Vec::new() };
@@ -315,7 +315,7 @@ fn reduced_in(
     modulus: &Modulus,
     relations: &Relations,
     order: &[usize],
-    deadline: &Deadline,
+    deadline: &Deadline<'_>,
 ) -> Option<Vec<NullVector>> {
     // The highest monomials are to lead, so they stand first.
     let permuted = |vector: &NullVector| order.iter().rev().map(|&index| vector.entries[index]).collect();

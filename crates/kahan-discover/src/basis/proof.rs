@@ -30,7 +30,7 @@ const MOST_DRAWS: usize = 16;
 /// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of
 /// them passed; `None` where the relation fails at one, the degrees are too high for 61-bit
 /// primes, or the deadline passes.
-pub fn prove(basis: &Basis, setting: &Setting, field: &Field, deadline: &Deadline) -> Option<u32> {
+pub fn prove(basis: &Basis, setting: &Setting, field: &Field, deadline: &Deadline<'_>) -> Option<u32> {
     let size = determinant_size(basis, field, setting.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
     let mut random = Shake256::new(format!("{field:?} {:?} {:?}", setting.eps(), basis.monomials).as_bytes());

@@ -15,8 +15,6 @@ mod implied;
 mod roots;
 mod series;
 
-use std::time::Instant;
-
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
@@ -24,12 +22,13 @@ use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::system::System;
 
-use crate::deadline::Deadline;
+use crate::deadline::{Deadline, Work};
 use crate::degrees::{DegreeLimits, degrees};
 use crate::modulus::Modulus;
 use crate::report::{DiscoverError, Options};
 use crate::setting::Setting;
 use crate::stages::specialised;
+use crate::watch::{Progress, Watch};
 use curves::Curves;
 pub use germ::Image;
 use germ::{Homogeneous, Lost, Place, Values};
@@ -93,7 +92,7 @@ const MOST_DRAWS: usize = 40;
 const FOR_DEGREES: f64 = 0.4;
 
 /// What the map of a system does after its poles, within so many steps. Of the options the fixed
-/// values and the bounds on degrees and time count. `progress` is told of every curve before it is
+/// values and the bounds on degrees and time count. `watch` is told of every curve before it is
 /// followed: how many are done, and of how many.
 ///
 /// Equal fields and options give equal results, unless time runs out.
@@ -104,11 +103,12 @@ pub fn poles(
     system: &System,
     options: &Options,
     steps: usize,
-    progress: &mut dyn FnMut(usize, usize),
+    watch: &dyn Watch,
 ) -> Result<Poles, DiscoverError> {
-    let start = Instant::now();
+    let work = &Work::new(watch);
     let [for_degrees, deadline] =
-        [FOR_DEGREES, 1.0].map(|share| Deadline::after(start, options.seconds * share));
+        [FOR_DEGREES, 1.0].map(|share| Deadline::after(work, options.seconds * share));
+    work.show(&Progress::stage("degrees of iterates"));
     let field = specialised(system, &options.parameters)?.field;
     if options.eps.as_ref().is_some_and(Rational::is_zero) {
         return Err(DiscoverError::ZeroStep);
@@ -129,7 +129,7 @@ pub fn poles(
     let follower = Follower { setting: &setting, curves: &curves, steps, deadline };
     let mut patterns = Vec::with_capacity(count);
     for (done, curve) in all.into_iter().enumerate() {
-        progress(done, count);
+        work.show(&Progress { what: "curves", done: done as u64, of: Some(count as u64) });
         patterns.push(follower.pattern(curve, &mut random));
     }
     let symbols = field.symbols;
@@ -152,7 +152,7 @@ struct Follower<'a> {
     setting: &'a Setting,
     curves: &'a Curves,
     steps: usize,
-    deadline: Deadline,
+    deadline: Deadline<'a>,
 }
 
 impl Follower<'_> {

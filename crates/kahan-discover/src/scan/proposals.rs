@@ -2,7 +2,6 @@
 
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
-use std::time::{Duration, Instant};
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -15,9 +14,10 @@ use kahan_algebra::system::System;
 use super::shapes::{Grid, Shape, shapes};
 use super::{Scan, Sight};
 use crate::claims::{Claims, Formula};
+use crate::deadline::{Deadline, Work};
 use crate::hilbert::default_degree;
 use crate::report::Options;
-use crate::stages::discover;
+use crate::stages::discover_within;
 
 /// A relation between scanned quantities at which all points of the grid are special.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,8 +33,14 @@ pub struct Proposal {
     pub claims: Vec<String>,
 }
 
-/// The relations that the grid shows, with what is proved until `end`.
-pub(super) fn proposals(system: &System, scan: &Scan, options: &Options, end: Instant) -> Vec<Proposal> {
+/// The relations that the grid shows, with what is proved until the deadline.
+pub(super) fn proposals(
+    system: &System,
+    scan: &Scan,
+    options: &Options,
+    work: &Work<'_>,
+    deadline: &Deadline<'_>,
+) -> Vec<Proposal> {
     let symbols = &system.field.symbols;
     // At ε = 0 the map is the identity, and a point without a sight says nothing.
     let zero_step = |values: &[Rational]| {
@@ -52,15 +58,14 @@ pub(super) fn proposals(system: &System, scan: &Scan, options: &Options, end: In
     let mut found = shapes(&grid(&|sight| sight.integrals > scan.generic.integrals), &[]);
     let others = shapes(&grid(&|sight| *sight != scan.generic), &found);
     found.extend(others);
-    let mut prover = Prover::new(system, options);
+    let mut prover = Prover::new(system, options, work);
     let mut proposals = Vec::new();
     for (index, Shape { polynomial, points }) in found.iter().enumerate() {
         let polynomial = polynomial.map_variables(|axis| axes[usize::from(axis.0)]);
         let Some(sight) = usual(points.iter().map(|&at| sights[at])) else { continue };
         let relation = relation_text(symbols, &polynomial);
-        let left = end.saturating_duration_since(Instant::now());
-        let claims =
-            prover.prove(&polynomial, &relation, left / u32::try_from(found.len() - index).unwrap_or(1));
+        let seconds = deadline.left() / (found.len() - index) as f64;
+        let claims = prover.prove(&polynomial, &relation, seconds);
         proposals.push(Proposal { relation, points: points.len(), sight: sight.clone(), claims });
     }
     proposals
@@ -116,12 +121,13 @@ fn relation_text(symbols: &Symbols, polynomial: &Polynomial) -> String {
 struct Prover<'a> {
     system: &'a System,
     options: &'a Options,
+    work: &'a Work<'a>,
     claims: Claims<'a>,
     taken: BTreeSet<String>,
 }
 
 impl<'a> Prover<'a> {
-    fn new(system: &'a System, options: &'a Options) -> Self {
+    fn new(system: &'a System, options: &'a Options, work: &'a Work<'a>) -> Self {
         let symbols = &system.field.symbols;
         let claims = system.claims.iter().map(|claim| claim.name.text.clone());
         let constants = system.constants.iter().map(|(name, _)| name.clone());
@@ -129,27 +135,31 @@ impl<'a> Prover<'a> {
         Prover {
             system,
             options,
+            work,
             claims: Claims::new(system, &[], None),
             taken: claims.chain(constants).chain(names).collect(),
         }
     }
 
-    /// What is proved where the polynomial vanishes, and not without that, in at most so much time.
-    fn prove(&mut self, polynomial: &Polynomial, relation: &str, time: Duration) -> Vec<String> {
-        let Some((system, options)) = self.restricted(polynomial, time) else { return Vec::new() };
-        let Ok(report) = discover(&system, &options, &mut |_| {}) else { return Vec::new() };
+    /// What is proved where the polynomial vanishes, and not without that, in at most so many
+    /// seconds.
+    fn prove(&mut self, polynomial: &Polynomial, relation: &str, seconds: f64) -> Vec<String> {
+        let Some((system, options)) = self.restricted(polynomial, seconds) else { return Vec::new() };
+        // What is found there is news only once it is proved of the field as it was given.
+        let found = discover_within(&system, &options, self.work, &|_, _| ());
+        let Ok(report) = found else { return Vec::new() };
         let formulas = report.integrals.iter().chain(&report.densities);
         formulas.filter_map(|formula| self.claim(formula, relation)).collect()
     }
 
     /// The system where the polynomial vanishes: without the parameter it is solved for, or at the
     /// ε it gives.
-    fn restricted(&self, polynomial: &Polynomial, time: Duration) -> Option<(System, Options)> {
+    fn restricted(&self, polynomial: &Polynomial, seconds: f64) -> Option<(System, Options)> {
         let symbols = &self.system.field.symbols;
         // With a degree the search ends where that is looked at: a scan has many relations to
         // prove.
         let degree = Some(self.options.degree.unwrap_or_else(|| default_degree(symbols.dimension())));
-        let mut options = Options { seconds: time.as_secs_f64(), degree, ..self.options.clone() };
+        let mut options = Options { seconds, degree, ..self.options.clone() };
         let mut relations = Relations::default();
         let name = relations.add(polynomial, &[]).ok()?;
         let value = relations.value(name)?;
@@ -183,6 +193,7 @@ impl<'a> Prover<'a> {
         if self.claims.is_proved(&claim(&fixed)) || !self.claims.is_proved(&on_relation) {
             return None;
         }
+        self.work.found(formula.kind, &on_relation);
         self.taken.insert(name);
         Some(on_relation)
     }

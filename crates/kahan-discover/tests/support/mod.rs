@@ -1,9 +1,14 @@
-//! The fields whose answers are known, with how their names are written in the tests.
+//! The fields whose answers are known, with how their names are written in the tests, and a watch.
 
-#![allow(dead_code, reason = "not every test uses every field")]
+#![allow(dead_code, unused_imports, reason = "not every test uses all of it")]
+
+mod recording;
 
 use kahan_algebra::system::System;
 use kahan_algebra::{lexer, read};
+use kahan_discover::Report;
+
+pub(crate) use recording::Recording;
 
 pub(crate) const E1: &str = "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;";
 pub(crate) const E2: &str = "xdot = -x^2; ydot = x*y; zdot = -2*y^2 + x*z;";
@@ -28,4 +33,10 @@ pub(crate) const ZHUKOVSKY: &str =
 /// The system of a text; its claims, if any, count for nothing here.
 pub(crate) fn system(text: &str) -> System {
     read(&lexer::lex(text).tokens).system().expect("a system")
+}
+
+/// The lines of a report, each a claim.
+pub(crate) fn claims(report: &Report) -> Vec<&str> {
+    let formulas = report.integrals.iter().chain(&report.densities).map(|formula| formula.text.as_str());
+    formulas.chain(report.brackets.iter().map(String::as_str)).collect()
 }

@@ -14,6 +14,7 @@ use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
 use super::integers::{bits, short_gcd};
+use crate::threads;
 
 /// From this many bits of W on the gcds of several coordinates are worth a thread: they take
 /// milliseconds.
@@ -37,8 +38,7 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
         let among = |factor| if shares_much(factor) { weight } else { &shared };
         return x.iter().zip(before).map(|(x, factor)| factor_of(x, weight, among(factor))).collect();
     }
-    let is_long =
-        weight.bit_len() >= LONG && thread::available_parallelism().is_ok_and(|cores| cores.get() > 1);
+    let is_long = weight.bit_len() >= LONG && threads::available() > 1;
     if parts.len() > 1 && is_long {
         // ∏ gcd(B, ∏Xᵢ) over the parts B divides W, and gcd(Xᵢ, W) divides it.
         let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());

@@ -2,7 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::hilbert::default_degree;
-use kahan_discover::{Options, discover};
+use kahan_discover::{Options, Unwatched, discover};
 use kahan_runtime::heights::{Bounds, HeightsOrbit, Survey};
 
 use crate::columns::{Column, Entry, Kind};
@@ -29,10 +29,6 @@ pub(crate) struct Search {
     /// The degree of the relations that are looked for, where the plan says it.
     pub(crate) degree: Option<u32>,
 }
-
-/// A search has this long; what it finds must not depend on how fast a machine is, so that this is
-/// beyond what any takes.
-const SECONDS: f64 = 1e6;
 
 impl Exactly {
     pub(crate) fn columns(&self, plan: &Plan) -> Vec<Column> {
@@ -108,12 +104,12 @@ impl Search {
         let options = Options {
             eps: Some(point.eps.clone()),
             parameters: names.zip(point.parameters.iter().cloned()).collect(),
-            // Without a degree the time would decide where the search ends.
+            // Nobody watches, as what is found must not depend on how fast a machine is; so a degree
+            // has to end the search.
             degree: Some(self.degree.unwrap_or_else(|| default_degree(plan.system().field.dimension()))),
-            seconds: SECONDS,
             ..Options::default()
         };
-        match discover(plan.system(), &options, &mut |_| ()) {
+        match discover(plan.system(), &options, &Unwatched) {
             Ok(report) => {
                 let texts = |formulas: &[kahan_discover::claims::Formula]| {
                     Entry::Text(

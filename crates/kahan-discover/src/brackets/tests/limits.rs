@@ -49,14 +49,16 @@ fn every_choice_of_integrals_gives_a_bracket_until_the_time_is_up() {
     let symbols = &system.field.symbols;
     let claims = Claims::new(&system, &[], None);
     let (integrals, density) = found(&claims, &system, &["H", "K", "L"]);
-    let of = |integrals: &[Formula], deadline: &Deadline| {
+    let of = |integrals: &[Formula], deadline: &Deadline<'_>| {
         brackets(&claims, symbols, integrals, &density, deadline)
     };
     assert_eq!(of(&integrals, &Deadline::never()).len(), 3);
     assert_eq!(of(&integrals[..2], &Deadline::never()).len(), 1);
     assert_eq!(of(&integrals[..1], &Deadline::never()), Vec::<String>::new(), "too few integrals");
 
-    let past = Deadline::after(std::time::Instant::now(), 0.0);
+    let clock = Ticking::default();
+    let work = Work::new(&clock);
+    let past = Deadline::after(&work, 0.0);
     assert_eq!(of(&integrals, &past), Vec::<String>::new());
     assert!(past.has_stopped(), "what was left out is known");
 }

@@ -12,7 +12,8 @@ use kahan_algebra::{lexer, read};
 
 use super::construct::invariant_tensor;
 use super::*;
-use crate::tests::{claim, function, functions};
+use crate::deadline::Work;
+use crate::tests::{Ticking, claim, function, functions};
 
 fn system(text: &str) -> System {
     let reading = read(&lexer::lex(text).tokens);

@@ -1,0 +1,65 @@
+//! A watch that keeps what it is told.
+
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use kahan_discover::{Finding, Progress, Watch};
+
+/// A watch that keeps what it is told, and may end the work.
+#[derive(Debug, Default)]
+pub(crate) struct Recording {
+    /// Where there is a clock, it begins here.
+    begun: Option<Instant>,
+    /// With so many findings the work is to end.
+    most_findings: Option<usize>,
+    is_ended: AtomicBool,
+    looks: Mutex<Vec<String>>,
+    findings: Mutex<Vec<Finding>>,
+}
+
+impl Recording {
+    pub(crate) fn with_a_clock() -> Self {
+        Recording { begun: Some(Instant::now()), ..Recording::default() }
+    }
+
+    /// Ends the work after so many findings, with a clock or without.
+    pub(crate) fn ending_after(self, findings: usize) -> Self {
+        Recording { most_findings: Some(findings), ..self }
+    }
+
+    /// How far the work was at each look, in words.
+    pub(crate) fn looks(&self) -> Vec<String> {
+        self.looks.lock().expect("no thread panics").clone()
+    }
+
+    /// What was found, in order.
+    pub(crate) fn findings(&self) -> Vec<Finding> {
+        self.findings.lock().expect("no thread panics").clone()
+    }
+
+    fn is_called(&self) {
+        assert!(!self.is_ended.load(Ordering::Relaxed), "work that is ended goes on");
+    }
+}
+
+impl Watch for Recording {
+    fn now(&self) -> Option<Duration> {
+        self.is_called();
+        self.begun.map(|begun| begun.elapsed())
+    }
+
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        self.is_called();
+        self.looks.lock().expect("no thread panics").push(progress.to_string());
+        let ends = self.most_findings.is_some_and(|most| self.findings().len() >= most);
+        self.is_ended.store(ends, Ordering::Relaxed);
+        if ends { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn found(&self, finding: &Finding) {
+        self.is_called();
+        self.findings.lock().expect("no thread panics").push(finding.clone());
+    }
+}
