@@ -118,7 +118,7 @@ impl Figure {
         let start: Vec<Rational> = self.start.iter().map(exact).collect();
         let mut orbit = HeightsOrbit::new(system, &parameters, &exact(&self.eps), &start)
             .expect("the field has a value at these parameters");
-        let survey = Survey::of(&mut orbit, self.steps, |_| ());
+        let survey = Survey::of(&mut orbit, self.steps);
         Measurement { variables: system.field.symbols.states.clone(), survey }
     }
 }

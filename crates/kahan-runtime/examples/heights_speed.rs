@@ -79,7 +79,7 @@ impl Test {
         let mut orbit =
             HeightsOrbit::new(system, &numbers(self.parameters), &number(&self.eps), &numbers(self.start))
                 .expect("the field is defined");
-        let survey = Survey::of(&mut orbit, self.steps, |_| ());
+        let survey = Survey::of(&mut orbit, self.steps);
         assert_eq!(survey.heights.len() as u64, self.steps + 1, "{:?}", survey.stopped);
         (begun.elapsed().as_secs_f64(), survey)
     }

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
 use kahan_algebra::system::System;
-use kahan_runtime::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
+use kahan_discover::{Progress, Watch};
+use kahan_runtime::heights::{Growth, HeightsOrbit, Stop, Survey};
 use serde_json::{Map, Value, json};
 
 use crate::printing::layout::table;
@@ -82,16 +83,15 @@ impl Heights {
         let request = self.start.request()?;
         let Request { name, system, point } = &request;
         let sink = self.csv.as_deref().map(|path| Sink::file(path, "--csv")).transpose()?;
-        let clock = std::time::Instant::now();
+        let prompt = Prompt::new(self.steps, "steps");
         let orbit = HeightsOrbit::new(system, &point.parameters, &point.eps, &point.state)
             .map_err(|_| request.undefined_field())?;
-        let mut orbit =
-            orbit.within(Bounds { max_digits: Some(self.max_digits), seconds: Some(self.seconds) });
-        let progress = Prompt::new(self.steps, "steps");
-        let survey =
-            Survey::of(&mut orbit, self.steps, |heights| progress.advance(u64::from(heights.step > 0)));
-        progress.finish();
-        let record = Record { name, system, survey, seconds: clock.elapsed().as_secs_f64() };
+        let mut orbit = orbit.within_digits(self.max_digits);
+        let survey = Survey::within(&mut orbit, self.steps, self.seconds, &|| prompt.now(), |heights| {
+            prompt.look(&Progress { what: "steps", done: heights.step as u64, of: Some(self.steps) })
+        });
+        prompt.finish();
+        let record = Record { name, system, survey, seconds: prompt.seconds() };
         if let Some(sink) = sink {
             record.write(sink)?;
         }

@@ -3,7 +3,7 @@
 //! The logarithmic height of p/q in lowest terms is h(p/q) = log max(|p|, |q|). Along an orbit of
 //! an integrable map over ℚ it grows polynomially, otherwise in general exponentially.
 //! [`HeightsOrbit`] yields the heights of any quadratic field's Kahan map, from any rational
-//! initial data, within [`Bounds`]; [`Growth`] classifies a sequence of them; [`Survey`] is the
+//! initial data; [`Growth`] classifies a sequence of them; [`Survey`] is the
 //! whole test in one call.
 //!
 //! ```
@@ -14,7 +14,7 @@
 //! let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system().expect("a system");
 //! let start = [Rational::new(1, 2), Rational::new(5, 3)];
 //! let mut orbit = HeightsOrbit::new(&system, &[], &Rational::new(9, 14), &start).unwrap();
-//! let survey = Survey::of(&mut orbit, 12, |_| ());
+//! let survey = Survey::of(&mut orbit, 12);
 //! assert_eq!(survey.growth, Growth::Exponential);
 //! assert!((survey.entropy - 2.0_f64.ln()).abs() < 0.01);
 //! ```
@@ -38,5 +38,5 @@ mod survey;
 pub use growth::Growth;
 pub use map::{ProjectiveMap, UndefinedField};
 pub use orbit::HeightsOrbit;
-pub use report::{Bounds, Heights, Stop};
+pub use report::{Heights, Stop};
 pub use survey::Survey;

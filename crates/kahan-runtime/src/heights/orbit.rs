@@ -1,7 +1,5 @@
 //! An exact orbit in projective integers, with the heights of every point.
 
-use std::time::{Duration, Instant};
-
 use dashu_int::ops::{BitTest, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use kahan_algebra::rational::Rational;
@@ -12,12 +10,12 @@ use super::integers::{denominator, numerator, short_gcd};
 use super::logarithm::{decimal_digits, natural_logarithm};
 use super::map::{ProjectiveMap, UndefinedField};
 use super::reduction::common_factors;
-use super::report::{Bounds, Heights, Stop};
+use super::report::{Heights, Stop};
 
 /// The heights h(x₀), h(x₁), … of an exact orbit of Kahan's map; x₀ first.
 ///
 /// The orbit goes over projective integers without a common factor. It ends at a pole or at a
-/// bound, and [`stopped`](Self::stopped) says which; nothing panics on the way.
+/// bound on digits, and [`stopped`](Self::stopped) says which; nothing panics on the way.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -39,27 +37,29 @@ pub struct HeightsOrbit {
     factors: Vec<UBig>,
     before: Option<Vec<IBig>>,
     content: Content,
-    bounds: Bounds,
+    /// The greatest number of decimal digits of a height's integer.
+    max_digits: Option<u64>,
     step: Option<usize>,
     stopped: Option<Stop>,
-    started: Instant,
-    pace: Pace,
+    bits: Bits,
 }
 
-/// What the last step cost.
+/// How long the point before and the current one are, once there are both.
 #[derive(Clone, Copy, Debug, Default)]
-struct Pace {
-    time: Duration,
-    /// The bits of the point that was stepped.
-    bits: usize,
-    /// The bits of its image.
-    image: usize,
+struct Bits {
+    before: usize,
+    now: usize,
+}
+
+impl Bits {
+    fn growth(self) -> f64 {
+        self.now as f64 / self.before.max(1) as f64
+    }
 }
 
 impl HeightsOrbit {
     /// The orbit of `system` from `start` at these parameters (in their order) and ε, half the time
-    /// step. Parameters are put in after the map is reduced. The clock of [`Bounds::seconds`]
-    /// starts here.
+    /// step. Parameters are put in after the map is reduced.
     ///
     /// # Errors
     /// Where a parameter makes the field divide by zero.
@@ -72,7 +72,6 @@ impl HeightsOrbit {
         eps: &Rational,
         start: &[Rational],
     ) -> Result<Self, UndefinedField> {
-        let started = Instant::now();
         assert_eq!(start.len(), system.field.dimension(), "one coordinate a state");
         let map = ProjectiveMap::new(system, parameters, eps)?;
         Ok(HeightsOrbit {
@@ -81,18 +80,17 @@ impl HeightsOrbit {
             map,
             before: None,
             content: Content::default(),
-            bounds: Bounds::default(),
+            max_digits: None,
             step: None,
             stopped: None,
-            started,
-            pace: Pace::default(),
+            bits: Bits::default(),
         })
     }
 
-    /// The same orbit within bounds.
+    /// The same orbit, as far as no numerator or denominator has more decimal digits.
     #[must_use]
-    pub fn within(self, bounds: Bounds) -> Self {
-        HeightsOrbit { bounds, ..self }
+    pub fn within_digits(self, max_digits: u64) -> Self {
+        HeightsOrbit { max_digits: Some(max_digits), ..self }
     }
 
     /// Why the orbit ended; `None` while it has not.
@@ -121,17 +119,15 @@ impl HeightsOrbit {
         &self.point
     }
 
-    /// The next point; the reason if there is none within the bounds.
+    /// The next point; the reason if there is none within the bound.
     fn advance(&mut self) -> Result<Heights, Stop> {
-        let begun = Instant::now();
         let Some(step) = self.step else {
             let (weight, x) = self.point.split_last().ok_or(Stop::Pole)?;
             self.factors = common_factors(x, &weight.unsigned_abs(), &[], &[]);
             let heights = heights(0, &self.map, &self.point, &self.factors);
             return if self.is_too_long(&heights) { Err(Stop::Digits) } else { Ok(heights) };
         };
-        let bits = longest(&self.point);
-        self.foresee(bits)?;
+        self.foresee()?;
         let image = self.map.apply(&self.point, &self.factors);
         if image.point.last().is_none_or(IBig::is_zero) {
             return Err(Stop::Pole);
@@ -150,35 +146,30 @@ impl HeightsOrbit {
         if self.is_too_long(&heights) {
             return Err(Stop::Digits);
         }
-        self.pace = Pace { time: begun.elapsed(), bits, image: longest(&point) };
+        self.bits = Bits { before: longest(&self.point), now: longest(&point) };
         self.before = Some(std::mem::replace(&mut self.point, point));
         self.factors = factors;
         Ok(heights)
     }
 
-    /// Whether the bounds leave room for a step from a point of so many bits. The image is expected
-    /// to grow as the last one did, and the time with the square of the digits, which is what the
-    /// longest gcds take.
-    fn foresee(&self, bits: usize) -> Result<(), Stop> {
-        let ratio = |a: usize, b: usize| a as f64 / b.max(1) as f64;
-        let Pace { time, bits: bits_then, image } = self.pace;
-        if let Some(max_digits) = self.bounds.max_digits {
-            let expected = bits as f64 * ratio(image, bits_then) * std::f64::consts::LOG10_2;
-            if expected > 2.0 * max_digits as f64 {
-                return Err(Stop::Digits);
-            }
+    /// Whether the bound leaves room for the next step, whose image is expected to grow as the last
+    /// one did.
+    pub(super) fn foresee(&self) -> Result<(), Stop> {
+        let expected = self.bits.now as f64 * self.bits.growth() * std::f64::consts::LOG10_2;
+        match self.max_digits {
+            Some(max_digits) if expected > 2.0 * max_digits as f64 => Err(Stop::Digits),
+            _ => Ok(()),
         }
-        if let Some(seconds) = self.bounds.seconds {
-            let expected = time.as_secs_f64() * ratio(bits, bits_then).powi(2);
-            if self.started.elapsed().as_secs_f64() + expected > seconds {
-                return Err(Stop::Seconds);
-            }
-        }
-        Ok(())
+    }
+
+    /// How much longer the next step is likely to take than the last: time goes with the square of
+    /// the digits, which is what the longest gcds take.
+    pub(super) fn slowdown(&self) -> f64 {
+        self.bits.growth().powi(2)
     }
 
     fn is_too_long(&self, heights: &Heights) -> bool {
-        self.bounds.max_digits.is_some_and(|max_digits| heights.longest() > max_digits)
+        self.max_digits.is_some_and(|max_digits| heights.longest() > max_digits)
     }
 }
 

@@ -1,4 +1,4 @@
-//! What an orbit says of a point and of its end, and what it may cost.
+//! What an orbit says of a point and of its end.
 
 /// The logarithmic heights of one point.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,19 +26,12 @@ pub enum Stop {
     /// The last point is a pole: the reduced map has no value there (W = 0), or det A = 0 where the
     /// map is not reduced.
     Pole,
-    /// The next point is longer than [`Bounds::max_digits`], or would be more than twice as long if
-    /// it grew like the last.
+    /// The next point has more digits than [`within_digits`] lets pass, or would have more than
+    /// twice as many if it grew like the last.
+    ///
+    /// [`within_digits`]: super::HeightsOrbit::within_digits
     Digits,
-    /// The next point would be later than [`Bounds::seconds`].
+    /// The next point would be later than [`Survey::within`](super::Survey::within) lets pass, or
+    /// whoever saw the last one wants no more.
     Seconds,
-}
-
-/// What an orbit may cost; the default is anything.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Bounds {
-    /// The greatest number of decimal digits of a height's integer.
-    pub max_digits: Option<u64>,
-    /// The wall-clock time since the orbit was made. Before each step its time is estimated from
-    /// the last one's, so that no step begins that is likely to end late.
-    pub seconds: Option<f64>,
 }

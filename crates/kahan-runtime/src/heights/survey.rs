@@ -1,5 +1,8 @@
 //! The whole test: the heights of an orbit, their growth, its entropy.
 
+use std::ops::ControlFlow;
+use std::time::Duration;
+
 use super::growth::Growth;
 use super::orbit::HeightsOrbit;
 use super::report::{Heights, Stop};
@@ -19,20 +22,46 @@ pub struct Survey {
 }
 
 impl Survey {
-    /// Follows an orbit for `steps` steps; `each` sees the heights as they come, h(x₀) first.
-    pub fn of(orbit: &mut HeightsOrbit, steps: u64, mut each: impl FnMut(&Heights)) -> Self {
-        let heights: Vec<Heights> = (0..=steps)
-            .zip(orbit.by_ref())
-            .map(|(_, heights)| heights)
-            .inspect(|heights| each(heights))
-            .collect();
+    /// Follows an orbit for `steps` steps.
+    pub fn of(orbit: &mut HeightsOrbit, steps: u64) -> Self {
+        Survey::within(orbit, steps, f64::INFINITY, &|| None, |_| ControlFlow::Continue(()))
+    }
+
+    /// Follows an orbit for `steps` steps, or until the clock shows so many seconds: before each
+    /// step its time is estimated from the last one's, so that none begins that is likely to end
+    /// late. Where the clock shows nothing, no step is late. `each` sees the heights as they come,
+    /// h(x₀) first, and may end the orbit, too.
+    pub fn within(
+        orbit: &mut HeightsOrbit,
+        steps: u64,
+        seconds: f64,
+        clock: &dyn Fn() -> Option<Duration>,
+        mut each: impl FnMut(&Heights) -> ControlFlow<()>,
+    ) -> Self {
+        let now = || clock().map(|now| now.as_secs_f64());
+        let mut heights = Vec::new();
+        let (mut last, mut goes_on, mut stopped) = (0.0, true, None);
+        for step in 0..=steps {
+            let begun = now();
+            // A bound on digits ends an orbit alike on every machine, so it comes before the time.
+            let is_late = begun.is_some_and(|begun| begun + last * orbit.slowdown() > seconds)
+                && orbit.foresee().is_ok();
+            if step > 0 && (is_late || !goes_on) {
+                stopped = Some(Stop::Seconds);
+                break;
+            }
+            let Some(found) = orbit.next() else { break };
+            last = now().zip(begun).map_or(0.0, |(now, begun)| now - begun);
+            goes_on = each(&found).is_continue();
+            heights.push(found);
+        }
         let growth = Growth::of(series(&heights, steepest(&heights)).get(1..).unwrap_or_default());
         let series = series(&heights, largest(&heights));
         let entropy = match series.as_slice() {
             [.., before, last] if growth == Growth::Exponential => (last / before).ln(),
             _ => 0.0,
         };
-        Survey { heights, growth, entropy, stopped: orbit.stopped() }
+        Survey { heights, growth, entropy, stopped: stopped.or(orbit.stopped()) }
     }
 
     /// h(xᵢ) of component `i` at n = 0, 1, ….

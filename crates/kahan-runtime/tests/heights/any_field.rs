@@ -1,13 +1,21 @@
 //! Any field: exact against rational arithmetic, growth of linear and periodic orbits, poles,
 //! bounds.
 
+use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::time::Duration;
+
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::{Interpreter, Point};
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
-use kahan_runtime::heights::{Bounds, Growth, Heights, HeightsOrbit, Stop, Survey};
+use kahan_runtime::heights::{Growth, Heights, HeightsOrbit, Stop, Survey};
 
 use crate::support::{catalog, field, number, numbers, orbit};
+
+fn lotka_volterra() -> HeightsOrbit {
+    orbit(&catalog("lv"), "", "9/14", "1/2,5/3")
+}
 
 /// log max(|p|, |q|), by the decimal digits of the number: nothing in common with the library.
 fn height(value: &Rational) -> f64 {
@@ -86,7 +94,7 @@ fn a_field_without_a_reduced_map_is_solved_exactly() {
 #[test]
 fn linear_fields_grow_linearly_and_what_repeats_is_bounded() {
     let growth = |text: &str, parameters: &str, eps: &str, start: &str, steps: u64| {
-        let survey = Survey::of(&mut orbit(&field(text), parameters, eps, start), steps, |_| ());
+        let survey = Survey::of(&mut orbit(&field(text), parameters, eps, start), steps);
         assert_eq!(survey.heights.len() as u64, steps + 1, "{text}");
         survey.growth
     };
@@ -143,25 +151,50 @@ fn an_orbit_ends_at_a_pole_and_says_so() {
 
 #[test]
 fn bounds_end_an_orbit_and_keep_what_is_known() {
-    let endless = |bounds: Bounds| {
-        let mut orbit = orbit(&catalog("lv"), "", "9/14", "1/2,5/3").within(bounds);
-        let survey = Survey::of(&mut orbit, u64::MAX, |_| ());
-        assert_eq!(survey.stopped, orbit.stopped());
+    let within_digits = |max_digits: u64| {
+        let mut orbit = lotka_volterra().within_digits(max_digits);
+        let survey = Survey::of(&mut orbit, u64::MAX);
+        assert_eq!((survey.stopped, orbit.stopped()), (Some(Stop::Digits), Some(Stop::Digits)));
         survey
     };
-    let by_digits = endless(Bounds { max_digits: Some(5000), seconds: None });
-    assert_eq!(by_digits.stopped, Some(Stop::Digits));
+    let by_digits = within_digits(5000);
     assert_eq!(by_digits.heights.len(), 11, "5077 digits come at n = 11");
     assert!(by_digits.heights.iter().all(|heights| heights.longest() <= 5000));
     assert_eq!(by_digits.growth, Growth::Exponential);
+    assert_eq!(within_digits(1).heights.len(), 1);
+}
 
-    let by_seconds = endless(Bounds { max_digits: None, seconds: Some(0.3) });
-    assert_eq!(by_seconds.stopped, Some(Stop::Seconds));
-    assert!(by_seconds.heights.len() > 8);
-    // No step is begun that would end too late, so without time there is none.
-    assert_eq!(endless(Bounds { max_digits: None, seconds: Some(0.0) }).heights.len(), 1);
+/// A clock that shows a second more after each reading: as there is one before a step and one after
+/// it, step n ends at 2n + 1 seconds, and takes one.
+#[test]
+fn the_time_of_whoever_asks_ends_an_orbit_before_a_step_that_would_be_late() {
+    let within = |seconds: f64| {
+        let readings = Cell::new(0);
+        let clock = || Some(Duration::from_secs(readings.replace(readings.get() + 1)));
+        let mut orbit = lotka_volterra();
+        let survey = Survey::within(&mut orbit, u64::MAX, seconds, &clock, |_| ControlFlow::Continue(()));
+        assert_eq!((survey.stopped, orbit.stopped()), (Some(Stop::Seconds), None));
+        survey.heights.len()
+    };
+    // Without time there is no step. The first is begun at 2 seconds, with nothing to foresee from.
+    assert_eq!([0.0, 1.9, 2.0].map(within), [1, 1, 2]);
+    // Digits double, so that a step is expected to take a bit more than four times as long as the
+    // last: of step n it is foreseen that it ends at 2n + 4 seconds and a bit.
+    assert_eq!([20.0, 22.0].map(within), [8, 9]);
+}
 
-    assert_eq!(endless(Bounds { max_digits: Some(1), seconds: None }).heights.len(), 1);
+#[test]
+fn whoever_sees_the_heights_can_end_the_orbit() {
+    let stop_at = |last: usize, steps: u64| {
+        let each = |heights: &Heights| match heights.step == last {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        };
+        let survey = Survey::within(&mut lotka_volterra(), steps, 0.0, &|| None, each);
+        (survey.heights.len(), survey.stopped)
+    };
+    assert_eq!(stop_at(3, 9), (4, Some(Stop::Seconds)));
+    assert_eq!(stop_at(9, 9), (10, None), "that was the last in any case");
 }
 
 #[test]
@@ -175,7 +208,7 @@ fn a_field_that_is_undefined_is_refused() {
 #[test]
 fn noisy_logarithms_are_never_called_linear() {
     let growth = |name: &str, eps: &str, start: &str, steps: u64| {
-        Survey::of(&mut orbit(&catalog(name), "", eps, start), steps, |_| ()).growth
+        Survey::of(&mut orbit(&catalog(name), "", eps, start), steps).growth
     };
     for steps in [20, 40, 80, 160, 400] {
         let found = growth("e1", "9/14", "35/12,-19/3,0", steps);
@@ -188,6 +221,6 @@ fn noisy_logarithms_are_never_called_linear() {
         assert!(matches!(found, Growth::Logarithmic | Growth::Undecided), "{name}: {found}");
     }
     let tall = "181717957208561472822061132748/3613401719033258215905741,-3";
-    let survey = Survey::of(&mut orbit(&field("xdot = 1; ydot = -1;"), "", "4/5", tall), 500, |_| ());
+    let survey = Survey::of(&mut orbit(&field("xdot = 1; ydot = -1;"), "", "4/5", tall), 500);
     assert_eq!(survey.growth, Growth::Logarithmic);
 }

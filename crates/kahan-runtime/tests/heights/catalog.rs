@@ -20,7 +20,7 @@ fn the_other_systems_grow_as_the_paper_says() {
     ];
     for (name, parameters, growth) in cases {
         let steps = if growth == Growth::Quadratic { 40 } else { 200 };
-        let survey = Survey::of(&mut orbit(&catalog(name), parameters, "1/2", start), steps, |_| ());
+        let survey = Survey::of(&mut orbit(&catalog(name), parameters, "1/2", start), steps);
         assert_eq!(survey.growth, growth, "{name} {parameters}");
         assert_eq!(survey.entropy, 0.0, "{name}");
         assert_eq!(survey.stopped, None);

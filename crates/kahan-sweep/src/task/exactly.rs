@@ -3,7 +3,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_discover::hilbert::default_degree;
 use kahan_discover::{Options, Unwatched, discover};
-use kahan_runtime::heights::{Bounds, HeightsOrbit, Survey};
+use kahan_runtime::heights::{HeightsOrbit, Survey};
 
 use crate::columns::{Column, Entry, Kind};
 use crate::plan::{Plan, Point};
@@ -85,8 +85,8 @@ impl Heights {
         };
         let orbit = HeightsOrbit::new(plan.system(), &point.parameters, &point.eps, &point.start);
         let Ok(orbit) = orbit else { return nothing("undefined") };
-        let mut orbit = orbit.within(Bounds { max_digits: Some(self.digits), seconds: None });
-        let survey = Survey::of(&mut orbit, self.steps, |_| ());
+        let mut orbit = orbit.within_digits(self.digits);
+        let survey = Survey::of(&mut orbit, self.steps);
         let Some(last) = survey.heights.last() else { return nothing("undecided") };
         let heights = last.logarithms.iter().map(|height| Entry::Double(*height));
         let growth = [

@@ -1,6 +1,7 @@
 //! How the heights of an exact orbit grow.
 
-use kahan_runtime::heights::{Bounds, Growth, HeightsOrbit, Stop, Survey};
+use kahan_discover::{Progress, Watch};
+use kahan_runtime::heights::{Growth, HeightsOrbit, Stop, Survey};
 
 use super::{Drawn, Subject};
 use crate::plot::{Mark, Plot, Series};
@@ -21,13 +22,14 @@ impl Subject<'_> {
             ));
         }
         let (parameters, eps, start) = (self.parameters(None)?, self.eps()?, self.point(at)?);
-        let orbit = HeightsOrbit::new(&self.system, &parameters, &eps, &start).map_err(|_| self.no_map())?;
-        let bounds = Bounds { max_digits: Some(MOST_DIGITS), seconds: Some(self.asked.seconds) };
-        let mut orbit = orbit.within(bounds);
         let steps = self.asked.steps;
-        let progress = Prompt::new(steps, "steps");
-        let survey = Survey::of(&mut orbit, steps, |heights| progress.advance(u64::from(heights.step > 0)));
-        progress.finish();
+        let prompt = Prompt::new(steps, "steps");
+        let orbit = HeightsOrbit::new(&self.system, &parameters, &eps, &start).map_err(|_| self.no_map())?;
+        let mut orbit = orbit.within_digits(MOST_DIGITS);
+        let survey = Survey::within(&mut orbit, steps, self.asked.seconds, &|| prompt.now(), |heights| {
+            prompt.look(&Progress { what: "steps", done: heights.step as u64, of: Some(steps) })
+        });
+        prompt.finish();
         let is_exponential = survey.growth == Growth::Exponential;
         let mark = if survey.heights.len() < 30 { Mark::Both } else { Mark::Line };
         let series = |index: usize| {
