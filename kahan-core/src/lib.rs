@@ -65,6 +65,7 @@
 //! configuration.
 
 #![no_std]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 #[cfg(any(test, feature = "std"))]
 extern crate std;

@@ -3,6 +3,8 @@
 //! In: the compiler's tokens. Out: those that `kahan-emit` makes of them. It must not know anything
 //! else: a crate of this type can export only macros.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use std::time::Instant;
 
 use kahan_emit::rust::Expansion;
@@ -13,12 +15,16 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 /// of the expansion goes to standard error.
 #[proc_macro]
 pub fn kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    let start = Instant::now();
-    let (core, block) = split_path(input.into());
-    tell(start, kahan_emit::rust::expand(&core, block))
+    timed(|| {
+        let (core, block) = split_path(input.into());
+        kahan_emit::rust::expand(&core, block)
+    })
 }
 
-fn tell(start: Instant, expansion: Expansion) -> proc_macro::TokenStream {
+fn timed(expand: impl FnOnce() -> Expansion) -> proc_macro::TokenStream {
+    #[expect(clippy::disallowed_methods, reason = "`KAHAN_TIMING` asks for the time")]
+    let start = Instant::now();
+    let expansion = expand();
     if std::env::var_os("KAHAN_TIMING").is_some() {
         eprintln!("kahan!: {} expanded in {:.2} ms", expansion.name, start.elapsed().as_secs_f64() * 1e3);
     }
@@ -29,10 +35,12 @@ fn tell(start: Instant, expansion: Expansion) -> proc_macro::TokenStream {
 /// literal, the file's path from the file that the literal stands in.
 #[proc_macro]
 pub fn include_kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    let start = Instant::now();
-    let (core, file) = split_path(input.into());
-    let beside = file.clone().into_iter().next().and_then(|literal| literal.span().unwrap().local_file());
-    tell(start, kahan_emit::rust::include(&core, file, beside.as_deref()))
+    timed(|| {
+        let (core, file) = split_path(input.into());
+        let literal = file.clone().into_iter().next();
+        let beside = literal.and_then(|literal| literal.span().unwrap().local_file());
+        kahan_emit::rust::include(&core, file, beside.as_deref())
+    })
 }
 
 /// Splits off the leading `[path]`.

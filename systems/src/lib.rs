@@ -8,6 +8,8 @@
 //! block; the file's first lines name what no rational formula can say. The half step ε is written
 //! `eps`. [`registry`] says how a system is added. [`lattices`] are systems of any number of sites.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 #[macro_use]
 pub mod registry;
 pub mod entry;

@@ -9,6 +9,8 @@
 //! [`prove`] judges the claims, [`derived`] makes the [`plan`]s. The modules stand below from the
 //! exact arithmetic upward.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 // Each needs those before it only, which a test guards.
 pub mod prime_field;
 

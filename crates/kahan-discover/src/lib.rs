@@ -31,6 +31,8 @@
 //! assert_eq!(report.integrals.len(), 2); // each `text` is a line for `kahan!`
 //! ```
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod basis;
 mod brackets;
 pub mod ceiling;

@@ -4,6 +4,8 @@
 //! ([`rust`]), which is what the macro expands to. It must not know mathematics: it decides nothing
 //! that a plan has not decided.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 #[cfg(test)]
 mod golden;
 #[cfg(feature = "rust")]

@@ -21,6 +21,8 @@
 //! Modules in reading order: `square_free`, `multivariate`; `sparse`, `series`, `vandermonde`,
 //! `combined` (its lifts); `univariate`, `modular`, `lifted`; `dense`.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod combined;
 mod dense;
 mod lifted;

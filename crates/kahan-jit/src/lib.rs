@@ -15,6 +15,8 @@
 //! `call`. `call` enters code, and each file of `routine` vouches for the code that it writes:
 //! these four hold all of the `unsafe` code, beside pages that tests forbid.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod allocation;
 mod assembler;
 mod call;

@@ -7,6 +7,8 @@
 //! Modules in reading order: `notation`, `name`, `expression`; [`breaking`] takes what the others
 //! have written.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod breaking;
 mod expression;
 mod name;

@@ -9,6 +9,8 @@
 //! flows one way: `sections` (the claims) and `figures` (the orbits) → [`formula`] (text to
 //! expressions) → `evaluate` (values in any arithmetic) → `identity` (evidence) → [`Paper`].
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod block;
 mod claim;
 mod erratum;

@@ -6,6 +6,7 @@ use std::thread::{available_parallelism, scope};
 
 /// How many threads the machine runs at once, at least 1.
 #[must_use]
+#[expect(clippy::disallowed_methods, reason = "processors are counted here")]
 pub fn available() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
@@ -15,6 +16,7 @@ pub fn available() -> usize {
 ///
 /// `threads` is the number of threads, by default as many as the machine runs at once. A thread
 /// that panics ends the call with its panic.
+#[expect(clippy::disallowed_methods, reason = "work is shared out here")]
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.unwrap_or_else(available);
     let next = AtomicUsize::new(0);

@@ -7,6 +7,8 @@
 //!
 //! `kahan-algebra` shares the exact numbers ([`rational`]) and the short sorted lists ([`table`]).
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 // Each needs those before it only, which a test guards.
 pub mod rational;
 

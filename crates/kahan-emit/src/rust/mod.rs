@@ -116,6 +116,7 @@ pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> 
     let (origin, span) = (literal.value(), literal.span());
     let path =
         beside.and_then(Path::parent).map_or_else(|| PathBuf::from(&origin), |folder| folder.join(&origin));
+    #[expect(clippy::disallowed_methods, reason = "the compiler's user names the file")]
     let read = fs::canonicalize(&path).and_then(|path| Ok((fs::read_to_string(&path)?, path)));
     let (text, path) = match read {
         Ok(read) => read,

@@ -53,6 +53,7 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
 }
 
 /// What comes of the two halves of a list, at once.
+#[expect(clippy::disallowed_methods, reason = "the two halves share what they compute")]
 pub(super) fn in_two_threads<T: Sync, R: Send>(items: &[T], work: impl Fn(&[T]) -> R + Sync) -> [R; 2] {
     let (left, right) = items.split_at(items.len() / 2);
     thread::scope(|scope| {
