@@ -1,16 +1,45 @@
-//! What Kahan's method costs and how accurate it is, measured.
+//! Questions about a field and its Kahan map, and their answers, as values.
 //!
-//! In: a system, a point, a horizon. Out: a trajectory of the flow that two independent methods
+//! In: a [`Subject`] (a field, the values of its parameters) and a [`Question`]. Out: an [`Answer`]
+//! with a type of its own for each question, which serializes under the names of the command's JSON.
+//! A [`Study`] is a subject that was read: planned once, asked often, from any thread. Beside the
+//! questions stands what they measure with: a trajectory of the flow that two independent methods
 //! agree on ([`mod@reference`]), the price and the error of every setting of the integrator
-//! ([`trade`]), and verdicts on single steps near poles and with extreme numbers ([`extremes`]). It
-//! must not know the command: nothing here reads arguments or prints.
+//! ([`trade`]), and verdicts on single steps near poles and with extreme numbers ([`extremes`]).
+//!
+//! It must not know terminals, files, flags or HTML; fronts ask and show.
+//!
+//! ```
+//! use kahan_study::{Answer, Question, Subject, Systems, Unwatched};
+//!
+//! let study = Subject::named("e1").study(&Systems).unwrap();
+//! let question: Question = serde_json::from_str(r#"{"ask": "evaluate", "eps": "1/2", "at": [1, 2, "1/3"]}"#).unwrap();
+//! let Answer::Evaluate(values) = study.ask(&question, &Unwatched).unwrap() else { unreachable!() };
+//! assert_eq!(values.det_matrix.to_string(), "1");
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+mod catalog;
+mod error;
 pub mod extremes;
 mod map;
+mod named;
+pub mod numbers;
+mod question;
 pub mod random_fields;
-#[expect(clippy::disallowed_methods, reason = "a trajectory still ends by the machine's clock")]
 pub mod reference;
-#[expect(clippy::disallowed_methods, reason = "a study still ends by the machine's clock")]
+mod study;
+mod subject;
 pub mod trade;
+
+pub use catalog::Systems;
+pub use error::StudyError;
+pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
+pub use named::Names;
+pub use question::{
+    Answer, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, NoStep, Poles, PolesFound,
+    Question, fifteen_digits,
+};
+pub use study::{MOST_VARIABLES, Study, chain, values_by_name};
+pub use subject::{Catalog, Named, Subject};

@@ -55,7 +55,7 @@ impl Map {
     pub(crate) fn reference(
         &self,
         asked: &Trajectory<'_>,
-        limits: &Limits,
+        limits: &Limits<'_>,
     ) -> Result<Reference, NoReference> {
         Reference::of(&self.over::<Dd>(), asked, limits)
     }

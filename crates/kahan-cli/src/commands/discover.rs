@@ -7,9 +7,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_algebra::render::{folded, macro_block};
-use kahan_discover::{Options, discover};
+use kahan_study::{Discover as Question, Study};
+use serde_json::json;
 
-use super::search::{Search, refused};
+use super::search::Search;
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::number;
 pub(super) use discovery::{Discovery, evaluation};
@@ -58,16 +59,24 @@ Examples:
   kahan discover --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] + x[i+2] - x[i-1] - x[i-2]); }' --sites 5";
 
 impl Discover {
+    /// What is asked, and of which field.
+    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+        let Search { source, eps, degree, seconds, .. } = &self.search;
+        let eps = eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
+    }
+
     /// The report.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let discovery = self.discovery()?;
+        let (study, asked) = self.asked()?;
+        let discovery = discovery(&study, &asked)?;
         let answer = if self.search.json {
-            Answer::json(&discovery.object())
+            Answer::json(&json!(discovery.0))
         } else if self.latex {
             Answer::verbatim(discovery.latex()?)
         } else if self.as_macro {
-            let block = folded(&macro_block(&discovery.claimed()?), SOURCE_WIDTH);
+            let block = folded(&macro_block(&discovery.0.claimed()?), SOURCE_WIDTH);
             Answer::verbatim(discovery.comments(SOURCE_WIDTH) + &block)
         } else {
             Answer::text(discovery.text())
@@ -76,28 +85,14 @@ impl Discover {
         sink.put(&answer.text)?;
         Ok(Answer { text: String::new(), ..answer })
     }
+}
 
-    /// What is found.
-    pub(super) fn discovery(&self) -> Result<Discovery, Refusal> {
-        let search = &self.search;
-        let block = search.source.required_block()?;
-        let system = block.unproved_system()?;
-        let name = block.name(&system);
-        let fixed = search.source.fixed_parameters(&system, &name)?;
-        let eps = search.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
-        let options = Options {
-            eps: eps.clone(),
-            parameters: fixed.clone(),
-            degree: search.degree_for(&system)?,
-            seconds: search.seconds,
-            ..Options::default()
-        };
-        let prompt = Prompt::stages();
-        let report = discover(&system, &options, &prompt);
-        prompt.finish();
-        let report = report.map_err(|error| refused(&name, &error))?;
-        Ok(Discovery { name, system, fixed, eps, report, seconds: prompt.seconds() })
-    }
+/// What is found, with the stages on the terminal.
+pub(super) fn discovery(study: &Study, asked: &Question) -> Result<Discovery, Refusal> {
+    let prompt = Prompt::stages();
+    let found = asked.ask(study, &prompt);
+    prompt.finish();
+    Ok(Discovery(found?))
 }
 
 /// The width of lines of Rust.

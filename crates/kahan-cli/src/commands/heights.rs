@@ -3,15 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use kahan_algebra::kahan::{RationalMap, TERM_BUDGET};
-use kahan_algebra::system::System;
-use kahan_discover::{Progress, Watch};
-use kahan_runtime::heights::{Growth, HeightsOrbit, Stop, Survey};
-use serde_json::{Map, Value, json};
+use kahan_algebra::kahan::TERM_BUDGET;
+use kahan_runtime::heights::{Growth, Stop, Survey};
+use kahan_study::{Heights as Question, HeightsFound, Study, fifteen_digits};
+use serde_json::json;
 
 use crate::printing::layout::table;
 use crate::printing::{Answer, Prompt, Refusal, Sink};
-use crate::reading::{Request, Start, seconds, whole};
+use crate::reading::{Start, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow.
 ///
@@ -69,73 +68,42 @@ fn digits(text: &str) -> Result<u64, String> {
     whole(text, 1, u64::MAX)
 }
 
-/// What was found, and what it is about.
-struct Record<'a> {
-    name: &'a str,
-    system: &'a System,
-    survey: Survey,
-    seconds: f64,
-}
+/// What was found.
+struct Record(HeightsFound);
 
 impl Heights {
+    /// What is asked, and of which field.
+    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+        let (study, at, eps) = self.start.study()?;
+        let Heights { steps, max_digits, seconds, .. } = *self;
+        Ok((study, Question { eps, at, steps, max_digits, seconds }))
+    }
+
     /// The heights; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let request = self.start.request()?;
-        let Request { name, system, point } = &request;
+        let (study, asked) = self.asked()?;
         let sink = self.csv.as_deref().map(|path| Sink::file(path, "--csv")).transpose()?;
         let prompt = Prompt::new(self.steps, "steps");
-        let orbit = HeightsOrbit::new(system, &point.parameters, &point.eps, &point.state)
-            .map_err(|_| request.undefined_field())?;
-        let mut orbit = orbit.within_digits(self.max_digits);
-        let survey = Survey::within(&mut orbit, self.steps, self.seconds, &|| prompt.now(), |heights| {
-            prompt.look(&Progress { what: "steps", done: heights.step as u64, of: Some(self.steps) })
-        });
+        let found = asked.ask(&study, &prompt);
         prompt.finish();
-        let record = Record { name, system, survey, seconds: prompt.seconds() };
+        let record = Record(found?);
         if let Some(sink) = sink {
             record.write(sink)?;
         }
-        let answer = if self.json { Answer::json(&record.object()) } else { Answer::text(record.text(self)) };
+        let answer =
+            if self.json { Answer::json(&json!(record.0)) } else { Answer::text(record.text(&asked)) };
         Ok(Answer { complaint: record.complaint(), ..answer })
     }
 }
 
-impl Record<'_> {
+impl Record {
     fn variables(&self) -> &[String] {
-        &self.system.field.symbols.states
-    }
-
-    /// The number of steps that were made.
-    fn steps(&self) -> usize {
-        self.survey.heights.len().saturating_sub(1)
-    }
-
-    fn stopped(&self) -> Option<&'static str> {
-        self.survey.stopped.map(|stop| match stop {
-            Stop::Pole => "pole",
-            Stop::Digits => "digits",
-            Stop::Seconds => "seconds",
-        })
-    }
-
-    fn object(&self) -> Value {
-        let series =
-            |i: usize| self.survey.component(i).into_iter().skip(1).map(fifteen_digits).collect::<Value>();
-        let heights = self.variables().iter().enumerate().map(|(i, name)| (name.clone(), series(i)));
-        json!({
-            "system": self.name,
-            "steps": self.steps(),
-            "log_heights": heights.collect::<Map<_, _>>(),
-            "growth": self.survey.growth.to_string(),
-            "entropy": self.survey.entropy,
-            "seconds": self.seconds,
-            "stopped": self.stopped(),
-        })
+        &self.0.variables
     }
 
     /// A row of the initial point and of each step: n, the heights, the digits of the longest.
     fn row(&self, index: usize) -> Option<Vec<String>> {
-        let heights = self.survey.heights.get(index)?;
+        let heights = self.0.survey.heights.get(index)?;
         let logarithms = heights.logarithms.iter().map(|h| fifteen_digits(*h).to_string());
         let digits = [heights.longest().to_string()];
         Some([heights.step.to_string()].into_iter().chain(logarithms).chain(digits).collect())
@@ -151,15 +119,15 @@ impl Record<'_> {
         let names: Vec<String> =
             ["n".to_owned()].into_iter().chain(names).chain(["digits".to_owned()]).collect();
         sink.write(&(names.join(",") + "\n"))?;
-        for row in (0..self.survey.heights.len()).filter_map(|index| self.row(index)) {
+        for row in (0..self.0.survey.heights.len()).filter_map(|index| self.row(index)) {
             sink.write(&(row.join(",") + "\n"))?;
         }
         Ok(sink.finish()?)
     }
 
-    fn text(&self, asked: &Heights) -> String {
-        let shown = shown_rows(self.survey.heights.len());
-        let is_cut = shown.len() < self.survey.heights.len();
+    fn text(&self, asked: &Question) -> String {
+        let shown = shown_rows(self.0.survey.heights.len());
+        let is_cut = shown.len() < self.0.survey.heights.len();
         let mut rows = vec![self.header()];
         rows.extend(shown.into_iter().filter_map(|index| self.row(index)));
         let mut lines = table(&rows, 1);
@@ -167,20 +135,20 @@ impl Record<'_> {
             lines.push("(--json and --csv have every step)".to_owned());
         }
         lines.push(String::new());
-        let Survey { growth, entropy, .. } = &self.survey;
+        let Survey { growth, entropy, .. } = &self.0.survey;
         lines.push(format!("growth    {growth}"));
         lines.push(match growth {
             Growth::Exponential => format!("entropy   {entropy:.6} = log {:.4}", entropy.exp()),
             _ => "entropy   0".to_owned(),
         });
-        lines.push(format!("seconds   {:.3}", self.seconds));
+        lines.push(format!("seconds   {:.3}", self.0.seconds.unwrap_or_default()));
         lines.extend(self.note(asked));
         lines.join("\n") + "\n"
     }
 
     /// Which bound ended the orbit, and what to do about it.
-    fn note(&self, asked: &Heights) -> Option<String> {
-        let (bound, way_out) = match self.survey.stopped? {
+    fn note(&self, asked: &Question) -> Option<String> {
+        let (bound, way_out) = match self.0.survey.stopped? {
             Stop::Pole => return None,
             Stop::Digits => (
                 format!(
@@ -194,16 +162,16 @@ impl Record<'_> {
                 "a larger --seconds",
             ),
         };
-        let (done, wanted) = (self.steps(), asked.steps);
+        let (done, wanted) = (self.0.steps(), asked.steps);
         Some(format!("note      stopped after {done} of {wanted} steps: {bound}; {way_out} goes further"))
     }
 
     fn complaint(&self) -> Option<String> {
-        if self.survey.stopped != Some(Stop::Pole) {
+        if self.0.survey.stopped != Some(Stop::Pole) {
             return None;
         }
-        let (step, name) = (self.steps(), self.name);
-        Some(if RationalMap::of(&self.system.field).is_none() {
+        let (step, name) = (self.0.steps(), &self.0.system);
+        Some(if !self.0.is_reduced {
             format!(
                 "det A = 0 at step {step} of the orbit, which counts as a pole of the map of {name}: its closed form is beyond \
                  the budget of {TERM_BUDGET} terms, so it is not reduced, and it may have a value there"
@@ -214,11 +182,6 @@ impl Record<'_> {
             )
         })
     }
-}
-
-/// A height to the 15 digits that are promised.
-fn fifteen_digits(height: f64) -> f64 {
-    format!("{height:.14e}").parse().expect("a printed float is one")
 }
 
 /// The rows of a table that fits a screen: all of a short one; of a long one the first, then ever

@@ -8,6 +8,7 @@ pub(crate) mod dynamics;
 pub(crate) mod eval;
 pub(crate) mod extremes;
 pub(crate) mod heights;
+mod line;
 pub(crate) mod list;
 pub(crate) mod map;
 pub(crate) mod orbit;

@@ -19,7 +19,7 @@ use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::UndefinedField;
 use serde_json::{Map, Value, json};
 
-use crate::numbers::{DoubleDouble, Printable, Rounded, ScalarKind};
+use crate::numbers::{DoubleDouble, Printable, Rounded, ScalarKind, scalar};
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, has_room_for_progress};
 use crate::reading::{Request, Start, whole};
 use chain::is_array;
@@ -56,7 +56,7 @@ pub(crate) struct Orbit {
     steps: i64,
 
     /// The numbers to compute with.
-    #[arg(long, value_enum, default_value = "f64")]
+    #[arg(long, value_parser = scalar(), default_value = "f64")]
     scalar: ScalarKind,
 
     /// The order of the method.
@@ -238,7 +238,7 @@ impl Orbit {
             "variables": symbols.states,
             "parameters": named.collect::<Map<_, _>>(),
             "eps": A::json(eps),
-            "scalar": A::NAME,
+            "scalar": A::KIND.name(),
             "order": self.order,
             "steps": self.steps,
             "every": self.every,

@@ -4,7 +4,6 @@
 
 mod figures;
 mod findings;
-mod line;
 mod scene;
 
 use std::path::PathBuf;
@@ -22,9 +21,9 @@ use crate::document::{Making, colophon, document, readable};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Block, Source, coordinates, number, seconds};
 
+use super::line::Line;
 use figures::{Subject, command};
 use findings::Search;
-use line::Line;
 use scene::Scene;
 
 /// Writes one page on one field: formulas, findings with proofs, figures, settings.
@@ -85,6 +84,7 @@ impl Page {
             words: &words,
             kept: &words,
             generic: &generic,
+            study: &self.source.study_of_block(&block)?,
             variables: &system.field.symbols.states,
             scene: &scene,
             seconds: self.seconds,

@@ -1,16 +1,12 @@
-//! `kahan poles`: what happens after a map sends a curve to infinity or blows it down. What is seen
-//! is `kahan-discover`'s; this only prints it.
-
-use std::time::Instant;
+//! `kahan poles`: what happens after a map sends a curve to infinity or blows it down.
 
 use clap::Args;
 use kahan_algebra::symbols::Symbols;
-use kahan_discover::growth::GrowthVerdict;
+use kahan_discover::Poles as Found;
 use kahan_discover::poles::Pattern;
-use kahan_discover::{Options, Poles as Found, poles};
-use serde_json::{Value, json};
+use kahan_study::{Poles as Question, PolesFound, Study};
+use serde_json::json;
 
-use super::search::refused;
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, shorten};
 use crate::reading::{Source, number, seconds, whole};
@@ -62,68 +58,26 @@ fn steps(text: &str) -> Result<usize, String> {
 }
 
 impl Poles {
+    /// What is asked, and of which field.
+    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+        let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        Ok((self.source.study()?, Question { eps, steps: self.steps, seconds: self.seconds }))
+    }
+
     /// The patterns.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let clock = Instant::now();
-        let (name, found) = self.found()?;
-        let seconds = clock.elapsed().as_secs_f64();
-        Ok(if self.json {
-            Answer::json(&object(&name, &found, seconds))
-        } else {
-            Answer::text(text(&name, &found, seconds))
-        })
-    }
-
-    /// The patterns as a table.
-    pub(super) fn table(&self) -> Result<Rows, Refusal> {
-        self.found().map(|(_, found)| rows(&found))
-    }
-
-    /// The patterns, and of what.
-    fn found(&self) -> Result<(String, Found), Refusal> {
-        let block = self.source.required_block()?;
-        let system = block.unproved_system()?;
-        let name = block.name(&system);
-        let options = Options {
-            eps: self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?,
-            parameters: self.source.fixed_parameters(&system, &name)?,
-            seconds: self.seconds,
-            ..Options::default()
-        };
-        let prompt = Prompt::stages();
-        let found = poles(&system, &options, self.steps, &prompt);
-        prompt.finish();
-        let found = found.map_err(|error| refused(&name, &error))?;
-        Ok((name, found))
+        let (study, asked) = self.asked()?;
+        let found = patterns(&study, &asked)?;
+        Ok(if self.json { Answer::json(&json!(found)) } else { Answer::text(text(&found)) })
     }
 }
 
-fn object(name: &str, found: &Found, seconds: f64) -> Value {
-    let verdict = GrowthVerdict::of(&found.degrees);
-    let pattern = |pattern: &Pattern| {
-        let images = pattern.images.iter().take(pattern.steps);
-        let images: Vec<Value> = images
-            .map(|image| json!({ "dimension": image.dimension, "infinite": image.is_infinite }))
-            .collect();
-        json!({
-            "curve": pattern.name(&found.symbols),
-            "steps": pattern.steps,
-            "confined": pattern.confined,
-            "blown_down": pattern.is_blown_down(),
-            "images": images,
-        })
-    };
-    json!({
-        "system": name,
-        "patterns": found.patterns.iter().map(pattern).collect::<Vec<_>>(),
-        "bound": found.bound,
-        "complete": found.is_complete,
-        "degrees": found.degrees,
-        "implied_degrees": found.implied_degrees,
-        "growth": verdict.growth.word(),
-        "entropy": verdict.growth.entropy(),
-        "seconds": seconds,
-    })
+/// The patterns, with the stages on the terminal.
+pub(super) fn patterns(study: &Study, asked: &Question) -> Result<PolesFound, Refusal> {
+    let prompt = Prompt::stages();
+    let found = asked.ask(study, &prompt);
+    prompt.finish();
+    Ok(found?)
 }
 
 /// A longer formula of a curve is cut in the table; JSON has it whole.
@@ -145,18 +99,18 @@ fn row(symbols: &Symbols, pattern: &Pattern, bound: usize) -> Vec<String> {
 }
 
 /// A row a pattern, below headings.
-fn rows(found: &Found) -> Rows {
+pub(super) fn rows(found: &Found) -> Rows {
     let headings = ["curve = 0", "what is lost comes back", "dimensions"].map(str::to_owned);
     let patterns = found.patterns.iter().map(|pattern| row(&found.symbols, pattern, found.bound));
     [headings.to_vec()].into_iter().chain(patterns).collect()
 }
 
-fn text(name: &str, found: &Found, seconds: f64) -> String {
+fn text(answer: &PolesFound) -> String {
+    let PolesFound { system: name, found, growth: verdict, seconds } = answer;
     let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
     let mut lines = table(&rows(found), 1);
     lines.push(String::new());
     lines.push("dimensions of the images, step by step; ' is at infinity".to_owned());
-    let verdict = GrowthVerdict::of(&found.degrees);
     lines.push(String::new());
     lines.push(format!("degrees of the iterates of {name}"));
     lines.push(format!("growth    {}: {}", verdict.growth, verdict.evidence));
@@ -172,6 +126,6 @@ fn text(name: &str, found: &Found, seconds: f64) -> String {
     if found.patterns.iter().any(|pattern| pattern.confined.is_none()) {
         lines.push("note: what is undecided may be decided in more --seconds or fewer --steps".to_owned());
     }
-    lines.push(format!("seconds   {seconds:.2}"));
+    lines.push(format!("seconds   {:.2}", seconds.unwrap_or_default()));
     lines.join("\n") + "\n"
 }

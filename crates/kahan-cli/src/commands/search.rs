@@ -25,7 +25,7 @@ pub(crate) struct Search {
     /// in `scan` some 80; and `discover` goes on to higher degrees while integrals may be missing
     /// and there is time.
     #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = degree)]
-    degree: Option<u32>,
+    pub(crate) degree: Option<u32>,
 
     /// The time that the search may take.
     ///

@@ -1,15 +1,16 @@
 //! `kahan trade`: speed against accuracy on one scene, and the cheapest setting that does.
 
 mod comparison;
-mod paste;
 mod picture;
 mod table;
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use kahan_core::{Need, Scene};
-use kahan_study::trade::{Subject, Trade as Measured};
+use kahan_core::Need;
+use kahan_study::Study;
+use kahan_study::trade::Trade as Question;
+use serde_json::json;
 
 use crate::plot::{Sheet, Theme};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
@@ -113,45 +114,36 @@ impl Trade {
                 sink.put(comparison.picture().svg(&sheet))?;
             }
             let answer =
-                if self.json { Answer::json(&comparison.object()) } else { Answer::text(comparison.text()) };
+                if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
             Ok(Answer { complaint: comparison.complaint(), ..answer })
         })?
     }
 
-    /// Measures, and hands on what was measured.
-    pub(super) fn compared<R>(&self, tell: impl FnOnce(&Comparison<'_>) -> R) -> Result<R, Refusal> {
-        let block = self.source.required_block()?;
-        let system = block.system()?;
-        let name = block.name(&system);
-        let start = coordinates(&self.at, &system.field.symbols.states)?;
-        let parameters = self.source.parameter_values(&system, &name)?;
-        let horizon = positive(&self.horizon, "--horizon")?;
-        let tolerance = positive(&self.tolerance, "--tolerance")?;
-        let need = match self.need {
-            NeedName::Trajectory => Need::Trajectory,
-            NeedName::Integrals => Need::Integrals,
+    /// What is asked, and of which field.
+    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+        let study = self.source.study()?;
+        // A false claim is told before a number that is missing.
+        study.proved()?;
+        let asked = Question {
+            at: coordinates(&self.at, study.variables())?,
+            horizon: number(&self.horizon, "--horizon")?,
+            need: match self.need {
+                NeedName::Trajectory => Need::Trajectory,
+                NeedName::Integrals => Need::Integrals,
+            },
+            tolerance: number(&self.tolerance, "--tolerance")?,
+            seconds: self.seconds,
         };
-        let command = block.entry.map_or("", |entry| entry.command);
-        let subject = Subject { system: &system, command, parameters: &parameters, start: &start };
-        let scene = Scene::new(horizon, need, tolerance);
-        // How many there will be depends on what they show.
-        let progress = Prompt::new(60, "settings");
-        let trade = Measured::of(&subject, &scene, self.seconds, &mut |_| progress.advance(1));
-        progress.finish();
-        let trade = trade.map_err(|why| Refusal::new(format!("{name}: {why}")))?;
-        Ok(tell(&Comparison { name: &name, block: &block, subject, scene, trade }))
+        Ok((study, asked))
     }
-}
 
-/// A number above 0, as a float.
-fn positive(text: &str, what: &str) -> Result<f64, Refusal> {
-    let value = number(text, what)?.to_f64();
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Refusal::new(format!(
-            "{what}: `{}` is not a number above 0 within the range of f64",
-            text.trim()
-        )))
+    /// Measures, and hands on what was measured.
+    pub(super) fn compared<R>(&self, tell: impl FnOnce(&Comparison) -> R) -> Result<R, Refusal> {
+        let (study, asked) = self.asked()?;
+        // How many there will be depends on what they show.
+        let prompt = Prompt::new(60, "settings");
+        let traded = asked.ask(&study, &prompt);
+        prompt.finish();
+        Ok(tell(&Comparison(traded?)))
     }
 }

@@ -6,14 +6,12 @@ use std::ops::Range;
 use kahan_algebra::family::Family;
 use kahan_algebra::system::System;
 use kahan_runtime::{Diagnostics, FieldText};
+use kahan_study::{Subject, chain};
 use kahan_systems::entry::Entry;
 use kahan_systems::lattices;
 
 use super::rust_file::blocks;
 use crate::printing::Refusal;
-
-/// The most variables of a chain that is written out.
-pub(crate) const MOST_VARIABLES: usize = 200;
 
 /// A text with a block in it.
 #[derive(Debug)]
@@ -60,10 +58,15 @@ impl Block {
         Block { sites, ..self }
     }
 
+    /// The block as what a question is about.
+    pub(super) fn subject(&self) -> Subject {
+        Subject::block(self.text.clone())
+    }
+
     /// The system, with its claims proved as the macro does it; of a family that of a chain.
     pub(crate) fn system(&self) -> Result<System, Refusal> {
         match self.sites {
-            Some(sites) => self.chain(sites),
+            Some(sites) => Ok(chain(&self.text, sites)?),
             None => self.text.system().map_err(refusal),
         }
     }
@@ -71,7 +74,7 @@ impl Block {
     /// The system, its claims read but not proved.
     pub(crate) fn unproved_system(&self) -> Result<System, Refusal> {
         match self.sites {
-            Some(sites) => self.chain(sites),
+            Some(sites) => Ok(chain(&self.text, sites)?),
             None => self.text.unproved_system().map_err(refusal),
         }
     }
@@ -80,18 +83,6 @@ impl Block {
     /// has none: such names are variables of the program.
     pub(super) fn undeclared(&self) -> Vec<String> {
         if self.is_rust { Vec::new() } else { self.text.undeclared() }
-    }
-
-    /// The plain system of a chain of `sites` sites.
-    fn chain(&self, sites: usize) -> Result<System, Refusal> {
-        let family = self.family("--sites")?;
-        if sites.saturating_mul(family.block()) > MOST_VARIABLES {
-            return Err(Refusal::new(format!(
-                "--sites {sites}: the command writes a chain out, up to {MOST_VARIABLES} variables; longer ones are stepped by \
-                 `kahan orbit --start …`, and by `kahan!` in a program, for any number of sites"
-            )));
-        }
-        Ok(family.at_sites(sites))
     }
 
     /// The family that the block has; `option` is what a block of equations is refused for.

@@ -13,13 +13,15 @@ mod request;
 mod results;
 mod rust_file;
 mod source;
+mod study;
 mod values;
 
-pub(crate) use block::{Block, MOST_VARIABLES};
+pub(crate) use block::Block;
 pub(crate) use chain::Chain;
 pub(crate) use formula::Formula;
 pub(crate) use range::Range;
 pub(crate) use request::Request;
 pub(crate) use results::{columns, not_started, sweeper};
 pub(crate) use source::{Source, Start};
+pub(crate) use study::place;
 pub(crate) use values::{coordinates, number, seconds, whole};

@@ -111,7 +111,7 @@ impl Request {
 }
 
 /// `x = 1, y = 2`, long numbers cut.
-fn assignments<A: Printable>(names: &[String], values: &[A::Value]) -> String {
+pub(super) fn assignments<A: Printable>(names: &[String], values: &[A::Value]) -> String {
     const DIGITS: usize = 40;
     let parts = names.iter().zip(values).map(|(name, value)| {
         let mut text = String::new();

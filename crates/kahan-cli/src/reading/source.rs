@@ -7,21 +7,22 @@ use clap::Args;
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
+use kahan_study::{Catalog, StudyError, Subject, Systems, values_by_name};
 use kahan_systems::lattices;
-use kahan_systems::registry::{all, find};
+use kahan_systems::registry::find;
 
 use crate::printing::{Refusal, warn};
 
 use super::block::Block;
 use super::file::{chosen, read_file};
-use super::values::{given_values, whole};
+use super::values::{number, whole};
 
 /// The system that a command is about.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct Source {
     /// A system of the catalog, as `kahan list` names them: euler, lv, e1 to e9, …
     #[arg(value_name = "SYSTEM")]
-    system: Option<String>,
+    pub(super) system: Option<String>,
 
     /// A field in the language of `kahan!`: 'xdot = a*y; ydot = -x;'.
     ///
@@ -89,7 +90,9 @@ impl Source {
         match self.system.as_deref() {
             None => Ok(None),
             Some("general") => Ok(Some("general")),
-            Some(name) => find(name).map(|entry| Some(entry.command)).ok_or_else(|| unknown_system(name)),
+            Some(name) => find(name)
+                .map(|entry| Some(entry.command))
+                .ok_or_else(|| StudyError::unknown_system(name, &Systems).into()),
         }
     }
 
@@ -124,18 +127,38 @@ impl Source {
         self.parameters.iter().any(|given| given.split_once('=').is_some_and(|(own, _)| own.trim() == name))
     }
 
+    /// The values behind `--param NAME=V`, by name.
+    pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, Refusal> {
+        let value = |given: &String| {
+            let (name, value) = given.split_once('=').ok_or_else(|| {
+                Refusal::new(format!("--param: `{given}` is not NAME=VALUE, as in --param xi=1/2"))
+            })?;
+            let name = name.trim();
+            Ok((name.to_owned(), number(value, &format!("--param {name}"))?))
+        };
+        self.parameters.iter().map(value).collect()
+    }
+
     /// The values of a system's parameters, in their order; `None` for one not given.
     pub(crate) fn known_parameters(
         &self,
         system: &System,
         name: &str,
     ) -> Result<Vec<Option<Rational>>, Refusal> {
-        given_values(&self.parameters, &system.field.symbols.parameters, name)
+        Ok(values_by_name(&self.given()?, &system.field.symbols.parameters, name)?)
     }
 
     /// The block that was named; `None` if none was.
     pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
         Ok(self.named_block()?.map(|block| block.of_sites(self.sites)))
+    }
+
+    /// The field that was named, without its parameters.
+    pub(super) fn subject(&self) -> Result<Subject, Refusal> {
+        match &self.system {
+            Some(name) if self.field.is_none() && self.file.is_none() => Ok(Subject::named(name)),
+            _ => Ok(self.required_block()?.subject()),
+        }
     }
 
     fn named_block(&self) -> Result<Option<Block>, Refusal> {
@@ -144,7 +167,7 @@ impl Source {
             (Some(name), None, None) => match (find(name), lattices::find(name)) {
                 (Some(entry), _) => Ok(Some(Block::of_catalog(entry))),
                 (None, Some(family)) => Ok(Some(Block::of_family(family))),
-                (None, None) => Err(unknown_system(name)),
+                (None, None) => Err(StudyError::unknown_system(name, &Systems).into()),
             },
             (None, Some(text), None) => Ok(Some(Block::of_text(text.clone(), "--field".to_owned()))),
             (None, None, Some(path)) => {
@@ -199,18 +222,11 @@ impl Source {
     /// The values of all parameters of a system, in their order.
     pub(crate) fn parameter_values(&self, system: &System, name: &str) -> Result<Vec<Rational>, Refusal> {
         let names = &system.field.symbols.parameters;
-        let values = given_values(&self.parameters, names, name)?;
-        let missing: Vec<String> = names
-            .iter()
-            .zip(&values)
-            .filter(|(_, value)| value.is_none())
-            .map(|(name, _)| format!("--param {name}=VALUE"))
-            .collect();
+        let values = self.known_parameters(system, name)?;
+        let missing = names.iter().zip(&values).filter(|(_, value)| value.is_none());
+        let missing: Vec<String> = missing.map(|(name, _)| name.clone()).collect();
         if !missing.is_empty() {
-            return Err(Refusal::new(format!(
-                "{name} needs a value for each of its parameters: add {}",
-                missing.join(" ")
-            )));
+            return Err(StudyError::MissingParameters { system: name.to_owned(), names: missing }.into());
         }
         Ok(values.into_iter().flatten().collect())
     }
@@ -243,7 +259,7 @@ impl Source {
 
     /// The system with the given parameters fixed, the others generic.
     pub(crate) fn specialised(&self, system: System, name: &str) -> Result<System, Refusal> {
-        let values = given_values(&self.parameters, &system.field.symbols.parameters, name)?;
+        let values = self.known_parameters(&system, name)?;
         let fixed: Vec<(usize, Rational)> =
             values.into_iter().enumerate().filter_map(|(k, value)| Some((k, value?))).collect();
         if fixed.is_empty() {
@@ -259,7 +275,7 @@ impl Source {
         self.block()?.ok_or_else(|| {
             Refusal::new(format!(
                 "which system? give one of {}, or --field TEXT, or --file FILE",
-                names().join(", ")
+                Systems.names().iter().map(|[name, _]| *name).collect::<Vec<_>>().join(", ")
             ))
         })
     }
@@ -267,23 +283,4 @@ impl Source {
 
 fn sites(text: &str) -> Result<usize, String> {
     whole(text, 1, usize::MAX)
-}
-
-fn names() -> Vec<&'static str> {
-    all().map(|entry| entry.command).chain(lattices::ALL.map(|family| family.command)).collect()
-}
-
-fn unknown_system(name: &str) -> Refusal {
-    // Nothing is near to a name that is longer than any.
-    let wanted: String = name.chars().take(64).flat_map(char::to_lowercase).collect();
-    let distance = |known: &str| strsim::osa_distance(&wanted, &known.to_lowercase());
-    let known = all().map(|entry| [entry.command, entry.type_name]);
-    let known = known.chain(lattices::ALL.map(|family| [family.command; 2]));
-    let near = known.map(|names| (names.map(distance).into_iter().min(), names[0]));
-    let nearest = near.min().filter(|(least, _)| *least <= Some(wanted.chars().count() / 2));
-    let hint = nearest.map_or_else(String::new, |(_, name)| format!(" Did you mean `{name}`?"));
-    let names = names().join(", ");
-    Refusal::new(format!(
-        "there is no system `{name}`.{hint} The catalog has {names}; --field TEXT takes a field of your own."
-    ))
 }

@@ -76,34 +76,6 @@ pub(crate) fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>
     parts.iter().zip(states).map(|(part, state)| number(part, &format!("--at, coordinate {state}"))).collect()
 }
 
-/// The values behind `--param NAME=V`, in the order of the parameters; `None` for one not given.
-pub(super) fn given_values(
-    given: &[String],
-    names: &[String],
-    system: &str,
-) -> Result<Vec<Option<Rational>>, Refusal> {
-    let mut values: Vec<Option<Rational>> = vec![None; names.len()];
-    for text in given {
-        let Some((name, value)) = text.split_once('=') else {
-            return Err(Refusal::new(format!("--param: `{text}` is not NAME=VALUE, as in --param xi=1/2")));
-        };
-        let name = name.trim();
-        let Some(index) = names.iter().position(|known| known == name) else {
-            let known = if names.is_empty() {
-                "it has none".to_owned()
-            } else {
-                format!("it has {}", names.join(", "))
-            };
-            return Err(Refusal::new(format!("--param: `{name}` is no parameter of {system}: {known}")));
-        };
-        if values[index].is_some() {
-            return Err(Refusal::new(format!("--param: `{name}` is given twice")));
-        }
-        values[index] = Some(number(value, &format!("--param {name}"))?);
-    }
-    Ok(values)
-}
-
 #[cfg(test)]
 mod tests {
     use super::whole;

@@ -67,7 +67,7 @@ impl Certificate {
         map: &M,
         start: SVector<Dd, N>,
         allowed: f64,
-        limits: &Limits,
+        limits: &Limits<'_>,
     ) -> Result<Self, NoReference>
     where
         M: KahanMap<Dd, N>,
@@ -135,7 +135,7 @@ impl Comparison {
         start: SVector<Dd, N>,
         steps: u64,
         allowed: f64,
-        limits: &Limits,
+        limits: &Limits<'_>,
     ) -> Option<Self>
     where
         M: KahanMap<Dd, N>,

@@ -68,7 +68,7 @@ impl Reference {
     pub fn of<M, const N: usize>(
         map: &M,
         asked: &Trajectory<'_>,
-        limits: &Limits,
+        limits: &Limits<'_>,
     ) -> Result<Self, NoReference>
     where
         M: KahanMap<Dd, N>,

@@ -3,7 +3,7 @@
 //! In: a field over double-double numbers, a point, a time, limits. Out: a [`Flow`], or why there
 //! is none.
 
-use std::time::Instant;
+use core::fmt;
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, Flow, FlowScalar, KahanMap, NoFlow};
@@ -13,20 +13,26 @@ use super::refusal::NoReference;
 /// The most memory that a trajectory takes, in bytes.
 const MOST_MEMORY: usize = 1 << 30;
 
-/// How far beyond its end a trajectory is followed, and how long that may take.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Limits {
+/// How far beyond its end a trajectory is followed, and when to give up.
+#[derive(Clone, Copy, Default)]
+pub struct Limits<'a> {
     /// The part of [`Trajectory::end`](super::Trajectory::end) by which orbits that do not end
     /// there exactly may go further. Where the solution escapes to infinity first, nothing is
     /// added.
     pub margin: f64,
-    /// When to give up.
-    pub deadline: Option<Instant>,
+    /// Whether the time is over; without it there is no limit.
+    pub is_over: Option<&'a dyn Fn() -> bool>,
 }
 
-impl Limits {
+impl Limits<'_> {
     pub(super) fn is_over(&self) -> bool {
-        self.deadline.is_some_and(|deadline| Instant::now() > deadline)
+        self.is_over.is_some_and(|is_over| is_over())
+    }
+}
+
+impl fmt::Debug for Limits<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Limits").field("margin", &self.margin).finish_non_exhaustive()
     }
 }
 
@@ -35,7 +41,7 @@ pub(super) fn path<M, const N: usize>(
     map: &M,
     start: SVector<Dd, N>,
     end: f64,
-    limits: &Limits,
+    limits: &Limits<'_>,
 ) -> Result<Flow<Dd>, NoReference>
 where
     M: KahanMap<Dd, N>,

@@ -17,7 +17,7 @@ pub(super) struct Integrals {
 
 /// The integrals at the beginning of an orbit, and how far they have moved since.
 pub(super) struct Drift<'a> {
-    subject: &'a Runner,
+    subject: &'a Runner<'a>,
     integrals: &'a Integrals,
     eps: f64,
     begin: Option<(Vec<Dd>, Vec<Dd>)>,
@@ -29,7 +29,7 @@ pub(super) struct Drift<'a> {
 
 impl Integrals {
     /// Looks at a few points near the start which coefficients vary.
-    pub(super) fn of(subject: &Runner, start: &[Dd]) -> Self {
+    pub(super) fn of(subject: &Runner<'_>, start: &[Dd]) -> Self {
         let size = start.iter().fold(Dd::from(0.0), |size, x| if x.abs() > size { x.abs() } else { size });
         // The origin has no size.
         let size = if size > Dd::from(0.0) { size } else { Dd::from(1.0) };
@@ -59,7 +59,7 @@ impl Integrals {
 }
 
 impl<'a> Drift<'a> {
-    pub(super) fn new(subject: &'a Runner, integrals: &'a Integrals, eps: f64) -> Self {
+    pub(super) fn new(subject: &'a Runner<'a>, integrals: &'a Integrals, eps: f64) -> Self {
         Drift { subject, integrals, eps, begin: None, own: 0.0, flow: 0.0 }
     }
 

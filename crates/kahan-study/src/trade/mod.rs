@@ -6,42 +6,69 @@
 //! other setting beats, and the cheapest that meets the need. The library's own orbits are run and
 //! timed; errors are against a certified [`Reference`].
 
-mod clock;
 mod drift;
 mod front;
+mod measure;
+mod object;
+mod paste;
+mod prices;
 mod runner;
 mod search;
 mod stops;
-mod study;
 
-use std::time::{Duration, Instant};
+use std::ops::ControlFlow;
+use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Need, Scene, Scheme, Setting};
+use kahan_discover::{Progress, Watch};
+use serde::{Deserialize, Serialize};
 
+use crate::error::StudyError;
 use crate::map::CannotRun;
+use crate::named::Names;
+use crate::numbers::exact;
 use crate::reference::{Certificate, Limits, NoReference, PART_OF_TOLERANCE, Reference, Trajectory};
+use crate::study::Study;
 
-use clock::Clock;
 use drift::Integrals;
+use measure::Search;
+use prices::Prices;
 use runner::Runner;
 use search::SHARE;
-use study::Study;
 
-/// A system at a starting point.
-#[derive(Clone, Copy, Debug)]
-pub struct Subject<'a> {
-    /// The system.
-    pub system: &'a System,
-    /// Its name in the catalog, where it may have a closed solution; anything else for another
-    /// field.
-    pub command: &'a str,
-    /// The parameters, in order.
-    pub parameters: &'a [Rational],
-    /// The first point.
-    pub start: &'a [Rational],
+/// Asks which setting of the integrator serves one scene, and at what price.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Trade {
+    /// The first point, a coordinate for each variable.
+    #[serde(with = "exact::list")]
+    pub at: Vec<Rational>,
+    /// The time to be simulated, above 0.
+    #[serde(with = "exact")]
+    pub horizon: Rational,
+    /// What the orbit is for: `trajectory` or `integrals`.
+    #[serde(with = "object::need", default = "trajectory")]
+    pub need: Need,
+    /// The largest error that is accepted, above 0.
+    #[serde(with = "exact", default = "usual_tolerance")]
+    pub tolerance: Rational,
+    /// The seconds that it may take.
+    #[serde(default = "usual_seconds")]
+    pub seconds: f64,
+}
+
+fn trajectory() -> Need {
+    Need::Trajectory
+}
+
+fn usual_tolerance() -> Rational {
+    Rational::new(1, 100_000_000)
+}
+
+fn usual_seconds() -> f64 {
+    10.0
 }
 
 /// A setting, measured.
@@ -64,13 +91,23 @@ pub struct Measured {
     pub on_front: bool,
 }
 
-/// What was measured.
+/// What was measured, and on what.
 #[derive(Clone, Debug)]
-pub struct Trade {
+pub struct Traded {
+    /// The name of the system.
+    pub system: String,
+    /// The values of its parameters.
+    pub parameters: Names<Rational>,
+    /// The first point.
+    pub start: Vec<Rational>,
+    /// The horizon, the need and the tolerance.
+    pub scene: Scene,
     /// The settings, the cheapest first.
     pub settings: Vec<Measured>,
     /// The cheapest that meets the need.
     pub choice: Option<usize>,
+    /// That setting as Rust to paste.
+    pub rust: Option<String>,
     /// What stands behind the errors of trajectories.
     pub certificate: Option<Certificate>,
     /// What those errors are relative to.
@@ -119,96 +156,145 @@ impl Measured {
     }
 }
 
+impl Traded {
+    /// The cheapest setting that meets the need.
+    #[must_use]
+    pub fn choice(&self) -> Option<&Measured> {
+        self.choice.map(|choice| &self.settings[choice])
+    }
+}
+
 impl Trade {
-    /// Measures for so many seconds, or less where the answer is clear before, calling `progress`
-    /// with the number of settings known so far.
+    /// To follow a trajectory to eight digits, in ten seconds.
+    #[must_use]
+    pub fn new(at: Vec<Rational>, horizon: Rational) -> Self {
+        let (need, tolerance, seconds) = (trajectory(), usual_tolerance(), usual_seconds());
+        Trade { at, horizon, need, tolerance, seconds }
+    }
+
+    /// Measures for so many seconds, or less where the answer is clear before, on a system whose
+    /// claims hold. Costs the time of the orbits that it runs; the watch must have a clock.
     ///
     /// # Errors
-    /// [`CannotTrade`].
-    ///
-    /// # Panics
-    /// If the point has not a coordinate for every variable.
-    pub fn of(
-        subject: &Subject<'_>,
-        scene: &Scene,
+    /// [`StudyError`]: claims that do not hold, values that are missing or not above 0, no clock, or
+    /// nothing that could be measured.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Traded, StudyError> {
+        let system = study.proved()?;
+        let start = study.point(&self.at)?;
+        let parameters = study.values()?;
+        let horizon = positive("horizon", &self.horizon)?;
+        let scene = Scene::new(horizon, self.need, positive("tolerance", &self.tolerance)?);
+        if watch.now().is_none() {
+            return Err(StudyError::NoClock);
+        }
+        let clock = || watch.now().unwrap_or_default();
+        let trade = |why| StudyError::Trade { system: study.name().to_owned(), why };
+        let runner = Runner::new(system, &parameters, &start, &clock).map_err(trade)?;
+        let search = Search::of(&runner, study, &parameters, scene, self.seconds, watch).map_err(trade)?;
+        let mut traded = search.finish(study, &parameters);
+        traded.rust =
+            traded.choice().map(|choice| paste::rust_of(study, &parameters, &start, &choice.setting));
+        Ok(traded)
+    }
+}
+
+/// A number above 0, as a float.
+fn positive(what: &'static str, value: &Rational) -> Result<f64, StudyError> {
+    let float = value.to_f64();
+    if float > 0.0 && float.is_finite() {
+        Ok(float)
+    } else {
+        Err(StudyError::NotPositive { what, value: value.clone() })
+    }
+}
+
+impl<'a> Search<'a> {
+    /// Measures.
+    fn of(
+        runner: &'a Runner<'a>,
+        study: &Study,
+        parameters: &[Rational],
+        scene: Scene,
         seconds: f64,
-        progress: &mut dyn FnMut(u64),
+        watch: &'a dyn Watch,
     ) -> Result<Self, CannotTrade> {
+        let clock = runner.clock;
         // A time that is too long for a duration is as good as no limit.
-        let deadline = Instant::now() + Duration::try_from_secs_f64(seconds).unwrap_or(LONG).min(LONG);
-        let Subject { system, command, parameters, start } = *subject;
+        let deadline = clock() + Duration::try_from_secs_f64(seconds).unwrap_or(LONG).min(LONG);
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
-        let (exact_parameters, exact_start) = (exact(parameters), exact(start));
-        let subject = &Runner::new(system, parameters, start)?;
-        let wide = start.iter().map(Rational::to_double_double);
+        let (exact_parameters, exact_start) = (exact(parameters), exact(&runner.start));
+        let wide = runner.start.iter().map(Rational::to_double_double);
         let wide: Vec<Dd> = wide.map(|(high, low)| Dd::new(high, low)).collect();
-        let integrals = Integrals::of(subject, &wide);
+        let integrals = Integrals::of(runner, &wide);
         let reference = match scene.need() {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
             Need::Integrals => None,
             Need::Trajectory => {
                 // A little beyond the horizon: n steps of an ε that was rounded do not end there
                 // exactly.
-                let limits = Limits { margin: 1.0 / 256.0, deadline: Some(deadline) };
+                let is_over = || clock() > deadline;
+                let limits = Limits { margin: 1.0 / 256.0, is_over: Some(&is_over) };
                 let asked = Trajectory {
-                    command,
+                    command: study.catalog_name().unwrap_or_default(),
                     parameters: &exact_parameters,
                     start: &exact_start,
                     end: scene.horizon(),
                     allowed: PART_OF_TOLERANCE * scene.tolerance(),
                 };
-                Some(subject.map.reference(&asked, &limits).map_err(CannotTrade::Reference)?)
+                Some(runner.map.reference(&asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
         // ε times the rate, on an average: compositions, whose stages are shorter, follow
         // trajectories up to 2 or so, with errors to match.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
-            None => 0.5 * scene.horizon() * subject.map.slope(start),
+            None => 0.5 * scene.horizon() * runner.map.slope(&runner.start),
         };
         let coarsest = coarsest.ceil().clamp(1.0, 1e15) as u64;
         let eps = scene.horizon() / (2.0 * coarsest as f64);
-        let clock = if subject.is_code() {
-            Clock::of(subject, 0.1 * eps, scene.horizon())
+        let is_code = runner.is_code();
+        let prices = if is_code {
+            Prices::of(runner, 0.1 * eps, scene.horizon())
         } else {
-            let stand_in = Runner::stand_in()?;
-            Clock::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.map.cost(), subject.map.cost())
+            let stand_in = Runner::stand_in(clock)?;
+            Prices::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.map.cost(), runner.map.cost())
         };
-        let mut study = Study {
-            subject,
-            clock,
-            scene: *scene,
+        let mut search = Search {
+            subject: runner,
+            prices,
+            scene,
             // What the reference may err by is not there to be used.
             tolerance: scene.tolerance()
                 - reference.as_ref().map_or(0.0, |reference| reference.certificate().difference),
             reference,
             integrals,
+            clock,
             deadline,
             share: SHARE,
-            is_code: subject.is_code(),
+            is_code,
             settings: Vec::new(),
             skipped: Vec::new(),
             stalled: Vec::new(),
-            progress,
+            watch,
         };
-        study.search(coarsest);
-        Ok(study.finish())
+        search.search(coarsest);
+        Ok(search)
     }
-}
 
-/// As good as no limit; a clock cannot tell times that are much later.
-const LONG: Duration = Duration::from_secs(1 << 32);
-
-impl Study<'_> {
-    fn finish(mut self) -> Trade {
+    fn finish(mut self, study: &Study, parameters: &[Rational]) -> Traded {
         front::mark(&mut self.settings);
         for index in 0..self.settings.len() {
             if self.settings[index].on_front {
                 self.settings[index].return_error = self.return_error(&self.settings[index].setting);
             }
         }
-        Trade {
+        Traded {
+            system: study.name().to_owned(),
+            parameters: study.parameters().iter().cloned().zip(parameters.iter().cloned()).collect(),
+            start: self.subject.start.clone(),
+            scene: self.scene,
             choice: self.best(),
+            rust: None,
             certificate: self.reference.as_ref().map(Reference::certificate),
             scale: self.reference.as_ref().map(|reference| reference.flow().scale()),
             is_code: self.is_code,
@@ -217,4 +303,16 @@ impl Study<'_> {
             settings: self.settings,
         }
     }
+
+    /// Tells the watch how many settings are known; after it said stop, there is no time left.
+    fn tell(&mut self) {
+        // How many there will be depends on what they show.
+        let progress = Progress { what: "settings", done: self.settings.len() as u64, of: Some(60) };
+        if let ControlFlow::Break(()) = self.watch.look(&progress) {
+            self.deadline = Duration::ZERO;
+        }
+    }
 }
+
+/// As good as no limit; a clock cannot tell times that are much later.
+const LONG: Duration = Duration::from_secs(1 << 32);

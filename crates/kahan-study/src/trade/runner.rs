@@ -2,7 +2,7 @@
 
 use std::iter::once;
 use std::ops::ControlFlow;
-use std::time::Instant;
+use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
@@ -12,12 +12,16 @@ use crate::map::{Map, read};
 
 use super::CannotTrade;
 
-/// A system at a starting point.
-pub(super) struct Runner {
+/// A system at a starting point, with a clock.
+pub(super) struct Runner<'a> {
     pub(super) map: Map,
     orbits: kahan_runtime::Map,
-    start: Vec<Rational>,
+    pub(super) start: Vec<Rational>,
+    pub(super) clock: Clock<'a>,
 }
+
+/// The time since a moment that stays the same.
+pub(super) type Clock<'a> = &'a dyn Fn() -> Duration;
 
 /// What looks at points: the number of steps so far, and the point; whether to go on.
 pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
@@ -25,21 +29,23 @@ pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
 /// Numbers of steps, each larger than the one before.
 pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
 
-impl Runner {
+impl<'a> Runner<'a> {
     /// A system at these parameters and this point.
     pub(super) fn new(
         system: &System,
         parameters: &[Rational],
         start: &[Rational],
+        clock: Clock<'a>,
     ) -> Result<Self, CannotTrade> {
         let (orbits, map) = read(system, parameters).map_err(CannotTrade::CannotRun)?;
-        Ok(Runner { map, orbits, start: start.to_vec() })
+        Ok(Runner { map, orbits, start: start.to_vec(), clock })
     }
 
     /// E6 at a point of ordinary size: what is timed in place of a field without code.
-    pub(super) fn stand_in() -> Result<Self, CannotTrade> {
+    pub(super) fn stand_in(clock: Clock<'a>) -> Result<Self, CannotTrade> {
         let reading = kahan_algebra::read(&kahan_algebra::lexer::lex(kahan_systems::e6::ENTRY.text()).tokens);
-        Runner::new(&reading.system().expect("a system"), &[], &[1, -2, 3].map(|x| Rational::new(x, 4)))
+        let start = [1, -2, 3].map(|x| Rational::new(x, 4));
+        Runner::new(&reading.system().expect("a system"), &[], &start, clock)
     }
 
     /// Whether its steps are code.
@@ -68,7 +74,7 @@ impl Runner {
         let start = from.map_or_else(|| self.start.clone(), |point| point.iter().map(exact).collect());
         let orbit = self.orbits.orbit(scheme, &rational(eps), &start);
         let mut orbit = orbit.expect("the point has an entry for every variable");
-        let clock = Instant::now();
+        let begun = (self.clock)();
         let mut step = 0;
         let mut go_on = visit(step, orbit.point());
         for stop in stops {
@@ -79,7 +85,7 @@ impl Runner {
             step = stop;
             go_on = visit(step, orbit.point());
         }
-        clock.elapsed().as_secs_f64()
+        (self.clock)().saturating_sub(begun).as_secs_f64()
     }
 }
 

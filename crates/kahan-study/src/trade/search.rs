@@ -8,7 +8,7 @@
 use kahan_core::{Composition, Precision, Scheme};
 
 use super::Measured;
-use super::study::Study;
+use super::measure::Search;
 
 /// A ladder ends where two rungs in a row gained less than this factor, below errors of a tenth
 /// (above, trajectories have lost their phase, and the error says nothing).
@@ -43,7 +43,7 @@ enum Roundings {
     Felt,
 }
 
-impl Study<'_> {
+impl Search<'_> {
     /// Measures until the answer is clear; `coarsest` is the least number of steps over the
     /// horizon.
     pub(super) fn search(&mut self, coarsest: u64) {
@@ -224,7 +224,7 @@ impl Study<'_> {
     /// Between the finest setting of a scheme that fails and what would be as dear as the best:
     /// steps and their error.
     fn gap(&self, scheme: Scheme) -> Option<(u64, f64, f64)> {
-        let dearest = self.least_cost() * self.scene.horizon() / self.clock.nanoseconds(scheme);
+        let dearest = self.least_cost() * self.scene.horizon() / self.prices.nanoseconds(scheme);
         if !dearest.is_finite() {
             return None;
         }

@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use kahan_algebra::arithmetic::Float64;
+use kahan_study::MOST_VARIABLES;
 use serde_json::{Map, Value, json};
 
 use super::{AT_ONCE, Orbit, Rows, columns};
 use crate::numbers::{Printable, ScalarKind};
 use crate::printing::{Answer, Broken, Npy, Refusal, Sink, Table};
-use crate::reading::{Chain, MOST_VARIABLES};
+use crate::reading::Chain;
 
 /// Whether a file is to be an array of NumPy's.
 pub(super) fn is_array(path: &Path) -> bool {
@@ -55,7 +56,7 @@ impl Orbit {
             "sites": sites,
             "parameters": parameters,
             "eps": eps,
-            "scalar": Float64::NAME,
+            "scalar": Float64::KIND.name(),
             "order": self.order,
             "steps": self.steps,
             "every": self.every,

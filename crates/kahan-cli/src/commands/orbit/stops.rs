@@ -23,7 +23,7 @@ impl Request {
             if !A::is_finite(&A::round(value)) {
                 return Err(Refusal::new(format!(
                     "{option}: {name} is beyond the range of {}; use --scalar exact",
-                    A::NAME
+                    A::KIND.name()
                 )));
             }
         }
@@ -60,7 +60,7 @@ impl Request {
     }
 
     pub(super) fn overflow<A: Printable>(&self, n: i64, state: &[A::Value]) -> String {
-        let (name, place, next, scalar) = (&self.name, self.place::<A>(state), n + 1, A::NAME);
+        let (name, place, next, scalar) = (&self.name, self.place::<A>(state), n + 1, A::KIND.name());
         format!(
             "the orbit of {name} leaves the range of {scalar} at step {next}: at n = {n} det A = 0 nearly or the numbers are too \
              large. The point is {place}; the rows up to it are kept; try --scalar exact"

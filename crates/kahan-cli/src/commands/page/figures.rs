@@ -3,14 +3,15 @@
 
 use clap::{Args, FromArgMatches};
 use kahan_algebra::rational::Rational;
+use kahan_study::{Poles, Question, Study};
 use maud::{Markup, html};
 
 use super::super::dynamics::Dynamics;
+use super::super::line::Line;
 use super::super::map::StabilityMap;
 use super::super::picture::{Picture, Visits};
-use super::super::poles::Poles;
+use super::super::poles::{patterns, rows as table_of};
 use super::super::trade::Trade;
-use super::line::Line;
 use super::scene::Scene;
 use crate::document::rows;
 use crate::plot::Drawing;
@@ -25,6 +26,8 @@ pub(super) struct Subject<'a> {
     pub(super) kept: &'a [String],
     /// Those that name it with what was given only.
     pub(super) generic: &'a [String],
+    /// The same, read.
+    pub(super) study: &'a Study,
     pub(super) variables: &'a [String],
     pub(super) scene: &'a Scene,
     /// The time that the page may take.
@@ -55,24 +58,26 @@ impl Subject<'_> {
     }
 
     /// So many seconds, of which the page has this share.
-    pub(super) fn share(&self, share: f64) -> String {
-        format!("{:.1}", (share * self.seconds).max(0.1))
+    pub(super) fn share(&self, share: f64) -> f64 {
+        (10.0 * share * self.seconds).round().max(1.0) / 10.0
     }
 
     /// What becomes of singularities, and of the heights of an exact orbit.
     pub(super) fn growth(&self) -> Markup {
-        let poles = Line::new("poles", self.generic).with("--seconds", self.share(POLES));
+        let asked = Poles { seconds: self.share(POLES), ..Poles::default() };
+        let poles = Line::asking(self.generic, &Question::Poles(asked.clone()));
         let heights = self.one_orbit("picture").with("--steps", 400).with("--kind", "heights");
-        let heights = heights.with("--seconds", self.share(HEIGHTS)).with("--out", "heights.svg");
+        let heights =
+            heights.with("--seconds", format!("{:?}", self.share(HEIGHTS))).with("--out", "heights.svg");
         html! {
-            (made(&poles, |poles: Poles| {
-                let table = poles.table()?;
-                Ok(if table.len() > 1 {
+            (shown(patterns(self.study, &asked).map(|answer| {
+                let table = table_of(&answer.found);
+                if table.len() > 1 {
                     rows("Curves that the map sends to infinity or blows down, and whether what is lost comes back", &table)
                 } else {
                     html! { p { "The map sends no curve to infinity and blows none down." } }
-                })
-            }))
+                }
+            }), &poles))
             (self.picture("heights", "Heights of an exact orbit", &heights, |_| html! {
                 "The logarithmic height of a fraction is about 2.3 times the number of its digits. A straight line is growth like "
                 "a power of the number of steps; where the axis below is n, growth is exponential."
@@ -152,8 +157,10 @@ impl Subject<'_> {
         let horizon = decimal(2.0 * self.scene.eps.to_f64() * STEPS);
         let line =
             Line::new("trade", self.kept).with("--at", point(&self.scene.start)).with("--horizon", horizon);
-        let line =
-            line.with("--tolerance", "1e-8").with("--seconds", self.share(TRADE)).with("--out", "trade.svg");
+        let line = line
+            .with("--tolerance", "1e-8")
+            .with("--seconds", format!("{:?}", self.share(TRADE)))
+            .with("--out", "trade.svg");
         made(&line, |trade: Trade| {
             trade.compared(|comparison| html! {
             figure #trade {
@@ -242,7 +249,11 @@ impl Subject<'_> {
 
 /// What a line makes, with the line below it; where there is none, why.
 fn made<A: Args + FromArgMatches>(line: &Line, make: impl FnOnce(A) -> Result<Markup, Refusal>) -> Markup {
-    let made = line.read().and_then(make);
+    shown(line.read().and_then(make), line)
+}
+
+/// What was made, with the line that makes it again; where there is nothing, why.
+fn shown(made: Result<Markup, Refusal>, line: &Line) -> Markup {
     html! {
         @match made {
             Ok(made) => (made),

@@ -7,11 +7,12 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use kahan_discover::hilbert::default_degree;
 use kahan_latex::{Latex, breaking};
+use kahan_study::{Discover, Question};
 use maud::{Markup, html};
 
-use super::super::discover::{Discover, Discovery, evaluation};
+use super::super::discover::{Discovery, discovery, evaluation};
+use super::super::line::Line;
 use super::figures::{Subject, command};
-use super::line::Line;
 use crate::document::{LINE, derived, display, readable, rows, statements};
 use crate::printing::Refusal;
 use crate::reading::Block;
@@ -56,11 +57,14 @@ pub(super) struct Search {
 impl Search {
     pub(super) fn of(subject: &Subject<'_>, dimension: usize) -> Self {
         // With a degree the search ends where that is looked at, and every page says the same.
-        let line = Line::new("discover", subject.generic)
-            .with("--degree", default_degree(dimension))
-            .with("--seconds", subject.share(SHARE));
-        let discovery = line.read().and_then(|discover: Discover| discover.discovery());
-        let found = discovery.and_then(|discovery| Ok((discovery.readable()?, discovery)));
+        let asked = Discover {
+            degree: Some(default_degree(dimension)),
+            seconds: subject.share(SHARE),
+            ..Discover::default()
+        };
+        let line = Line::asking(subject.generic, &Question::Discover(asked.clone()));
+        let found = discovery(subject.study, &asked);
+        let found = found.and_then(|discovery| Ok((discovery.0.readable()?, discovery)));
         Search { line, found }
     }
 
@@ -100,7 +104,7 @@ impl Search {
 }
 
 fn findings(claimed: &System, discovery: &Discovery) -> Markup {
-    let report = &discovery.report;
+    let report = &discovery.0.report;
     let numbers = discovery.head().into_iter().map(|row| row.to_vec());
     let numbers: Vec<Vec<String>> =
         [["what", "found"].map(str::to_owned).to_vec()].into_iter().chain(numbers).collect();

@@ -10,11 +10,11 @@ use kahan_study::trade::Measured;
 /// Width and height of the view box.
 pub(super) const SIZE: (f64, f64) = (720.0, 480.0);
 
-impl Comparison<'_> {
+impl Comparison {
     /// Every setting that was measured.
     pub(in super::super) fn picture(&self) -> Drawing {
         let what = self.error_name();
-        let shown: Vec<&Measured> = self.trade.settings.iter().filter(is_shown).collect();
+        let shown: Vec<&Measured> = self.0.settings.iter().filter(is_shown).collect();
         let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {
             shown.iter().filter(|setting| chosen(setting)).map(|measured| place(measured)).collect()
         };
@@ -36,11 +36,11 @@ impl Comparison<'_> {
             series.push(Series::new(&label, colour, mark, points));
         }
         series.push(Series::new("", 6, Mark::Line, points(&|measured| measured.on_front)));
-        if let Some(choice) = self.choice() {
+        if let Some(choice) = self.0.choice() {
             let points = points(&|measured| measured == choice);
             series.push(Series { side: Side::Left, ..Series::new("choice", 4, Mark::Dots, points) });
         }
-        let level = (self.scene.tolerance().log10(), "tolerance".to_owned());
+        let level = (self.0.scene.tolerance().log10(), "tolerance".to_owned());
         let places = || shown.iter().map(|measured| place(measured));
         let plot = Plot {
             description: format!(

@@ -5,7 +5,6 @@ use kahan_study::reference::Method;
 use kahan_study::trade::Measured;
 
 use super::comparison::Comparison;
-use super::paste::rust_of;
 use crate::printing::layout::{Rows, table};
 
 /// Steps beyond which a badly rounded ε shows as a linear drift.
@@ -16,10 +15,10 @@ fn size(value: f64) -> String {
     if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
 
-impl Comparison<'_> {
+impl Comparison {
     pub(super) fn text(&self) -> String {
         let mut lines = vec![
-            format!("{}: need {}, tolerance {:e}", self.title(), self.need_name(), self.scene.tolerance()),
+            format!("{}: need {}, tolerance {:e}", self.title(), self.need_name(), self.0.scene.tolerance()),
             String::new(),
         ];
         lines.extend(table(&self.front(), 3));
@@ -35,7 +34,7 @@ impl Comparison<'_> {
 
     /// The choice in words, and as Rust to paste.
     pub(in super::super) fn chosen(&self) -> Option<[String; 2]> {
-        let choice = self.choice()?;
+        let choice = self.0.choice()?;
         let words = format!(
             "{}, eps = {:?}: {} ns per unit of time, {} {:.1e}",
             choice.setting.scheme(),
@@ -44,11 +43,11 @@ impl Comparison<'_> {
             self.error_name(),
             choice.error()
         );
-        Some([words, rust_of(self, &choice.setting)])
+        Some([words, self.0.rust.clone()?])
     }
 
     pub(super) fn error_name(&self) -> &'static str {
-        match self.scene.need() {
+        match self.0.scene.need() {
             Need::Trajectory => "trajectory error",
             Need::Integrals => "drift of integrals",
         }
@@ -67,7 +66,7 @@ impl Comparison<'_> {
             "return",
         ];
         let mut rows = vec![header.map(str::to_owned).to_vec()];
-        rows.extend(self.trade.settings.iter().filter(|measured| measured.on_front).map(|measured| {
+        rows.extend(self.0.settings.iter().filter(|measured| measured.on_front).map(|measured| {
             let scheme = measured.setting.scheme();
             vec![
                 scheme.precision.name().to_owned(),
@@ -86,10 +85,10 @@ impl Comparison<'_> {
     /// The schemes that cannot reach the tolerance, with the best they reached.
     fn out_of_reach(&self) -> Vec<String> {
         let mut lines = Vec::new();
-        for &scheme in &self.trade.stalled {
-            let settings = self.trade.settings.iter().filter(|measured| measured.setting.scheme() == scheme);
+        for &scheme in &self.0.stalled {
+            let settings = self.0.settings.iter().filter(|measured| measured.setting.scheme() == scheme);
             let best = settings.min_by(|a, b| a.error().total_cmp(&b.error()));
-            let Some(best) = best.filter(|best| best.error() > self.scene.tolerance()) else { continue };
+            let Some(best) = best.filter(|best| best.error() > self.0.scene.tolerance()) else { continue };
             let reached = match best.error() {
                 error if error.is_finite() => format!("{error:.1e} at eps = {:?}", best.setting.eps()),
                 _ => "no finite numbers".to_owned(),
@@ -103,7 +102,7 @@ impl Comparison<'_> {
     fn notes(&self) -> Vec<String> {
         let mut lines = Vec::new();
         let mut note = |text: String| lines.push(format!("note       {text}"));
-        if let Some(certificate) = self.trade.certificate {
+        if let Some(certificate) = self.0.certificate {
             let second = match certificate.method {
                 Method::ClosedSolution => "the closed solution".to_owned(),
                 Method::Composition { steps } => format!("{steps} steps of order 8 in dd"),
@@ -111,16 +110,16 @@ impl Comparison<'_> {
             note(format!(
                 "errors are against a Taylor series that differs from {second} by {:.1e}; relative to {}",
                 certificate.difference,
-                size(self.trade.scale.expect("a reference has a scale"))
+                size(self.0.scale.expect("a reference has a scale"))
             ));
         }
-        if !self.trade.is_code {
+        if !self.0.is_code {
             note("prices are predicted: the field has no machine code here; E6 was timed, and scaled by the plans' costs".into());
         }
-        if let Some(choice) = self.choice() {
+        if let Some(choice) = self.0.choice() {
             let (scheme, eps, steps) =
                 (choice.setting.scheme(), choice.setting.eps(), choice.setting.steps());
-            let keeps = self.scene.need() == Need::Integrals && scheme.composition == Composition::KAHAN;
+            let keeps = self.0.scene.need() == Need::Integrals && scheme.composition == Composition::KAHAN;
             if keeps {
                 let flow = choice.flow_integral_drift.expect("the need is to keep integrals");
                 note(format!(
@@ -135,7 +134,7 @@ impl Comparison<'_> {
                 ));
             }
         }
-        for (scheme, eps) in &self.trade.skipped {
+        for (scheme, eps) in &self.0.skipped {
             note(format!("no time for {scheme} from eps = {eps:?} on; --seconds gives more"));
         }
         lines

@@ -11,7 +11,7 @@ use super::runner::Runner;
 
 /// Nanoseconds a step of every scheme.
 #[derive(Clone, Debug)]
-pub(super) struct Clock(Vec<(Scheme, f64)>);
+pub(super) struct Prices(Vec<(Scheme, f64)>);
 
 /// Rounds, in each of which every scheme has its turn; the least time counts, since nothing makes a
 /// step faster than it is.
@@ -19,14 +19,14 @@ const ROUNDS: usize = 15;
 /// Stages a turn.
 const STAGES: u64 = 2040;
 
-impl Clock {
+impl Prices {
     /// Times every scheme, in turns, with this ε, or a smaller one where a turn would go beyond the
     /// horizon: numbers that are too small there, as what decays becomes, take a step a hundred
     /// times as long.
-    pub(super) fn of(subject: &Runner, eps: f64, horizon: f64) -> Self {
-        let mut clock = Clock(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
+    pub(super) fn of(subject: &Runner<'_>, eps: f64, horizon: f64) -> Self {
+        let mut prices = Prices(Scheme::all().map(|scheme| (scheme, f64::INFINITY)).collect());
         for _ in 0..ROUNDS {
-            for (scheme, least) in &mut clock.0 {
+            for (scheme, least) in &mut prices.0 {
                 let stages = scheme.composition.stages() as u64;
                 let is_wide = scheme.precision == Precision::DoubleDouble;
                 let steps = STAGES / if is_wide { 5 * stages } else { stages };
@@ -39,14 +39,14 @@ impl Clock {
         }
         // A compiler packs steps in single precision, which has made them twice as slow as this
         // code is, and never much faster.
-        for index in 0..clock.0.len() {
-            let (scheme, time) = clock.0[index];
+        for index in 0..prices.0.len() {
+            let (scheme, time) = prices.0[index];
             if scheme.precision.is_single() {
-                let double = clock.nanoseconds(Scheme { precision: Precision::Double, ..scheme });
-                clock.0[index].1 = time.max(double);
+                let double = prices.nanoseconds(Scheme { precision: Precision::Double, ..scheme });
+                prices.0[index].1 = time.max(double);
             }
         }
-        clock
+        prices
     }
 
     /// The times of a system with another step.
@@ -57,7 +57,7 @@ impl Clock {
             _ => asked.cycles() / measured.cycles(),
         };
         let scaled = |scheme: Scheme| self.nanoseconds(scheme) * ratio(scheme.precision);
-        Clock(Scheme::all().map(|scheme| (scheme, scaled(scheme))).collect())
+        Prices(Scheme::all().map(|scheme| (scheme, scaled(scheme))).collect())
     }
 
     /// Nanoseconds a step of the whole composition.

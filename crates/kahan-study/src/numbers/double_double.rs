@@ -1,20 +1,19 @@
-//! Double-double numbers as the command computes with them and prints them.
+//! Double-double numbers in plans.
 //!
 //! The operations are those of the library's [`Dd`], its multiply-adds included, so a step is the
-//! compiled one bit for bit. Numbers are written with 32 significant digits, in JSON too, where a
-//! number may have as many digits as it likes.
+//! compiled one bit for bit.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Precision, Scalar};
-use serde_json::{Number, Value};
 
-use super::scalar::{Printable, Rounded, append};
+use super::number::Number;
+use super::scalar::{Printable, Rounded, ScalarKind};
 
 /// [`Dd`].
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DoubleDouble;
+pub struct DoubleDouble;
 
 impl Arithmetic for DoubleDouble {
     type Value = Dd;
@@ -73,7 +72,7 @@ impl Rounded for DoubleDouble {
 }
 
 impl Printable for DoubleDouble {
-    const NAME: &'static str = "dd";
+    const KIND: ScalarKind = ScalarKind::Dd;
 
     /// The nearest `f64`, and the one nearest to what it leaves.
     fn round(value: &Rational) -> Dd {
@@ -84,22 +83,7 @@ impl Printable for DoubleDouble {
         }
     }
 
-    fn json(value: &Dd) -> Value {
-        let mut text = String::new();
-        Self::append(value, &mut text);
-        text.parse::<Number>().map_or(Value::Null, Value::Number)
-    }
-
-    /// A whole number keeps a `.0`, as floats do.
-    fn append(value: &Dd, text: &mut String) {
-        let start = text.len();
-        append(format_args!("{value}"), text);
-        if value.is_finite() && !text[start..].contains(['.', 'e']) {
-            text.push_str(".0");
-        }
-    }
-
-    fn is_finite(value: &Dd) -> bool {
-        value.is_finite()
+    fn number(value: &Dd) -> Number {
+        Number::Dd(*value)
     }
 }

@@ -2,20 +2,21 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Precision, Setting};
-use kahan_study::trade::Subject;
 
-use super::comparison::Comparison;
+use crate::study::Study;
 
 /// The orbit of a setting: one statement, after the field where that is the user's own.
-pub(super) fn rust_of(comparison: &Comparison<'_>, setting: &Setting) -> String {
+pub(super) fn rust_of(
+    study: &Study,
+    parameters: &[Rational],
+    start: &[Rational],
+    setting: &Setting,
+) -> String {
     let precision = setting.scheme().precision;
-    let Subject { system, parameters, start, .. } = comparison.subject;
-    let symbols = &system.field.symbols;
+    let symbols = &study.system().field.symbols;
     let value = |value: &Rational| literal(precision, value);
     let named = || symbols.parameters.iter().zip(parameters);
-    let type_name = comparison.block.entry.map(|entry| entry.type_name);
-    let header = system.header.as_ref().map(|header| header.name.text.as_str());
-    let (before, map) = match type_name.or(header) {
+    let (before, map) = match study.type_name() {
         Some(name) if symbols.parameters.is_empty() => (String::new(), name.to_owned()),
         Some(name) => {
             let fields: Vec<String> = named().map(|(name, v)| format!("{name}: {}", value(v))).collect();
@@ -23,7 +24,7 @@ pub(super) fn rust_of(comparison: &Comparison<'_>, setting: &Setting) -> String 
         }
         None => {
             let bindings = named().map(|(name, v)| format!("let {name} = {};\n", value(v)));
-            let field = comparison.block.text().trim();
+            let field = study.text().trim();
             (
                 format!("{}let field = kahan! {{ {field} }};\n", bindings.collect::<String>()),
                 "field".to_owned(),

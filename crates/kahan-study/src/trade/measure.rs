@@ -2,32 +2,34 @@
 
 use std::iter::once;
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use kahan_core::{Dd, Need, Scene, Scheme, Setting};
+use kahan_discover::Watch;
 
 use crate::reference::Reference;
 
 use super::Measured;
-use super::clock::Clock;
 use super::drift::{Drift, Integrals};
 use super::front::better;
-use super::runner::Runner;
+use super::prices::Prices;
+use super::runner::{Clock, Runner};
 use super::stops::stops;
 
 /// Points at which integrals are evaluated beside, where the need is the trajectory.
 const INTEGRAL_SAMPLES: usize = 32;
 
 /// What measures settings of one scene, and remembers them.
-pub(super) struct Study<'a> {
-    pub(super) subject: &'a Runner,
-    pub(super) clock: Clock,
+pub(super) struct Search<'a> {
+    pub(super) subject: &'a Runner<'a>,
+    pub(super) prices: Prices,
     pub(super) scene: Scene,
     /// What a measured error may be.
     pub(super) tolerance: f64,
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
-    pub(super) deadline: Instant,
+    pub(super) clock: Clock<'a>,
+    pub(super) deadline: Duration,
     /// The part of the time left that the way to a setting that serves may take.
     pub(super) share: f64,
     /// Whether the clock tells how long a step takes here: what is interpreted takes longer.
@@ -37,10 +39,10 @@ pub(super) struct Study<'a> {
     pub(super) skipped: Vec<(Scheme, f64)>,
     /// Schemes whose errors fell no further, above the tolerance.
     pub(super) stalled: Vec<Scheme>,
-    pub(super) progress: &'a mut dyn FnMut(u64),
+    pub(super) watch: &'a dyn Watch,
 }
 
-impl Study<'_> {
+impl Search<'_> {
     /// The error that the need is about, at about so many steps over the horizon; `None` where
     /// there is no time for it.
     pub(super) fn error(&mut self, scheme: Scheme, steps: u64) -> Option<f64> {
@@ -62,7 +64,7 @@ impl Study<'_> {
         };
         let error = measured.error();
         self.settings.push(measured);
-        (self.progress)(self.settings.len() as u64);
+        self.tell();
         Some(error)
     }
 
@@ -74,7 +76,7 @@ impl Study<'_> {
     }
 
     fn time_left(&self) -> Duration {
-        self.deadline.saturating_duration_since(Instant::now())
+        self.deadline.saturating_sub((self.clock)())
     }
 
     /// Whether so many steps take more than the share of the time that is left.
@@ -85,7 +87,7 @@ impl Study<'_> {
 
     fn expected(&self, scheme: Scheme, eps: f64, steps: f64) -> Duration {
         let seconds = if self.is_code {
-            1e-9 * self.clock.nanoseconds(scheme) * steps
+            1e-9 * self.prices.nanoseconds(scheme) * steps
         } else {
             const PROBE: u64 = 8;
             self.subject.seconds(scheme, eps, PROBE) * steps / PROBE as f64
@@ -136,7 +138,7 @@ impl Study<'_> {
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });
         Some(Measured {
             setting,
-            nanoseconds_per_unit_time: self.clock.nanoseconds(scheme) / (2.0 * eps),
+            nanoseconds_per_unit_time: self.prices.nanoseconds(scheme) / (2.0 * eps),
             trajectory_error,
             integral_drift,
             flow_integral_drift: has_integrals.then_some(flow),
@@ -174,7 +176,7 @@ impl Study<'_> {
 
     /// What a scheme costs at so many steps.
     pub(super) fn cost(&self, scheme: Scheme, steps: u64) -> f64 {
-        self.clock.nanoseconds(scheme) * steps as f64 / self.scene.horizon()
+        self.prices.nanoseconds(scheme) * steps as f64 / self.scene.horizon()
     }
 
     /// The cheapest setting that meets the need.

@@ -1,0 +1,92 @@
+//! From arguments to a field that is studied; what is wrong becomes a [`Refusal`] that names the
+//! option to change.
+
+use kahan_algebra::arithmetic::Exact;
+use kahan_algebra::rational::Rational;
+use kahan_study::{MOST_VARIABLES, Study, StudyError, Subject, Systems};
+
+use super::block::Block;
+use super::request::assignments;
+use super::source::{Source, Start};
+use super::values::coordinates;
+use crate::printing::Refusal;
+
+impl Source {
+    /// The field with its given parameters.
+    pub(crate) fn study(&self) -> Result<Study, Refusal> {
+        self.study_of(self.subject()?)
+    }
+
+    /// The same of a block that was read from here: standard input can be read once only.
+    pub(crate) fn study_of_block(&self, block: &Block) -> Result<Study, Refusal> {
+        let named = self.system.as_ref().map(Subject::named);
+        self.study_of(named.unwrap_or_else(|| block.subject()))
+    }
+
+    fn study_of(&self, subject: Subject) -> Result<Study, Refusal> {
+        let given = self.given()?.into_iter();
+        let subject = given.fold(subject, |subject, (name, value)| subject.with(name, value));
+        let subject = self.sites.into_iter().fold(subject, Subject::sites);
+        Ok(subject.study(&Systems)?)
+    }
+}
+
+impl Start {
+    /// The field, the first point, and ε.
+    pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
+        let study = self.source.study()?;
+        // A false claim is told before a number that is missing.
+        study.proved()?;
+        let at = coordinates(self.at.as_deref().unwrap_or_default(), study.variables())?;
+        study.values()?;
+        Ok((study, at, self.half_step()?))
+    }
+}
+
+/// A point with the parameters and ε, in words.
+pub(crate) fn place(study: &Study, at: &[Rational], eps: &Rational) -> String {
+    let values: Vec<Rational> = study.given().iter().flatten().cloned().collect();
+    let parts = [
+        assignments::<Exact>(study.variables(), at),
+        assignments::<Exact>(study.parameters(), &values),
+        assignments::<Exact>(&["eps".to_owned()], std::slice::from_ref(eps)),
+    ];
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+impl From<StudyError> for Refusal {
+    fn from(error: StudyError) -> Self {
+        Refusal::new(match error {
+            StudyError::Field(mistakes) => return Refusal::reports(mistakes.to_string()),
+            StudyError::UnknownSystem { name, nearest, known } => {
+                let hint = nearest.map_or_else(String::new, |name| format!(" Did you mean `{name}`?"));
+                let names = known.join(", ");
+                format!(
+                    "there is no system `{name}`.{hint} The catalog has {names}; --field TEXT takes a field of your own."
+                )
+            }
+            StudyError::NoFamily => format!("--sites: {error}").replacen(": sites are", " is", 1),
+            StudyError::ManySites { sites } => format!(
+                "--sites {sites}: the command writes a chain out, up to {MOST_VARIABLES} variables; longer ones are stepped by \
+                 `kahan orbit --start …`, and by `kahan!` in a program, for any number of sites"
+            ),
+            StudyError::UnknownParameter { .. } => format!("--param: {error}"),
+            StudyError::ParameterTwice { name } => format!("--param: `{name}` is given twice"),
+            StudyError::MissingParameters { system, names } => {
+                let options: Vec<String> = names.iter().map(|name| format!("--param {name}=VALUE")).collect();
+                format!("{system} needs a value for each of its parameters: add {}", options.join(" "))
+            }
+            StudyError::Coordinates { .. } => format!("--at: {error}"),
+            StudyError::UndefinedField { system, parameters } => {
+                let (names, values): (Vec<String>, Vec<Rational>) = parameters.into_iter().unzip();
+                let values = assignments::<Exact>(&names, &values);
+                format!("the field of {system} divides by zero at {values}; choose other values")
+            }
+            StudyError::NotPositive { .. } => format!("--{error}"),
+            StudyError::Degree { .. } => {
+                format!("--degree: {error}").replace("ask for none", "leave --degree out")
+            }
+            other => other.to_string(),
+        })
+    }
+}

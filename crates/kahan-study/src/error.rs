@@ -1,0 +1,186 @@
+//! Why a question has no answer.
+//!
+//! The variants hold what a front needs to say it in its own words, such as the options of a
+//! command; [`Display`](fmt::Display) says it in those of the library.
+
+use std::fmt;
+
+use kahan_algebra::rational::Rational;
+use kahan_discover::DiscoverError;
+use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
+use kahan_runtime::Diagnostics;
+
+use crate::study::MOST_VARIABLES;
+use crate::subject::Catalog;
+use crate::trade::CannotTrade;
+
+/// Why a subject cannot be studied, or a question not be answered.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// The catalog has no such system.
+    UnknownSystem {
+        /// What was asked for.
+        name: String,
+        /// The name that is probably meant.
+        nearest: Option<&'static str>,
+        /// All names.
+        known: Vec<&'static str>,
+    },
+    /// The text has mistakes, or claims that do not hold.
+    Field(Diagnostics),
+    /// Sites are for families, and the field has its equations written out.
+    NoFamily,
+    /// So many sites have more than [`MOST_VARIABLES`] variables.
+    ManySites {
+        /// What was asked for.
+        sites: usize,
+    },
+    /// The field has no such parameter.
+    UnknownParameter {
+        /// The field.
+        system: String,
+        /// What was given.
+        name: String,
+        /// Its parameters.
+        known: Vec<String>,
+    },
+    /// A parameter has two values.
+    ParameterTwice {
+        /// Which one.
+        name: String,
+    },
+    /// Parameters have no values.
+    MissingParameters {
+        /// The field.
+        system: String,
+        /// Which ones.
+        names: Vec<String>,
+    },
+    /// A point has not one coordinate for each variable.
+    Coordinates {
+        /// The variables.
+        variables: Vec<String>,
+        /// How many coordinates were given.
+        given: usize,
+    },
+    /// The field divides by zero at the values of its parameters.
+    UndefinedField {
+        /// The field.
+        system: String,
+        /// The values.
+        parameters: Vec<(String, Rational)>,
+    },
+    /// A number that is to be above 0, and within the range of doubles, is not.
+    NotPositive {
+        /// What it is, by its name in the question.
+        what: &'static str,
+        /// What was given.
+        value: Rational,
+    },
+    /// There is no map to look at.
+    Discover {
+        /// The field.
+        system: String,
+        /// Why.
+        why: DiscoverError,
+    },
+    /// Relations of this degree are out of reach.
+    Degree {
+        /// What was asked for.
+        asked: u32,
+        /// How many variables there are.
+        variables: usize,
+        /// The highest degree within reach, if there is one.
+        most: Option<u32>,
+    },
+    /// The question measures times, and the watch has no clock.
+    NoClock,
+    /// There is nothing to measure.
+    Trade {
+        /// The field.
+        system: String,
+        /// Why.
+        why: CannotTrade,
+    },
+}
+
+impl StudyError {
+    /// That a catalog has no such system, with the name that is probably meant.
+    #[must_use]
+    pub fn unknown_system(name: &str, catalog: &dyn Catalog) -> Self {
+        // Nothing is near to a name that is longer than any.
+        let wanted: String = name.chars().take(64).flat_map(char::to_lowercase).collect();
+        let distance = |known: &str| strsim::osa_distance(&wanted, &known.to_lowercase());
+        let names = catalog.names();
+        let near = names.iter().map(|names| (names.map(distance).into_iter().min(), names[0])).min();
+        let nearest = near.filter(|(least, _)| *least <= Some(wanted.chars().count() / 2));
+        StudyError::UnknownSystem {
+            name: name.to_owned(),
+            nearest: nearest.map(|(_, name)| name),
+            known: names.iter().map(|[name, _]| *name).collect(),
+        }
+    }
+}
+
+impl fmt::Display for StudyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let assigned = |values: &[(String, Rational)]| {
+            values.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
+        };
+        match self {
+            Self::UnknownSystem { name, nearest, known } => {
+                write!(f, "there is no system `{name}`.")?;
+                if let Some(nearest) = nearest {
+                    write!(f, " Did you mean `{nearest}`?")?;
+                }
+                write!(f, " The catalog has {}.", known.join(", "))
+            }
+            Self::Field(mistakes) => mistakes.fmt(f),
+            Self::NoFamily => f.write_str(
+                "sites are for a family, `for i in periodic { x[i]dot = …; }`, and this field has its equations written out",
+            ),
+            Self::ManySites { sites } => write!(
+                f,
+                "{sites} sites are too many: a chain is written out up to {MOST_VARIABLES} variables"
+            ),
+            Self::UnknownParameter { system, name, known } if known.is_empty() => {
+                write!(f, "`{name}` is no parameter of {system}: it has none")
+            }
+            Self::UnknownParameter { system, name, known } => {
+                write!(f, "`{name}` is no parameter of {system}: it has {}", known.join(", "))
+            }
+            Self::ParameterTwice { name } => write!(f, "the parameter `{name}` is given twice"),
+            Self::MissingParameters { system, names } => {
+                write!(f, "{system} needs a value for each of its parameters: {} is missing", names.join(", "))
+            }
+            Self::Coordinates { variables, given } => {
+                let (expected, plural) = (variables.len(), if variables.len() == 1 { "" } else { "s" });
+                write!(f, "{expected} coordinate{plural} {} expected, {given} given", variables.join(","))
+            }
+            Self::NotPositive { what, value } => {
+                write!(f, "{what}: `{value}` is not a number above 0 within the range of f64")
+            }
+            Self::Discover { system, why } => write!(f, "{system}: {why}"),
+            Self::Degree { asked, variables, most } => {
+                write!(
+                    f,
+                    "{variables} variables have more than {MOST_MONOMIALS_AT_ALL} monomials of degree {asked} or less; "
+                )?;
+                match most {
+                    Some(most) => write!(f, "ask for at most {most}"),
+                    None => f.write_str("ask for none"),
+                }
+            }
+            Self::NoClock => f.write_str("the question measures times, which takes a clock"),
+            Self::Trade { system, why } => write!(f, "{system}: {why}"),
+            Self::UndefinedField { system, parameters } => write!(
+                f,
+                "the field of {system} divides by zero at {}; choose other values",
+                assigned(parameters)
+            ),
+        }
+    }
+}
+
+impl std::error::Error for StudyError {}

@@ -1,0 +1,14 @@
+//! Values by name, in an order that means something: objects of JSON.
+
+use serde::{Serialize, Serializer};
+
+/// Values with their names.
+pub type Names<T> = Vec<(String, T)>;
+
+/// Writes an object.
+pub(crate) fn by_name<T: Serialize, S: Serializer>(
+    values: &Names<T>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(values.iter().map(|(name, value)| (name, value)))
+}

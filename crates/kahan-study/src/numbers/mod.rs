@@ -1,0 +1,10 @@
+//! The scalars that questions are answered in, and the numbers of answers.
+
+mod double_double;
+pub mod exact;
+mod number;
+mod scalar;
+
+pub use double_double::DoubleDouble;
+pub use number::Number;
+pub use scalar::{Printable, Rounded, ScalarKind};

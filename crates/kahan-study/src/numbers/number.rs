@@ -1,0 +1,91 @@
+//! A number of an answer, which knows its scalar.
+
+use std::fmt;
+
+use kahan_algebra::rational::Rational;
+use kahan_core::Dd;
+use serde::{Serialize, Serializer};
+
+/// A number as it was computed.
+///
+/// As text it reads back as the same number: p/q, or the shortest decimal, of [`Dd`] 32 digits. In
+/// JSON an exact number is a string, a float a number, and what is not finite `null`; an `f32` is
+/// 0.1 there and not 0.10000000149011612, a [`Dd`] has its 32 digits.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Number {
+    /// A rational number.
+    Exact(Rational),
+    /// In single precision.
+    F32(f32),
+    /// In double precision.
+    F64(f64),
+    /// In double-double.
+    Dd(Dd),
+}
+
+impl Number {
+    /// Whether it is neither infinite nor undefined.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Self::Exact(_) => true,
+            Self::F32(value) => value.is_finite(),
+            Self::F64(value) => value.is_finite(),
+            Self::Dd(value) => value.is_finite(),
+        }
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Exact(value) => write!(f, "{value}"),
+            Self::F32(value) => write!(f, "{value:?}"),
+            Self::F64(value) => write!(f, "{value:?}"),
+            Self::Dd(value) => {
+                let text = value.to_string();
+                // A whole number keeps a `.0`, as floats do.
+                let end = if value.is_finite() && !text.contains(['.', 'e']) { ".0" } else { "" };
+                write!(f, "{text}{end}")
+            }
+        }
+    }
+}
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        // The shortest decimal that reads back as this `f32`, or all digits of a `Dd`.
+        let written = |text: String| text.parse::<serde_json::Number>().ok();
+        match self {
+            Self::Exact(value) => serializer.collect_str(value),
+            Self::F64(value) => Some(value).filter(|value| value.is_finite()).serialize(serializer),
+            Self::F32(value) => {
+                written(value.to_string()).and_then(|number| number.as_f64()).serialize(serializer)
+            }
+            Self::Dd(_) => written(self.to_string()).serialize(serializer),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_their_digits_in_json() {
+        let third = Rational::new(1, 3);
+        let dd = Dd::from(1.0) / Dd::from(3.0);
+        for (number, json) in [
+            (Number::Exact(third.clone()), "\"1/3\""),
+            (Number::F64(third.to_f64()), "0.3333333333333333"),
+            (Number::F32(0.1), "0.1"),
+            (Number::F64(f64::INFINITY), "null"),
+            (Number::F32(f32::NAN), "null"),
+            (Number::Dd(dd), "0.33333333333333333333333333333333"),
+            (Number::Dd(Dd::from(2.0)), "2.0"),
+        ] {
+            assert_eq!(serde_json::to_string(&number).expect("a number"), json);
+        }
+        assert!(!Number::F64(f64::NAN).is_finite() && Number::Exact(third).is_finite());
+    }
+}

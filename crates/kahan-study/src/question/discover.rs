@@ -1,0 +1,287 @@
+//! What a field's map preserves, found from its equations alone.
+
+use kahan_algebra::lexer::lex;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Formulas, Text};
+use kahan_algebra::system::System;
+use kahan_discover::basis::Basis;
+use kahan_discover::claims::Formula;
+use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
+use kahan_discover::monomials::Monomials;
+use kahan_discover::{Options, Report, Watch, discover};
+use kahan_runtime::FieldText;
+use serde::{Deserialize, Serialize, Serializer};
+
+use crate::error::StudyError;
+use crate::named::{Names, by_name};
+use crate::numbers::exact;
+use crate::study::Study;
+
+use super::seconds_since;
+
+/// Asks what the map of a field preserves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Discover {
+    /// ε, half the time step, where it is fixed; generic otherwise.
+    #[serde(with = "exact::optional")]
+    pub eps: Option<Rational>,
+    /// The degree up to which relations on orbits are looked for; the number of variables chooses
+    /// where it is absent, and the search goes on while something may be missing.
+    pub degree: Option<u32>,
+    /// The seconds that the search may take.
+    pub seconds: f64,
+}
+
+/// Of whatever degree there is time for in a minute.
+impl Default for Discover {
+    fn default() -> Self {
+        Discover { eps: None, degree: None, seconds: 60.0 }
+    }
+}
+
+/// What was found, and of what.
+#[derive(Clone, Debug)]
+pub struct Discovered {
+    /// The name of the system.
+    pub system: String,
+    /// The field, with the claims that it brought along.
+    pub field: System,
+    /// The parameters that were fixed; the others are generic.
+    pub fixed: Names<Rational>,
+    /// ε, where it was fixed.
+    pub eps: Option<Rational>,
+    /// All that was found.
+    pub report: Report,
+    /// The seconds that it took; `None` without a clock.
+    pub seconds: Option<f64>,
+}
+
+impl Discover {
+    /// Looks for integrals, densities, brackets and structure. Parameters that are not given are
+    /// generic; the claims of the field are not looked at. The watch hears of what is proved.
+    ///
+    /// # Errors
+    /// [`StudyError::Discover`], or [`StudyError::Degree`] where the degree is out of reach.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Discovered, StudyError> {
+        let begun = watch.now();
+        let options = Options {
+            eps: self.eps.clone(),
+            parameters: study.fixed(),
+            degree: within_reach(self.degree, study)?,
+            seconds: self.seconds,
+            ..Options::default()
+        };
+        let report = discover(study.system(), &options, watch);
+        let report = report.map_err(|why| StudyError::Discover { system: study.name().to_owned(), why })?;
+        Ok(Discovered {
+            system: study.name().to_owned(),
+            field: study.system().clone(),
+            fixed: options.parameters,
+            eps: options.eps,
+            report,
+            seconds: seconds_since(begun, watch),
+        })
+    }
+}
+
+/// The degree that is asked for, if relations of that degree are within reach.
+pub(super) fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, StudyError> {
+    let variables = study.variables().len();
+    let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS_AT_ALL;
+    match degree.filter(|&asked| !is_within(asked)) {
+        None => Ok(degree),
+        Some(asked) => Err(StudyError::Degree {
+            asked,
+            variables,
+            most: (1..asked).take_while(|&lower| is_within(lower)).last(),
+        }),
+    }
+}
+
+impl Discovered {
+    /// The claims as text, but for one integral.
+    #[must_use]
+    pub fn claims(&self, but: Option<usize>) -> Vec<&str> {
+        let report = &self.report;
+        let integrals = (0..report.integrals.len()).filter(|&index| Some(index) != but);
+        let integrals = integrals.map(|index| &report.integrals[index]);
+        let formulas = integrals.chain(&report.densities).map(|formula| formula.text.as_str());
+        formulas.chain(report.brackets.iter().map(String::as_str)).collect()
+    }
+
+    /// The field with what is to be read as its claims: an integral that the compact form of the
+    /// modified Hamiltonian replaces is left out.
+    ///
+    /// # Errors
+    /// Where the text of the claims has mistakes, which the search excludes.
+    pub fn readable(&self) -> Result<System, StudyError> {
+        self.with_claims(self.report.replaced())
+    }
+
+    /// The field with all that was found as its claims.
+    ///
+    /// # Errors
+    /// Where the text of the claims has mistakes, which the search excludes.
+    pub fn claimed(&self) -> Result<System, StudyError> {
+        self.with_claims(None)
+    }
+
+    fn with_claims(&self, but: Option<usize>) -> Result<System, StudyError> {
+        let symbols = &self.field.field.symbols;
+        let values = Formulas { field: &self.field.field, map: None, notation: &Text }.field();
+        let equations =
+            symbols.states.iter().zip(values).map(|(state, value)| format!("{state}dot = {value};"));
+        let items: Vec<String> = equations.chain(self.claims(but).into_iter().map(str::to_owned)).collect();
+        let items = items.join("\n");
+        // A header keeps the order of the parameters, and may not name what nothing uses.
+        let named = lex(&items).tokens;
+        let mut parameters = symbols.parameters.clone();
+        parameters.retain(|name| named.iter().any(|token| token.text == *name));
+        let text = format!("struct Found {{ {} }}\n{items}", parameters.join(", "));
+        let claimed = FieldText::new(text, self.system.clone()).unproved_system();
+        Ok(System { header: self.field.header.clone(), ..claimed.map_err(StudyError::Field)? })
+    }
+}
+
+#[derive(Serialize)]
+struct Object<'a> {
+    system: &'a str,
+    variables: &'a [String],
+    /// Null is generic.
+    #[serde(serialize_with = "by_name")]
+    parameters: Names<Option<String>>,
+    eps: Option<String>,
+    hilbert: &'a [usize],
+    monomials: &'a [usize],
+    independent_integrals: usize,
+    most_integrals: Option<usize>,
+    bounded_by: &'static str,
+    degrees: &'a [usize],
+    growth: &'static str,
+    entropy: f64,
+    linear_integrals: &'a [String],
+    quadratic_integrals_of_the_flow: &'a [String],
+    integrals: Vec<&'a str>,
+    densities: Vec<&'a str>,
+    brackets: &'a [String],
+    bases: Vec<Relation>,
+    divergence: &'a str,
+    is_even: bool,
+    hamiltonian: Option<Hamiltonian<'a>>,
+    survivors: Option<Survivors<'a>>,
+    sentences: &'a [String],
+    out_of_time: bool,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Hamiltonian<'a> {
+    #[serde(rename = "K")]
+    tensor: &'a [Vec<String>],
+    #[serde(rename = "H")]
+    hamiltonian: &'a str,
+    modified_is_proved: bool,
+    /// At any point x and its image x~.
+    modified: String,
+}
+
+/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an orbit.
+#[derive(Serialize)]
+struct Relation {
+    monomials: Vec<String>,
+    integrals: Vec<String>,
+    /// Sums of monomials whose coefficients are equal.
+    terms: Vec<String>,
+    points: usize,
+    outcome: &'static str,
+}
+
+/// What composition leaves: how many independent integrals, which of the formulas, and which
+/// quotients of two.
+#[derive(Serialize)]
+struct Survivors<'a> {
+    independent_integrals: usize,
+    hilbert: &'a [usize],
+    formulas: Vec<&'a str>,
+    quotients: Vec<String>,
+}
+
+impl Relation {
+    fn of(basis: &Basis, variables: &[String]) -> Self {
+        let monomials = basis.monomial_texts(variables);
+        let unit = &monomials[basis.unit];
+        Relation {
+            integrals: basis
+                .integrals
+                .iter()
+                .map(|&place| format!("c[{}]/c[{unit}]", monomials[place]))
+                .collect(),
+            terms: basis.term_texts(variables, &Text),
+            points: basis.points(),
+            outcome: if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
+            monomials,
+        }
+    }
+}
+
+impl<'a> Survivors<'a> {
+    fn of(report: &'a Report) -> Option<Self> {
+        let survivors = report.survivors.as_ref()?;
+        let name = |index: usize| report.integrals[index].name().expect("a claim has a name");
+        let kept = (0..survivors.formulas.len()).filter(|&index| survivors.formulas[index]);
+        let quotients = survivors.quotients.iter();
+        Some(Survivors {
+            independent_integrals: survivors.hilbert.integrals,
+            hilbert: &survivors.hilbert.values,
+            formulas: kept.map(name).collect(),
+            quotients: quotients.map(|&(above, below)| format!("{}/{}", name(above), name(below))).collect(),
+        })
+    }
+}
+
+impl Serialize for Discovered {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        fn texts(formulas: &[Formula]) -> Vec<&str> {
+            formulas.iter().map(|formula| formula.text.as_str()).collect()
+        }
+        let report = &self.report;
+        let structure = &report.structure;
+        let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), Some(value.to_string())));
+        let generic = report.parameters.iter().map(|name| (name.clone(), None));
+        let hilbert = report.hilbert.as_ref();
+        let object = Object {
+            system: &self.system,
+            variables: &report.variables,
+            parameters: fixed.chain(generic).collect(),
+            eps: self.eps.as_ref().map(ToString::to_string),
+            hilbert: hilbert.map_or(&[], |hilbert| &hilbert.values),
+            monomials: hilbert.map_or(&[], |hilbert| &hilbert.full),
+            independent_integrals: report.independent_integrals(),
+            most_integrals: report.ceiling.as_ref().map(|ceiling| ceiling.integrals),
+            bounded_by: report.bound.word(),
+            degrees: &report.degrees,
+            growth: report.growth.growth.word(),
+            entropy: report.growth.growth.entropy(),
+            linear_integrals: &structure.linear_integrals,
+            quadratic_integrals_of_the_flow: &structure.quadratic_integrals,
+            integrals: texts(&report.integrals),
+            densities: texts(&report.densities),
+            brackets: &report.brackets,
+            bases: report.bases.iter().map(|basis| Relation::of(basis, &report.variables)).collect(),
+            divergence: &structure.divergence,
+            is_even: structure.is_even,
+            hamiltonian: structure.hamiltonian.as_ref().map(|found| Hamiltonian {
+                tensor: &found.tensor,
+                hamiltonian: &found.hamiltonian,
+                modified_is_proved: found.modified_is_proved,
+                modified: found.modified(&Text),
+            }),
+            survivors: Survivors::of(report),
+            sentences: &report.sentences,
+            out_of_time: report.out_of_time,
+            seconds: self.seconds,
+        };
+        object.serialize(serializer)
+    }
+}

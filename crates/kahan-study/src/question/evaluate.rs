@@ -1,0 +1,156 @@
+//! Every object of a system at one point, in exact or in floating-point numbers.
+
+use kahan_algebra::arithmetic::{Exact, Float32, Float64};
+use kahan_algebra::interpret::Point;
+use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::rational::Rational;
+use serde::{Deserialize, Serialize};
+
+use crate::error::StudyError;
+use crate::named::{Names, by_name};
+use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind, exact};
+use crate::study::Study;
+
+/// Asks for the field, the matrices, the map, its Jacobian, and the values of the claims at a point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Evaluate {
+    /// ε, half the time step.
+    #[serde(with = "exact")]
+    pub eps: Rational,
+    /// The point, a coordinate for each variable.
+    #[serde(with = "exact::list")]
+    pub at: Vec<Rational>,
+    /// The numbers to compute with; exact ones unless told.
+    #[serde(default = "exactly")]
+    pub scalar: ScalarKind,
+}
+
+fn exactly() -> ScalarKind {
+    ScalarKind::Exact
+}
+
+/// The values. One that is undefined at the point is `None`, and null in JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct Evaluated {
+    /// The name of the system.
+    pub system: String,
+    /// The state variables.
+    pub variables: Vec<String>,
+    /// The parameters.
+    #[serde(serialize_with = "by_name")]
+    pub parameters: Names<Number>,
+    /// ε, half the time step.
+    pub eps: Number,
+    /// The point.
+    pub x: Vec<Number>,
+    /// f(x)
+    pub field: Vec<Number>,
+    /// f′(x), row by row.
+    pub field_jacobian: Vec<Vec<Number>>,
+    /// A(x,ε), row by row.
+    #[serde(rename = "A")]
+    pub matrix: Vec<Vec<Number>>,
+    /// b(x,ε)
+    #[serde(rename = "b")]
+    pub rhs: Vec<Number>,
+    /// det A(x,ε)
+    #[serde(rename = "det_A")]
+    pub det_matrix: Number,
+    /// x̃ of the reduced map.
+    pub x_next: Option<Vec<Number>>,
+    /// ∂x̃/∂x of the reduced map, row by row.
+    pub jacobian: Option<Vec<Vec<Number>>>,
+    /// Its determinant.
+    pub det_jacobian: Option<Number>,
+    /// The integrals that are claimed without `when`.
+    #[serde(serialize_with = "by_name")]
+    pub integrals: Names<Option<Number>>,
+    /// The density that is claimed without `when`.
+    pub density: Option<Number>,
+    /// The brackets that are claimed without `when`, row by row.
+    #[serde(serialize_with = "by_name")]
+    pub brackets: Names<Option<Vec<Vec<Number>>>>,
+    /// Why there is no next point.
+    #[serde(skip)]
+    pub no_step: Option<NoStep>,
+}
+
+/// Why a point has no next one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoStep {
+    /// The reduced map has a pole there.
+    Pole,
+    /// det A = 0; the map is beyond the budget of terms and not reduced, so it may have a value.
+    Unreduced,
+    /// It is beyond the range of the scalar.
+    Range,
+}
+
+impl Evaluate {
+    /// In exact numbers.
+    #[must_use]
+    pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
+        Evaluate { eps, at, scalar: exactly() }
+    }
+
+    /// The values of a system whose claims hold.
+    ///
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not defined
+    /// at its parameters.
+    pub fn ask(&self, study: &Study) -> Result<Evaluated, StudyError> {
+        study.proved()?;
+        match self.scalar {
+            ScalarKind::Exact => self.over(&Exact, study),
+            ScalarKind::F64 => self.over(&Float64, study),
+            ScalarKind::F32 => self.over(&Float32, study),
+            ScalarKind::Dd => self.over(&DoubleDouble, study),
+        }
+    }
+
+    fn over<A: Printable>(&self, arithmetic: &A, study: &Study) -> Result<Evaluated, StudyError> {
+        let round = |values: &[Rational]| values.iter().map(A::round).collect::<Vec<_>>();
+        let point = Point {
+            state: round(&study.point(&self.at)?),
+            parameters: round(&study.values()?),
+            eps: A::round(&self.eps),
+        };
+        let evaluated = study.interpreter().evaluate(arithmetic, &point);
+        let values = evaluated.map_err(|_| study.undefined_field())?;
+        let next = values.next.filter(|next| next.iter().all(A::is_finite));
+        let has_next = next.is_some();
+        let is_singular = arithmetic.is_zero(&values.det_matrix);
+
+        let vector = |values: Vec<A::Value>| values.iter().map(A::number).collect::<Vec<_>>();
+        let rows = |rows: Vec<Vec<A::Value>>| rows.into_iter().map(vector).collect::<Vec<_>>();
+        let number = |value: &A::Value| A::number(value);
+        Ok(Evaluated {
+            system: study.name().to_owned(),
+            variables: study.variables().to_vec(),
+            parameters: study.parameters().iter().cloned().zip(vector(point.parameters)).collect(),
+            eps: A::number(&point.eps),
+            x: vector(point.state),
+            field: vector(values.field),
+            field_jacobian: rows(values.field_jacobian),
+            matrix: rows(values.matrix),
+            rhs: vector(values.rhs),
+            det_matrix: A::number(&values.det_matrix),
+            x_next: next.map(vector),
+            jacobian: values.jacobian.filter(|_| has_next).map(rows),
+            det_jacobian: values.det_jacobian.filter(|_| has_next).as_ref().map(number),
+            integrals: values
+                .integrals
+                .into_iter()
+                .map(|(name, value)| (name, value.as_ref().map(number)))
+                .collect(),
+            density: values.density.flatten().as_ref().map(number),
+            brackets: values.brackets.into_iter().map(|(name, value)| (name, value.map(rows))).collect(),
+            no_step: (!has_next).then(|| match (is_singular, RationalMap::of(&study.system().field)) {
+                (true, None) => NoStep::Unreduced,
+                (true, Some(_)) => NoStep::Pole,
+                (false, _) => NoStep::Range,
+            }),
+        })
+    }
+}

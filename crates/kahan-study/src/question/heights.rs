@@ -1,0 +1,141 @@
+//! The Diophantine test on one exact orbit, within bounds.
+
+use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::rational::Rational;
+use kahan_discover::{Progress, Watch};
+use kahan_runtime::heights::{HeightsOrbit, Stop, Survey};
+use serde::{Deserialize, Serialize, Serializer};
+
+use crate::error::StudyError;
+use crate::named::{Names, by_name};
+use crate::numbers::exact;
+use crate::study::Study;
+
+use super::seconds_since;
+
+/// Asks how the heights of an exact orbit grow.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Heights {
+    /// ε, half the time step.
+    #[serde(with = "exact")]
+    pub eps: Rational,
+    /// The first point, a coordinate for each variable.
+    #[serde(with = "exact::list")]
+    pub at: Vec<Rational>,
+    /// The number of steps.
+    pub steps: u64,
+    /// The greatest number of decimal digits of a numerator or denominator.
+    #[serde(default = "usual_digits")]
+    pub max_digits: u64,
+    /// The seconds that the orbit may take; a step that is likely to end later is not begun.
+    #[serde(default = "usual_seconds")]
+    pub seconds: f64,
+}
+
+fn usual_digits() -> u64 {
+    1_000_000
+}
+
+fn usual_seconds() -> f64 {
+    60.0
+}
+
+/// The heights, and how they grow.
+#[derive(Clone, Debug)]
+pub struct HeightsFound {
+    /// The name of the system.
+    pub system: String,
+    /// The state variables.
+    pub variables: Vec<String>,
+    /// The heights, their growth, and what ended the orbit.
+    pub survey: Survey,
+    /// The seconds that it took; `None` without a clock.
+    pub seconds: Option<f64>,
+    /// Whether the map is reduced; else det A = 0 counts as a pole.
+    pub is_reduced: bool,
+}
+
+impl Heights {
+    /// Within a million digits and a minute.
+    #[must_use]
+    pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
+        Heights { eps, at, steps, max_digits: usual_digits(), seconds: usual_seconds() }
+    }
+
+    /// Follows the orbit of a system whose claims hold. Costs at each step products and gcds of
+    /// numbers as long as the heights say.
+    ///
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not defined
+    /// at its parameters.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<HeightsFound, StudyError> {
+        let begun = watch.now();
+        let system = study.proved()?;
+        let (start, parameters) = (study.point(&self.at)?, study.values()?);
+        let orbit = HeightsOrbit::new(system, &parameters, &self.eps, &start);
+        let mut orbit = orbit.map_err(|_| study.undefined_field())?.within_digits(self.max_digits);
+        let clock = || Some(watch.now()?.saturating_sub(begun?));
+        let survey = Survey::within(&mut orbit, self.steps, self.seconds, &clock, |heights| {
+            watch.look(&Progress { what: "steps", done: heights.step as u64, of: Some(self.steps) })
+        });
+        Ok(HeightsFound {
+            system: study.name().to_owned(),
+            variables: study.variables().to_vec(),
+            survey,
+            seconds: seconds_since(begun, watch),
+            is_reduced: RationalMap::of(&system.field).is_some(),
+        })
+    }
+}
+
+impl HeightsFound {
+    /// The number of steps that were made.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.survey.heights.len().saturating_sub(1)
+    }
+}
+
+/// A height to the 15 digits that are promised.
+#[must_use]
+pub fn fifteen_digits(height: f64) -> f64 {
+    format!("{height:.14e}").parse().expect("a printed float is one")
+}
+
+#[derive(Serialize)]
+struct Object<'a> {
+    system: &'a str,
+    steps: usize,
+    #[serde(serialize_with = "by_name")]
+    log_heights: Names<Vec<f64>>,
+    growth: String,
+    entropy: f64,
+    seconds: Option<f64>,
+    stopped: Option<&'static str>,
+}
+
+impl Serialize for HeightsFound {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let series = |i: usize| self.survey.component(i).into_iter().skip(1).map(fifteen_digits).collect();
+        let object = Object {
+            system: &self.system,
+            steps: self.steps(),
+            log_heights: self
+                .variables
+                .iter()
+                .enumerate()
+                .map(|(i, name)| (name.clone(), series(i)))
+                .collect(),
+            growth: self.survey.growth.to_string(),
+            entropy: self.survey.entropy,
+            seconds: self.seconds,
+            stopped: self.survey.stopped.map(|stop| match stop {
+                Stop::Pole => "pole",
+                Stop::Digits => "digits",
+                Stop::Seconds => "seconds",
+            }),
+        };
+        object.serialize(serializer)
+    }
+}

@@ -1,0 +1,210 @@
+//! A field that was read, about which questions are asked.
+
+use std::sync::{Arc, OnceLock};
+
+use kahan_algebra::interpret::Interpreter;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
+use kahan_discover::Watch;
+use kahan_runtime::FieldText;
+
+use crate::error::StudyError;
+use crate::question::{Answer, Question};
+use crate::subject::{Catalog, Given, Named, Subject};
+
+/// The most variables of a chain that is written out.
+pub const MOST_VARIABLES: usize = 200;
+
+/// A field with the values of its parameters, planned once and asked often, from any thread. A clone
+/// shares what was planned.
+#[derive(Clone, Debug)]
+pub struct Study(Arc<Parts>);
+
+#[derive(Debug)]
+struct Parts {
+    name: String,
+    /// The catalog's own, where it is the catalog's.
+    named: Option<Named>,
+    text: FieldText,
+    sites: Option<usize>,
+    /// The values of the parameters, in their order; `None` for one not given.
+    given: Vec<Option<Rational>>,
+    /// The system, its claims not proved.
+    system: System,
+    /// The mistakes of its claims, once they were proved.
+    proved: OnceLock<Result<(), StudyError>>,
+    interpreter: OnceLock<Interpreter>,
+}
+
+impl Study {
+    pub(crate) fn of(subject: &Subject, catalog: &dyn Catalog) -> Result<Self, StudyError> {
+        let (named, text) = match &subject.field {
+            Given::Text(text) => (None, text.clone()),
+            Given::Name(name) => {
+                let named = catalog.find(name).ok_or_else(|| StudyError::unknown_system(name, catalog))?;
+                let text = FieldText::new(named.text.to_owned(), named.name.to_owned());
+                (Some(named), text)
+            }
+        };
+        let system = match subject.sites {
+            Some(sites) => chain(&text, sites)?,
+            None => text.unproved_system().map_err(StudyError::Field)?,
+        };
+        let name = named.as_ref().map_or_else(|| system.name(), |named| named.name).to_owned();
+        let given = values_by_name(&subject.parameters, &system.field.symbols.parameters, &name)?;
+        Ok(Study(Arc::new(Parts {
+            name,
+            named,
+            text,
+            sites: subject.sites,
+            given,
+            system,
+            proved: OnceLock::new(),
+            interpreter: OnceLock::new(),
+        })))
+    }
+
+    /// Answers a question.
+    ///
+    /// # Errors
+    /// Where the question does not fit the field, or has no answer: [`StudyError`].
+    pub fn ask(&self, question: &Question, watch: &dyn Watch) -> Result<Answer, StudyError> {
+        question.ask(self, watch)
+    }
+
+    /// The name of the field in answers: the catalog's, or that of its type, or `field`.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// Its name in the catalog, where it is from there.
+    #[must_use]
+    pub fn catalog_name(&self) -> Option<&'static str> {
+        self.0.named.as_ref().map(|named| named.name)
+    }
+
+    /// The name of its type in Rust: the catalog's, or that of its header.
+    #[must_use]
+    pub fn type_name(&self) -> Option<&str> {
+        let of_catalog = self.0.named.as_ref().and_then(|named| named.type_name);
+        of_catalog.or_else(|| self.system().header.as_ref().map(|header| header.name.text.as_str()))
+    }
+
+    /// The text of the field, as it was given.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        self.0.text.text()
+    }
+
+    /// The state variables, in order.
+    #[must_use]
+    pub fn variables(&self) -> &[String] {
+        &self.system().field.symbols.states
+    }
+
+    /// The parameters, in order.
+    #[must_use]
+    pub fn parameters(&self) -> &[String] {
+        &self.system().field.symbols.parameters
+    }
+
+    /// The field as a checked system, its claims not proved.
+    #[must_use]
+    pub fn system(&self) -> &System {
+        &self.0.system
+    }
+
+    /// The same, its claims proved as the macro does it, once.
+    ///
+    /// # Errors
+    /// The claims that do not hold.
+    pub fn proved(&self) -> Result<&System, StudyError> {
+        let proof = || match self.0.sites {
+            Some(_) => self.0.text.family().map(|_| ()).map_err(StudyError::Field),
+            None => self.0.text.system().map(|_| ()).map_err(StudyError::Field),
+        };
+        self.0.proved.get_or_init(proof).clone()?;
+        Ok(self.system())
+    }
+
+    /// The values of the parameters, in their order; `None` for one not given.
+    #[must_use]
+    pub fn given(&self) -> &[Option<Rational>] {
+        &self.0.given
+    }
+
+    /// The parameters that have a value, by name; the others are generic.
+    #[must_use]
+    pub fn fixed(&self) -> Vec<(String, Rational)> {
+        let values = self.parameters().iter().zip(self.given());
+        values.filter_map(|(name, value)| Some((name.clone(), value.clone()?))).collect()
+    }
+
+    /// The values of all parameters, in their order.
+    ///
+    /// # Errors
+    /// Where one is not given.
+    pub fn values(&self) -> Result<Vec<Rational>, StudyError> {
+        let known: Option<Vec<Rational>> = self.given().iter().cloned().collect();
+        known.ok_or_else(|| {
+            let names = self.parameters().iter().zip(self.given());
+            let missing = names.filter(|(_, value)| value.is_none()).map(|(name, _)| name.clone());
+            StudyError::MissingParameters { system: self.name().to_owned(), names: missing.collect() }
+        })
+    }
+
+    /// The coordinates of a point, if there is one for each variable.
+    pub(crate) fn point(&self, at: &[Rational]) -> Result<Vec<Rational>, StudyError> {
+        if at.len() == self.variables().len() {
+            return Ok(at.to_vec());
+        }
+        Err(StudyError::Coordinates { variables: self.variables().to_vec(), given: at.len() })
+    }
+
+    pub(crate) fn interpreter(&self) -> &Interpreter {
+        self.0.interpreter.get_or_init(|| Interpreter::new(self.system()))
+    }
+
+    pub(crate) fn undefined_field(&self) -> StudyError {
+        let values = self.parameters().iter().cloned().zip(self.given().iter().flatten().cloned());
+        StudyError::UndefinedField { system: self.name().to_owned(), parameters: values.collect() }
+    }
+}
+
+/// The plain system of a chain of so many sites of the family in a text, its claims proved.
+///
+/// # Errors
+/// Mistakes of the text, a field that is no family, and more than [`MOST_VARIABLES`] variables.
+pub fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
+    let family = text.family().map_err(StudyError::Field)?.ok_or(StudyError::NoFamily)?;
+    if sites.saturating_mul(family.block()) > MOST_VARIABLES {
+        return Err(StudyError::ManySites { sites });
+    }
+    Ok(family.at_sites(sites))
+}
+
+/// The given values in the order of the parameters of a system; `None` for one not given.
+///
+/// # Errors
+/// A name that is none of them, or given twice.
+pub fn values_by_name(
+    given: &[(String, Rational)],
+    names: &[String],
+    system: &str,
+) -> Result<Vec<Option<Rational>>, StudyError> {
+    let mut values: Vec<Option<Rational>> = vec![None; names.len()];
+    for (name, value) in given {
+        let Some(index) = names.iter().position(|known| known == name) else {
+            return Err(StudyError::UnknownParameter {
+                system: system.to_owned(),
+                name: name.clone(),
+                known: names.to_vec(),
+            });
+        };
+        if values[index].replace(value.clone()).is_some() {
+            return Err(StudyError::ParameterTwice { name: name.clone() });
+        }
+    }
+    Ok(values)
+}

@@ -1,0 +1,98 @@
+//! What a question is about: a field, the values of its parameters, of a family its sites.
+
+use kahan_algebra::rational::Rational;
+use kahan_runtime::FieldText;
+
+use crate::error::StudyError;
+use crate::study::Study;
+
+/// A field as its user names it.
+///
+/// ```
+/// use kahan_algebra::rational::Rational;
+/// use kahan_study::{Subject, Systems};
+///
+/// let swing = Subject::text("xdot = y; ydot = a - x^2;").with("a", Rational::from(1));
+/// assert_eq!(swing.study(&Systems).unwrap().variables(), ["x", "y"]);
+/// assert!(Subject::named("e6").study(&Systems).is_ok());
+/// ```
+#[derive(Clone, Debug)]
+pub struct Subject {
+    pub(crate) field: Given,
+    pub(crate) parameters: Vec<(String, Rational)>,
+    pub(crate) sites: Option<usize>,
+}
+
+/// How a field is given.
+#[derive(Clone, Debug)]
+pub(crate) enum Given {
+    /// By its name in a catalog.
+    Name(String),
+    /// As a text in the language of `kahan!`.
+    Text(FieldText),
+}
+
+/// Where the fields are that have names.
+pub trait Catalog {
+    /// Every system and family, by the name that subjects have, and by that of its type.
+    fn names(&self) -> Vec<[&'static str; 2]>;
+
+    /// The system or family with one of these names, in any case of letters.
+    fn find(&self, name: &str) -> Option<Named>;
+}
+
+/// A field of a catalog.
+#[derive(Clone, Debug)]
+pub struct Named {
+    /// Its name in answers.
+    pub name: &'static str,
+    /// The name of its type in Rust; `None` for a family.
+    pub type_name: Option<&'static str>,
+    /// Its block in the language of `kahan!`.
+    pub text: &'static str,
+}
+
+impl Subject {
+    /// A system or a family of the catalog.
+    #[must_use]
+    pub fn named(name: impl Into<String>) -> Self {
+        Self::of(Given::Name(name.into()))
+    }
+
+    /// A field in the language of `kahan!`: its equations, with a header or without.
+    #[must_use]
+    pub fn text(text: impl Into<String>) -> Self {
+        Self::block(FieldText::new(text.into(), "field".to_owned()))
+    }
+
+    /// A field that stands in a text which has a name in reports, or in a part of it.
+    #[must_use]
+    pub fn block(text: FieldText) -> Self {
+        Self::of(Given::Text(text))
+    }
+
+    fn of(field: Given) -> Self {
+        Subject { field, parameters: Vec::new(), sites: None }
+    }
+
+    /// With a value of a parameter.
+    #[must_use]
+    pub fn with(mut self, name: impl Into<String>, value: Rational) -> Self {
+        self.parameters.push((name.into(), value));
+        self
+    }
+
+    /// With so many sites of a family, whose chain is then written out.
+    #[must_use]
+    pub fn sites(self, sites: usize) -> Self {
+        Subject { sites: Some(sites), ..self }
+    }
+
+    /// Reads the field. Costs a parse; plans are made when a question first needs them.
+    ///
+    /// # Errors
+    /// Where there is no such system, the text has mistakes, or a parameter is none of the field's.
+    pub fn study(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
+        Study::of(self, catalog)
+    }
+}

@@ -1,0 +1,191 @@
+//! Questions as JSON, subjects that are wrong, and answers under the names of the command's JSON.
+
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+use kahan_algebra::rational::Rational;
+use kahan_study::{
+    Answer, Finding, Progress, Question, Study, StudyError, Subject, Systems, Unwatched, Watch,
+};
+use serde_json::{Value, json};
+
+fn study(subject: Subject) -> Study {
+    subject.study(&Systems).expect("a subject")
+}
+
+fn question(object: Value) -> Result<Question, String> {
+    serde_json::from_value(object).map_err(|mistake| mistake.to_string())
+}
+
+fn answer(study: &Study, object: Value) -> Value {
+    let question = question(object).expect("a question");
+    json!(study.ask(&question, &Unwatched).expect("an answer"))
+}
+
+#[test]
+fn a_question_writes_itself_as_it_was_read() {
+    for object in [
+        json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
+        json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
+        json!({"ask": "poles", "eps": null, "steps": 6, "seconds": 10.0}),
+        json!({"ask": "discover", "eps": "1", "degree": 4, "seconds": 2.5}),
+        json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
+    ] {
+        let read = question(object.clone()).expect("a question");
+        assert_eq!(json!(read), object);
+    }
+}
+
+#[test]
+fn numbers_of_questions_are_exact() {
+    let text = r#"{"ask": "evaluate", "eps": 0.1, "at": [1, "2/3", -0.3333333333333333333333333333]}"#;
+    let Ok(Question::Evaluate(asked)) = serde_json::from_str(text) else { panic!("a question") };
+    assert_eq!(asked.eps, Rational::new(1, 10));
+    assert_eq!(asked.at[1], Rational::new(2, 3));
+    assert_eq!(asked.at[2].to_string(), "-3333333333333333333333333333/10000000000000000000000000000");
+}
+
+#[test]
+fn what_a_question_does_not_have_is_a_mistake() {
+    for (object, said) in [
+        (json!({"ask": "evaluate", "eps": 1, "at": [1], "epsilon": 1}), "unknown field `epsilon`"),
+        (json!({"ask": "evaluate", "at": [1]}), "missing field `eps`"),
+        (json!({"ask": "evaluate", "eps": "a half", "at": [1]}), "`a half` is not an exact number"),
+        (json!({"ask": "evaluate", "eps": "1/0", "at": [1]}), "is not an exact number"),
+        (json!({"ask": "evaluate", "eps": 1, "at": [1], "scalar": "f16"}), "unknown variant `f16`"),
+        (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `evaluate`"),
+        (json!({"eps": 1, "at": [1]}), "missing field `ask`"),
+    ] {
+        let mistake = question(object.clone()).expect_err("a mistake");
+        assert!(mistake.contains(said), "{object}: {mistake}");
+    }
+}
+
+#[test]
+fn subjects_that_are_wrong_say_so() {
+    let error = |subject: Subject| subject.study(&Systems).expect_err("a mistake");
+    let one = || Rational::from(1);
+    assert!(matches!(
+        error(Subject::named("lorentz")),
+        StudyError::UnknownSystem { nearest: Some("lorenz"), .. }
+    ));
+    assert!(matches!(error(Subject::text("xdot = x^3;")), StudyError::Field(_)));
+    assert!(matches!(error(Subject::named("e6").with("xi", one())), StudyError::UnknownParameter { .. }));
+    let twice = Subject::named("e7").with("xi", one()).with("xi", one());
+    assert!(matches!(error(twice), StudyError::ParameterTwice { .. }));
+    assert!(matches!(error(Subject::named("e6").sites(4)), StudyError::NoFamily));
+    assert!(matches!(error(Subject::named("toda").sites(101)), StudyError::ManySites { sites: 101 }));
+    assert_eq!(study(Subject::named("toda").sites(3)).variables().len(), 6);
+}
+
+#[test]
+fn questions_that_do_not_fit_say_so() {
+    let error = |subject: Subject, object: Value| {
+        let question = question(object).expect("a question");
+        study(subject).ask(&question, &Unwatched).expect_err("a mistake")
+    };
+    let evaluate = json!({"ask": "evaluate", "eps": 1, "at": [1, 2, 3]});
+    assert!(matches!(
+        error(Subject::named("e7"), evaluate.clone()),
+        StudyError::MissingParameters { names, .. } if names == ["xi"]
+    ));
+    assert!(matches!(
+        error(Subject::named("lv"), evaluate.clone()),
+        StudyError::Coordinates { given: 3, .. }
+    ));
+    let false_claim = Subject::text("xdot = y; ydot = -x; integral H = x;");
+    assert!(matches!(
+        error(false_claim, json!({"ask": "evaluate", "eps": 1, "at": [1, 2]})),
+        StudyError::Field(_)
+    ));
+    let nowhere = Subject::text("xdot = x/a;").with("a", Rational::zero());
+    assert!(matches!(
+        error(nowhere, json!({"ask": "evaluate", "eps": 1, "at": [1]})),
+        StudyError::UndefinedField { .. }
+    ));
+    let trade = json!({"ask": "trade", "at": [1, 1], "horizon": 1});
+    assert!(matches!(error(Subject::named("lv"), trade.clone()), StudyError::NoClock));
+    let negative = json!({"ask": "trade", "at": [1, 1], "horizon": -1});
+    assert!(matches!(error(Subject::named("lv"), negative), StudyError::NotPositive { what: "horizon", .. }));
+    let too_high = json!({"ask": "discover", "degree": 1000});
+    assert!(matches!(error(Subject::named("lv"), too_high), StudyError::Degree { asked: 1000, .. }));
+    let collapse = json!({"ask": "discover", "eps": 0});
+    assert!(matches!(error(Subject::named("lv"), collapse), StudyError::Discover { .. }));
+}
+
+/// E1 at x = −2, ε = 1/2: 1 + εx = 0 is a removable pole.
+#[test]
+fn every_object_at_a_point() {
+    let e1 = study(Subject::named("e1"));
+    let values = answer(&e1, json!({"ask": "evaluate", "eps": "1/2", "at": [-2, 1, "1/3"]}));
+    assert_eq!(values["det_A"], "0");
+    assert!(values["x_next"].is_array() && values["integrals"]["H"].is_string(), "{values}");
+    let names: Vec<&String> = values.as_object().expect("an object").keys().collect();
+    assert_eq!(names[..5], ["system", "variables", "parameters", "eps", "x"]);
+    let float = answer(&e1, json!({"ask": "evaluate", "eps": "1/2", "at": [1, 1, 1], "scalar": "f64"}));
+    assert!(float["x_next"][0].is_f64(), "{float}");
+}
+
+#[test]
+fn heights_and_poles_of_the_lotka_volterra_map() {
+    let lv = study(Subject::named("lv"));
+    let heights = answer(&lv, json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 9}));
+    assert_eq!((&heights["growth"], &heights["steps"]), (&json!("exponential"), &json!(9)));
+    assert_eq!(heights["log_heights"]["x"].as_array().map(Vec::len), Some(9));
+    assert_eq!(heights["seconds"], Value::Null, "without a clock");
+    let poles = answer(&lv, json!({"ask": "poles", "steps": 4}));
+    assert!(poles["patterns"].as_array().is_some_and(|patterns| !patterns.is_empty()), "{poles}");
+}
+
+/// A clock, and what was heard.
+struct Listening {
+    begun: Instant,
+    heard: Mutex<Vec<String>>,
+    stops_at_first: bool,
+}
+
+impl Watch for Listening {
+    fn now(&self) -> Option<Duration> {
+        Some(self.begun.elapsed())
+    }
+
+    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
+        let heard = self.heard.lock().expect("no listener fails");
+        if self.stops_at_first && !heard.is_empty() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    fn found(&self, finding: &Finding) {
+        self.heard.lock().expect("no listener fails").push(finding.text.clone());
+    }
+}
+
+#[test]
+fn findings_are_told_when_they_are_proved() {
+    let e6 = study(Subject::named("e6"));
+    for stops_at_first in [false, true] {
+        let watch = Listening { begun: Instant::now(), heard: Mutex::default(), stops_at_first };
+        let asked = question(json!({"ask": "discover", "degree": 2})).expect("a question");
+        let Ok(Answer::Discover(found)) = e6.ask(&asked, &watch) else { panic!("a report") };
+        let heard = watch.heard.into_inner().expect("no listener fails");
+        let claims = found.claims(None);
+        assert!(heard.iter().all(|text| claims.contains(&text.as_str())), "{heard:?} of {claims:?}");
+        // Once it is told to stop, the search says no more.
+        assert_eq!(heard.len(), if stops_at_first { 1 } else { claims.len() });
+        assert_eq!(found.report.out_of_time, stops_at_first);
+    }
+}
+
+#[test]
+fn what_is_found_can_be_claimed() {
+    let asked = question(json!({"ask": "discover", "degree": 2})).expect("a question");
+    let Ok(Answer::Discover(found)) = study(Subject::named("e6")).ask(&asked, &Unwatched) else {
+        panic!("a report")
+    };
+    let claimed = found.claimed().expect("a field with its claims");
+    assert_eq!(claimed.claims.len(), found.claims(None).len());
+}
