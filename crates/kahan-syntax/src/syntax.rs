@@ -192,7 +192,7 @@ impl Condition {
 }
 
 /// An expression and its place. `X` is what the language has besides arithmetic: in a block what
-/// stands in a family.
+/// stands in a family, in a formula calls.
 #[derive(Clone, Debug)]
 pub struct Expr<X = InFamily> {
     /// What it is.
@@ -252,6 +252,21 @@ pub enum InFamily {
     },
     /// `sum(a)` over all sites, in a claim.
     OverSites(Box<Expr>),
+}
+
+/// What formulas outside of a block have besides arithmetic. No block can hold it, so that a field
+/// stays polynomial and a claim rational.
+#[derive(Clone, Debug)]
+pub enum InFormula {
+    /// `name(a, …)`; whoever evaluates the formula knows which functions there are.
+    Call {
+        /// `name`
+        function: String,
+        /// What stands in the parentheses, at least one.
+        arguments: Vec<Expr<InFormula>>,
+    },
+    /// `a^b` where b is anything but a number that is an integer.
+    Power(Box<[Expr<InFormula>; 2]>),
 }
 
 /// What an expression names.

@@ -8,8 +8,9 @@
 //! | loosest | `+`, `-` | from left to right |
 //!
 //! Operands are numbers, names and parentheses. What else a language has, its [`Dialect`] reads:
-//! values at sites in a family. Everything that may stand there in other languages (calls, paths,
-//! indices, `**`, juxtaposition) is recognised and answered with the way to write it here.
+//! values at sites in a family, calls and any exponents in a formula. Everything that may stand
+//! there in other languages (paths, indices, `**`, juxtaposition, and in a block calls) is
+//! recognised and answered with the way to write it here.
 
 use crate::diagnostics::Kind;
 use crate::syntax::{Expr, ExprKind, Factor, Term};

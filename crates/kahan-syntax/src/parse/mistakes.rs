@@ -118,6 +118,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
         TokenKind::Unreadable { .. } => Ok(operand),
         // What compares is reported where `=` is expected.
         TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == End::Equals => Ok(operand),
+        TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) && cursor.end == End::Item => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) => error(
@@ -134,6 +135,9 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
         ),
         TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
             let help = match token.kind {
+                _ if cursor.end == End::Formula => {
+                    "write `2*i` for a product, and `sin(i)` for a function of `i`".to_owned()
+                }
                 TokenKind::Open(_) => "write `*` before `(`".to_owned(),
                 _ => format!("write `*` before `{}`", token.text),
             };
