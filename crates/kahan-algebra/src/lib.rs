@@ -54,11 +54,10 @@ pub mod check;
 
 pub use derived::{Derived, derive};
 /// Who reads a field here needs no second crate for its text, its numbers and its mistakes.
-pub use kahan_syntax::{diagnostics, lexer, rational, syntax, table, token};
+pub use kahan_syntax::{diagnostics, lexer, parse, rational, syntax, table, token};
 
 use check::{Broken, Checked};
 use diagnostics::Diagnostics;
-use kahan_syntax::parse;
 use prime_field::Shake256;
 use token::Token;
 

@@ -2,7 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Level, Notation, sum_of};
-use kahan_algebra::syntax::{Expr, ExprKind, Factor, Reference};
+use kahan_algebra::syntax::{Expr, ExprKind, Factor, InFamily, Reference};
 
 use crate::notation::Latex;
 
@@ -14,13 +14,15 @@ pub(crate) fn write(expr: &Expr) -> (String, Level) {
             (Latex.number(value), level)
         }
         ExprKind::Name(name) => (Latex.name(name), Level::Atom),
-        ExprKind::Site { array, offset } => {
+        ExprKind::Special(InFamily::Site { array, offset }) => {
             (Latex.name(&Reference::Site { array, offset: *offset }.to_string()), Level::Atom)
         }
         ExprKind::Negation(inner) => (format!("-{}", at_least(inner, Level::Product)), Level::Sum),
         ExprKind::Sum(terms) => (sum_of(terms, at_least), Level::Sum),
         ExprKind::Product(factors) => product(factors),
-        ExprKind::OverSites(inner) => (format!("\\sum_i ({})", write(inner).0), Level::Atom),
+        ExprKind::Special(InFamily::OverSites(inner)) => {
+            (format!("\\sum_i ({})", write(inner).0), Level::Atom)
+        }
         ExprKind::Power(base, exponent) => {
             (Latex.power(&at_least(base, Level::Atom), *exponent), Level::Power)
         }

@@ -1,9 +1,9 @@
 //! The language of `kahan!`, as far as it is text.
 //!
-//! In: text, or the tokens of a macro. Out: the syntax tree of a block, each part with its place
-//! and each number exact, and the mistakes that can be seen without knowing what a name means. The
-//! crate must not know polynomials: what is a vector field, and whether a claim holds, is decided
-//! by `kahan-algebra`.
+//! In: text, or the tokens of a macro. Out: the syntax tree of a block or of a formula, each part
+//! with its place and each number exact, and the mistakes that can be seen without knowing what a
+//! name means. The crate must not know polynomials: what is a vector field, and whether a claim
+//! holds, is decided by `kahan-algebra`.
 //!
 //! `kahan-algebra` shares the exact numbers ([`rational`]) and the short sorted lists ([`table`]).
 

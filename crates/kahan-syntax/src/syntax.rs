@@ -191,11 +191,12 @@ impl Condition {
     }
 }
 
-/// An expression and its place.
+/// An expression and its place. `X` is what the language has besides arithmetic: in a block what
+/// stands in a family, in a formula calls.
 #[derive(Clone, Debug)]
-pub struct Expr {
+pub struct Expr<X = InFamily> {
     /// What it is.
-    pub kind: ExprKind,
+    pub kind: ExprKind<X>,
     /// Where it stands.
     pub span: Span,
 }
@@ -206,12 +207,14 @@ impl Expr {
         match &self.kind {
             ExprKind::Number(_) => {}
             ExprKind::Name(name) => visit(Reference::Name(name), self.span),
-            ExprKind::Site { array, offset } => {
+            ExprKind::Special(InFamily::Site { array, offset }) => {
                 visit(Reference::Site { array, offset: *offset }, self.span);
             }
             ExprKind::Sum(terms) => terms.iter().for_each(|term| term.expr.visit_names(visit)),
             ExprKind::Product(factors) => factors.iter().for_each(|factor| factor.expr.visit_names(visit)),
-            ExprKind::Negation(inner) | ExprKind::Power(inner, _) | ExprKind::OverSites(inner) => {
+            ExprKind::Negation(inner)
+            | ExprKind::Power(inner, _)
+            | ExprKind::Special(InFamily::OverSites(inner)) => {
                 inner.visit_names(visit);
             }
         }
@@ -220,28 +223,50 @@ impl Expr {
 
 /// The shapes of an expression.
 #[derive(Clone, Debug)]
-pub enum ExprKind {
+pub enum ExprKind<X = InFamily> {
     /// A literal, exactly.
     Number(Rational),
     /// An identifier.
     Name(String),
-    /// In a family a value at a site: `x[i]`, `x[i+1]`, `x[i-2]`.
+    /// `a + b − c …`
+    Sum(Vec<Term<X>>),
+    /// `a * b / c …`
+    Product(Vec<Factor<X>>),
+    /// `−a`
+    Negation(Box<Expr<X>>),
+    /// `a^n`
+    Power(Box<Expr<X>>, i64),
+    /// What only this language has.
+    Special(X),
+}
+
+/// What the expressions of a family have besides arithmetic.
+#[derive(Clone, Debug)]
+pub enum InFamily {
+    /// A value at a site: `x[i]`, `x[i+1]`, `x[i-2]`.
     Site {
         /// `x`
         array: String,
         /// How far from site i.
         offset: i64,
     },
-    /// `a + b − c …`
-    Sum(Vec<Term>),
-    /// `a * b / c …`
-    Product(Vec<Factor>),
-    /// `−a`
-    Negation(Box<Expr>),
-    /// `a^n`
-    Power(Box<Expr>, i64),
-    /// `sum(a)` over all sites, in a claim of a family.
+    /// `sum(a)` over all sites, in a claim.
     OverSites(Box<Expr>),
+}
+
+/// What formulas outside of a block have besides arithmetic. No block can hold it, so that a field
+/// stays polynomial and a claim rational.
+#[derive(Clone, Debug)]
+pub enum InFormula {
+    /// `name(a, …)`; whoever evaluates the formula knows which functions there are.
+    Call {
+        /// `name`
+        function: String,
+        /// What stands in the parentheses, at least one.
+        arguments: Vec<Expr<InFormula>>,
+    },
+    /// `a^b` where b is anything but a number that is an integer.
+    Power(Box<[Expr<InFormula>; 2]>),
 }
 
 /// What an expression names.
@@ -282,18 +307,18 @@ impl fmt::Display for Reference<'_> {
 
 /// One term of a sum.
 #[derive(Clone, Debug)]
-pub struct Term {
+pub struct Term<X = InFamily> {
     /// Whether `−` stands before it.
     pub negative: bool,
     /// The term.
-    pub expr: Expr,
+    pub expr: Expr<X>,
 }
 
 /// One factor of a product.
 #[derive(Clone, Debug)]
-pub struct Factor {
+pub struct Factor<X = InFamily> {
     /// Whether `/` stands before it.
     pub divides: bool,
     /// The factor.
-    pub expr: Expr,
+    pub expr: Expr<X>,
 }

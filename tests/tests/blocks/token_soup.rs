@@ -6,6 +6,7 @@
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
 use kahan_algebra::lexer::lex;
+use kahan_algebra::parse::{parse_formula, parse_formulas};
 use kahan_algebra::read;
 use kahan_algebra::render::report;
 use proptest::prelude::*;
@@ -21,11 +22,13 @@ fn config(cases: u32) -> Config {
     }
 }
 
-/// Reads `text` and renders every mistake, places included.
+/// Reads `text`, as a formula and as a list of them, too, and renders every mistake, places
+/// included.
 fn read_text(text: &str) -> Checked {
     let lexed = lex(text);
     let reading = read(&lexed.tokens);
-    for diagnostic in reading.diagnostics() {
+    let of_formulas = [parse_formula(&lexed.tokens).err(), parse_formulas(&lexed.tokens).err()];
+    for diagnostic in reading.diagnostics().iter().chain(of_formulas.iter().flatten()) {
         assert!(!diagnostic.message.is_empty() && !diagnostic.help.is_empty(), "{diagnostic:?}");
         assert!(report(diagnostic, text, &lexed.ranges, "--field").contains(&diagnostic.message));
     }

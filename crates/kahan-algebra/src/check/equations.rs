@@ -91,10 +91,6 @@ fn raising_factor(expr: &Expr, scope: &Scope) -> Span {
             expr.span
         }
         ExprKind::Power(inner, _) if degree(inner) > 2 => raising_factor(inner, scope),
-        ExprKind::Power(..)
-        | ExprKind::Number(_)
-        | ExprKind::Name(_)
-        | ExprKind::Site { .. }
-        | ExprKind::OverSites(_) => expr.span,
+        ExprKind::Power(..) | ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Special(_) => expr.span,
     }
 }

@@ -7,7 +7,7 @@
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
-use kahan_syntax::syntax::{Expr, ExprKind, Reference};
+use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference};
 use kahan_syntax::token::Span;
 
 /// The largest exponent of a parameter in an equation, and of anything but a short number in a
@@ -46,7 +46,7 @@ pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, 
     match &expr.kind {
         ExprKind::Number(value) => Ok(target.number(value)),
         ExprKind::Name(name) => target.named(Reference::Name(name), expr.span),
-        ExprKind::Site { array, offset } => {
+        ExprKind::Special(InFamily::Site { array, offset }) => {
             target.named(Reference::Site { array, offset: *offset }, expr.span)
         }
         ExprKind::Negation(inner) => {
@@ -87,7 +87,7 @@ pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, 
             let one = target.number(&Rational::one());
             divide(target, one, power, base.span)
         }
-        ExprKind::OverSites(_) => Err(sum_out_of_place(expr.span)),
+        ExprKind::Special(InFamily::OverSites(_)) => Err(sum_out_of_place(expr.span)),
     }
 }
 

@@ -1,13 +1,13 @@
 //! `sum(…)` in the claims of a family: what it sums.
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
-use kahan_syntax::syntax::{Expr, ExprKind, Factor, Reference, Term};
+use kahan_syntax::syntax::{Expr, ExprKind, Factor, InFamily, Reference, Term};
 
 /// What a claim sums over all sites: the claim with `sum` taken off, as sums are linear.
 pub(super) fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
     let with = |kind| Ok(Expr { kind, span: expr.span });
     match &expr.kind {
-        ExprKind::OverSites(inner) => match find_sum(inner) {
+        ExprKind::Special(InFamily::OverSites(inner)) => match find_sum(inner) {
             Some(nested) => Err(Diagnostic::new(
                 Kind::Claim,
                 nested.span,
@@ -39,9 +39,10 @@ pub(super) fn summand(expr: &Expr) -> Result<Expr, Diagnostic> {
             };
             with(ExprKind::Product(factors.iter().map(factor).collect::<Result<_, Diagnostic>>()?))
         }
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Site { .. } | ExprKind::Power(..) => {
-            Err(outside(expr))
-        }
+        ExprKind::Number(_)
+        | ExprKind::Name(_)
+        | ExprKind::Special(InFamily::Site { .. })
+        | ExprKind::Power(..) => Err(outside(expr)),
     }
 }
 
@@ -56,11 +57,11 @@ fn outside(expr: &Expr) -> Diagnostic {
 
 fn find_sum(expr: &Expr) -> Option<&Expr> {
     match &expr.kind {
-        ExprKind::OverSites(_) => Some(expr),
+        ExprKind::Special(InFamily::OverSites(_)) => Some(expr),
         ExprKind::Sum(terms) => terms.iter().find_map(|term| find_sum(&term.expr)),
         ExprKind::Product(factors) => factors.iter().find_map(|factor| find_sum(&factor.expr)),
         ExprKind::Negation(inner) | ExprKind::Power(inner, _) => find_sum(inner),
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Site { .. } => None,
+        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Special(InFamily::Site { .. }) => None,
     }
 }
 

@@ -1,6 +1,6 @@
 //! Expressions as they were written.
 
-use kahan_syntax::syntax::{Expr, ExprKind, Reference, Term};
+use kahan_syntax::syntax::{Expr, ExprKind, InFamily, Reference, Term};
 
 use super::notation::{Notation, Text};
 
@@ -30,7 +30,7 @@ fn write(expr: &Expr) -> (String, Level) {
             (value.to_string(), level)
         }
         ExprKind::Name(name) => (name.clone(), Level::Atom),
-        ExprKind::Site { array, offset } => {
+        ExprKind::Special(InFamily::Site { array, offset }) => {
             (Reference::Site { array, offset: *offset }.to_string(), Level::Atom)
         }
         // −(a·b) is read back as it was written.
@@ -49,7 +49,7 @@ fn write(expr: &Expr) -> (String, Level) {
             }
             (text, Level::Product)
         }
-        ExprKind::OverSites(inner) => (format!("sum({})", write(inner).0), Level::Atom),
+        ExprKind::Special(InFamily::OverSites(inner)) => (format!("sum({})", write(inner).0), Level::Atom),
         ExprKind::Power(base, exponent) => {
             (Text.power(&at_least(base, Level::Atom), *exponent), Level::Power)
         }

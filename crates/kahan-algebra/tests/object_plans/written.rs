@@ -9,7 +9,7 @@ use kahan_algebra::interpret::Point;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbols;
-use kahan_algebra::syntax::{Block, ClaimBody, ClaimKind, Expr, ExprKind};
+use kahan_algebra::syntax::{Block, ClaimBody, ClaimKind, Expr, ExprKind, InFamily};
 use kahan_syntax::parse::parse;
 
 /// A block and the order of its names.
@@ -110,7 +110,7 @@ impl Written {
         match &expr.kind {
             ExprKind::Number(number) => arithmetic.constant(number),
             ExprKind::Name(name) => self.named(arithmetic, name, point),
-            ExprKind::Site { .. } => None,
+            ExprKind::Special(InFamily::Site { .. }) => None,
             ExprKind::Negation(inner) => Some(arithmetic.negate(&value(inner)?)),
             ExprKind::Sum(terms) => {
                 let mut sum: Option<A::Value> = None;
@@ -149,7 +149,7 @@ impl Written {
                     _ => arithmetic.divide(&one, &power),
                 }
             }
-            ExprKind::OverSites(_) => panic!("a plain block has no sites"),
+            ExprKind::Special(InFamily::OverSites(_)) => panic!("a plain block has no sites"),
         }
     }
 

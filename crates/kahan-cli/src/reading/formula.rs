@@ -1,16 +1,17 @@
 //! Formulas in floats: of the index of a site, `1 + 1/2*cos(2*pi*i/n)`, or of the variables of a
 //! state.
 //!
-//! In: text in the language of `kahan!`, with functions. Out: a value at each site or state. Powers
-//! and signs bind as in the language: `-x^2` is −(x²), and `a^b^c` needs parentheses.
+//! In: text in the language of `kahan!`, with functions and any exponents. Out: a value at each site
+//! or state. The module must not know how the text is read, only what its names and functions mean.
 
 use std::f64::consts::PI;
 
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
-use kahan_algebra::lexer::{Lexed, lex};
-use kahan_algebra::rational::Rational;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::parse::{parse_formula, parse_formulas};
 use kahan_algebra::render::report;
-use kahan_algebra::token::{Span, Token, TokenKind};
+use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
+use kahan_algebra::token::{Span, Token};
 
 use crate::printing::Refusal;
 
@@ -42,8 +43,12 @@ pub(crate) enum Formula {
     Number(f64),
     /// The variable with this index.
     Variable(usize),
-    Negate(Box<Formula>),
-    Binary(char, Box<(Formula, Formula)>),
+    /// Terms, each with whether it is subtracted.
+    Sum(Vec<(bool, Formula)>),
+    /// Factors, each with whether it divides.
+    Product(Vec<(bool, Formula)>),
+    Negation(Box<Formula>),
+    Power(Box<[Formula; 2]>),
     Call(Function, Box<Formula>),
 }
 
@@ -58,19 +63,25 @@ impl Formula {
         match self {
             Self::Number(value) => *value,
             Self::Variable(k) => variables[*k],
-            Self::Negate(of) => -of.of(variables),
-            Self::Call(function, of) => function(of.of(variables)),
-            Self::Binary(sign, sides) => {
-                let (a, b) = (sides.0.of(variables), sides.1.of(variables));
-                match sign {
-                    '+' => a + b,
-                    '-' => a - b,
-                    '*' => a * b,
-                    '/' => a / b,
-                    _ if b.fract() == 0.0 && b.abs() <= 1024.0 => a.powi(b as i32),
-                    _ => a.powf(b),
+            // Of the two zeros, −0 changes no sum.
+            Self::Sum(terms) => terms.iter().fold(-0.0, |sum, (is_subtracted, term)| {
+                let term = term.of(variables);
+                if *is_subtracted { sum - term } else { sum + term }
+            }),
+            Self::Product(factors) => factors.iter().fold(1.0, |product, (divides, factor)| {
+                let factor = factor.of(variables);
+                if *divides { product / factor } else { product * factor }
+            }),
+            Self::Negation(of) => -of.of(variables),
+            Self::Power(parts) => {
+                let [base, exponent] = [parts[0].of(variables), parts[1].of(variables)];
+                if exponent.fract() == 0.0 && exponent.abs() <= 1024.0 {
+                    base.powi(exponent as i32)
+                } else {
+                    base.powf(exponent)
                 }
             }
+            Self::Call(function, of) => function(of.of(variables)),
         }
     }
 
@@ -79,8 +90,11 @@ impl Formula {
         match self {
             Self::Number(_) => None,
             Self::Variable(k) => Some(*k),
-            Self::Negate(of) | Self::Call(_, of) => of.last_variable(),
-            Self::Binary(_, sides) => sides.0.last_variable().max(sides.1.last_variable()),
+            Self::Sum(parts) | Self::Product(parts) => {
+                parts.iter().filter_map(|(_, part)| part.last_variable()).max()
+            }
+            Self::Negation(of) | Self::Call(_, of) => of.last_variable(),
+            Self::Power(parts) => parts.iter().filter_map(Self::last_variable).max(),
         }
     }
 }
@@ -103,205 +117,115 @@ pub(super) fn formula_of(
     known: &Known,
     option: &str,
 ) -> Result<Formula, Refusal> {
-    read(text, option, |lexed| {
-        let mut reader = Reader { tokens: &lexed.tokens, at: 0, variables, known };
-        let formula = reader.sum(0)?;
-        reader.end().map(|()| formula)
-    })
+    read(text, option, |tokens| Names { variables, known }.lower(&parse_formula(tokens)?))
 }
 
 /// Formulas of the index of a site by name: `a = 1; b = i/n`.
 pub(super) fn formulas(text: &str, known: &Known, option: &str) -> Result<Vec<(String, Formula)>, Refusal> {
-    read(text, option, |lexed| {
-        let mut reader = Reader { tokens: &lexed.tokens, at: 0, variables: &OF_SITES, known };
-        let mut formulas = Vec::new();
-        while reader.at < reader.tokens.len() {
-            let name = reader.name()?;
-            if !reader.takes('=') {
-                return Err(reader.mistake("a `=` is missing", "write `x = 1 + i/n`"));
-            }
-            formulas.push((name, reader.sum(0)?));
-            if !reader.takes(';') {
-                reader.end()?;
-            }
-        }
-        Ok(formulas)
+    read(text, option, |tokens| {
+        let names = Names { variables: &OF_SITES, known };
+        let formulas = parse_formulas(tokens)?.into_iter();
+        formulas.map(|(name, formula)| Ok((name.text, names.lower(&formula)?))).collect()
     })
 }
 
 fn read<R>(
     text: &str,
     option: &str,
-    read: impl FnOnce(&Lexed) -> Result<R, Diagnostic>,
+    read: impl FnOnce(&[Token]) -> Result<R, Diagnostic>,
 ) -> Result<R, Refusal> {
-    /// More would overflow stacks.
-    const LONGEST: usize = 10_000;
-
     let lexed = lex(text);
-    if lexed.tokens.len() > LONGEST {
-        return Err(Refusal::new(format!(
-            "{option}: the formula is too long; write the numbers to a file F.npy"
-        )));
-    }
-    read(&lexed).map_err(|mistake| Refusal::reports(report(&mistake, text, &lexed.ranges, option)))
+    read(&lexed.tokens).map_err(|mistake| Refusal::reports(report(&mistake, text, &lexed.ranges, option)))
 }
 
-struct Reader<'a> {
-    tokens: &'a [Token],
-    at: usize,
+/// What the names in a formula mean.
+struct Names<'a> {
     variables: &'a [&'a str],
     known: &'a Known,
 }
 
-/// How deep formulas may be nested, so that no stack overflows.
-const DEEPEST: usize = 256;
-
-impl Reader<'_> {
-    fn kind(&self) -> Option<&TokenKind> {
-        self.tokens.get(self.at).map(|token| &token.kind)
-    }
-
-    fn takes(&mut self, sign: char) -> bool {
-        let is_it = matches!(self.kind(), Some(TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c)) if *c == sign);
-        self.at += usize::from(is_it);
-        is_it
-    }
-
-    fn takes_one_of(&mut self, signs: &[char]) -> Option<char> {
-        signs.iter().copied().find(|sign| self.takes(*sign))
-    }
-
-    fn mistake(&self, message: &str, help: &str) -> Diagnostic {
-        let place = self.at.min(self.tokens.len().saturating_sub(1));
-        match self.kind() {
-            Some(TokenKind::Unreadable { message, help }) => {
-                Diagnostic::new(Kind::Syntax, Span::token(place), message, help)
+impl Names<'_> {
+    fn lower(&self, expr: &Expr<InFormula>) -> Result<Formula, Diagnostic> {
+        let lower = |expr: &Expr<InFormula>| self.lower(expr);
+        Ok(match &expr.kind {
+            ExprKind::Number(value) => Formula::Number(value.to_f64()),
+            ExprKind::Name(name) => self.named(name, expr.span)?,
+            ExprKind::Sum(terms) => {
+                let terms = terms.iter().map(|term| Ok((term.negative, lower(&term.expr)?)));
+                Formula::Sum(terms.collect::<Result<_, Diagnostic>>()?)
             }
-            _ => Diagnostic::new(Kind::Syntax, Span::token(place), message, help),
-        }
-    }
-
-    fn name(&mut self) -> Result<String, Diagnostic> {
-        if self.kind() != Some(&TokenKind::Identifier) {
-            return Err(self.mistake("the name of an array is missing", "write `x = 1 + i/n`"));
-        }
-        self.at += 1;
-        Ok(self.tokens[self.at - 1].text.clone())
-    }
-
-    /// Nothing may follow.
-    fn end(&self) -> Result<(), Diagnostic> {
-        if self.at == self.tokens.len() {
-            return Ok(());
-        }
-        Err(self.mistake(
-            "the formula should end here",
-            "put an operator in between: `2*i`; formulas of several arrays are separated by `;`",
-        ))
-    }
-
-    fn sum(&mut self, depth: usize) -> Result<Formula, Diagnostic> {
-        if depth > DEEPEST {
-            return Err(self.mistake("the formula is nested too deeply", "use fewer parentheses"));
-        }
-        let mut left = self.product(depth)?;
-        while let Some(sign) = self.takes_one_of(&['+', '-']) {
-            left = Formula::Binary(sign, Box::new((left, self.product(depth)?)));
-        }
-        Ok(left)
-    }
-
-    fn product(&mut self, depth: usize) -> Result<Formula, Diagnostic> {
-        let mut left = self.signed(depth)?;
-        while let Some(sign) = self.takes_one_of(&['*', '/']) {
-            left = Formula::Binary(sign, Box::new((left, self.signed(depth)?)));
-        }
-        Ok(left)
-    }
-
-    fn signed(&mut self, depth: usize) -> Result<Formula, Diagnostic> {
-        if self.takes('-') {
-            return Ok(Formula::Negate(Box::new(self.nested_sign(depth)?)));
-        }
-        self.power(depth)
-    }
-
-    fn nested_sign(&mut self, depth: usize) -> Result<Formula, Diagnostic> {
-        if depth > DEEPEST {
-            return Err(self.mistake("the formula has too many signs", "leave some of them out"));
-        }
-        self.signed(depth + 1)
-    }
-
-    fn power(&mut self, depth: usize) -> Result<Formula, Diagnostic> {
-        let base = self.atom(depth)?;
-        if !self.takes('^') {
-            return Ok(base);
-        }
-        let is_negative = self.takes('-');
-        let exponent = self.atom(depth)?;
-        if matches!(self.kind(), Some(TokenKind::Punctuation('^'))) {
-            return Err(self.mistake("a power of a power", "write parentheses: `(a^b)^c`"));
-        }
-        let exponent = if is_negative { Formula::Negate(Box::new(exponent)) } else { exponent };
-        Ok(Formula::Binary('^', Box::new((base, exponent))))
-    }
-
-    fn atom(&mut self, depth: usize) -> Result<Formula, Diagnostic> {
-        let nothing =
-            || self.mistake("a number, a name or a formula in parentheses is missing", "write `1 + i/n`");
-        let Some(token) = self.tokens.get(self.at) else { return Err(nothing()) };
-        match token.kind {
-            TokenKind::Literal => {
-                let number = Rational::parse(&token.text).map(|number| number.to_f64());
-                let number = number.ok_or_else(|| {
-                    self.mistake("this is no number", "write `2`, `0.5` or `1e-3`; a product is `2*i`")
-                })?;
-                self.at += 1;
-                Ok(Formula::Number(number))
+            ExprKind::Product(factors) => {
+                let factors = factors.iter().map(|factor| Ok((factor.divides, lower(&factor.expr)?)));
+                Formula::Product(factors.collect::<Result<_, Diagnostic>>()?)
             }
-            TokenKind::Open('(') => self.in_parentheses(depth),
-            TokenKind::Identifier => {
-                if let Some((_, function)) = FUNCTIONS.iter().find(|(name, _)| *name == token.text) {
-                    self.at += 1;
-                    return Ok(Formula::Call(*function, Box::new(self.in_parentheses(depth)?)));
-                }
-                let variable = self.variables.iter().position(|name| *name == token.text);
-                let known = self.known.iter().find(|(name, _)| *name == token.text);
-                let formula = match (token.text.as_str(), variable, known) {
-                    (_, Some(variable), _) => Formula::Variable(variable),
-                    (_, None, Some((_, value))) => Formula::Number(*value),
-                    ("pi", None, None) => Formula::Number(PI),
-                    (name, None, None) => {
-                        let known = self.known.iter().map(|(name, _)| name.as_str());
-                        let names = self.variables.iter().copied().chain(known);
-                        let functions = FUNCTIONS.map(|(name, _)| name).join(", ");
-                        return Err(self.mistake(
-                            &format!("`{name}` is not known here"),
-                            &format!(
-                                "there are {}, pi, and the functions {functions}",
-                                names.collect::<Vec<_>>().join(", ")
-                            ),
-                        ));
-                    }
-                };
-                self.at += 1;
-                Ok(formula)
+            ExprKind::Negation(inner) => Formula::Negation(Box::new(lower(inner)?)),
+            ExprKind::Power(base, exponent) => {
+                Formula::Power(Box::new([lower(base)?, Formula::Number(*exponent as f64)]))
             }
-            _ => Err(nothing()),
+            ExprKind::Special(InFormula::Power(parts)) => {
+                Formula::Power(Box::new([lower(&parts[0])?, lower(&parts[1])?]))
+            }
+            ExprKind::Special(InFormula::Call { function, arguments }) => {
+                let (function, argument) = self.call(function, arguments, expr.span)?;
+                Formula::Call(function, Box::new(lower(argument)?))
+            }
+        })
+    }
+
+    /// The value or the variable of this name.
+    fn named(&self, name: &str, span: Span) -> Result<Formula, Diagnostic> {
+        let variable = self.variables.iter().position(|variable| *variable == name);
+        let known = self.known.iter().find(|(known, _)| known == name);
+        match (variable, known) {
+            (Some(variable), _) => Ok(Formula::Variable(variable)),
+            (None, Some((_, value))) => Ok(Formula::Number(*value)),
+            (None, None) if name == "pi" => Ok(Formula::Number(PI)),
+            (None, None) if FUNCTIONS.iter().any(|(function, _)| *function == name) => Err(mistake(
+                span,
+                format!("`{name}` is a function, and its argument is missing"),
+                format!("write the argument in parentheses: `{name}(i)`"),
+            )),
+            (None, None) => {
+                let known = self.known.iter().map(|(name, _)| name.as_str());
+                let names: Vec<&str> = self.variables.iter().copied().chain(known).collect();
+                let help = format!("there are {}, pi, and the functions {}", names.join(", "), functions());
+                Err(mistake(span, format!("`{name}` is not known here"), help))
+            }
         }
     }
 
-    fn in_parentheses(&mut self, depth: usize) -> Result<Formula, Diagnostic> {
-        if !self.takes('(') {
-            return Err(self.mistake("a `(` is missing", "write the argument in parentheses: `sin(i)`"));
+    /// What is called, with its argument.
+    fn call<'a>(
+        &self,
+        name: &str,
+        arguments: &'a [Expr<InFormula>],
+        span: Span,
+    ) -> Result<(Function, &'a Expr<InFormula>), Diagnostic> {
+        let Some((_, function)) = FUNCTIONS.iter().find(|(known, _)| *known == name) else {
+            let help = match self.named(name, span) {
+                Ok(_) => format!("for a product write `{name}*(…)`"),
+                Err(_) => format!("there are {}", functions()),
+            };
+            return Err(mistake(span, format!("`{name}(…)` calls no function that is known here"), help));
+        };
+        match arguments {
+            [argument] => Ok((*function, argument)),
+            _ => {
+                let message = format!("`{name}` is a function of one number, not of {}", arguments.len());
+                Err(mistake(span, message, format!("write `{name}(…)` without a comma")))
+            }
         }
-        let inner = self.sum(depth + 1)?;
-        if !self.takes(')') {
-            return Err(self.mistake("a `)` is missing", "close the parenthesis"));
-        }
-        Ok(inner)
     }
+}
+
+/// The mistake of a name that means something else here, or nothing.
+fn mistake(span: Span, message: String, help: String) -> Diagnostic {
+    Diagnostic::new(Kind::UnknownName, span, message, help)
+}
+
+/// The functions by name, in a row.
+fn functions() -> String {
+    FUNCTIONS.map(|(name, _)| name).join(", ")
 }
 
 #[cfg(test)]
@@ -322,6 +246,7 @@ mod tests {
             ("cos(2*pi*i/n)^2 + sin(2*pi*i/n)^2", 1.0),
             ("sech(0) + sqrt(4) - exp(0)*abs(-2)", 1.0),
             ("4^0.5 + 1e-1", 2.1),
+            ("9^(i - 2.5)", 3.0),
         ] {
             let value = formula(text, &known, "--start").expect(text).at(3);
             assert!((value - at_three).abs() < 1e-15, "{text}: {value}");
@@ -336,21 +261,48 @@ mod tests {
     }
 
     #[test]
+    fn values_are_rounded_as_written() {
+        for (text, value) in [
+            ("1/10 + 0.2 - 0.3", 0.1 + 0.2 - 0.3),
+            ("0.1 - (0.2 - i)", 0.1 - (0.2 - 3.0)),
+            ("i/10*7/3", 3.0 / 10.0 * 7.0 / 3.0),
+            ("-0 + -0", -0.0),
+            ("-0*i", -0.0),
+            ("i^-2*2^0.3", 3_f64.powi(-2) * 2_f64.powf(0.3)),
+            ("1.1^i", 1.1_f64.powi(3)),
+            ("1.1^1025", 1.1_f64.powf(1025.0)),
+        ] {
+            let found = formula(text, &[], "--start").expect(text).at(3);
+            assert_eq!(found.to_bits(), value.to_bits(), "{text}: {found}, not {value}");
+        }
+    }
+
+    #[test]
+    fn long_formulas_are_read() {
+        let long = vec!["i*1"; 20_000].join(" + ");
+        assert_eq!(formula(&long, &[], "--start").expect("a sum").at(2), 40_000.0);
+    }
+
+    #[test]
     fn mistakes_are_shown_where_they_stand() {
         let deep = "(".repeat(10_000);
         let signs = "-".repeat(10_000);
         for (text, part) in [
             ("", "missing"),
             ("1 +", "missing"),
-            ("2 i", "should end here"),
-            ("2i", "no number"),
+            ("2 i", "`2*i` for a product"),
+            ("2i", "a product needs its `*`"),
             ("m + 1", "`m` is not known"),
-            ("sin 1", "a `(` is missing"),
-            ("(1", "a `)` is missing"),
-            ("1^2^3", "write parentheses"),
+            ("sin 1", "`sin(i)` for a function"),
+            ("1 + sin", "in parentheses: `sin(i)`"),
+            ("sine(1)", "`sine(…)` calls no function"),
+            ("i(1 + i)", "for a product write `i*(…)`"),
+            ("sin(i, 1)", "a function of one number, not of 2"),
+            ("(1", "this `(` is not closed"),
+            ("1^2^3", "write `(a^b)^c`"),
             ("2 \u{b7} i", "error"),
-            (&deep, "too deeply"),
-            (&signs, "too many signs"),
+            (&deep, "nests deeper"),
+            (&signs, "nests deeper"),
         ] {
             let refusal = format!("{:?}", formula(text, &[], "--start").expect_err(text));
             assert!(refusal.contains(part), "{text}: {refusal}");

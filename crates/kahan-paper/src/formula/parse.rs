@@ -1,7 +1,9 @@
-//! Text to statements, by precedence: sums, products, signs, powers, atoms.
+//! Text to statements: the sides of their items are formulas, which the parser of `kahan!` reads.
 
 use kahan_algebra::lexer::lex;
+use kahan_algebra::parse::parse_formula;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::syntax::{Expr, ExprKind, InFormula};
 use kahan_algebra::token::{Token, TokenKind};
 
 use super::{Definition, Formula, Item, Relation, Statement};
@@ -12,120 +14,57 @@ use super::{Definition, Formula, Item, Relation, Statement};
 /// What is wrong, with the place in words.
 pub(crate) fn parse(text: &str) -> Result<Statement, String> {
     let tokens = lex(text).tokens;
-    let mut parser = Parser { tokens: &tokens, at: 0 };
-    let mut statement = Statement::default();
-    while parser.at < tokens.len() {
-        statement.items.push(parser.item().map_err(|what| format!("{what} in `{text}`"))?);
-        if !parser.eat(";") && parser.at < tokens.len() {
-            return Err(format!("`;` expected before `{}` in `{text}`", parser.peek()));
-        }
-    }
-    Ok(statement)
+    let items = tokens.split(|token| token.kind == TokenKind::Punctuation(';'));
+    let items = items.filter(|tokens| !tokens.is_empty()).map(item).collect::<Result<_, _>>();
+    Ok(Statement { items: items.map_err(|what| format!("{what} in `{text}`"))? })
 }
 
-struct Parser<'a> {
-    tokens: &'a [Token],
-    at: usize,
+fn item(tokens: &[Token]) -> Result<Item, String> {
+    // No formula holds one of these.
+    let is_sign = |token: &Token| matches!(token.kind, TokenKind::Punctuation(':' | '~' | '!' | '='));
+    let (left, rest) = tokens.split_at(tokens.iter().position(is_sign).unwrap_or(tokens.len()));
+    let sign = |index: usize| rest.get(index).map_or("", |token| token.text.as_str());
+    let (relation, right) = match (sign(0), sign(1)) {
+        (":", "=") => {
+            let (name, parameters) = signature(formula(left)?)?;
+            return Ok(Item::Definition(Definition { name, parameters, body: formula(&rest[2..])? }));
+        }
+        ("=", _) => (Relation::Equal, &rest[1..]),
+        ("~", _) => (Relation::Approximate, &rest[1..]),
+        ("!", "=") => (Relation::Different, &rest[2..]),
+        _ => return Err("there is none of `:=`, `=`, `~` and `!=`".to_owned()),
+    };
+    let literal = right.iter().rfind(|token| token.kind == TokenKind::Literal);
+    let (left, right) = (formula(left)?, formula(right)?);
+    let digit = literal.and_then(|token| last_digit(&token.text)).filter(|_| right.as_number().is_some());
+    Ok(Item::Relation { left, relation, right, digit })
 }
 
-impl Parser<'_> {
-    fn peek(&self) -> &str {
-        self.tokens.get(self.at).map_or("", |token| token.text.as_str())
-    }
+fn formula(tokens: &[Token]) -> Result<Formula, String> {
+    parse_formula(tokens).map(Formula::from).map_err(|mistake| mistake.message)
+}
 
-    fn eat(&mut self, text: &str) -> bool {
-        let found = self.peek() == text;
-        self.at += usize::from(found);
-        found
-    }
-
-    fn expect(&mut self, text: &str) -> Result<(), String> {
-        if self.eat(text) { Ok(()) } else { Err(format!("`{text}` expected, not `{}`,", self.peek())) }
-    }
-
-    fn item(&mut self) -> Result<Item, String> {
-        let left = self.sum()?;
-        if self.eat(":") {
-            self.expect("=")?;
-            let (name, parameters) = signature(left)?;
-            return Ok(Item::Definition(Definition { name, parameters, body: self.sum()? }));
-        }
-        let relation = if self.eat("~") {
-            Relation::Approximate
-        } else if self.eat("!") {
-            self.expect("=")?;
-            Relation::Different
-        } else {
-            self.expect("=")?;
-            Relation::Equal
-        };
-        let first = self.at;
-        let right = self.sum()?;
-        let literal = self.tokens[first..self.at].iter().rfind(|token| token.kind == TokenKind::Literal);
-        let digit = literal.and_then(|token| last_digit(&token.text)).filter(|_| right.as_number().is_some());
-        Ok(Item::Relation { left, relation, right, digit })
-    }
-
-    fn sum(&mut self) -> Result<Formula, String> {
-        self.chain(Self::product, ["+", "-"], Formula::Sum)
-    }
-
-    fn product(&mut self) -> Result<Formula, String> {
-        self.chain(Self::signed, ["*", "/"], Formula::Product)
-    }
-
-    /// Operands between signs, the second of which marks what is subtracted, or divides.
-    fn chain(
-        &mut self,
-        operand: fn(&mut Self) -> Result<Formula, String>,
-        signs: [&str; 2],
-        whole: fn(Vec<(bool, Formula)>) -> Formula,
-    ) -> Result<Formula, String> {
-        let mut parts = vec![(false, operand(self)?)];
-        while let Some(sign) = signs.iter().position(|sign| *sign == self.peek()) {
-            self.at += 1;
-            parts.push((sign == 1, operand(self)?));
-        }
-        Ok(if parts.len() == 1 { parts.remove(0).1 } else { whole(parts) })
-    }
-
-    fn signed(&mut self) -> Result<Formula, String> {
-        if self.eat("-") { Ok(Formula::Negation(Box::new(self.power()?))) } else { self.power() }
-    }
-
-    fn power(&mut self) -> Result<Formula, String> {
-        let base = self.atom()?;
-        if !self.eat("^") {
-            return Ok(base);
-        }
-        Ok(Formula::Power(Box::new(base), Box::new(self.atom()?)))
-    }
-
-    fn atom(&mut self) -> Result<Formula, String> {
-        let Some(token) = self.tokens.get(self.at) else {
-            return Err("an operand is missing at the end".into());
-        };
-        self.at += 1;
-        match &token.kind {
-            TokenKind::Literal => {
-                let value = Rational::parse(&token.text);
-                value.map(Formula::Number).ok_or_else(|| format!("`{}` is no number", token.text))
+/// The formula without its places.
+impl From<Expr<InFormula>> for Formula {
+    fn from(expr: Expr<InFormula>) -> Self {
+        match expr.kind {
+            ExprKind::Number(value) => Formula::Number(value),
+            ExprKind::Name(name) => Formula::Name(name),
+            ExprKind::Sum(terms) => {
+                Formula::Sum(terms.into_iter().map(|term| (term.negative, term.expr.into())).collect())
             }
-            TokenKind::Identifier if self.eat("(") => {
-                let mut arguments = vec![self.sum()?];
-                while self.eat(",") {
-                    arguments.push(self.sum()?);
-                }
-                self.expect(")")?;
-                Ok(Formula::Call(token.text.clone(), arguments))
+            ExprKind::Product(factors) => Formula::Product(
+                factors.into_iter().map(|factor| (factor.divides, factor.expr.into())).collect(),
+            ),
+            ExprKind::Negation(inner) => Formula::Negation(Box::new((*inner).into())),
+            ExprKind::Power(base, exponent) => Formula::from(*base).raised_to(exponent),
+            ExprKind::Special(InFormula::Power(parts)) => {
+                let [base, exponent] = parts.map(Formula::from);
+                Formula::Power(Box::new(base), Box::new(exponent))
             }
-            TokenKind::Identifier => Ok(Formula::Name(token.text.clone())),
-            TokenKind::Open('(') => {
-                let inner = self.sum()?;
-                self.expect(")")?;
-                Ok(inner)
+            ExprKind::Special(InFormula::Call { function, arguments }) => {
+                Formula::Call(function, arguments.into_iter().map(Formula::from).collect())
             }
-            _ => Err(format!("an operand is missing before `{}`", token.text)),
         }
     }
 }
@@ -153,4 +92,25 @@ fn last_digit(literal: &str) -> Option<Rational> {
     let (mantissa, exponent) = literal.split_once(['e', 'E']).unwrap_or((literal, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     Rational::from(10).pow(exponent.parse::<i32>().ok()? - i32::try_from(decimals).ok()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse;
+
+    #[test]
+    fn mistakes_name_the_statement() {
+        for (text, message) in [
+            ("x", "there is none of"),
+            ("x ! 1", "there is none of"),
+            ("f(1) := 2", "a definition needs a name"),
+            ("x = 1 = 2", "the formula should end here"),
+            ("x = 2 y", "two operands stand side by side"),
+            ("x := ; y = 1", "an operand is missing"),
+        ] {
+            let why = parse(text).expect_err(text);
+            assert!(why.starts_with(message) && why.ends_with(&format!(" in `{text}`")), "{why}");
+        }
+        assert_eq!(parse("N(n) := n + 1; N(2) != 2;").expect("a statement").items.len(), 2);
+    }
 }

@@ -26,6 +26,9 @@ pub(super) enum End {
     Item,
     /// `=`: on the left side of a relation behind `when`.
     Equals,
+    /// Any punctuation that is no operator: there is no block, and the reader of the formula says
+    /// what may follow.
+    Formula,
 }
 
 impl<'a> Cursor<'a> {
@@ -35,6 +38,11 @@ impl<'a> Cursor<'a> {
             word(&three[0], "for") && three[1].kind == TokenKind::Identifier && word(&three[2], "in")
         });
         Cursor { tokens, at: 0, end: End::Semicolon, index: has_sites.then_some("i") }
+    }
+
+    /// At the beginning of tokens that are no block, but formulas.
+    pub(super) fn of_formulas(tokens: &'a [Token]) -> Self {
+        Cursor { tokens, at: 0, end: End::Formula, index: None }
     }
 
     pub(super) fn position(&self) -> usize {
@@ -141,13 +149,17 @@ impl<'a> Cursor<'a> {
 
     /// The next token in words.
     pub(super) fn describe_next(&self) -> String {
-        self.peek(0).map_or_else(|| "the end of the block".to_owned(), |token| format!("`{}`", token.text))
+        let whole = if self.end == End::Formula { "formula" } else { "block" };
+        self.peek(0).map_or_else(|| format!("the end of the {whole}"), |token| format!("`{}`", token.text))
     }
 
     /// Whether an item begins `ahead` tokens from here: `xdot =`, `const c =`, `integral H =`,
-    /// `bracket P {`.
+    /// `bracket P {`; of formulas, `x =`.
     pub(super) fn begins_item(&self, ahead: usize) -> bool {
         let Some(word) = self.identifier(ahead) else { return false };
+        if self.end == End::Formula {
+            return self.is_punctuation(ahead + 1, '=');
+        }
         let equation = word.len() > 3 && word.ends_with("dot") && self.is_punctuation(ahead + 1, '=')
             || self.begins_equation_of_family(ahead)
             || (word == "for" && self.identifier(ahead + 2) == Some("in"));

@@ -7,26 +7,37 @@
 //! | | `*`, `/` | from left to right |
 //! | loosest | `+`, `-` | from left to right |
 //!
-//! Operands are numbers, names and parentheses. Everything else that may stand there in other
-//! languages (calls, paths, indices, `**`, juxtaposition) is recognised and answered with the way
-//! to write it here.
+//! Operands are numbers, names and parentheses. What else a language has, its [`Dialect`] reads:
+//! values at sites in a family, calls and any exponents in a formula. Everything that may stand
+//! there in other languages (paths, indices, `**`, juxtaposition, and in a block calls) is
+//! recognised and answered with the way to write it here.
 
 use crate::diagnostics::Kind;
 use crate::syntax::{Expr, ExprKind, Factor, Term};
 use crate::token::{Span, TokenKind};
 
 use super::cursor::Cursor;
-use super::family::offset;
-use super::mistakes::{after_operand, check_plain_name, missing_operand};
+use super::mistakes::{after_operand, missing_operand};
 use super::number::parse_number;
 use super::{Parsed, error};
 
 /// How deep parentheses and unary signs may nest.
 const DEEPEST_NESTING: usize = 256;
 
+/// What a language has besides arithmetic.
+pub(super) trait Dialect: Sized {
+    /// Reads on where a name, which stands at `span`, was just read; `None` if that is all.
+    fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>>;
+
+    /// Reads the exponent behind `base^`.
+    fn power(cursor: &mut Cursor<'_>, base: Expr<Self>, _: usize) -> Parsed<ExprKind<Self>> {
+        Ok(ExprKind::Power(Box::new(base), exponent(cursor)?))
+    }
+}
+
 /// Reads an expression that ends before `;`, `,`, a closing bracket, `when` or the end of the
 /// block.
-pub(super) fn parse_expr(cursor: &mut Cursor<'_>) -> Parsed<Expr> {
+pub(super) fn parse_expr<X: Dialect>(cursor: &mut Cursor<'_>) -> Parsed<Expr<X>> {
     let expr = sum(cursor, 0)?;
     match cursor.unreadable() {
         Some(diagnostic) => Err(diagnostic),
@@ -34,26 +45,27 @@ pub(super) fn parse_expr(cursor: &mut Cursor<'_>) -> Parsed<Expr> {
     }
 }
 
-fn sum(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+/// Reads a sum, which may be one term.
+pub(super) fn sum<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     let term = |(negative, expr)| Term { negative, expr };
     chain(cursor, depth, ['+', '-'], product, |terms| ExprKind::Sum(terms.into_iter().map(term).collect()))
 }
 
-fn product(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+fn product<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     let factor = |(divides, expr)| Factor { divides, expr };
-    let join = |factors: Vec<(bool, Expr)>| ExprKind::Product(factors.into_iter().map(factor).collect());
+    let join = |factors: Vec<(bool, Expr<X>)>| ExprKind::Product(factors.into_iter().map(factor).collect());
     chain(cursor, depth, ['*', '/'], unary, join)
 }
 
 /// Operands between operators, each with whether the second operator, the inverse of the first,
 /// stands before it; a single operand as it is.
-fn chain(
+fn chain<X>(
     cursor: &mut Cursor<'_>,
     depth: usize,
     [operator, inverse]: [char; 2],
-    operand: fn(&mut Cursor<'_>, usize) -> Parsed<Expr>,
-    join: impl Fn(Vec<(bool, Expr)>) -> ExprKind,
-) -> Parsed<Expr> {
+    operand: fn(&mut Cursor<'_>, usize) -> Parsed<Expr<X>>,
+    join: impl Fn(Vec<(bool, Expr<X>)>) -> ExprKind<X>,
+) -> Parsed<Expr<X>> {
     let first = operand(cursor, depth)?;
     let mut span = first.span;
     let mut operands = vec![(false, first)];
@@ -77,7 +89,7 @@ fn chain(
     }
 }
 
-fn unary(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+fn unary<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     if !cursor.is_punctuation(0, '-') {
         return power(cursor, depth);
     }
@@ -89,22 +101,22 @@ fn unary(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
     Ok(Expr { kind: ExprKind::Negation(Box::new(operand)), span })
 }
 
-fn power(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
-    let base = atom(cursor, depth)?;
+fn power<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
+    let base = atom::<X>(cursor, depth)?;
     if !cursor.take('^') {
         return after_operand(cursor, base);
     }
-    let exponent = exponent(cursor)?;
+    let start = base.span;
+    let kind = X::power(cursor, base, depth)?;
     if cursor.is_punctuation(0, '^') {
         return error(
             Kind::Exponent,
-            base.span.to(cursor.here()),
+            start.to(cursor.here()),
             "`a^b^c` can be read in two ways",
             "write `(a^b)^c`, or multiply the exponents",
         );
     }
-    let span = base.span.to(cursor.behind());
-    after_operand(cursor, Expr { kind: ExprKind::Power(Box::new(base), exponent), span })
+    after_operand(cursor, Expr { kind, span: start.to(cursor.behind()) })
 }
 
 /// Reads `[-] INTEGER`.
@@ -125,7 +137,8 @@ fn exponent(cursor: &mut Cursor<'_>) -> Parsed<i64> {
     Ok(if negative { -magnitude } else { magnitude })
 }
 
-fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
+/// Reads a number, a name and what belongs to it, or what stands in parentheses.
+pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     let span = cursor.here();
     let Some(token) = cursor.peek(0) else { return missing_operand(cursor) };
     match &token.kind {
@@ -136,32 +149,12 @@ fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
         }
         TokenKind::Identifier => {
             cursor.advance();
-            if cursor.index.is_some() && cursor.is_open(0, '[') {
-                let (array, offset) = (token.text.clone(), offset(cursor, &token.text, span)?);
-                return Ok(Expr { kind: ExprKind::Site { array, offset }, span: span.to(cursor.behind()) });
-            }
-            if cursor.index.is_some() && token.text == "sum" && cursor.is_open(0, '(') {
-                let inner = atom(cursor, depth)?;
-                let span = span.to(inner.span);
-                return Ok(Expr { kind: ExprKind::OverSites(Box::new(inner)), span });
-            }
-            check_plain_name(cursor, &token.text, span)?;
-            Ok(Expr { kind: ExprKind::Name(token.text.clone()), span })
+            let special = X::behind_name(cursor, &token.text, span, depth)?;
+            let kind = special.map_or_else(|| ExprKind::Name(token.text.clone()), ExprKind::Special);
+            Ok(Expr { kind, span: span.to(cursor.behind()) })
         }
         TokenKind::Open('(') => {
-            check_depth(cursor, depth)?;
-            cursor.advance();
-            let inner = sum(cursor, depth + 1)?;
-            if !cursor.is_close(')') {
-                let found = cursor.describe_next();
-                return error(
-                    Kind::Syntax,
-                    span,
-                    format!("this `(` is not closed before {found}"),
-                    "write `)`",
-                );
-            }
-            cursor.advance();
+            let inner = in_parentheses(cursor, depth, sum)?;
             Ok(Expr { kind: inner.kind, span: span.to(cursor.behind()) })
         }
         TokenKind::Open(bracket) => {
@@ -187,6 +180,24 @@ fn atom(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr> {
         TokenKind::Unreadable { message, help } => error(Kind::Syntax, span, message.clone(), help.clone()),
         _ => missing_operand(cursor),
     }
+}
+
+/// Reads what stands between the `(` that is next and its `)`.
+pub(super) fn in_parentheses<T>(
+    cursor: &mut Cursor<'_>,
+    depth: usize,
+    inside: impl FnOnce(&mut Cursor<'_>, usize) -> Parsed<T>,
+) -> Parsed<T> {
+    check_depth(cursor, depth)?;
+    let opening = cursor.here();
+    cursor.advance();
+    let inner = inside(cursor, depth + 1)?;
+    if !cursor.is_close(')') {
+        let found = cursor.describe_next();
+        return error(Kind::Syntax, opening, format!("this `(` is not closed before {found}"), "write `)`");
+    }
+    cursor.advance();
+    Ok(inner)
 }
 
 fn check_depth(cursor: &Cursor<'_>, depth: usize) -> Parsed<()> {

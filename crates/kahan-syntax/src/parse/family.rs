@@ -1,11 +1,13 @@
 //! Families: `for i in periodic { x[i]dot = …; }`, the equations of every site of a chain.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Block, Boundary, FamilyHead, Name};
+use crate::syntax::{Block, Boundary, FamilyHead, InFamily, Name};
 use crate::token::{Span, TokenKind};
 
 use super::block::right_side;
 use super::cursor::Cursor;
+use super::expr::{Dialect, atom};
+use super::mistakes::check_plain_name;
 use super::number::parse_number;
 use super::{Parsed, error};
 
@@ -119,8 +121,23 @@ fn skip_equation(cursor: &mut Cursor<'_>) {
     }
 }
 
+/// A block without a family has neither sites nor sums over them.
+impl Dialect for InFamily {
+    fn behind_name(cursor: &mut Cursor<'_>, name: &str, span: Span, depth: usize) -> Parsed<Option<Self>> {
+        if cursor.index.is_some() && cursor.is_open(0, '[') {
+            let offset = offset(cursor, name, span)?;
+            return Ok(Some(InFamily::Site { array: name.to_owned(), offset }));
+        }
+        if cursor.index.is_some() && name == "sum" && cursor.is_open(0, '(') {
+            return Ok(Some(InFamily::OverSites(Box::new(atom(cursor, depth)?))));
+        }
+        check_plain_name(cursor, name, span)?;
+        Ok(None)
+    }
+}
+
 /// Reads the index of `x[i+1]`, whose array was just read: how far from site i it is.
-pub(super) fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
+fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
     let opening = cursor.position();
     let group = cursor.skip_group();
     let end = cursor.position();

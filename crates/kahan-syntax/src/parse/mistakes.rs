@@ -9,7 +9,7 @@ use super::cursor::{Cursor, End};
 use super::{Parsed, error};
 
 /// The operator just read (or `=`) is followed by something that is no operand.
-pub(super) fn missing_operand(cursor: &Cursor<'_>) -> Parsed<Expr> {
+pub(super) fn missing_operand<T>(cursor: &Cursor<'_>) -> Parsed<T> {
     let found = cursor.describe_next();
     let before = cursor.behind();
     let ends = cursor
@@ -105,12 +105,12 @@ fn is_function(name: &str) -> bool {
 
 /// Whether the operand just read begins a statement of Rust. (A state may have the name of a
 /// keyword; what follows tells.)
-fn is_statement(operand: &Expr) -> bool {
+fn is_statement<X>(operand: &Expr<X>) -> bool {
     matches!(&operand.kind, ExprKind::Name(name) if matches!(name.as_str(), "if" | "match" | "let" | "for" | "while"))
 }
 
 /// After an operand stands an operator or the end of the expression.
-pub(super) fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> {
+pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<Expr<X>> {
     let Some(token) = cursor.peek(0) else { return Ok(operand) };
     let span = operand.span.to(cursor.here());
     match &token.kind {
@@ -118,6 +118,7 @@ pub(super) fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> 
         TokenKind::Unreadable { .. } => Ok(operand),
         // What compares is reported where `=` is expected.
         TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == End::Equals => Ok(operand),
+        TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) && cursor.end == End::Item => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) => error(
@@ -134,6 +135,9 @@ pub(super) fn after_operand(cursor: &Cursor<'_>, operand: Expr) -> Parsed<Expr> 
         ),
         TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
             let help = match token.kind {
+                _ if cursor.end == End::Formula => {
+                    "write `2*i` for a product, and `sin(i)` for a function of `i`".to_owned()
+                }
                 TokenKind::Open(_) => "write `*` before `(`".to_owned(),
                 _ => format!("write `*` before `{}`", token.text),
             };

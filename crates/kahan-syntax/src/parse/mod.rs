@@ -4,12 +4,16 @@
 //! item, not the block: the parser skips to the next `;` (or to the next line that begins an item)
 //! and goes on, so that several mistakes are reported at once. Whatever the tokens, it returns a
 //! block and never panics.
+//!
+//! The same expressions, with calls of functions, stand outside of blocks: [`parse_formula`] reads
+//! one, [`parse_formulas`] a list with names.
 
 mod block;
 mod claim;
 mod cursor;
 mod expr;
 mod family;
+mod formula;
 mod header;
 mod keyword;
 mod mistakes;
@@ -20,6 +24,7 @@ use crate::syntax::Block;
 use crate::token::{Span, Token};
 
 use cursor::Cursor;
+pub use formula::{parse_formula, parse_formulas};
 
 /// What a parsing function gives: its syntax, or the first mistake in it.
 type Parsed<T> = Result<T, Diagnostic>;
