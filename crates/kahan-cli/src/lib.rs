@@ -33,10 +33,10 @@ use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
-    atlas::Atlas, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
-    extremes::Extremes, heights::Heights, list::List, map::StabilityMap, orbit::Orbit, page::Page,
-    periodic::Periodic, picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show,
-    sweep::Sweep, trade::Trade, verify::Verify,
+    atlas::Atlas, chart::Chart, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
+    extremes::Extremes, heights::Heights, list::List, orbit::Orbit, page::Page, periodic::Periodic,
+    picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show, sweep::Sweep, trade::Trade,
+    verify::Verify,
 };
 use printing::{Answer, Refusal, finish, warn};
 use reading::Source;
@@ -62,6 +62,9 @@ Examples:
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
   kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'";
 
+/// What `kahan chart` was called before: Kahan's map is the map.
+const BEFORE_CHART: &str = "map";
+
 #[derive(Debug, Subcommand)]
 enum Command {
     Verify(Verify),
@@ -73,7 +76,9 @@ enum Command {
     Heights(Heights),
     Section(Section),
     Periodic(Periodic),
-    Map(StabilityMap),
+    // Under its name before, too, for those who have it in scripts.
+    #[command(alias = BEFORE_CHART)]
+    Chart(Chart),
     Extremes(Extremes),
     Trade(Trade),
     Discover(Discover),
@@ -89,6 +94,10 @@ enum Command {
 /// Runs the command with these arguments, the program's name first; what it prints goes to standard
 /// output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    if arguments.get(1).is_some_and(|command| command == BEFORE_CHART) {
+        warn("`kahan map` is called `kahan chart` now");
+    }
     let matches = command().try_get_matches_from(arguments);
     let note = matches.as_ref().ok().and_then(undeclared);
     let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
@@ -142,7 +151,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Heights(command)) => command.run(),
         Some(Command::Section(command)) => command.run(),
         Some(Command::Periodic(command)) => command.run(),
-        Some(Command::Map(command)) => command.run(),
+        Some(Command::Chart(command)) => command.run(),
         Some(Command::Extremes(command)) => command.run(),
         Some(Command::Trade(command)) => command.run(),
         Some(Command::Discover(command)) => command.run(),

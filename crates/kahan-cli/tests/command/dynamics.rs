@@ -1,4 +1,4 @@
-//! `kahan dynamics`, `kahan section` and `kahan map` from outside.
+//! `kahan dynamics`, `kahan section` and `kahan chart` from outside.
 
 use std::f64::consts::PI;
 
@@ -129,7 +129,7 @@ fn the_examples_of_the_help_run() {
     let folder = tempfile::tempdir().expect("a folder");
     assert_eq!(examples_run("dynamics", folder.path()), 4);
     assert_eq!(examples_run("section", folder.path()), 4);
-    assert_eq!(examples_run("map", folder.path()), 4);
+    assert_eq!(examples_run("chart", folder.path()), 4);
 }
 
 /// Cells of a table: the two coordinates, and what is shown, empty where nothing is.
@@ -140,18 +140,19 @@ fn cells(table: &str) -> Vec<[Option<f64>; 3]> {
 }
 
 #[test]
-fn maps_show_what_each_orbit_does() {
+fn charts_show_what_each_orbit_does() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
-    let map = |over: [&str; 2], further: &[&str], out: &str| {
+    let chart = |over: [&str; 2], further: &[&str], out: &str| {
         let field = "xdot = y; ydot = r*x; integral E = y^2 - r*x^2;";
         let given = ["--field", field, "--eps", "0.1", "--at", "1,0", "--param", "r=1", "--steps", "100"];
         answer(
-            &[&["map"], &given[..], &["--over", over[0], "--over", over[1], "--out", out], further].concat(),
+            &[&["chart"], &given[..], &["--over", over[0], "--over", over[1], "--out", out], further]
+                .concat(),
         );
         std::fs::read_to_string(out).expect("the file")
     };
-    let table = map(["r=-4:4:4", "x=0:2:3"], &["--color", "lyapunov"], &file("r.csv"));
+    let table = chart(["r=-4:4:4", "x=0:2:3"], &["--color", "lyapunov"], &file("r.csv"));
     assert_eq!(table.lines().next(), Some("r,x,lyapunov"));
     let rows = cells(&table);
     assert_eq!(rows.len(), 12);
@@ -165,7 +166,7 @@ fn maps_show_what_each_orbit_does() {
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }
     // The same orbits are the same numbers, wherever they stand and on whichever thread.
-    let mirrored = map(["x=0:2:3", "r=-4:4:4"], &["--color", "lyapunov"], &file("x.csv"));
+    let mirrored = chart(["x=0:2:3", "r=-4:4:4"], &["--color", "lyapunov"], &file("x.csv"));
     let mut turned: Vec<_> = cells(&mirrored).into_iter().map(|[x, r, value]| [r, x, value]).collect();
     let mut rows = cells(&table);
     let order = |a: &[Option<f64>; 3], b: &[Option<f64>; 3]| a.partial_cmp(b).expect("numbers");
@@ -174,18 +175,18 @@ fn maps_show_what_each_orbit_does() {
     assert_eq!(rows, turned);
     // Orbits escape where r is positive, and nowhere else.
     let escapes =
-        cells(&map(["r=-4:4:4", "x=1:2:1"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
+        cells(&chart(["r=-4:4:4", "x=1:2:1"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
     assert!(escapes.iter().all(|[r, _, step]| step.is_some() == r.is_some_and(|r| r > 0.0)), "{escapes:?}");
-    let drifts = cells(&map(["r=-4:0:2", "x=1:2:2"], &["--color", "drift"], &file("d.csv")));
+    let drifts = cells(&chart(["r=-4:0:2", "x=1:2:2"], &["--color", "drift"], &file("d.csv")));
     assert!(drifts.iter().all(|[_, _, drift]| drift.is_some_and(|drift| drift < -12.0)), "{drifts:?}");
-    let picture = map(["x=-1:1:8", "y=-1:1:8"], &["--color", "fli"], &file("p.svg"));
+    let picture = chart(["x=-1:1:8", "y=-1:1:8"], &["--color", "fli"], &file("p.svg"));
     assert!(
         picture.contains("FLI of field over x from -1 to 1") && picture.contains("data:image/png;base64,")
     );
 }
 
 #[test]
-fn maps_refuse_what_is_no_range() {
+fn charts_refuse_what_is_no_range() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("m.svg").to_str().expect("text").to_owned();
     for (over, part) in [
@@ -196,7 +197,7 @@ fn maps_refuse_what_is_no_range() {
         (vec!["--over", "x=0:1:3", "--over", "y=0:1:3", "--color", "drift"], "claims no integral"),
     ] {
         let given = [
-            "map",
+            "chart",
             "--field",
             "xdot = y; ydot = -x;",
             "--eps",
@@ -215,24 +216,25 @@ fn maps_refuse_what_is_no_range() {
 }
 
 #[test]
-fn maps_of_parameters_and_eps_need_no_other_value_of_them() {
+fn charts_of_parameters_and_eps_need_no_other_value_of_them() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("m.csv").to_str().expect("text").to_owned();
-    let map = |further: &[&str]| {
-        let given = ["map", "--field", "xdot = y; ydot = r*x;", "--at", "1,0", "--steps", "9", "--out", &out];
+    let chart = |further: &[&str]| {
+        let given =
+            ["chart", "--field", "xdot = y; ydot = r*x;", "--at", "1,0", "--steps", "9", "--out", &out];
         answer(&[&given, further, &["--over", "r=-4:4:4", "--over", "eps=0:1:3"]].concat());
         std::fs::read_to_string(&out).expect("the file")
     };
-    assert_eq!(map(&[]), map(&["--param", "r=7", "--eps", "2"]));
+    assert_eq!(chart(&[]), chart(&["--param", "r=7", "--eps", "2"]));
 }
 
-/// A map of rows, as a table.
-fn map_of_rows(rows: &str, arguments: &[&str]) -> String {
+/// A chart of rows, as a table.
+fn chart_of_rows(rows: &str, arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     std::fs::write(file("rows.csv"), rows).expect("the rows");
     let (from, out) = (file("rows.csv"), file("m.csv"));
-    answer(&[&["map", "--from", &from, "--out", &out], arguments].concat());
+    answer(&[&["chart", "--from", &from, "--out", &out], arguments].concat());
     std::fs::read_to_string(out).expect("the file")
 }
 
@@ -240,8 +242,8 @@ const ROWS: &str =
     "y,p,order,sali,drift_H\n0.3,1,2,1e-2,3\n0.1,1,2,1,\n0.2,1,2,1e-4,5\n0.1,1,4,1e-3,7\n0.1,3,2,1e-6,9\n";
 
 #[test]
-fn maps_show_the_rows_of_a_file() {
-    let of = |arguments: &[&str]| map_of_rows(ROWS, arguments);
+fn charts_show_the_rows_of_a_file() {
+    let of = |arguments: &[&str]| chart_of_rows(ROWS, arguments);
     // Values are the middles of cells, in their order; a cell without a row is empty.
     assert_eq!(
         of(&["--over", "y", "--over", "p", "--where", "order=2"]),
@@ -256,14 +258,14 @@ fn maps_show_the_rows_of_a_file() {
         of(&["--over", "p=4:0:2", "--over", "y=0:1:1", "--where", "y=0.1", "--column", "drift_H"]),
         format!("p,y,log_drift_H\n3.0,0.5,{:?}\n1.0,0.5,{:?}\n", 9_f64.log10(), 7_f64.log10())
     );
-    // A table of a map is drawn as the map is.
+    // A table of a chart is drawn as the chart is.
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     let (table, picture, again) = (file("lv.csv"), file("lv.svg"), file("again.svg"));
-    let given = ["map", "lv", "--at", "1,1", "--over", "x=0:2:9", "--over", "eps=0:1:9", "--color", "fli"];
+    let given = ["chart", "lv", "--at", "1,1", "--over", "x=0:2:9", "--over", "eps=0:1:9", "--color", "fli"];
     answer(&[&given[..], &["--out", &table]].concat());
     answer(&[&given[..], &["--out", &picture]].concat());
-    answer(&["map", "--from", &table, "--over", "x", "--over", "eps", "--color", "fli", "--out", &again]);
+    answer(&["chart", "--from", &table, "--over", "x", "--over", "eps", "--color", "fli", "--out", &again]);
     let image = |file: &str| {
         let picture = std::fs::read_to_string(file).expect("the picture");
         picture.split("base64,").nth(1).expect("an image").split('"').next().map(str::to_owned)
@@ -272,7 +274,7 @@ fn maps_show_the_rows_of_a_file() {
 }
 
 #[test]
-fn maps_of_rows_say_what_is_wrong() {
+fn charts_of_rows_say_what_is_wrong() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     let (rows, out) = (file("rows.csv"), file("m.svg"));
@@ -296,8 +298,29 @@ fn maps_of_rows_say_what_is_wrong() {
         (&file("none.csv"), &both, "No such file"),
         (&folder_of_parts, &both, "--merge"),
     ] {
-        let paragraph = refusal(&[&["map", "--from", from, "--out", &out], arguments].concat());
+        let paragraph = refusal(&[&["chart", "--from", from, "--out", &out], arguments].concat());
         assert!(paragraph.replace('\n', " ").contains(part), "{arguments:?}: {paragraph}");
     }
     assert!(!std::fs::exists(out).expect("a folder"));
+}
+
+#[test]
+fn the_name_before_still_charts_and_says_the_new_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let chart = |command: &str, out: &str| {
+        let given = [command, "lv", "--eps", "1/9", "--at", "1,1", "--over", "x=1:2:9", "--out", out];
+        let output = kahan(&given);
+        assert_eq!(output.status.code(), Some(0));
+        (std::fs::read(out).expect("the file"), text(&output.stderr))
+    };
+    let (before, said) = chart("map", &file("before.svg"));
+    assert_eq!(said, "note: `kahan map` is called `kahan chart` now\n");
+    assert_eq!((before, String::new()), chart("chart", &file("now.svg")));
+    assert!(!answer(&["--help"]).contains("  map "));
+    for shell in ["bash", "zsh", "fish"] {
+        let script = answer(&["completions", shell]);
+        let words = script.split(|c: char| !c.is_alphanumeric() && !"_-".contains(c));
+        assert!(!words.into_iter().any(|word| word == "kahan__subcmd__map"), "{shell}");
+    }
 }

@@ -1,4 +1,4 @@
-//! The rows of a result, on the cells of a map.
+//! The rows of a result, on the cells of a chart.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ pub(super) struct Rows<'a> {
     pub(super) chosen: &'a [String],
 }
 
-/// The most cells of a map.
+/// The most cells of a chart.
 const MOST_CELLS: usize = 1 << 26;
 
 impl<'a> Rows<'a> {

@@ -1,4 +1,4 @@
-//! The orbits of a map's cells, on all processors.
+//! The orbits of a chart's cells, on all processors.
 
 use std::ops::Range;
 

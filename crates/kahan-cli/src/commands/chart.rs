@@ -1,4 +1,4 @@
-//! `kahan map`: stability maps, an ensemble over two coordinates or parameters in colours.
+//! `kahan chart`: charts of stability, an ensemble over two coordinates or parameters in colours.
 
 mod cells;
 mod rows;
@@ -15,7 +15,7 @@ use crate::reading::{Range, Start, whole};
 use cells::Cells;
 use rows::Rows;
 
-/// Draws a stability map: what orbits do over two coordinates or parameters.
+/// Draws a chart of stability: what orbits do over two coordinates or parameters.
 ///
 /// Each cell of the grid is an orbit that begins at the middle of the cell, in doubles, for the same
 /// number of steps; its colour is what an observer says of it. Two of the variables' first values,
@@ -32,7 +32,7 @@ use rows::Rows;
 // Rows have ε and their places in themselves, and ε may be gone through.
 #[command(mut_arg("eps", |eps| eps.required(false)))]
 #[command(mut_arg("at", |at| at.required(false).required_unless_present("from")))]
-pub(crate) struct StabilityMap {
+pub(crate) struct Chart {
     #[command(flatten)]
     start: Start,
 
@@ -72,7 +72,7 @@ pub(crate) struct StabilityMap {
     #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = super::picture::pixels)]
     size: (u32, u32),
 
-    /// Around the map: light, dark, or as the viewer has it.
+    /// Around the chart: light, dark, or as the viewer has it.
     #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 
@@ -100,10 +100,10 @@ pub(crate) enum Colour {
 
 const EXAMPLES: &str = "\
 Examples:
-  kahan map e3 --eps 0.1 --at 1,2,3 --over x=-2:2:40 --over y=-2:2:40 --steps 200 --out e3.svg
-  kahan map lv --eps 1 --at 1,1 --over x=0:2:9 --over eps=0:1:9 --steps 99 --color fli --out lv.csv
-  kahan map volterra --eps 0.1 --at 1,1,1 --over x=0:3:9 --over y=0:3:9 --steps 9 --out w.svg
-  kahan map --from lv.csv --over x --over eps --color fli --out lv.svg";
+  kahan chart e3 --eps 0.1 --at 1,2,3 --over x=-2:2:40 --over y=-2:2:40 --steps 200 --out e3.svg
+  kahan chart lv --eps 1 --at 1,1 --over x=0:2:9 --over eps=0:1:9 --steps 99 --color fli --out lv.csv
+  kahan chart volterra --eps 0.1 --at 1,1,1 --over x=0:3:9 --over y=0:3:9 --steps 9 --out w.svg
+  kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg";
 
 /// What orbits need, and rows have in themselves.
 const OF_ORBITS: [&str; 9] =
@@ -136,7 +136,7 @@ impl Colour {
     }
 }
 
-/// What a map shows.
+/// What a chart shows.
 struct Shown<'a> {
     ranges: [Range<'a>; 2],
     /// Row by row from below.
@@ -151,7 +151,7 @@ struct Shown<'a> {
     description: String,
 }
 
-impl StabilityMap {
+impl Chart {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let is_table = self.out.extension().is_some_and(|ending| ending == "csv");
@@ -190,7 +190,7 @@ impl StabilityMap {
     fn shown(&self) -> Result<Shown<'_>, Refusal> {
         let [x, y] = &self.over[..] else {
             return Err(Refusal::new(
-                "--over: a map goes through two ranges, as in --over x=-1:1:60 --over y=0:2:60",
+                "--over: a chart goes through two ranges, as in --over x=-1:1:60 --over y=0:2:60",
             ));
         };
         match &self.from {
