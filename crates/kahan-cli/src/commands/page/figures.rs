@@ -129,7 +129,7 @@ impl Subject<'_> {
         let cells = self.cells();
         let mut line = self.one_orbit("chart").with("--over", self.range(0, cells));
         line = match self.variables.len() {
-            1 => line.with("--over", format!("eps=0:{}:{cells}", decimal(2.0 * self.scene.eps.to_f64()))),
+            1 => line.with("--over", format!("eps=0:{}:/{cells}", decimal(2.0 * self.scene.eps.to_f64()))),
             _ => line.with("--over", self.range(1, cells)),
         };
         let line = line.with("--steps", 1000).with("--color", "fli").with("--out", "chart.svg");
@@ -236,7 +236,7 @@ impl Subject<'_> {
     fn range(&self, k: usize, cells: usize) -> String {
         let [low, high] = self.scene.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.scene.size);
-        format!("{}={}:{}:{cells}", self.variables[k], decimal(low - room), decimal(high + room))
+        format!("{}={}:{}:/{cells}", self.variables[k], decimal(low - room), decimal(high + room))
     }
 }
 
