@@ -56,11 +56,24 @@ struct Cli {
 
 const EXAMPLES: &str = "\
 Examples:
-  kahan                                       prove every claim, and say what came of it
-  kahan show e6                               the formulas of E6
-  kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
+  kahan                                   prove every claim of the paper
+  kahan show e6                           the formulas of E6
+  kahan eval e1 --eps 1/2 --at -2,1,1/3   every object at a point
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
-  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'";
+  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
+
+`kahan COMMAND --help` shows examples, `kahan help COMMAND` says all of it.";
+
+/// The commands by what they are for, as `kahan --help` lists them.
+const GROUPS: [(&str, &[&str]); 7] = [
+    ("A field", &["list", "show", "eval"]),
+    ("Orbits", &["orbit", "dynamics", "section", "periodic", "chart", "picture", "sweep"]),
+    ("What is preserved", &["discover", "scan", "poles", "heights"]),
+    ("Accuracy", &["trade", "extremes"]),
+    ("Pages", &["page"]),
+    ("The paper", &["verify", "atlas"]),
+    ("The shell", &["completions"]),
+];
 
 /// What `kahan chart` was called before: Kahan's map is the map.
 const BEFORE_CHART: &str = "map";
@@ -121,16 +134,33 @@ fn undeclared(matches: &ArgMatches) -> Option<String> {
     source.undeclared(&ranges.into_iter().flatten().cloned().collect::<Vec<_>>())
 }
 
+/// The groups with what each command does: how its own help begins, up to a colon.
+fn grouped(command: &clap::Command) -> String {
+    let line = |name: &&str| {
+        let about = command.find_subcommand(name)?.get_about()?.to_string();
+        Some(format!("  {name:<11}  {}\n", about.split(':').next()?))
+    };
+    let group = |(heading, names): (&str, &[&str])| {
+        format!("{heading}:\n{}", names.iter().filter_map(line).collect::<String>())
+    };
+    GROUPS.map(group).concat()
+}
+
 /// The command line. `--help` fits a screen everywhere; `kahan help COMMAND` says all.
 fn command() -> clap::Command {
-    let names: Vec<String> = Cli::command().get_subcommands().map(|one| one.get_name().to_owned()).collect();
+    let cli = Cli::command();
+    let names: Vec<String> = cli.get_subcommands().map(|one| one.get_name().to_owned()).collect();
+    let template = format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\nOptions:\n{{options}}{{after-help}}",
+        grouped(&cli)
+    );
     let on_a_screen = |one: clap::Command| {
         let help = Arg::new("help").short('h').long("help").help("Print help").action(ArgAction::HelpShort);
         one.disable_help_flag(true).arg(help)
     };
     // Who reads the help of a command has found it.
     let found = |one: clap::Command| on_a_screen(one).mut_arg("help", |help| help.hide(true));
-    names.iter().fold(on_a_screen(Cli::command()), |command, name| {
+    names.iter().fold(on_a_screen(cli.help_template(template)), |command, name| {
         command.mut_subcommand(name, |one| {
             let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();
             let more = format!("{examples}\n\n`kahan help {name}` says more.");
@@ -183,4 +213,19 @@ fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
         "{}; `kahan COMMAND --help` shows examples",
         said.trim_start_matches("error: ")
     )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{GROUPS, command};
+
+    #[test]
+    fn the_help_lists_every_command_once() {
+        let mut listed: Vec<&str> = GROUPS.iter().flat_map(|(_, names)| names.iter().copied()).collect();
+        let command = command();
+        let mut all: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        listed.sort_unstable();
+        all.sort_unstable();
+        assert_eq!(listed, all);
+    }
 }

@@ -16,7 +16,7 @@ use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Progress, Refusal, Sink};
 use crate::reading::{Range, Request, Spacing, Start, whole};
 
-/// Finds a periodic point near a first one, its multipliers, and how it changes.
+/// Finds a periodic point near a first one: its multipliers, and how it changes.
 ///
 /// Newton's method with the exact Jacobian takes all points of the cycle as unknowns; where cycles
 /// come in families, as those of integrable maps do, it goes to the nearest. Multipliers are the

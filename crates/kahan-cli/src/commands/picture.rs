@@ -20,7 +20,7 @@ use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, seconds, whole};
 use orbits::Pace;
 
-/// Draws orbits of a system's map, orbit diagrams over a parameter, or heights.
+/// Draws orbits, what they tend to over a parameter, or heights.
 ///
 /// Orbits are those of doubles, heights those of exact orbits. Three variables or more are drawn in
 /// space, the first three of them where --axes names no others; near points are larger. An orbit

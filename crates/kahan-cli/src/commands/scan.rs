@@ -15,7 +15,7 @@ use crate::printing::layout::table;
 use crate::printing::{Answer, Progress, Refusal};
 use crate::reading::{Range, Spacing, number};
 
-/// Finds values of parameters and of eps, on a grid, at which a map is special.
+/// Finds special values of parameters and of eps, on a grid.
 ///
 /// At every point of the grid it takes the degrees of some iterates and the Hilbert function of an
 /// orbit, and counts the algebraic integrals that the orbit shows. Special are the points where

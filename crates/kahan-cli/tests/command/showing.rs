@@ -72,8 +72,10 @@ fn the_help_of_every_command_fits_a_screen() {
     ];
     for command in commands.map(Some).into_iter().chain([None]) {
         let help = answer(&[command.as_slice(), &["--help"]].concat());
-        assert!(help.lines().count() <= 40, "{help}");
-        assert!(help.lines().all(|line| line.chars().count() <= 100), "{help}");
+        // The list of all commands is longer, and no wider than the narrowest terminal.
+        let (lines, width) = if command.is_some() { (40, 100) } else { (50, 80) };
+        assert!(help.lines().count() <= lines, "{help}");
+        assert!(help.lines().all(|line| line.chars().count() <= width), "{help}");
         assert!(help.contains("Examples:"), "{help}");
     }
     assert!(answer(&["help", "trade"]).contains("to keep the claimed integrals"));
