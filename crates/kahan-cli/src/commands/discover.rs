@@ -27,7 +27,8 @@ pub(super) use discovery::{Discovery, evaluation};
 ///
 /// The JSON object holds hilbert, independent_integrals, degrees, growth, entropy,
 /// linear_integrals, integrals, densities, brackets, bases, hamiltonian and more. `hilbert` says
-/// how many monomials of degree at most 1, 2, ... are independent on an orbit.
+/// how many monomials of degree at most 1, 2, ... are independent on an orbit; `found` has kind,
+/// name and expression of every integral, density, bracket and Hamiltonian.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Discover {
@@ -64,7 +65,7 @@ impl Discover {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let discovery = self.discovery()?;
         let answer = if self.search.json {
-            Answer::json(&discovery.object())
+            Answer::json(&discovery.object()?)
         } else if self.latex {
             Answer::verbatim(discovery.latex()?)
         } else if self.as_macro {

@@ -53,6 +53,34 @@ fn every_key_is_there_and_says_what_was_found() {
 }
 
 #[test]
+fn what_is_found_is_told_in_its_parts() {
+    for (arguments, kinds) in [
+        (&["--field", WEIERSTRASS][..], &["integral", "density", "bracket", "hamiltonian"][..]),
+        (&["e6"], &["integral", "integral", "density", "bracket", "bracket"]),
+        (&["lv", "--eps", "1"], &["integral", "density", "bracket"]),
+        (&["lorenz", "--degree", "2"], &[]),
+    ] {
+        let object = object(&[&["discover"], arguments].concat());
+        let found = object["found"].as_array().expect("a list");
+        let of = |key: &str| {
+            found.iter().map(|one| one[key].as_str().expect("a text").to_owned()).collect::<Vec<_>>()
+        };
+        let (kind, name, expression) = (of("kind"), of("name"), of("expression"));
+        assert_eq!(kind, kinds, "{arguments:?}");
+        let lines = ["integrals", "densities", "brackets"].map(|key| texts(&object[key])).concat();
+        for (place, line) in lines.iter().enumerate() {
+            let (head, expression) = (format!("{} {}", kind[place], name[place]), &expression[place]);
+            let is_whole = line.starts_with(&format!("{head} = {expression}"))
+                || *line == format!("{head} {{ {expression} }};")
+                || line.starts_with(&format!("{head} {{ {expression} }} when"));
+            assert!(is_whole, "{line}: {expression}");
+        }
+        let hamiltonian = found.get(lines.len()).map(|one| &one["expression"]);
+        assert_eq!(hamiltonian, object["hamiltonian"].get("H"));
+    }
+}
+
+#[test]
 fn printed_lines_go_into_a_block_as_they_stand() {
     for (name, integrals) in [("e1", 2), ("e6", 2), ("euler", 2), ("volterra", 2), ("volterra4", 3)] {
         let page = answer(&["discover", name]);

@@ -3,6 +3,7 @@
 use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Formulas, Notation, Text, lines as breakable};
+use kahan_algebra::syntax::{ClaimBody, TensorEntry};
 use kahan_algebra::system::System;
 use kahan_discover::Report;
 use kahan_discover::basis::Basis;
@@ -28,7 +29,7 @@ pub(in super::super) struct Discovery {
 }
 
 impl Discovery {
-    pub(super) fn object(&self) -> Value {
+    pub(super) fn object(&self) -> Result<Value, Refusal> {
         let report = &self.report;
         let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), json!(value.to_string())));
         let generic = report.parameters.iter().map(|name| (name.clone(), Value::Null));
@@ -36,7 +37,7 @@ impl Discovery {
         let structure = &report.structure;
         let texts =
             |formulas: &[Formula]| formulas.iter().map(|formula| json!(formula.text)).collect::<Value>();
-        json!({
+        Ok(json!({
             "system": self.name,
             "variables": report.variables,
             // null is generic.
@@ -55,6 +56,7 @@ impl Discovery {
             "integrals": texts(&report.integrals),
             "densities": texts(&report.densities),
             "brackets": report.brackets,
+            "found": self.found()?,
             "bases": report.bases.iter().map(|basis| basis_object(basis, &report.variables)).collect::<Value>(),
             "divergence": structure.divergence,
             "is_even": structure.is_even,
@@ -63,7 +65,30 @@ impl Discovery {
             "sentences": report.sentences,
             "out_of_time": report.out_of_time,
             "seconds": self.seconds,
-        })
+        }))
+    }
+
+    /// All that is claimed, each claim in its parts: what the block of `--macro` has, and H where
+    /// the field is K grad H.
+    fn found(&self) -> Result<Vec<Value>, Refusal> {
+        let part = |kind: &str, name: &str, expression: &str| json!({ "kind": kind, "name": name, "expression": expression });
+        let claims = self.claimed()?.claims;
+        let claims = claims.iter().map(|claim| {
+            let expression = match &claim.body {
+                ClaimBody::Function(value) => Text.expression(value),
+                ClaimBody::Tensor(entries) => {
+                    let entry = |entry: &TensorEntry| {
+                        let (row, column) = (&entry.row.text, &entry.column.text);
+                        format!("{{{row}, {column}}} = {};", Text.expression(&entry.value))
+                    };
+                    entries.iter().map(entry).collect::<Vec<_>>().join(" ")
+                }
+            };
+            part(claim.kind.keyword(), &claim.name.text, &expression)
+        });
+        let hamiltonian = self.report.structure.hamiltonian.as_ref();
+        let hamiltonian = hamiltonian.map(|found| part("hamiltonian", "H", &found.hamiltonian));
+        Ok(claims.chain(hamiltonian).collect())
     }
 
     /// What composition leaves: how many independent integrals, which of the formulas, and which
