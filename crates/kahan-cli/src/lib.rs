@@ -33,10 +33,10 @@ use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use commands::{
-    atlas::Atlas, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
-    extremes::Extremes, heights::Heights, list::List, map::StabilityMap, orbit::Orbit, page::Page,
-    periodic::Periodic, picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show,
-    sweep::Sweep, trade::Trade, verify::Verify,
+    atlas::Atlas, chart::Chart, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
+    extremes::Extremes, heights::Heights, list::List, orbit::Orbit, page::Page, periodic::Periodic,
+    picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show, sweep::Sweep, trade::Trade,
+    verify::Verify,
 };
 use printing::{Answer, Refusal, finish, warn};
 use reading::Source;
@@ -56,11 +56,27 @@ struct Cli {
 
 const EXAMPLES: &str = "\
 Examples:
-  kahan                                       prove every claim, and say what came of it
-  kahan show e6                               the formulas of E6
-  kahan eval e1 --eps 1/2 --at -2,1,1/3       every object at a point
+  kahan                                   prove every claim of the paper
+  kahan show e6                           the formulas of E6
+  kahan eval e1 --eps 1/2 --at -2,1,1/3   every object at a point
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
-  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'";
+  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
+
+`kahan COMMAND --help` shows examples, `kahan help COMMAND` says all of it.";
+
+/// The commands by what they are for, as `kahan --help` lists them.
+const GROUPS: [(&str, &[&str]); 7] = [
+    ("A field", &["list", "show", "eval"]),
+    ("Orbits", &["orbit", "dynamics", "section", "periodic", "chart", "picture", "sweep"]),
+    ("What is preserved", &["discover", "scan", "poles", "heights"]),
+    ("Accuracy", &["trade", "extremes"]),
+    ("Pages", &["page"]),
+    ("The paper", &["verify", "atlas"]),
+    ("The shell", &["completions"]),
+];
+
+/// What `kahan chart` was called before: Kahan's map is the map.
+const BEFORE_CHART: &str = "map";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -73,7 +89,9 @@ enum Command {
     Heights(Heights),
     Section(Section),
     Periodic(Periodic),
-    Map(StabilityMap),
+    // Under its name before, too, for those who have it in scripts.
+    #[command(alias = BEFORE_CHART)]
+    Chart(Chart),
     Extremes(Extremes),
     Trade(Trade),
     Discover(Discover),
@@ -89,6 +107,10 @@ enum Command {
 /// Runs the command with these arguments, the program's name first; what it prints goes to standard
 /// output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    if arguments.get(1).is_some_and(|command| command == BEFORE_CHART) {
+        warn("`kahan map` is called `kahan chart` now");
+    }
     let matches = command().try_get_matches_from(arguments);
     let note = matches.as_ref().ok().and_then(undeclared);
     let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
@@ -112,16 +134,33 @@ fn undeclared(matches: &ArgMatches) -> Option<String> {
     source.undeclared(&ranges.into_iter().flatten().cloned().collect::<Vec<_>>())
 }
 
+/// The groups with what each command does: how its own help begins, up to a colon.
+fn grouped(command: &clap::Command) -> String {
+    let line = |name: &&str| {
+        let about = command.find_subcommand(name)?.get_about()?.to_string();
+        Some(format!("  {name:<11}  {}\n", about.split(':').next()?))
+    };
+    let group = |(heading, names): (&str, &[&str])| {
+        format!("{heading}:\n{}", names.iter().filter_map(line).collect::<String>())
+    };
+    GROUPS.map(group).concat()
+}
+
 /// The command line. `--help` fits a screen everywhere; `kahan help COMMAND` says all.
 fn command() -> clap::Command {
-    let names: Vec<String> = Cli::command().get_subcommands().map(|one| one.get_name().to_owned()).collect();
+    let cli = Cli::command();
+    let names: Vec<String> = cli.get_subcommands().map(|one| one.get_name().to_owned()).collect();
+    let template = format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\nOptions:\n{{options}}{{after-help}}",
+        grouped(&cli)
+    );
     let on_a_screen = |one: clap::Command| {
         let help = Arg::new("help").short('h').long("help").help("Print help").action(ArgAction::HelpShort);
         one.disable_help_flag(true).arg(help)
     };
     // Who reads the help of a command has found it.
     let found = |one: clap::Command| on_a_screen(one).mut_arg("help", |help| help.hide(true));
-    names.iter().fold(on_a_screen(Cli::command()), |command, name| {
+    names.iter().fold(on_a_screen(cli.help_template(template)), |command, name| {
         command.mut_subcommand(name, |one| {
             let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();
             let more = format!("{examples}\n\n`kahan help {name}` says more.");
@@ -142,7 +181,7 @@ fn answer(cli: &Cli) -> Result<Answer, Refusal> {
         Some(Command::Heights(command)) => command.run(),
         Some(Command::Section(command)) => command.run(),
         Some(Command::Periodic(command)) => command.run(),
-        Some(Command::Map(command)) => command.run(),
+        Some(Command::Chart(command)) => command.run(),
         Some(Command::Extremes(command)) => command.run(),
         Some(Command::Trade(command)) => command.run(),
         Some(Command::Discover(command)) => command.run(),
@@ -174,4 +213,19 @@ fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
         "{}; `kahan COMMAND --help` shows examples",
         said.trim_start_matches("error: ")
     )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{GROUPS, command};
+
+    #[test]
+    fn the_help_lists_every_command_once() {
+        let mut listed: Vec<&str> = GROUPS.iter().flat_map(|(_, names)| names.iter().copied()).collect();
+        let command = command();
+        let mut all: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        listed.sort_unstable();
+        all.sort_unstable();
+        assert_eq!(listed, all);
+    }
 }

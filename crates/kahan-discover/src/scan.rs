@@ -29,30 +29,6 @@ pub struct Scanned {
     pub values: Vec<Rational>,
 }
 
-/// The most values of one parameter.
-const MOST_VALUES: usize = 100_000;
-
-impl Scanned {
-    /// from, from + step, … up to `to`; `None` unless the step is positive and `to` is reached
-    /// within 100 000 values.
-    #[must_use]
-    pub fn range(name: &str, from: &Rational, to: &Rational, step: &Rational) -> Option<Self> {
-        if step.is_zero() || step.is_negative() {
-            return None;
-        }
-        let mut values = Vec::new();
-        let mut value = from.clone();
-        while value <= *to {
-            if values.len() == MOST_VALUES {
-                return None;
-            }
-            let next = &value + step;
-            values.push(std::mem::replace(&mut value, next));
-        }
-        (!values.is_empty()).then(|| Scanned { name: name.to_owned(), values })
-    }
-}
-
 /// What was seen at values of the scanned quantities.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sight {

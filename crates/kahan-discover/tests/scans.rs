@@ -7,9 +7,15 @@ use kahan_discover::{DiscoverError, Options, Scan, Scanned, Unwatched, scan};
 mod support;
 use support::*;
 
-fn scanned(text: &str, name: &str, from: i64, to: i64, step: Rational) -> Scan {
-    let axis = Scanned::range(name, &Rational::from(from), &Rational::from(to), &step).unwrap();
-    scan(&system(text), &[axis], &Options::default(), &Unwatched).unwrap()
+/// A name with the values between two integers, so many to a unit.
+fn axis(name: &str, from: i64, to: i64, parts: i64) -> Scanned {
+    let values = (from * parts..=to * parts).map(|above| Rational::new(above, parts)).collect();
+    Scanned { name: name.to_owned(), values }
+}
+
+/// What is seen where one name goes through the quarters from -2 to 2.
+fn scanned(text: &str, name: &str) -> Scan {
+    scan(&system(text), &[axis(name, -2, 2, 4)], &Options::default(), &Unwatched).unwrap()
 }
 
 /// The values with as many integrals as this.
@@ -21,13 +27,12 @@ fn with_integrals(scan: &Scan, wanted: usize) -> Vec<Rational> {
 
 #[test]
 fn the_parameters_that_join_integrable_fields_are_special() {
-    let quarter = Rational::new(1, 4);
     // At 0 the field does not move y, and a second integral is left in the plane of x and z.
     let special = [Rational::from(-1), Rational::zero(), Rational::from(1)];
-    let e7 = scanned(E7, "xi", -2, 2, quarter.clone());
+    let e7 = scanned(E7, "xi");
     assert_eq!((e7.generic.integrals, e7.points.len(), e7.out_of_time), (0, 17, false));
     assert_eq!(with_integrals(&e7, 2), special);
-    let e9 = scanned(E9, "xi", -2, 2, quarter);
+    let e9 = scanned(E9, "xi");
     assert_eq!(with_integrals(&e9, 2), special);
     // Nothing is special at 3/4.
     assert!(e9.special().all(|point| point.values[0] != Rational::new(3, 4)));
@@ -35,7 +40,7 @@ fn the_parameters_that_join_integrable_fields_are_special() {
 
 #[test]
 fn the_time_steps_of_lotka_volterra_are_special() {
-    let found = scanned(LOTKA_VOLTERRA, "eps", -2, 2, Rational::new(1, 4));
+    let found = scanned(LOTKA_VOLTERRA, "eps");
     assert_eq!(with_integrals(&found, 1), [Rational::from(-1), Rational::from(1)]);
     // At eps = 0 the map is the identity.
     assert_eq!(with_integrals(&found, 2), [Rational::zero()]);
@@ -51,7 +56,6 @@ fn grids_have_axes_and_names_are_checked() {
     assert_eq!(found.points[1].values, [half.clone(), Rational::one()]);
     let error = scan(&system(E7), &[axis("zeta")], &options, &Unwatched).unwrap_err();
     assert_eq!(error, DiscoverError::UnknownParameter("zeta".to_owned()));
-    assert!(Scanned::range("xi", &half, &Rational::one(), &Rational::zero()).is_none());
     // A parameter that the field is divided by has a value without a map.
     let divided = scan(
         &system("xdot = y/a; ydot = x^2;"),
@@ -64,9 +68,7 @@ fn grids_have_axes_and_names_are_checked() {
 
 /// A grid of integers on several axes; the watch heard of all points, and of each claim.
 fn on_grid(text: &str, names: &[&str], from: i64, to: i64) -> Scan {
-    let integers = (Rational::from(from), Rational::from(to), Rational::one());
-    let axis = |name: &&str| Scanned::range(name, &integers.0, &integers.1, &integers.2).unwrap();
-    let axes: Vec<Scanned> = names.iter().map(axis).collect();
+    let axes: Vec<Scanned> = names.iter().map(|name| axis(name, from, to, 1)).collect();
     let watch = Recording::default();
     let found = scan(&system(text), &axes, &Options::default(), &watch).unwrap();
     let told: Vec<String> = watch.findings().into_iter().map(|finding| finding.text).collect();
@@ -132,7 +134,7 @@ fn what_is_only_seen_is_not_claimed() {
     // Five points of which half are special anyway say nothing.
     assert_eq!(relations(text, &on_grid(text, &["a", "eps"], -2, 2)), []);
     // One axis has values, not relations.
-    assert_eq!(relations(E7, &scanned(E7, "xi", -1, 1, Rational::one())), []);
+    assert_eq!(relations(E7, &on_grid(E7, &["xi"], -1, 1)), []);
 }
 
 #[test]

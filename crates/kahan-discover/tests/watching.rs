@@ -66,11 +66,12 @@ fn a_watch_that_ends_a_search_at_its_first_finding_finds_that_in_the_report() {
 fn to_end_work_is_to_take_its_time_away() {
     let found = |seconds: f64, watch: &dyn Fn() -> Recording| {
         let options = &Options { seconds, ..Options::default() };
-        let range = Scanned::range("xi", &Rational::zero(), &Rational::one(), &Rational::one());
+        let values = vec![Rational::zero(), Rational::one()];
+        let axis = Scanned { name: "xi".to_owned(), values };
         [
             format!("{:?}", discover(&system(E4), options, &watch())),
             format!("{:?}", poles(&system(WEIERSTRASS), options, 8, &watch())),
-            format!("{:?}", scan(&system(E7), &[range.expect("a range")], options, &watch())),
+            format!("{:?}", scan(&system(E7), &[axis], options, &watch())),
         ]
     };
     let ended = found(3600.0, &|| Recording::default().ending_after(0));

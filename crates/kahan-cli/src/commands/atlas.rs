@@ -10,7 +10,7 @@ use kahan_paper::Paper;
 
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 
-/// Writes the paper's tables, solutions, figures and claims into one page.
+/// Writes one page on the paper: its tables, solutions, figures and claims.
 ///
 /// The page is DIR/index.html.
 ///

@@ -7,7 +7,7 @@ use kahan_systems::registry::all;
 
 use crate::printing::{Answer, Refusal};
 
-/// Prints a script by which a shell completes commands, options and systems.
+/// Prints a script that lets a shell complete words: commands, options, systems.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Completions {

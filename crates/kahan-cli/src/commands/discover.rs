@@ -27,7 +27,8 @@ pub(super) use discovery::{Discovery, evaluation};
 ///
 /// The JSON object holds hilbert, independent_integrals, degrees, growth, entropy,
 /// linear_integrals, integrals, densities, brackets, bases, hamiltonian and more. `hilbert` says
-/// how many monomials of degree at most 1, 2, ... are independent on an orbit.
+/// how many monomials of degree at most 1, 2, ... are independent on an orbit; `found` has kind,
+/// name and expression of every integral, density, bracket and Hamiltonian.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Discover {

@@ -2,6 +2,7 @@
 //! [`Refusal`](crate::printing::Refusal) out.
 
 pub(crate) mod atlas;
+pub(crate) mod chart;
 pub(crate) mod completions;
 pub(crate) mod discover;
 pub(crate) mod dynamics;
@@ -10,7 +11,6 @@ pub(crate) mod extremes;
 pub(crate) mod heights;
 mod line;
 pub(crate) mod list;
-pub(crate) mod map;
 pub(crate) mod orbit;
 pub(crate) mod page;
 pub(crate) mod periodic;

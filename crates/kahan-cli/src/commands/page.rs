@@ -30,7 +30,7 @@ use scene::Scene;
 ///
 /// The page is DIR/index.html. It shows the field, A, b, the map and its Jacobian; what
 /// `kahan discover` finds; what becomes of singularities, and heights of an exact orbit; orbits, a
-/// section, exponents, a stability map; and the cheapest settings of `kahan trade`. Under each
+/// section, exponents, a chart of stability; and the cheapest settings of `kahan trade`. Under each
 /// figure stands the command that makes it again. What is not given is chosen: eps as the rates of
 /// the field allow, and a first point whose orbit stays. A parameter without a value is generic in
 /// the search, and has the catalog's value in the figures.
@@ -161,7 +161,7 @@ fn chapters(subject: &Subject<'_>, block: &Block, system: &System, parameters: &
     chapter("growth", "Singularities and heights", &|| subject.growth());
     chapter("orbits", "Orbits", &|| subject.orbits());
     chapter("dynamics", "Exponents and rotation", &|| subject.dynamics());
-    chapter("stability", "Stability", &|| subject.map());
+    chapter("stability", "Stability", &|| subject.chart());
     chapter("settings", "The cheapest settings", &|| subject.settings());
     progress.finish();
     chapters

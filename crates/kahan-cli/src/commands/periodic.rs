@@ -14,9 +14,9 @@ use serde_json::{Value, json};
 use crate::plot::{Format, Mark, Plot, Series, Sheet, Theme};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
-use crate::reading::{Range, Request, Start, whole};
+use crate::reading::{Range, Request, Spacing, Start, whole};
 
-/// Finds a periodic point near a first one, its multipliers, and how it changes.
+/// Finds a periodic point near a first one: its multipliers, and how it changes.
 ///
 /// Newton's method with the exact Jacobian takes all points of the cycle as unknowns; where cycles
 /// come in families, as those of integrable maps do, it goes to the nearest. Multipliers are the
@@ -26,11 +26,13 @@ use crate::reading::{Range, Request, Start, whole};
 ///
 /// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
 /// multipliers go through the unit circle; there --eps or --param gives the value where the range
-/// begins, and may be left out. The table has a row a step: about STEPS of them, more round a fold,
-/// fewer where points move far, and the last one may lie beyond the range. --out writes it as CSV, or
-/// draws it. The exit status is 1 where no cycle is found.
+/// begins, and may be left out. The table has about as many rows as the range has values: more
+/// round a fold, fewer where points move far, and the last one may lie beyond the range. --out
+/// writes it as CSV, or draws it. The exit status is 1 where no cycle is found.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
+// ε may be what changes.
+#[command(mut_arg("eps", |eps| eps.required(false)))]
 pub(crate) struct Periodic {
     #[command(flatten)]
     start: Start,
@@ -39,7 +41,7 @@ pub(crate) struct Periodic {
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = period)]
     period: usize,
 
-    /// What changes, NAME=FROM:TO:STEPS: a parameter, or eps.
+    /// What changes, a parameter or eps: NAME=FROM:TO:COUNT, or :+STEP.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
@@ -59,7 +61,7 @@ Examples:
   kahan periodic lv --eps 1/10 --at 0.9,1.1
   kahan periodic henon-heiles --param a=1 --param b=1 --param c=-1 --eps 0.1 --at 0,0.9,0,0
   kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
-  kahan periodic --field 'xdot = a - x^2;' --param a=1 --eps 0.1 --at 1 --over a=1:-1:40 --out a.svg";
+  kahan periodic --field 'xdot = a - x^2;' --param a=1 --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg";
 
 fn period(text: &str) -> Result<usize, String> {
     whole(text, 1, 200)
@@ -71,13 +73,15 @@ const MOST_UNKNOWNS: usize = 600;
 impl Periodic {
     /// The cycle, and its branch.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let range = self.over.as_deref().map(Range::read).transpose()?;
+        // So many steps were one value more.
+        let range = self.over.as_deref().map(|over| Range::over(over, |steps| Spacing::Count(steps + 1)));
+        let range = range.transpose()?;
         let format = match &self.out {
             Some(out) if out.extension().is_some_and(|ending| ending == "csv") => None,
             Some(out) => Some(Format::of(out)?),
             None => None,
         };
-        let request = self.start.request()?;
+        let request = self.start.request_over(range.as_slice())?;
         let unknowns = self.period * request.point.state.len();
         if unknowns > MOST_UNKNOWNS {
             return Err(Refusal::new(format!(
@@ -87,7 +91,7 @@ impl Periodic {
         }
         let family = Family::of(&request, range.as_ref())?;
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let begin = range.as_ref().map_or(f64::NAN, |range| range.from.to_f64());
+        let begin = range.as_ref().map_or(f64::NAN, |range| range.value(0).to_f64());
         let start: Vec<f64> = request.point.state.iter().map(Rational::to_f64).collect();
         let cycle = match periodic_point(&family.at(begin), &start, self.period) {
             Ok(cycle) => cycle,
@@ -168,11 +172,11 @@ impl<'a> Family<'a> {
 
     /// The branch that begins with a cycle.
     fn branch(&self, cycle: &PeriodicPoint, range: &Range<'_>) -> Branch {
-        let ends = [range.from.to_f64(), range.to.to_f64()];
+        let (ends, steps) = (range.ends().map(|end| end.to_f64()), range.count() - 1);
         let map = |value| self.at(value).by(self.parameter);
         // A branch that winds has more.
-        let progress = Prompt::new(range.steps as u64, "cycles");
-        let branch = branch(map, cycle, ends, range.steps, |_| progress.advance(1));
+        let progress = Prompt::new(steps as u64, "cycles");
+        let branch = branch(map, cycle, ends, steps, |_| progress.advance(1));
         progress.finish();
         branch
     }

@@ -20,7 +20,7 @@ use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, seconds, whole};
 use orbits::Pace;
 
-/// Draws orbits of a system's map, orbit diagrams over a parameter, or heights.
+/// Draws orbits, what they tend to over a parameter, or heights.
 ///
 /// Orbits are those of doubles, heights those of exact orbits. Three variables or more are drawn in
 /// space, the first three of them where --axes names no others; near points are larger. An orbit
@@ -82,7 +82,7 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "EXPR", allow_hyphen_values = true)]
     plane: Option<String>,
 
-    /// A parameter, or eps, that takes steps: NAME=FROM:TO:STEPS.
+    /// A parameter, or eps, that goes through a range: NAME=FROM:TO:+STEP.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
@@ -120,7 +120,7 @@ Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
   kahan picture e4 --eps 1/5 --at 7/3,11/13,23/47 --steps 3000 --out e4.svg
   kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
-  kahan picture lv --over eps=1/10:1:400 --at 1/2,1 --axes x --steps 100 --out over.svg
+  kahan picture lv --over eps=1/10:1:+1/400 --at 1/2,1 --axes x --steps 100 --out over.svg
   kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg";
 
 /// The kinds of pictures.
@@ -234,7 +234,7 @@ impl Picture {
         };
         match (self.kind, implied) {
             (Some(Kind::OrbitsOver), None) => Err(Refusal::new(
-                "--kind orbits-over: over what? give a range to a parameter or to eps, as in --over eps=1/10:1:400",
+                "--kind orbits-over: over what? give a range to a parameter or to eps, as in --over eps=1/10:1:+1/400",
             )),
             (Some(Kind::Section), None) => {
                 Err(Refusal::new("--kind section: where? give what vanishes there, as in --plane 'z - 27'"))

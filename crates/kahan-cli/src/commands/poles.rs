@@ -11,7 +11,7 @@ use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, shorten};
 use crate::reading::{Source, number, seconds, whole};
 
-/// Follows what a map sends to infinity or blows down, and says whether it comes back.
+/// Follows what a map sends to infinity or blows down: whether it comes back, and when.
 ///
 /// The curves (in three variables surfaces) are the factors of the map's common denominator and of
 /// its Jacobian determinant, and the points at infinity where they are blown down. A curve is blown

@@ -11,14 +11,16 @@ use serde_json::{Map, Value, json};
 use super::search::{Search, refused};
 use crate::printing::layout::table;
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::number;
+use crate::reading::{Range, Spacing, number};
 
-/// Finds values of parameters and of eps, on a grid, at which a map is special.
+/// Finds special values of parameters and of eps, on a grid.
 ///
 /// At every point of the grid it takes the degrees of some iterates and the Hilbert function of an
 /// orbit, and counts the algebraic integrals that the orbit shows. Special are the points where
-/// something else is seen than at generic values; they are printed. A range is FROM:TO:STEP with TO
-/// included where it is met; what has a single value is fixed, and what is not given is generic.
+/// something else is seen than at generic values; they are printed. A range is FROM:TO:COUNT, so
+/// many values with both ends; FROM:TO:+STEP, steps from FROM as long as TO is not passed; or
+/// FROM:TO:/CELLS, the middles of so many cells. What has a single value is fixed, and what is not
+/// given is generic.
 ///
 /// With two ranges or more it looks for relations as well, as c = -a - b or a1*a2 = a5*a6: all
 /// points of the grid on them are special. In the time that is left formulas are looked for there,
@@ -35,10 +37,10 @@ const EXAMPLES: &str = "\
 The JSON object holds every point: system, names, generic, points, special, relations, out_of_time, seconds.
 
 Examples:
-  kahan scan e9 --param xi=-2:2:1/12
-  kahan scan lv --eps -2:2:1/4
-  kahan scan e7 --param xi=-2:2:1/4 --eps 1/4:2:1/4 --json
-  kahan scan --field 'xdot = y; ydot = c*y + 6*x^2 - a;' --param c=-1:1:1/5 --param a=1";
+  kahan scan e9 --param xi=-2:2:+1/12
+  kahan scan lv --eps -2:2:+1/4
+  kahan scan e7 --param xi=-2:2:+1/4 --eps 1/4:2:+1/4 --json
+  kahan scan --field 'xdot = y; ydot = c*y + 6*x^2 - a;' --param c=-1:1:+1/5 --param a=1";
 
 /// The most points of a grid.
 const MOST_POINTS: usize = 1_000_000;
@@ -69,7 +71,7 @@ impl Scan {
         })?;
         if axes.is_empty() {
             return Err(Refusal::new(
-                "which values? give a range to a parameter or to eps, FROM:TO:STEP, as in --param xi=-2:2:1/12 or --eps 1/4:2:1/4",
+                "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 or --eps 1/4:2:+1/4",
             ));
         }
         let prompt = Prompt::new(total as u64, "points");
@@ -113,17 +115,11 @@ fn parameter_axes(
     Ok(axes)
 }
 
-/// FROM:TO:STEP; `what` names it in the refusal.
-fn axis(name: &str, range: &str, what: &str) -> Result<Scanned, Refusal> {
-    let [from, to, step] = range.split(':').collect::<Vec<_>>()[..] else {
-        return Err(Refusal::new(format!("{what}: `{range}` is not FROM:TO:STEP, as in -2:2:1/12")));
-    };
-    let (from, to, step) = (number(from, what)?, number(to, what)?, number(step, what)?);
-    Scanned::range(name, &from, &to, &step).ok_or_else(|| {
-        Refusal::new(format!(
-            "{what}: {from}:{to}:{step} is no range; FROM is at most TO, the step above 0, and 100000 values are the most"
-        ))
-    })
+/// The values of a range behind an option.
+fn axis(name: &str, range: &str, option: &str) -> Result<Scanned, Refusal> {
+    // The third part was a step.
+    let range = Range::read(name, range, option, |step| Spacing::Step(Rational::from(step as i64)))?;
+    Ok(Scanned { name: name.to_owned(), values: range.values().collect() })
 }
 
 fn object(name: &str, found: &Grid, seconds: f64) -> Value {

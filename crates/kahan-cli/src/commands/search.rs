@@ -15,7 +15,7 @@ pub(crate) struct Search {
     #[command(flatten)]
     pub(crate) source: Source,
 
-    /// Half the time step, where it is fixed; generic otherwise. `scan` takes FROM:TO:STEP, too.
+    /// Half the time step, where it is fixed; generic otherwise. `scan` takes a range, too.
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     pub(crate) eps: Option<String>,
 

@@ -16,7 +16,7 @@ use crate::reading::{Block, Source};
 use plan::PlanSheet;
 use sheet::Sheet;
 
-/// Shows a system: field, f', A, b, bilinear form, det A, reduced map, Jacobian, claims.
+/// Shows the formulas of a system: field, f', A, b, bilinear form, det A, map, Jacobian, claims.
 ///
 /// The map is x~ = x + 2 eps n/d in lowest terms, where eps is half the time step; a prime marks
 /// the second argument of the bilinear form Q(x,x'). For a field whose map is beyond the budget of

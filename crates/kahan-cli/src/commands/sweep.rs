@@ -7,7 +7,7 @@ use clap::Args;
 use crate::printing::{Answer, Refusal};
 use crate::reading::{not_started, sweeper};
 
-/// Runs a plan of many orbits, on one machine or many; the program kahan-sweep does it.
+/// Runs a plan of many orbits, on one machine or many: the program kahan-sweep does it.
 ///
 /// A plan in TOML says which field, which starts, parameters and eps, what to observe, what to
 /// write. The result is one file of Parquet, whose bytes depend on the plan alone. kahan-sweep is a

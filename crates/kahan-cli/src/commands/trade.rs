@@ -17,7 +17,7 @@ use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Source, coordinates, number, seconds};
 pub(super) use comparison::Comparison;
 
-/// Measures what accuracy costs on one scene, and names the cheapest setting that serves.
+/// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
 ///
 /// It measures on this machine. A setting is a scalar (f32; f32 with every step computed through
 /// f64; f64; dd, 32 digits), an order (2 is Kahan's map, 4, 6 and 8 its compositions), whether the

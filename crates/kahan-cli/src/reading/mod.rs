@@ -19,7 +19,7 @@ mod values;
 pub(crate) use block::Block;
 pub(crate) use chain::Chain;
 pub(crate) use formula::Formula;
-pub(crate) use range::Range;
+pub(crate) use range::{Range, Spacing};
 pub(crate) use request::Request;
 pub(crate) use results::{columns, not_started, sweeper};
 pub(crate) use source::{Source, Start};

@@ -38,7 +38,7 @@ impl Start {
         let mut source = self.source.clone();
         for range in ranges.iter().filter(|range| symbols.parameters.iter().any(|name| name == range.name)) {
             if !source.has_parameter(range.name) {
-                source = source.with_parameter(range.name, &range.from);
+                source = source.with_parameter(range.name, &range.value(0));
             }
         }
         let point = Point {
@@ -47,7 +47,7 @@ impl Start {
             eps: ranges
                 .iter()
                 .find(|range| range.name == "eps" && self.eps.is_none())
-                .map_or_else(|| self.half_step(), |range| Ok(range.from.clone()))?,
+                .map_or_else(|| self.half_step(), |range| Ok(range.value(0)))?,
         };
         Ok(Request { name, system, point })
     }

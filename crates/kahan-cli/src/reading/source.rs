@@ -48,7 +48,7 @@ pub(crate) struct Source {
     /// The value of a parameter; once for each.
     ///
     /// `show` and `verify` put it in before the map is reduced, `eval` and `orbit` after.
-    /// `discover` leaves the others generic. `scan` takes FROM:TO:STEP in the place of V.
+    /// `discover` leaves the others generic. `scan` takes a range in the place of V.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     pub(super) parameters: Vec<String>,
 }
@@ -232,7 +232,7 @@ impl Source {
     }
 
     /// This source with single values only, and the parameters that are given as ranges:
-    /// `xi=-2:2:1/12` as `xi` and the rest.
+    /// `xi=-2:2:+1/12` as `xi` and the rest.
     pub(crate) fn without_ranges(&self) -> (Self, Vec<(&str, &str)>) {
         let mut single = self.clone();
         single.parameters.retain(|given| !given.contains(':'));

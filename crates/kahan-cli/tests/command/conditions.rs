@@ -49,7 +49,7 @@ fn hold_or_do_not_once_the_parameters_are_given() {
 #[test]
 fn are_proposed_by_a_scan() {
     let field = "xdot = x*(y - z) + a*y^2; ydot = y*(z - x) + b*y^2; zdot = z*(x - y) + c*y^2;";
-    let grid = ["--param", "a=-1:1:1", "--param", "b=-1:1:1", "--param", "c=-1:1:1"];
+    let grid = ["--param", "a=-1:1:+1", "--param", "b=-1:1:+1", "--param", "c=-1:1:+1"];
     let arguments = [&["scan", "--field", field][..], &grid].concat();
     let claim = "integral H1 = x + y + z when c = -a - b;";
     let page = answer(&arguments);
@@ -60,7 +60,7 @@ fn are_proposed_by_a_scan() {
     assert_eq!((&found["claims"], &found["proved"]), (&json!([claim]), &json!(true)));
     // What is seen alone is said as seen.
     let field = "xdot = x*(1 - y); ydot = y*(x - 1) + a*x^2;";
-    let page = answer(&["scan", "--field", field, "--param", "a=-4:4:1", "--eps", "-4:4:1"]);
+    let page = answer(&["scan", "--field", field, "--param", "a=-4:4:+1", "--eps", "-4:4:+1"]);
     let seen = "when eps = 1: all 9 points of the grid there are special, with no integral; only seen, nothing is proved";
     assert!(page.contains(seen), "{page}");
 }

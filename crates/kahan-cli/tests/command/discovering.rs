@@ -53,6 +53,34 @@ fn every_key_is_there_and_says_what_was_found() {
 }
 
 #[test]
+fn what_is_found_is_told_in_its_parts() {
+    for (arguments, kinds) in [
+        (&["--field", WEIERSTRASS][..], &["integral", "density", "bracket", "hamiltonian"][..]),
+        (&["e6"], &["integral", "integral", "density", "bracket", "bracket"]),
+        (&["lv", "--eps", "1"], &["integral", "density", "bracket"]),
+        (&["lorenz", "--degree", "2"], &[]),
+    ] {
+        let object = object(&[&["discover"], arguments].concat());
+        let found = object["found"].as_array().expect("a list");
+        let of = |key: &str| {
+            found.iter().map(|one| one[key].as_str().expect("a text").to_owned()).collect::<Vec<_>>()
+        };
+        let (kind, name, expression) = (of("kind"), of("name"), of("expression"));
+        assert_eq!(kind, kinds, "{arguments:?}");
+        let lines = ["integrals", "densities", "brackets"].map(|key| texts(&object[key])).concat();
+        for (place, line) in lines.iter().enumerate() {
+            let (head, expression) = (format!("{} {}", kind[place], name[place]), &expression[place]);
+            let is_whole = line.starts_with(&format!("{head} = {expression}"))
+                || *line == format!("{head} {{ {expression} }};")
+                || line.starts_with(&format!("{head} {{ {expression} }} when"));
+            assert!(is_whole, "{line}: {expression}");
+        }
+        let hamiltonian = found.get(lines.len()).map(|one| &one["expression"]);
+        assert_eq!(hamiltonian, object["hamiltonian"].get("H"));
+    }
+}
+
+#[test]
 fn printed_lines_go_into_a_block_as_they_stand() {
     for (name, integrals) in [("e1", 2), ("e6", 2), ("euler", 2), ("volterra", 2), ("volterra4", 3)] {
         let page = answer(&["discover", name]);
@@ -275,7 +303,7 @@ fn with_integrals(scan: &Value, name: &str, wanted: u64) -> Vec<String> {
 #[test]
 fn a_scan_finds_the_special_values_by_itself() {
     for name in ["e7", "e9"] {
-        let scan = object(&["scan", name, "--param", "xi=-2:2:1/12"]);
+        let scan = object(&["scan", name, "--param", "xi=-2:2:+1/12"]);
         assert_eq!(scan["points"].as_array().map(Vec::len), Some(49));
         assert_eq!((&scan["names"], &scan["generic"]["independent_integrals"]), (&json!(["xi"]), &json!(0)));
         assert_eq!(with_integrals(&scan, "xi", 2), ["-1", "0", "1"], "{name}");
@@ -285,14 +313,14 @@ fn a_scan_finds_the_special_values_by_itself() {
         }
         assert!(special.len() < 10 && scan["out_of_time"] == false);
     }
-    let scan = object(&["scan", "lv", "--eps", "-2:2:1/4"]);
+    let scan = object(&["scan", "lv", "--eps", "-2:2:+1/4"]);
     assert_eq!(with_integrals(&scan, "eps", 1), ["-1", "1"]);
     assert_eq!(scan["points"].as_array().map(Vec::len), Some(17));
 }
 
 #[test]
 fn a_scan_names_its_special_points_in_a_table() {
-    let page = answer(&["scan", "e9", "--param", "xi=0:1:1/2", "--eps", "1/4:1/2:1/4"]);
+    let page = answer(&["scan", "e9", "--param", "xi=0:1:+1/2", "--eps", "1/4:1/2:+1/4"]);
     let rows: Vec<Vec<&str>> = page.lines().map(|line| line.split_whitespace().collect()).collect();
     let starts = |row: &[&str]| rows.iter().any(|line| line.starts_with(row));
     assert!(starts(&["xi", "eps", "integrals"]) && starts(&["generic", "generic", "0", "4", "10"]), "{page}");
@@ -301,16 +329,16 @@ fn a_scan_names_its_special_points_in_a_table() {
     }
     assert!(!starts(&["1/2"]) && page.contains("4 are special of 6 points"), "{page}");
     // A field that is divided by its parameter has no map at 0.
-    let page = answer(&["scan", "--field", "xdot = y/a; ydot = x^2;", "--param", "a=0:1:1"]);
+    let page = answer(&["scan", "--field", "xdot = y/a; ydot = x^2;", "--param", "a=0:1:+1"]);
     assert!(page.lines().any(|line| line.starts_with("0 ") && line.contains("no map")), "{page}");
     // What has one value is fixed.
-    let scan = object(&["scan", "e7", "--eps", "1/4:1/2:1/4", "--param", "xi=1"]);
+    let scan = object(&["scan", "e7", "--eps", "1/4:1/2:+1/4", "--param", "xi=1"]);
     assert_eq!((&scan["generic"]["independent_integrals"], &scan["special"]), (&json!(2), &json!([])));
 }
 
 #[test]
 fn wrong_input_is_explained() {
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 15] = [
         (&["discover"], "which system?"),
         (&["discover", "e10"], "there is no system `e10`"),
         (&["discover", "e9", "--param", "zeta=1"], "`zeta` is no parameter of e9"),
@@ -321,10 +349,11 @@ fn wrong_input_is_explained() {
         (&["discover", "lagrange", "--degree", "9"], "ask for at most"),
         (&["discover", "--field", "xdot = y/a; ydot = x;", "--param", "a=0"], "divides by zero"),
         (&["discover", "--field", "xdot = x;", "--eps", "1"], "det A vanishes identically"),
-        (&["scan", "e9"], "FROM:TO:STEP"),
-        (&["scan", "e9", "--param", "xi=1:0:1"], "is no range"),
-        (&["scan", "e9", "--param", "xi=0:1"], "is not FROM:TO:STEP"),
-        (&["scan", "e9", "--param", "xi=0:1:1", "--param", "xi=1/2"], "given twice"),
+        (&["scan", "e9"], "FROM:TO:+STEP"),
+        (&["scan", "e9", "--param", "xi=1:0:1/4"], "for steps of 1/4 write 1:0:+1/4"),
+        (&["scan", "e9", "--param", "xi=1:0:+1"], "write one that does, as 1:0:+-1/10"),
+        (&["scan", "e9", "--param", "xi=0:1"], "--param xi: `0:1` is no range"),
+        (&["scan", "e9", "--param", "xi=0:1:+1", "--param", "xi=1/2"], "given twice"),
     ];
     for (arguments, words) in cases {
         let paragraph = refusal(arguments);
@@ -336,6 +365,6 @@ fn wrong_input_is_explained() {
 fn a_bound_of_time_is_kept_and_said() {
     let found = object(&["discover", "e6", "--seconds", "0.000001"]);
     assert_eq!((&found["out_of_time"], &found["integrals"]), (&json!(true), &json!([])));
-    let page = answer(&["scan", "e7", "--param", "xi=-2:2:1/12", "--seconds", "0.000001"]);
+    let page = answer(&["scan", "e7", "--param", "xi=-2:2:+1/12", "--seconds", "0.000001"]);
     assert!(page.contains("time ran out"), "{page}");
 }

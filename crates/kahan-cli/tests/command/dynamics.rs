@@ -1,4 +1,4 @@
-//! `kahan dynamics`, `kahan section` and `kahan map` from outside.
+//! `kahan dynamics`, `kahan section` and `kahan chart` from outside.
 
 use std::f64::consts::PI;
 
@@ -129,7 +129,7 @@ fn the_examples_of_the_help_run() {
     let folder = tempfile::tempdir().expect("a folder");
     assert_eq!(examples_run("dynamics", folder.path()), 4);
     assert_eq!(examples_run("section", folder.path()), 4);
-    assert_eq!(examples_run("map", folder.path()), 4);
+    assert_eq!(examples_run("chart", folder.path()), 4);
 }
 
 /// Cells of a table: the two coordinates, and what is shown, empty where nothing is.
@@ -140,18 +140,17 @@ fn cells(table: &str) -> Vec<[Option<f64>; 3]> {
 }
 
 #[test]
-fn maps_show_what_each_orbit_does() {
+fn charts_show_what_each_orbit_does() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
-    let map = |over: [&str; 2], further: &[&str], out: &str| {
+    let chart = |over: &[&str], further: &[&str], out: &str| {
         let field = "xdot = y; ydot = r*x; integral E = y^2 - r*x^2;";
         let given = ["--field", field, "--eps", "0.1", "--at", "1,0", "--param", "r=1", "--steps", "100"];
-        answer(
-            &[&["map"], &given[..], &["--over", over[0], "--over", over[1], "--out", out], further].concat(),
-        );
+        let over: Vec<&str> = over.iter().flat_map(|range| ["--over", range]).collect();
+        answer(&[&["chart"], &given[..], &over, &["--out", out], further].concat());
         std::fs::read_to_string(out).expect("the file")
     };
-    let table = map(["r=-4:4:4", "x=0:2:3"], &["--color", "lyapunov"], &file("r.csv"));
+    let table = chart(&["r=-4:4:/4", "x=0:2:/3"], &["--color", "lyapunov"], &file("r.csv"));
     assert_eq!(table.lines().next(), Some("r,x,lyapunov"));
     let rows = cells(&table);
     assert_eq!(rows.len(), 12);
@@ -165,38 +164,55 @@ fn maps_show_what_each_orbit_does() {
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }
     // The same orbits are the same numbers, wherever they stand and on whichever thread.
-    let mirrored = map(["x=0:2:3", "r=-4:4:4"], &["--color", "lyapunov"], &file("x.csv"));
+    let mirrored = chart(&["x=0:2:/3", "r=-4:4:/4"], &["--color", "lyapunov"], &file("x.csv"));
     let mut turned: Vec<_> = cells(&mirrored).into_iter().map(|[x, r, value]| [r, x, value]).collect();
     let mut rows = cells(&table);
     let order = |a: &[Option<f64>; 3], b: &[Option<f64>; 3]| a.partial_cmp(b).expect("numbers");
     turned.sort_by(order);
     rows.sort_by(order);
     assert_eq!(rows, turned);
+    // Over one range the same numbers stand in a column: x is 1, as --at says.
+    let column = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.csv"));
+    let of_one: Vec<String> = rows
+        .iter()
+        .filter(|[_, x, _]| *x == Some(1.0))
+        .map(|[r, _, value]| format!("{:?},{:?}\n", r.expect("r"), value.expect("an exponent")))
+        .collect();
+    assert_eq!(column, format!("r,lyapunov\n{}", of_one.concat()));
+    let curve = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.svg"));
+    assert!(curve.contains("per unit of time of field over r from -3 to 3, 100 steps each"), "{curve}");
+    let points = |class: &str| {
+        let shape = curve.split_once(&format!("class=\"{class}\" d=\"")).expect("a shape").1;
+        shape.split('"').next().map_or(0, |shape| shape.matches(['M', 'L']).count())
+    };
+    assert_eq!([points("line"), points("dots")], [4, 4]);
     // Orbits escape where r is positive, and nowhere else.
     let escapes =
-        cells(&map(["r=-4:4:4", "x=1:2:1"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
+        cells(&chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
     assert!(escapes.iter().all(|[r, _, step]| step.is_some() == r.is_some_and(|r| r > 0.0)), "{escapes:?}");
-    let drifts = cells(&map(["r=-4:0:2", "x=1:2:2"], &["--color", "drift"], &file("d.csv")));
+    let drifts = cells(&chart(&["r=-4:0:/2", "x=1:2:/2"], &["--color", "drift"], &file("d.csv")));
     assert!(drifts.iter().all(|[_, _, drift]| drift.is_some_and(|drift| drift < -12.0)), "{drifts:?}");
-    let picture = map(["x=-1:1:8", "y=-1:1:8"], &["--color", "fli"], &file("p.svg"));
+    let picture = chart(&["x=-1:1:/8", "y=-1:1:/8"], &["--color", "fli"], &file("p.svg"));
     assert!(
         picture.contains("FLI of field over x from -1 to 1") && picture.contains("data:image/png;base64,")
     );
 }
 
 #[test]
-fn maps_refuse_what_is_no_range() {
+fn charts_refuse_what_is_no_range() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("m.svg").to_str().expect("text").to_owned();
     for (over, part) in [
-        (vec!["--over", "x=0:1:3"], "two ranges"),
-        (vec!["--over", "x=0:1:3", "--over", "x=0:1:3"], "gone through twice"),
-        (vec!["--over", "x=0:1:3", "--over", "w=0:1:3"], "neither a variable nor a parameter"),
-        (vec!["--over", "x=0:1", "--over", "y=0:1:3"], "NAME=FROM:TO:STEPS"),
-        (vec!["--over", "x=0:1:3", "--over", "y=0:1:3", "--color", "drift"], "claims no integral"),
+        (["x=0:1:/3"; 3].iter().flat_map(|range| ["--over", *range]).collect(), "one range or two"),
+        (vec!["--over", "x=0:1:/3", "--over", "x=0:1:/3"], "gone through twice"),
+        (vec!["--over", "w=0:1:/3"], "neither a variable nor a parameter"),
+        (vec!["--over", "x=0:1:/3", "--over", "w=0:1:/3"], "neither a variable nor a parameter"),
+        (vec!["--over", "x=0:1", "--over", "y=0:1:/3"], "--over x: `0:1` is no range"),
+        (vec!["--over", "0:1:3"], "write NAME=FROM:TO:COUNT"),
+        (vec!["--over", "x=0:1:/3", "--over", "y=0:1:/3", "--color", "drift"], "claims no integral"),
     ] {
         let given = [
-            "map",
+            "chart",
             "--field",
             "xdot = y; ydot = -x;",
             "--eps",
@@ -215,24 +231,25 @@ fn maps_refuse_what_is_no_range() {
 }
 
 #[test]
-fn maps_of_parameters_and_eps_need_no_other_value_of_them() {
+fn charts_of_parameters_and_eps_need_no_other_value_of_them() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("m.csv").to_str().expect("text").to_owned();
-    let map = |further: &[&str]| {
-        let given = ["map", "--field", "xdot = y; ydot = r*x;", "--at", "1,0", "--steps", "9", "--out", &out];
-        answer(&[&given, further, &["--over", "r=-4:4:4", "--over", "eps=0:1:3"]].concat());
+    let chart = |further: &[&str]| {
+        let given =
+            ["chart", "--field", "xdot = y; ydot = r*x;", "--at", "1,0", "--steps", "9", "--out", &out];
+        answer(&[&given, further, &["--over", "r=-4:4:/4", "--over", "eps=0:1:/3"]].concat());
         std::fs::read_to_string(&out).expect("the file")
     };
-    assert_eq!(map(&[]), map(&["--param", "r=7", "--eps", "2"]));
+    assert_eq!(chart(&[]), chart(&["--param", "r=7", "--eps", "2"]));
 }
 
-/// A map of rows, as a table.
-fn map_of_rows(rows: &str, arguments: &[&str]) -> String {
+/// A chart of rows, as a table.
+fn chart_of_rows(rows: &str, arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     std::fs::write(file("rows.csv"), rows).expect("the rows");
     let (from, out) = (file("rows.csv"), file("m.csv"));
-    answer(&[&["map", "--from", &from, "--out", &out], arguments].concat());
+    answer(&[&["chart", "--from", &from, "--out", &out], arguments].concat());
     std::fs::read_to_string(out).expect("the file")
 }
 
@@ -240,8 +257,8 @@ const ROWS: &str =
     "y,p,order,sali,drift_H\n0.3,1,2,1e-2,3\n0.1,1,2,1,\n0.2,1,2,1e-4,5\n0.1,1,4,1e-3,7\n0.1,3,2,1e-6,9\n";
 
 #[test]
-fn maps_show_the_rows_of_a_file() {
-    let of = |arguments: &[&str]| map_of_rows(ROWS, arguments);
+fn charts_show_the_rows_of_a_file() {
+    let of = |arguments: &[&str]| chart_of_rows(ROWS, arguments);
     // Values are the middles of cells, in their order; a cell without a row is empty.
     assert_eq!(
         of(&["--over", "y", "--over", "p", "--where", "order=2"]),
@@ -249,21 +266,27 @@ fn maps_show_the_rows_of_a_file() {
     );
     // Ranges show the mean of the rows in a cell; what is no number counts for nothing.
     assert_eq!(
-        of(&["--over", "y=0:0.6:2", "--over", "p", "--column", "order"]),
+        of(&["--over", "y=0:0.6:/2", "--over", "p", "--column", "order"]),
         "y,p,order\n0.15,1.0,2.6666666666666665\n0.45,1.0,2.0\n0.15,3.0,2.0\n0.45,3.0,\n"
     );
     assert_eq!(
-        of(&["--over", "p=4:0:2", "--over", "y=0:1:1", "--where", "y=0.1", "--column", "drift_H"]),
-        format!("p,y,log_drift_H\n3.0,0.5,{:?}\n1.0,0.5,{:?}\n", 9_f64.log10(), 7_f64.log10())
+        of(&["--over", "p=4:0:/2", "--where", "y=0.1", "--column", "drift_H"]),
+        format!("p,log_drift_H\n3.0,{:?}\n1.0,{:?}\n", 9_f64.log10(), 7_f64.log10())
     );
-    // A table of a map is drawn as the map is.
+    // Over one column, its values.
+    assert_eq!(
+        of(&["--over", "y", "--where", "p=1", "--where", "order=2"]),
+        "y,log_sali\n0.1,0.0\n0.2,-4.0\n0.3,-2.0\n"
+    );
+    // A table of a chart is drawn as the chart is.
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     let (table, picture, again) = (file("lv.csv"), file("lv.svg"), file("again.svg"));
-    let given = ["map", "lv", "--at", "1,1", "--over", "x=0:2:9", "--over", "eps=0:1:9", "--color", "fli"];
+    let given =
+        ["chart", "lv", "--at", "1,1", "--over", "x=0:2:/9", "--over", "eps=0:1:/9", "--color", "fli"];
     answer(&[&given[..], &["--out", &table]].concat());
     answer(&[&given[..], &["--out", &picture]].concat());
-    answer(&["map", "--from", &table, "--over", "x", "--over", "eps", "--color", "fli", "--out", &again]);
+    answer(&["chart", "--from", &table, "--over", "x", "--over", "eps", "--color", "fli", "--out", &again]);
     let image = |file: &str| {
         let picture = std::fs::read_to_string(file).expect("the picture");
         picture.split("base64,").nth(1).expect("an image").split('"').next().map(str::to_owned)
@@ -272,7 +295,7 @@ fn maps_show_the_rows_of_a_file() {
 }
 
 #[test]
-fn maps_of_rows_say_what_is_wrong() {
+fn charts_of_rows_say_what_is_wrong() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     let (rows, out) = (file("rows.csv"), file("m.svg"));
@@ -288,16 +311,78 @@ fn maps_of_rows_say_what_is_wrong() {
         (&rows, &["--over", "y", "--over", "p", "--where", "order=4"], "`y` are not equally spaced"),
         (&rows, &["--over", "y", "--over", "w"], "no column `w`; it has y, p, order, sali, drift_H"),
         (&rows, &["--over", "y", "--over", "p", "--color", "fli"], "no column `fli`"),
-        (&rows, &["--over", "y=0:1:100000", "--over", "p=0:1:100000"], "too many"),
-        (&rows, &["--over", "y"], "two ranges"),
+        (&rows, &["--over", "y=0:1:/100000", "--over", "p=0:1:/100000"], "too many"),
+        (&rows, &["--over", "y"], "3 rows have y = 1/10"),
+        (&rows, &["--over", "y", "--over", "p", "--over", "order"], "one range or two"),
         (&rows, &["--over", "y", "--over", "p", "--eps", "1"], "cannot be used with"),
         (&file("bare.csv"), &both, "a line of its columns' names"),
         (&file("plan.toml"), &both, "no result that can be read"),
         (&file("none.csv"), &both, "No such file"),
         (&folder_of_parts, &both, "--merge"),
     ] {
-        let paragraph = refusal(&[&["map", "--from", from, "--out", &out], arguments].concat());
+        let paragraph = refusal(&[&["chart", "--from", from, "--out", &out], arguments].concat());
         assert!(paragraph.replace('\n', " ").contains(part), "{arguments:?}: {paragraph}");
     }
     assert!(!std::fs::exists(out).expect("a folder"));
+}
+
+#[test]
+fn the_name_before_still_charts_and_says_the_new_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let chart = |command: &str, out: &str| {
+        let given = [command, "lv", "--eps", "1/9", "--at", "1,1", "--over", "x=1:2:/9", "--out", out];
+        let output = kahan(&given);
+        assert_eq!(output.status.code(), Some(0));
+        (std::fs::read(out).expect("the file"), text(&output.stderr))
+    };
+    let (before, said) = chart("map", &file("before.svg"));
+    assert_eq!(said, "note: `kahan map` is called `kahan chart` now\n");
+    assert_eq!((before, String::new()), chart("chart", &file("now.svg")));
+    assert!(!answer(&["--help"]).contains("  map "));
+    for shell in ["bash", "zsh", "fish"] {
+        let script = answer(&["completions", shell]);
+        let words = script.split(|c: char| !c.is_alphanumeric() && !"_-".contains(c));
+        assert!(!words.into_iter().any(|word| word == "kahan__subcmd__map"), "{shell}");
+    }
+}
+
+/// What a bare third part of a range meant before, and how that is written.
+#[test]
+fn ranges_are_read_alike_and_what_they_meant_before_is_said() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let said = |arguments: &[&str]| {
+        let output = kahan(arguments);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
+        text(&output.stderr)
+    };
+    let lv = ["lv", "--at", "1/2,1"];
+    let (table, picture) = (file("x.csv"), file("over.svg"));
+    let cells = ["--eps", "1/9", "--over", "x=-0.5:1.5:3", "--out", &table];
+    assert_eq!(
+        said(&[&["chart"], &lv[..], &cells].concat()),
+        "note: --over x: -1/2:3/2:3 means 3 values with both ends now; it meant the middles of 3 cells, which is written -1/2:3/2:/3\n"
+    );
+    let rows = std::fs::read_to_string(&table).expect("the table");
+    let first: Vec<&str> = rows.lines().skip(1).filter_map(|row| row.split(',').next()).collect();
+    assert_eq!(first, ["-0.5", "0.5", "1.5"]);
+    let steps = ["--over", "eps=1/10:1:3", "--steps", "9", "--out", &picture];
+    assert!(
+        said(&[&["picture"], &lv[..], &steps].concat())
+            .ends_with("it meant 4 values with both ends, which is written 1/10:1:4\n")
+    );
+    let cycles = ["periodic", "lv", "--at", "0.9,1", "--over", "eps=1/10:1:3"];
+    assert!(said(&cycles).ends_with("which is written 1/10:1:4\n"));
+    let grid = ["scan", "e9", "--param", "xi=0:3:2", "--eps", "1:3:2"];
+    let notes = said(&grid);
+    assert!(notes.contains(
+        "--param xi: 0:3:2 means 2 values with both ends now; it meant steps of 2, which is written 0:3:+2\n"
+    ));
+    assert!(notes.ends_with(
+        "--eps: 1:3:2 means 2 values with both ends now; it meant steps of 2, which is written 1:3:+2\n"
+    ));
+    // The other forms have one meaning only.
+    let forms = ["periodic", "lv", "--at", "0.9,1", "--over", "eps=1/10:1:+1/10"];
+    assert_eq!(said(&forms), "");
 }

@@ -36,7 +36,7 @@ fn counts_may_have_an_exponent() {
     let extremes = ["extremes", "e1", "--trials", "1e2", "--seed", "1e1", "--random-fields", "0", "--json"];
     assert_eq!((&object(&extremes)["trials"], &object(&extremes)["seed"]), (&100.into(), &10.into()));
     assert_eq!(
-        object(&["scan", "lv", "--eps", "1:2:1", "--degree", "4e0", "--json"])["generic"]["hilbert"][3],
+        object(&["scan", "lv", "--eps", "1:2:+1", "--degree", "4e0", "--json"])["generic"]["hilbert"][3],
         15
     );
 }

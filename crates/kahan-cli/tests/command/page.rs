@@ -59,8 +59,9 @@ fn every_command_on_a_page_makes_what_stands_above_it() {
     }
     let lines = commands(&page);
     let names: Vec<&str> = lines.iter().filter_map(|line| line.split(' ').nth(1)).collect();
-    let of_figures =
-        ["show", "discover", "poles", "picture", "picture", "picture", "picture", "dynamics", "map", "trade"];
+    let of_figures = [
+        "show", "discover", "poles", "picture", "picture", "picture", "picture", "dynamics", "chart", "trade",
+    ];
     assert_eq!(names, [&["page"], &of_figures[..]].concat());
     for line in &lines[1..] {
         let output = shell(line, folder.path());
@@ -70,7 +71,7 @@ fn every_command_on_a_page_makes_what_stands_above_it() {
         assert!(output.status.code() == Some(0) || is_short, "{line}: {said}");
     }
     // Heights depend on how much time there was.
-    for id in ["portrait", "time", "section", "map"] {
+    for id in ["portrait", "time", "section", "chart"] {
         let file = fs::read_to_string(folder.path().join(format!("{id}.svg"))).expect("the file");
         assert!(file.contains(drawing(&page, id)), "{id}");
     }

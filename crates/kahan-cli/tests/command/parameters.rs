@@ -73,7 +73,7 @@ fn that_nothing_declares_are_said_once_by_every_command() {
                 "--eps",
                 "1/9",
                 "--over",
-                "a=1:2:3",
+                "a=1:2:+1/3",
                 "--axes",
                 "x",
                 "--steps",

@@ -75,7 +75,7 @@ fn a_branch_goes_round_its_fold() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("branch.csv");
     let field = ["--field", "xdot = a - x^2;", "--param", "a=1", "--eps", "1/10", "--at", "1"];
-    let over = ["--over", "a=1:-1:40", "--out", out.to_str().expect("UTF-8"), "--json"];
+    let over = ["--over", "a=1:-1:+-1/20", "--out", out.to_str().expect("UTF-8"), "--json"];
     let found = object(&[&["periodic"], &field[..], &over[..]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
     assert_eq!((turns.len(), &turns[0]["change"]), (1, &"fold, two cycles meet".into()));
@@ -97,7 +97,7 @@ fn what_changes_the_stability_of_the_lorenz_system_is_found() {
         "lorenz", "--param", "s=10", "--param", "r=28", "--param", "b=8/3", "--eps", "1/1000", "--at",
         "8,8,27",
     ];
-    let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:20", "--json"]].concat());
+    let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:+-2/5", "--json"]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
     assert_eq!(turns.len(), 1, "{turns:?}");
     assert_eq!(turns[0]["change"], "a pair of multipliers goes through the unit circle");
@@ -113,13 +113,13 @@ fn what_is_no_cycle_and_what_does_not_fit_is_said() {
     for (arguments, word) in [
         (&["--period", "0"][..], "whole number"),
         (&["--period", "500"], "200"),
-        (&["--over", "b=0:1:5"], "no parameter"),
-        (&["--over", "eps=1:1:5"], "differ"),
-        (&["--over", "eps=1/10:1:5", "--out", "x.txt"], ".svg"),
+        (&["--over", "b=0:1:+1/5"], "no parameter"),
+        (&["--over", "eps=1:1:5"], "two ends"),
+        (&["--over", "eps=1/10:1:+1/5", "--out", "x.txt"], ".svg"),
         (&["--out", "x.csv"], "--over"),
     ] {
         let said = refusal(&[&lv[..], arguments].concat());
         assert!(said.contains(word), "{word}: {said}");
     }
-    assert!(answer(&[&lv[..], &["--over", "eps=1/10:1:5"]].concat()).contains("neutral"));
+    assert!(answer(&[&lv[..], &["--over", "eps=1/10:1:+1/5"]].concat()).contains("neutral"));
 }

@@ -60,7 +60,7 @@ fn a_section_has_the_crossings_of_its_orbits() {
     for (arguments, word) in [
         (&["--kind", "section"][..], "what vanishes there"),
         (&["--plane", "x - y", "--kind", "portrait"], "--plane makes a section"),
-        (&["--plane", "x - y", "--over", "eps=0:1:5"], "leave one out"),
+        (&["--plane", "x - y", "--over", "eps=0:1:+1/5"], "leave one out"),
         (&["--plane", "1"], "one number everywhere"),
     ] {
         let lv = ["picture", "lv", "--eps", "1/50", "--at", "1,2", "--steps", "9", "--out", "no.svg"];
@@ -165,13 +165,13 @@ fn starts_lie_on_a_line_or_around_a_point_and_follow_the_seed() {
 fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
     // A sink, whatever the parameter is.
     let field = "xdot = a - x;";
-    let over = ["--field", field, "--over", "a=0:4:8", "--eps", "1/10", "--at", "7", "--steps", "5"];
+    let over = ["--field", field, "--over", "a=0:4:+1/2", "--eps", "1/10", "--at", "7", "--steps", "5"];
     let svg = drawn(&[&over[..], &["--window", "x=-1:5", "--transient", "400"]].concat());
     // A value of a, one place.
     assert_eq!(svg.matches("h0").count(), 9, "{svg}");
     let early = drawn(&[&over[..], &["--transient", "0"]].concat());
     assert!(early.matches("h0").count() > 40, "{early}");
-    let over = ["lv", "--over", "eps=1/10:1/5:4", "--at", "1/2,1", "--axes", "y", "--steps", "9"];
+    let over = ["lv", "--over", "eps=1/10:1/5:+1/40", "--at", "1/2,1", "--axes", "y", "--steps", "9"];
     assert!(words(&drawn(&over)).contains(&"ε, half the time step, in units of time"));
     assert_eq!(described(&over)["points"], 50);
 }
@@ -216,12 +216,12 @@ fn what_cannot_be_drawn_is_refused_and_leaves_no_file() {
         (lv.to_vec(), &["--eps"]),
         ([&with_eps[..], &["--axes", "x,q"]].concat(), &["--axes", "`q`", "x, y"]),
         ([&with_eps[..], &["--axes", "x"]].concat(), &["two axes or three"]),
-        ([&with_eps[..], &["--over", "eps=1/10:1:9"]].concat(), &["leave --eps out"]),
-        ([&with_eps[..], &["--over", "a=0:1:9"]].concat(), &["`a` is no parameter of lv", "eps"]),
-        ([&lv[..], &["--over", "eps=0:1"]].concat(), &["NAME=FROM:TO:STEPS"]),
-        ([&lv[..], &["--over", "eps=1:1:5"]].concat(), &["FROM and TO differ"]),
+        ([&with_eps[..], &["--over", "eps=1/10:1:+1/9"]].concat(), &["leave --eps out"]),
+        ([&with_eps[..], &["--over", "a=0:1:+1/9"]].concat(), &["`a` is no parameter of lv", "eps"]),
+        ([&lv[..], &["--over", "eps=0:1"]].concat(), &["FROM:TO:COUNT", "0:1:+1/10"]),
+        ([&lv[..], &["--over", "eps=1:1:5"]].concat(), &["FROM and TO are both 1"]),
         ([&with_eps[..], &["--kind", "orbits-over"]].concat(), &["over what?"]),
-        ([&lv[..], &["--over", "eps=0:1:5", "--kind", "heights"]].concat(), &["--over"]),
+        ([&lv[..], &["--over", "eps=0:1:+1/5", "--kind", "heights"]].concat(), &["--over"]),
         ([&with_eps[..], &["--kind", "heights", "--starts", "3"]].concat(), &["one orbit"]),
         ([&with_eps[..], &["--window", "z=0:1"]].concat(), &["no axis `z`", "x, y"]),
         ([&with_eps[..], &["--window", "x=1:0"]].concat(), &["LOW below HIGH"]),
@@ -265,7 +265,7 @@ fn a_png_is_written_or_it_is_said_how_to_get_it() {
 
 #[test]
 fn time_is_bounded_and_what_there_is_is_shown() {
-    let long = ["lv", "--over", "eps=1/10:1/5:9", "--at", "1/2,1", "--steps", "9", "--transient", "1e15"];
+    let long = ["lv", "--over", "eps=1/10:1/5:+1/90", "--at", "1/2,1", "--steps", "9", "--transient", "1e15"];
     let object = described(&[&long[..], &["--seconds", "0.2"]].concat());
     assert!(object["notes"][0].as_str().is_some_and(|note| note.starts_with("time ran out")), "{object}");
 }

@@ -67,13 +67,15 @@ fn what_the_macro_makes_of_a_block_is_shown_as_it_is() {
 #[test]
 fn the_help_of_every_command_fits_a_screen() {
     let commands = [
-        "list", "show", "eval", "orbit", "dynamics", "section", "periodic", "map", "heights", "extremes",
+        "list", "show", "eval", "orbit", "dynamics", "section", "periodic", "chart", "heights", "extremes",
         "trade", "discover", "scan", "picture", "poles", "page", "sweep", "atlas", "verify",
     ];
     for command in commands.map(Some).into_iter().chain([None]) {
         let help = answer(&[command.as_slice(), &["--help"]].concat());
-        assert!(help.lines().count() <= 40, "{help}");
-        assert!(help.lines().all(|line| line.chars().count() <= 100), "{help}");
+        // The list of all commands is longer, and no wider than the narrowest terminal.
+        let (lines, width) = if command.is_some() { (40, 100) } else { (50, 80) };
+        assert!(help.lines().count() <= lines, "{help}");
+        assert!(help.lines().all(|line| line.chars().count() <= width), "{help}");
         assert!(help.contains("Examples:"), "{help}");
     }
     assert!(answer(&["help", "trade"]).contains("to keep the claimed integrals"));
@@ -158,7 +160,7 @@ fn the_macro_block_keeps_documentation_attributes_and_the_order_of_parameters() 
 fn the_help_hides_no_option() {
     for (command, options) in [
         ("picture", &["--radius", "--seed", "--transient", "--size", "--theme"][..]),
-        ("map", &["--column", "--where", "--escape", "--theme", "--size"]),
+        ("chart", &["--column", "--where", "--escape", "--theme", "--size"]),
     ] {
         let help = answer(&[command, "--help"]);
         for option in options {
@@ -171,7 +173,7 @@ fn the_help_hides_no_option() {
         lines.filter_map(|line| line.split([' ', ',']).next().map(str::to_owned)).collect::<Vec<_>>()
     };
     for command in [
-        "show", "orbit", "trade", "discover", "scan", "picture", "map", "page", "periodic", "heights",
+        "show", "orbit", "trade", "discover", "scan", "picture", "chart", "page", "periodic", "heights",
         "section", "dynamics", "poles", "eval", "extremes", "verify", "atlas",
     ] {
         assert_eq!(options(&answer(&[command, "--help"])), options(&answer(&["help", command])), "{command}");

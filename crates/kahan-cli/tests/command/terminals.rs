@@ -30,9 +30,9 @@ fn tables() -> Vec<(Vec<String>, String)> {
     }
     runs.push(vec!["eval", "e6", "--eps", LONG, "--at", "1,2,3"]);
     runs.push(vec!["trade", "e6", "--at", "1,1/2,1/3", "--horizon", "2", "--seconds", "10"]);
-    runs.push(vec!["scan", "lv", "--eps", "-2:2:1/2"]);
-    runs.push(vec!["scan", "--field", "xdot = c*x + x^2;", "--param", "c=1:2:1", "--degree", "40"]);
-    let range = format!("{0}:{0}:1", format!("1/{}", "9".repeat(90)));
+    runs.push(vec!["scan", "lv", "--eps", "-2:2:+1/2"]);
+    runs.push(vec!["scan", "--field", "xdot = c*x + x^2;", "--param", "c=1:2:+1", "--degree", "40"]);
+    let range = format!("0:{0}:+{0}", format!("1/{}", "9".repeat(90)));
     runs.push(vec!["scan", "lv", "--eps", &range]);
     let done = runs.iter().map(|arguments| {
         let output = kahan(arguments);

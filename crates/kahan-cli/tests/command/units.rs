@@ -82,16 +82,16 @@ fn dynamics_are_the_same_in_every_unit() {
 }
 
 #[test]
-fn stability_maps_are_the_same_in_every_unit() {
+fn charts_are_the_same_in_every_unit() {
     let folder = tempfile::tempdir().expect("a folder");
-    let out = folder.path().join("map.csv");
+    let out = folder.path().join("chart.csv");
     let cells = |unit: [i32; 2], colour: &str| {
         let k = unit[0];
-        let over = ["x", "y"].map(|name| format!("{name}=0:{}:6", scaled(1, -k)));
+        let over = ["x", "y"].map(|name| format!("{name}=0:{}:/6", scaled(1, -k)));
         let file = out.to_str().expect("UTF-8");
         let more =
             ["--over", &over[0], "--over", &over[1], "--steps", "100", "--color", colour, "--out", file];
-        run(answer, &arguments("map", unit, &more));
+        run(answer, &arguments("chart", unit, &more));
         numbers(&text(&std::fs::read(&out).expect("a table")), &[k, k, 0])
     };
     for colour in ["sali", "fli", "megno"] {
@@ -107,7 +107,7 @@ fn stability_maps_are_the_same_in_every_unit() {
 fn cycles_and_branches_are_the_same_in_every_unit() {
     let said = |unit: [i32; 2]| {
         let [k, j] = unit;
-        let over = format!("eps={}:{}:8", scaled(1, -j - 3), scaled(1, -j - 1));
+        let over = format!("eps={}:{}:+{}", scaled(1, -j - 3), scaled(1, -j - 1), scaled(3, -j - 6));
         let found = run(object, &arguments("periodic", unit, &["--over", &over, "--json"]));
         let of_cycle = |cycle: &Value| {
             let lengths = ["points", "residual"].map(|name| of(&cycle[name], k));

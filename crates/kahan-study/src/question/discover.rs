@@ -2,7 +2,8 @@
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Formulas, Text};
+use kahan_algebra::render::{Formulas, Notation, Text};
+use kahan_algebra::syntax::{ClaimBody, TensorEntry};
 use kahan_algebra::system::System;
 use kahan_discover::basis::Basis;
 use kahan_discover::claims::Formula;
@@ -10,6 +11,7 @@ use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_discover::monomials::Monomials;
 use kahan_discover::{Options, Report, Watch, discover};
 use kahan_runtime::FieldText;
+use serde::ser::Error;
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::error::StudyError;
@@ -127,6 +129,31 @@ impl Discovered {
         self.with_claims(None)
     }
 
+    /// All that is claimed, each claim in its parts, and H where the field is K grad H.
+    fn parts(&self) -> Result<Vec<Part>, StudyError> {
+        let expression = |body: &ClaimBody| match body {
+            ClaimBody::Function(value) => Text.expression(value),
+            ClaimBody::Tensor(entries) => {
+                let entry = |entry: &TensorEntry| {
+                    let (row, column) = (&entry.row.text, &entry.column.text);
+                    format!("{{{row}, {column}}} = {};", Text.expression(&entry.value))
+                };
+                entries.iter().map(entry).collect::<Vec<_>>().join(" ")
+            }
+        };
+        let claims = self.claimed()?.claims.into_iter().map(|claim| Part {
+            kind: claim.kind.keyword(),
+            expression: expression(&claim.body),
+            name: claim.name.text,
+        });
+        let hamiltonian = self.report.structure.hamiltonian.iter().map(|found| Part {
+            kind: "hamiltonian",
+            name: "H".to_owned(),
+            expression: found.hamiltonian.clone(),
+        });
+        Ok(claims.chain(hamiltonian).collect())
+    }
+
     fn with_claims(&self, but: Option<usize>) -> Result<System, StudyError> {
         let symbols = &self.field.field.symbols;
         let values = Formulas { field: &self.field.field, map: None, notation: &Text }.field();
@@ -165,6 +192,7 @@ struct Object<'a> {
     integrals: Vec<&'a str>,
     densities: Vec<&'a str>,
     brackets: &'a [String],
+    found: Vec<Part>,
     bases: Vec<Relation>,
     divergence: &'a str,
     is_even: bool,
@@ -173,6 +201,14 @@ struct Object<'a> {
     sentences: &'a [String],
     out_of_time: bool,
     seconds: Option<f64>,
+}
+
+/// Something that the map keeps, in its parts.
+#[derive(Serialize)]
+struct Part {
+    kind: &'static str,
+    name: String,
+    expression: String,
 }
 
 #[derive(Serialize)]
@@ -268,6 +304,7 @@ impl Serialize for Discovered {
             integrals: texts(&report.integrals),
             densities: texts(&report.densities),
             brackets: &report.brackets,
+            found: self.parts().map_err(S::Error::custom)?,
             bases: report.bases.iter().map(|basis| Relation::of(basis, &report.variables)).collect(),
             divergence: &structure.divergence,
             is_even: structure.is_even,

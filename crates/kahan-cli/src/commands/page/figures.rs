@@ -6,9 +6,9 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Poles, Question, Study};
 use maud::{Markup, html};
 
+use super::super::chart::Chart;
 use super::super::dynamics::Dynamics;
 use super::super::line::Line;
-use super::super::map::StabilityMap;
 use super::super::picture::{Picture, Visits};
 use super::super::poles::{patterns, rows as table_of};
 use super::super::trade::Trade;
@@ -130,19 +130,19 @@ impl Subject<'_> {
     }
 
     /// Which orbits are chaotic.
-    pub(super) fn map(&self) -> Markup {
+    pub(super) fn chart(&self) -> Markup {
         let cells = self.cells();
-        let mut line = self.one_orbit("map").with("--over", self.range(0, cells));
+        let mut line = self.one_orbit("chart").with("--over", self.range(0, cells));
         line = match self.variables.len() {
-            1 => line.with("--over", format!("eps=0:{}:{cells}", decimal(2.0 * self.scene.eps.to_f64()))),
+            1 => line.with("--over", format!("eps=0:{}:/{cells}", decimal(2.0 * self.scene.eps.to_f64()))),
             _ => line.with("--over", self.range(1, cells)),
         };
-        let line = line.with("--steps", 1000).with("--color", "fli").with("--out", "map.svg");
+        let line = line.with("--steps", 1000).with("--color", "fli").with("--out", "chart.svg");
         figure(
-            "map",
-            "A stability map",
+            "chart",
+            "A chart of stability",
             &line,
-            drawn(&line, |map: StabilityMap| Ok((map.drawn()?, Vec::new()))),
+            drawn(&line, |chart: Chart| Ok((chart.drawn()?, Vec::new()))),
             &html! {
                 "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
                 "where it is chaotic; a cell is empty where its orbit leaves the range of doubles."
@@ -203,7 +203,7 @@ impl Subject<'_> {
         (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as usize
     }
 
-    /// Cells of a stability map in a row: their number grows with the time that there is, and falls
+    /// Cells of a chart of stability in a row: their number grows with the time that there is, and falls
     /// with the number of variables.
     fn cells(&self) -> usize {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
@@ -243,7 +243,7 @@ impl Subject<'_> {
     fn range(&self, k: usize, cells: usize) -> String {
         let [low, high] = self.scene.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.scene.size);
-        format!("{}={}:{}:{cells}", self.variables[k], decimal(low - room), decimal(high + room))
+        format!("{}={}:{}:/{cells}", self.variables[k], decimal(low - room), decimal(high + room))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Orbit diagrams: what orbits tend to, over the values of a parameter or of ε.
 
+use kahan_algebra::rational::Rational;
 use kahan_runtime::Field;
 
 use super::axes::Coordinate;
@@ -8,11 +9,13 @@ use super::starts::rounded;
 use super::{Drawn, Subject};
 use crate::plot::{Mark, NumberLine, Plot, Series};
 use crate::printing::Refusal;
-use crate::reading::Range;
+use crate::reading::{Range, Spacing};
 
 impl Subject<'_> {
     pub(super) fn orbits_over(&self) -> Result<Drawn, Refusal> {
-        let range = Range::read(self.asked.over.as_deref().expect("the kind of picture has --over"))?;
+        let range = self.asked.over.as_deref().expect("the kind of picture has --over");
+        // So many steps were one value more.
+        let range = Range::over(range, |steps| Spacing::Count(steps + 1))?;
         self.check_range(&range)?;
         let ordinate = match &self.asked.axes[..] {
             [] => Coordinate::Variable(0),
@@ -29,15 +32,14 @@ impl Subject<'_> {
         let name = self.axis_name(ordinate);
         self.check_windows(&[range.name, name])?;
         let starts: Vec<Vec<f64>> = self.starts()?.iter().map(|start| rounded(start)).collect();
-        let orbits = starts.len() * (range.steps + 1);
+        let orbits = starts.len() * range.count();
         let points = self.points(orbits)?;
         let field = Field::of(&self.system);
         let pace = self.pace(points.saturating_add(self.asked.transient.saturating_mul(orbits as u64)));
         let mut shown: Vec<Vec<(f64, f64)>> = vec![Vec::new(); starts.len()];
         let (mut ended, mut last) = (0, 0);
-        for index in (0..=range.steps).take_while(|_| !pace.is_over()) {
+        for (index, value) in range.values().enumerate().take_while(|_| !pace.is_over()) {
             last = index;
-            let value = range.value(index);
             let (parameters, eps) = if range.name == "eps" {
                 (self.parameters(None)?, value.clone())
             } else {
@@ -55,17 +57,18 @@ impl Subject<'_> {
             }
         }
         pace.finish();
-        let is_cut = pace.is_over() && (last < range.steps || ended > 0);
+        let is_cut = pace.is_over() && (last + 1 < range.count() || ended > 0);
         let label = if range.name == "eps" { "ε, half the time step, in units of time" } else { range.name };
-        let ends = [range.from.to_f64(), range.to.to_f64()].into_iter();
-        let x = self.windowed(range.name, NumberLine::around(label, ends))?;
+        let ends = range.ends();
+        let [from, to] = &ends;
+        let x = self.windowed(range.name, NumberLine::around(label, ends.iter().map(Rational::to_f64)))?;
         let y = self.axis(ordinate, shown.iter().flatten().map(|point| point.1))?;
         let mark = if points > 2000 { Mark::Fine } else { Mark::Points };
         let series = shown.into_iter().enumerate();
         let series = series.map(|(index, points)| Series::new("", index % 5 + 1, mark, points));
         let description = format!(
-            "{name} of {} over {} from {} to {}, after {} steps",
-            self.name, range.name, range.from, range.to, self.asked.transient
+            "{name} of {} over {} from {from} to {to}, after {} steps",
+            self.name, range.name, self.asked.transient
         );
         let size = self.sheet.view_box();
         let plot = Plot { description, size, x, y, levels: Vec::new(), series: series.collect() };

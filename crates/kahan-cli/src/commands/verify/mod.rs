@@ -17,9 +17,9 @@ use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Block, Source};
 use report::{Form, Report, Row, in_one_line};
 
-/// Proves every formula of the paper, those of one system, or the claims of a field of your own.
+/// Proves the formulas of the paper, or the claims of a field.
 ///
-/// Rational formulas are expanded over the rational numbers and tested modulo primes; what is not
+/// A SYSTEM alone stands for the paper's formulas that are about it. Rational formulas are expanded over the rational numbers and tested modulo primes; what is not
 /// rational is compared in 256-bit arithmetic; what the paper misprints is refuted as printed and
 /// established as corrected. With a field of your own, or with --param, the claims of that block
 /// are proved. The exit status is 1 if a claim does not hold.

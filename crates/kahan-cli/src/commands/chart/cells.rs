@@ -1,4 +1,4 @@
-//! The orbits of a map's cells, on all processors.
+//! The orbits of a chart's cells, on all processors.
 
 use std::ops::Range;
 
@@ -16,10 +16,10 @@ const STRETCH: usize = 256;
 /// What the cells are made of.
 pub(super) struct Cells<'a> {
     request: &'a Request,
-    /// What each range goes through.
-    targets: [Target; 2],
+    /// What each range goes through, one or two.
+    targets: Vec<Target>,
     /// The values that it goes through.
-    along: [Vec<Rational>; 2],
+    along: Vec<Vec<Rational>>,
     field: Field,
     colour: Colour,
     steps: u64,
@@ -45,7 +45,7 @@ impl<'a> Cells<'a> {
     /// The cells of these ranges; refused where a range has no name of the system.
     pub(super) fn new(
         request: &'a Request,
-        ranges: &[reading::Range<'_>; 2],
+        ranges: &[reading::Range<'_>],
         colour: Colour,
         steps: u64,
         escape: &str,
@@ -55,14 +55,17 @@ impl<'a> Cells<'a> {
         if colour == Colour::Drift && field.integrals().is_empty() {
             return Err(Refusal::new(format!("--color drift: {} claims no integral", request.name)));
         }
-        let targets = [target(request, &ranges[0])?, target(request, &ranges[1])?];
-        if targets[0] == targets[1] {
+        let targets: Vec<Target> =
+            ranges.iter().map(|range| target(request, range)).collect::<Result<_, _>>()?;
+        if let [across, upwards] = targets[..]
+            && across == upwards
+        {
             return Err(Refusal::new(format!(
                 "--over: `{}` is gone through twice; name two",
                 ranges[0].name
             )));
         }
-        let along = ranges.each_ref().map(|range| range.middles().collect());
+        let along = ranges.iter().map(|range| range.values().collect()).collect();
         Ok(Cells { request, targets, along, field, colour, steps, escape })
     }
 
@@ -70,7 +73,7 @@ impl<'a> Cells<'a> {
     pub(super) fn values(&self) -> Result<Vec<f64>, Refusal> {
         // Where the map is the same for all cells, a mistake is told once.
         self.request.in_floats()?;
-        let cells = self.along[0].len() * self.along[1].len();
+        let cells = self.along.iter().map(Vec::len).product::<usize>();
         let progress = Prompt::new(cells as u64, "orbits");
         let stretches = threads::map(cells.div_ceil(STRETCH), |stretch| {
             let cells = stretch * STRETCH..cells.min((stretch + 1) * STRETCH);
@@ -133,7 +136,8 @@ impl Stretch {
         for (cell, index) in cells.enumerate() {
             let places = [index % all.along[0].len(), index / all.along[0].len()];
             let point = all.point(places);
-            let of_map = [0, 1].map(|k| Some(places[k]).filter(|_| all.targets[k].is_of_the_map()));
+            let is_of_map = |k: usize| all.targets.get(k).is_some_and(|target| target.is_of_the_map());
+            let of_map = [0, 1].map(|k| Some(places[k]).filter(|_| is_of_map(k)));
             if last != Some(of_map) {
                 last = Some(of_map);
                 let values = all.field.parameters().iter().zip(&point.parameters);

@@ -1,87 +1,91 @@
-//! The rows of a result, on the cells of a map.
+//! The rows of a result, on the cells of a chart.
 
 use std::path::Path;
 
 use crate::printing::Refusal;
-use crate::reading::{self, Range, number};
+use crate::reading::{self, Range, Spacing, number};
 
 /// What is drawn, and of which rows.
 pub(super) struct Rows<'a> {
     pub(super) from: &'a Path,
     /// What is gone through: the name of a column, whose values are then the middles of the cells,
     /// or a range.
-    pub(super) over: [&'a str; 2],
+    pub(super) over: &'a [String],
     /// The column that is shown.
     pub(super) column: String,
     /// NAME=VALUE: only the rows in which that column is that.
     pub(super) chosen: &'a [String],
 }
 
-/// The most cells of a map.
+/// The most cells of a chart.
 const MOST_CELLS: usize = 1 << 26;
 
 impl<'a> Rows<'a> {
     /// The cells, and the mean of what their rows show, row by row from below; not a number where
     /// there is none.
-    pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<([Range<'a>; 2], Vec<f64>), Refusal> {
-        let has_range = self.over.map(|over| over.contains('='));
-        let names = self.over.map(|over| over.split_once('=').map_or(over, |(name, _)| name).trim());
+    pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Range<'a>>, Vec<f64>), Refusal> {
+        let axes = 0..self.over.len();
+        let name = |over: &'a String| over.split_once('=').map_or(&**over, |(name, _)| name).trim();
+        let names: Vec<&str> = self.over.iter().map(name).collect();
+        let has_range = |axis: usize| self.over[axis].contains('=');
         let chosen: Vec<(&str, f64)> =
             self.chosen.iter().map(|given| choice(given)).collect::<Result<_, _>>()?;
-        let wanted: Vec<&str> = names
-            .into_iter()
-            .chain([self.column.as_str()])
-            .chain(chosen.iter().map(|(name, _)| *name))
-            .collect();
+        let wanted = names.iter().copied().chain([self.column.as_str()]);
+        let wanted: Vec<&str> = wanted.chain(chosen.iter().map(|(name, _)| *name)).collect();
         let mut columns = reading::columns(self.from, &wanted, "--from")?;
-        let conditions = columns.split_off(3);
+        let conditions = columns.split_off(axes.len() + 1);
+        let values = columns.pop().expect("the column that is shown");
         let is_chosen =
             |row: usize| conditions.iter().zip(&chosen).all(|(column, (_, value))| column[row] == *value);
-        let rows: Vec<usize> = (0..columns[2].len()).filter(|row| is_chosen(*row)).collect();
+        let rows: Vec<usize> = (0..values.len()).filter(|row| is_chosen(*row)).collect();
         if rows.is_empty() {
             return Err(self.no_rows(&chosen, &conditions));
         }
         let range = |axis: usize| {
-            if has_range[axis] {
-                return Range::read(self.over[axis]);
+            if has_range(axis) {
+                return Range::over(&self.over[axis], Spacing::Cells);
             }
             let values: Vec<f64> = rows.iter().map(|row| columns[axis][*row]).collect();
             Range::around(names[axis], &values).ok_or_else(|| {
                 let name = names[axis];
                 Refusal::new(format!(
-                    "--over {name}: the values of `{name}` are not equally spaced; give cells, as in --over {name}=-1:1:60"
+                    "--over {name}: the values of `{name}` are not equally spaced; give cells, as in --over {name}=-1:1:/60"
                 ))
             })
         };
-        let ranges = [range(0)?, range(1)?];
-        let [across, upwards] = ranges.each_ref().map(|range| range.steps);
-        let count = across.checked_mul(upwards).filter(|count| *count <= MOST_CELLS);
-        let count = count.ok_or_else(|| {
+        let ranges: Vec<Range<'a>> = axes.clone().map(range).collect::<Result<_, _>>()?;
+        let counts: Vec<usize> = ranges.iter().map(Range::count).collect();
+        let count = counts.iter().try_fold(1_usize, |count, own| count.checked_mul(*own));
+        let count = count.filter(|count| *count <= MOST_CELLS).ok_or_else(|| {
+            let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
             Refusal::new(format!(
-                "--over: {across} times {upwards} cells are too many; give fewer, as in --over {}=-1:1:600",
+                "--over: {} cells are too many; give fewer, as in --over {}=-1:1:/600",
+                counts.join(" times "),
                 names[0]
             ))
         })?;
         let mut cells = vec![Cell::default(); count];
         for row in rows {
-            let places = [0, 1].map(|axis| ranges[axis].place(columns[axis][row]));
-            let [Some(column), Some(line)] = places else { continue };
-            cells[line * across + column].add(shown(columns[2][row]));
+            let place = |axis: usize| ranges[axis].place(columns[axis][row]);
+            // The first axis runs fastest.
+            let cell = axes.clone().rev().try_fold(0, |cell, axis| Some(cell * counts[axis] + place(axis)?));
+            if let Some(cell) = cell {
+                cells[cell].add(shown(values[row]));
+            }
         }
-        if let Some(place) =
-            cells.iter().position(|cell| cell.rows > 1).filter(|_| !has_range.contains(&true))
-        {
-            let at = |axis: usize, index: usize| {
-                ranges[axis].middles().nth(index).expect("the cell is one of the range")
-            };
+        let shared = cells.iter().position(|cell| cell.rows > 1);
+        if let Some(cell) = shared.filter(|_| !axes.clone().any(has_range)) {
+            let places = [cell % counts[0], cell / counts[0]];
+            let at: Vec<String> = ranges
+                .iter()
+                .zip(places)
+                .map(|(range, place)| format!("{} = {}", range.name, range.value(place)))
+                .collect();
             return Err(Refusal::new(format!(
-                "--over: {} rows have {} = {} and {} = {}; choose among them by another column, as in --where order=2, or give \
-                 cells, as in --over {}=-1:1:60, which show the mean of their rows",
-                cells[place].rows,
-                names[0],
-                at(0, place % across),
-                names[1],
-                at(1, place / across),
+                "--over: {} rows have {}; choose among them by another column, as in --where order=2, or give cells, as in \
+                 --over {}=-1:1:/60, which show the mean of their rows",
+                cells[cell].rows,
+                at.join(" and "),
                 names[0]
             )));
         }

@@ -1,4 +1,5 @@
-//! `kahan map`: stability maps, an ensemble over two coordinates or parameters in colours.
+//! `kahan chart`: what an observer says of orbits over one coordinate or parameter, as a curve, or
+//! over two, in colours.
 
 mod cells;
 mod rows;
@@ -8,31 +9,35 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
-use crate::plot::{Drawing, Format, Grid, NumberLine, Sheet, Theme};
+use crate::plot::{Drawing, Format, Grid, Mark, NumberLine, Plot, Series, Sheet, Theme};
 use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{Range, Start, whole};
+use crate::reading::{Range, Spacing, Start, whole};
 
 use cells::Cells;
 use rows::Rows;
 
-/// Draws a stability map: what orbits do over two coordinates or parameters.
+/// Charts what orbits do over one or two coordinates or parameters.
 ///
-/// Each cell of the grid is an orbit that begins at the middle of the cell, in doubles, for the same
-/// number of steps; its colour is what an observer says of it. Two of the variables' first values,
-/// the parameters and eps are gone through; the others are those of --at, --param and --eps. SALI
-/// and drift are shown as logarithms to base 10. A cell stays empty where its orbit leaves the
+/// One or two of the variables' first values, the parameters and eps are gone through; the others
+/// are those of --at, --param and --eps. At each value, or pair of values, an orbit begins, in
+/// doubles, for the same number of steps, and an observer says what it does: over one range a curve
+/// shows it, over two the colour of a cell around the values. SALI and drift are shown as
+/// logarithms to base 10. The curve has a gap, and the cell stays empty, where the orbit leaves the
 /// range of doubles, and under `escape` where it does not escape. The numbers do not depend on the
-/// number of threads. The file is a picture, or a table of the numbers with a row a cell.
+/// number of threads. The file is a picture, or a table of the numbers with a row an orbit.
+///
+/// A range is NAME=FROM:TO:COUNT, so many values with both ends; NAME=FROM:TO:+STEP, steps from
+/// FROM as long as TO is not passed; or NAME=FROM:TO:/CELLS, the middles of so many cells.
 ///
 /// With --from the numbers are those of a result of `kahan sweep`, or of a CSV file, and no orbit
-/// is followed. --over NAME goes through the values that are there, and --over NAME=FROM:TO:CELLS
-/// shows the mean of the rows in each cell.
+/// is followed. --over NAME goes through the values that are there, and --over with a range shows
+/// the mean of the rows in the cell around each value.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 // Rows have ε and their places in themselves, and ε may be gone through.
 #[command(mut_arg("eps", |eps| eps.required(false)))]
 #[command(mut_arg("at", |at| at.required(false).required_unless_present("from")))]
-pub(crate) struct StabilityMap {
+pub(crate) struct Chart {
     #[command(flatten)]
     start: Start,
 
@@ -48,7 +53,7 @@ pub(crate) struct StabilityMap {
     #[arg(long = "where", value_name = "NAME=V", requires = "from", allow_hyphen_values = true)]
     chosen: Vec<String>,
 
-    /// What is gone through, NAME=FROM:TO:CELLS: twice, the abscissa first.
+    /// What is gone through, NAME=FROM:TO:/CELLS or the like: once, or twice, the abscissa first.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, required = true)]
     over: Vec<String>,
 
@@ -72,7 +77,7 @@ pub(crate) struct StabilityMap {
     #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = super::picture::pixels)]
     size: (u32, u32),
 
-    /// Around the map: light, dark, or as the viewer has it.
+    /// Around the chart: light, dark, or as the viewer has it.
     #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 
@@ -100,10 +105,10 @@ pub(crate) enum Colour {
 
 const EXAMPLES: &str = "\
 Examples:
-  kahan map e3 --eps 0.1 --at 1,2,3 --over x=-2:2:40 --over y=-2:2:40 --steps 200 --out e3.svg
-  kahan map lv --eps 1 --at 1,1 --over x=0:2:9 --over eps=0:1:9 --steps 99 --color fli --out lv.csv
-  kahan map volterra --eps 0.1 --at 1,1,1 --over x=0:3:9 --over y=0:3:9 --steps 9 --out w.svg
-  kahan map --from lv.csv --over x --over eps --color fli --out lv.svg";
+  kahan chart e3 --eps 0.1 --at 1,2,3 --over x=-2:2:/40 --over y=-2:2:/40 --steps 200 --out e3.svg
+  kahan chart lv --eps 1/7 --at 1,1 --over x=1/10:1:+1/50 --color fli --out fli.svg
+  kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
+  kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg";
 
 /// What orbits need, and rows have in themselves.
 const OF_ORBITS: [&str; 9] =
@@ -136,9 +141,10 @@ impl Colour {
     }
 }
 
-/// What a map shows.
+/// What a chart shows.
 struct Shown<'a> {
-    ranges: [Range<'a>; 2],
+    /// One or two.
+    ranges: Vec<Range<'a>>,
     /// Row by row from below.
     values: Vec<f64>,
     /// Of what.
@@ -151,7 +157,7 @@ struct Shown<'a> {
     description: String,
 }
 
-impl StabilityMap {
+impl Chart {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let is_table = self.out.extension().is_some_and(|ending| ending == "csv");
@@ -159,7 +165,7 @@ impl StabilityMap {
         let sink = Sink::file(&self.out, "--out")?;
         let shown = self.shown()?;
         let file = match format {
-            Some(format) => self.grid(&shown).drawing()?.file(format, &self.sheet())?,
+            Some(format) => self.drawing(&shown)?.file(format, &self.sheet())?,
             None => table(&shown).into_bytes(),
         };
         sink.put(file)?;
@@ -184,22 +190,24 @@ impl StabilityMap {
 
     /// The picture.
     pub(super) fn drawn(&self) -> Result<Drawing, Refusal> {
-        self.grid(&self.shown()?).drawing()
+        self.drawing(&self.shown()?)
     }
 
     fn shown(&self) -> Result<Shown<'_>, Refusal> {
-        let [x, y] = &self.over[..] else {
+        if self.over.len() > 2 {
             return Err(Refusal::new(
-                "--over: a map goes through two ranges, as in --over x=-1:1:60 --over y=0:2:60",
+                "--over: a chart goes through one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
             ));
-        };
+        }
         match &self.from {
-            Some(from) => self.of_rows(from, [x, y]),
-            None => self.of_orbits([Range::read(x)?, Range::read(y)?]),
+            Some(from) => self.of_rows(from),
+            None => self.of_orbits(),
         }
     }
 
-    fn of_orbits<'a>(&'a self, ranges: [Range<'a>; 2]) -> Result<Shown<'a>, Refusal> {
+    fn of_orbits(&self) -> Result<Shown<'_>, Refusal> {
+        let ranges = self.over.iter().map(|over| Range::over(over, Spacing::Cells));
+        let ranges: Vec<Range<'_>> = ranges.collect::<Result<_, _>>()?;
         let request = self.start.request_over(&ranges)?;
         let values = Cells::new(&request, &ranges, self.color, self.steps, &self.escape)?.values()?;
         let label = self.color.label().to_owned();
@@ -216,9 +224,9 @@ impl StabilityMap {
         })
     }
 
-    fn of_rows<'a>(&'a self, from: &'a Path, names: [&'a str; 2]) -> Result<Shown<'a>, Refusal> {
+    fn of_rows<'a>(&'a self, from: &'a Path) -> Result<Shown<'a>, Refusal> {
         let column = self.column.clone().unwrap_or_else(|| self.color.column());
-        let rows = Rows { from, over: names, column, chosen: &self.chosen };
+        let rows = Rows { from, over: &self.over, column, chosen: &self.chosen };
         let is_logarithm = rows.column == "sali" || rows.column.starts_with("drift");
         let (ranges, values) =
             rows.cells(|value| if is_logarithm { cells::logarithm(value) } else { value })?;
@@ -233,44 +241,64 @@ impl StabilityMap {
         Sheet { pixels: self.size, theme: self.theme }
     }
 
-    fn grid(&self, shown: &Shown<'_>) -> Grid {
-        let line = |range: &Range<'_>| NumberLine {
-            label: range.name.to_owned(),
-            low: range.from.to_f64(),
-            high: range.to.to_f64(),
+    fn drawing(&self, shown: &Shown<'_>) -> Result<Drawing, Refusal> {
+        match &shown.ranges[..] {
+            [range] => Ok(self.curve(shown, range).drawing()),
+            ranges => self.grid(shown, ranges).drawing(),
+        }
+    }
+
+    /// The values over one range.
+    fn curve(&self, shown: &Shown<'_>, range: &Range<'_>) -> Plot {
+        let places = range.values().map(|value| value.to_f64());
+        let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();
+        // The dots show the values that no line leads to.
+        let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
+        let plot = Plot::around(&shown.description, [range.name, &shown.label], marked.into());
+        Plot { size: self.sheet().view_box(), ..plot }
+    }
+
+    fn grid(&self, shown: &Shown<'_>, ranges: &[Range<'_>]) -> Grid {
+        let line = |range: &Range<'_>| {
+            let [low, high] = range.edges().map(|edge| edge.to_f64());
+            NumberLine { label: range.name.to_owned(), low, high }
         };
         Grid {
             description: shown.description.clone(),
             size: self.sheet().view_box(),
-            x: line(&shown.ranges[0]),
-            y: line(&shown.ranges[1]),
+            x: line(&ranges[0]),
+            y: line(&ranges[1]),
             scale: NumberLine::around_most(&shown.label, shown.values.iter().copied()),
-            columns: shown.ranges[0].steps,
+            columns: ranges[0].count(),
             values: shown.values.clone(),
         }
     }
 }
 
-/// What is shown, in words.
-fn over(label: &str, name: &str, [across, upwards]: &[Range<'_>; 2]) -> String {
-    format!(
-        "{label} of {name} over {} from {} to {} and {} from {} to {}",
-        across.name, across.from, across.to, upwards.name, upwards.from, upwards.to
-    )
+/// What is shown, in words: the values of a curve, the cells of a grid.
+fn over(label: &str, name: &str, ranges: &[Range<'_>]) -> String {
+    let through = |range: &Range<'_>| {
+        let [from, to] = if ranges.len() == 1 { range.ends() } else { range.edges() };
+        format!("{} from {from} to {to}", range.name)
+    };
+    let ranges: Vec<String> = ranges.iter().map(through).collect();
+    format!("{label} of {name} over {}", ranges.join(" and "))
 }
 
-/// A row a cell, and the names of what is in it.
+/// A row an orbit, and the names of what is in it; the first range runs fastest.
 fn table(shown: &Shown<'_>) -> String {
-    let [across, upwards] = &shown.ranges;
-    let columns: Vec<f64> = across.middles().map(|value| value.to_f64()).collect();
-    let rows = upwards.middles().map(|value| value.to_f64()).zip(shown.values.chunks_exact(across.steps));
+    let floats = |range: &Range<'_>| range.values().map(|value| value.to_f64()).collect::<Vec<_>>();
+    let names: Vec<&str> = shown.ranges.iter().map(|range| range.name).collect();
+    let along: Vec<Vec<f64>> = shown.ranges.iter().map(floats).collect();
     let log = if shown.is_logarithm { "log_" } else { "" };
-    let mut text = format!("{},{},{log}{}\n", across.name, upwards.name, shown.column);
-    for (row, values) in rows {
-        for (column, value) in columns.iter().zip(values) {
-            let cell = if value.is_finite() { format!("{value:?}") } else { String::new() };
-            text += &format!("{column:?},{row:?},{cell}\n");
+    let mut text = format!("{},{log}{}\n", names.join(","), shown.column);
+    for (index, value) in shown.values.iter().enumerate() {
+        let places = [index % along[0].len(), index / along[0].len()];
+        along.iter().zip(places).for_each(|(along, place)| text += &format!("{:?},", along[place]));
+        if value.is_finite() {
+            text += &format!("{value:?}");
         }
+        text.push('\n');
     }
     text
 }
