@@ -13,7 +13,7 @@ use kahan_measure::trade::{Subject, Trade as Measured};
 
 use crate::plot::{Sheet, Theme};
 use crate::printing::{Answer, Progress, Refusal, Sink};
-use crate::reading::{Source, coordinates, number, seconds};
+use crate::reading::{Source, number, point, seconds};
 pub(super) use comparison::Comparison;
 
 /// Measures what accuracy costs on one scene, and names the cheapest setting that serves.
@@ -123,7 +123,7 @@ impl Trade {
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
-        let start = coordinates(&self.at, &system.field.symbols.states)?;
+        let start = point(&self.at, &system.field.symbols.states)?;
         let parameters = self.source.parameter_values(&system, &name)?;
         let horizon = positive(&self.horizon, "--horizon")?;
         let tolerance = positive(&self.tolerance, "--tolerance")?;
