@@ -16,7 +16,9 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
+use kahan_algebra::derive;
 use kahan_algebra::interpret::UndefinedField;
+use kahan_algebra::rational::Rational;
 use serde_json::{Map, Value, json};
 
 use crate::numbers::{DoubleDouble, Printable, Rounded, ScalarKind};
@@ -24,9 +26,12 @@ use crate::printing::{Answer, Broken, Format, Progress, Refusal, Sink, Table, ha
 use crate::reading::{Request, Start, whole};
 use chain::is_array;
 use exact::ExactOrbit;
-use float::FloatOrbit;
+use float::{FloatMap, FloatOrbit};
 
 /// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
+///
+/// Where --at is a file of several rows, each is the first point of an orbit: the table has orbit
+/// after orbit, and a first column says which, 0, 1, and so on. An orbit that ends early ends alone.
 ///
 /// The integrals are those of the block without `when`. A cell is empty where an integral is
 /// undefined, or beyond the range of the scalar. Floats are written so that they read back exactly,
@@ -106,6 +111,7 @@ Examples:
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
+  kahan orbit lv --eps 1/7 --at starts.csv --steps 100 --every 10
   kahan orbit e1 --eps 1/2 --at -1,2/3,5/7 --steps 5 --scalar exact --projective
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9";
@@ -129,13 +135,13 @@ impl Orbit {
                 "--out F.npy is for the states of a chain, with --start; write --out F.csv",
             ));
         }
-        let request = self.start.request()?;
+        let (request, starts) = self.start.request_and_starts(&[])?;
         if self.projective {
             return match self.scalar {
-                ScalarKind::Exact => self.through_poles(&Exact, &request),
-                ScalarKind::F64 => self.through_poles(&Float64, &request),
-                ScalarKind::F32 => self.through_poles(&Float32, &request),
-                ScalarKind::Dd => self.through_poles(&DoubleDouble, &request),
+                ScalarKind::Exact => self.through_poles(&Exact, &request, &starts),
+                ScalarKind::F64 => self.through_poles(&Float64, &request, &starts),
+                ScalarKind::F32 => self.through_poles(&Float32, &request, &starts),
+                ScalarKind::Dd => self.through_poles(&DoubleDouble, &request, &starts),
             };
         }
         match self.scalar {
@@ -144,46 +150,61 @@ impl Orbit {
                  --scalar f64, or --order 2, which is exact",
                 self.order
             ))),
-            ScalarKind::Exact => self.exact(&request),
-            ScalarKind::F64 => self.floats(&Float64, &request),
-            ScalarKind::F32 => self.floats(&Float32, &request),
-            ScalarKind::Dd => self.floats(&DoubleDouble, &request),
+            ScalarKind::Exact => self.exact(&request, &starts),
+            ScalarKind::F64 => self.floats(&Float64, &request, &starts),
+            ScalarKind::F32 => self.floats(&Float32, &request, &starts),
+            ScalarKind::Dd => self.floats(&DoubleDouble, &request, &starts),
         }
     }
 
     /// Over the integers, without fractions between the rows.
-    fn exact(&self, request: &Request) -> Result<Answer, Refusal> {
-        let mut orbit = ExactOrbit::new(request)?;
+    fn exact(&self, request: &Request, starts: &[Vec<Rational>]) -> Result<Answer, Refusal> {
+        let derived = derive(&request.system);
+        let orbits = starts.iter().map(|start| ExactOrbit::new(request, &derived, start));
+        let orbits = orbits.collect::<Result<Vec<_>, _>>()?;
         let head = self.head::<Exact>(
             request,
             &request.point.parameters,
             &request.point.eps,
-            orbit.integral_names(),
+            &derived.integral_names,
+            starts.len(),
         );
-        self.write(head, |table, progress| {
-            let rows = Rows { steps: self.steps, every: self.every, at_once: 1, progress };
-            rows.follow(&mut orbit, |orbit, n| table.texts(n, &orbit.row(n)), |orbit, n, _| orbit.advance(n))
+        self.write(head, orbits, |mut orbit, rows, table| {
+            rows.follow(
+                &mut orbit,
+                1,
+                |orbit, n| table.texts(n, &orbit.row(n)),
+                |orbit, n, _| orbit.advance(n),
+            )
         })
     }
 
-    fn floats<A: Rounded>(&self, arithmetic: &A, request: &Request) -> Result<Answer, Refusal> {
-        let (parameters, eps) = request.rounded::<A>()?;
-        let mut orbit = FloatOrbit::new(arithmetic, request, self.order, &parameters, &eps)
+    fn floats<A: Rounded>(
+        &self,
+        arithmetic: &A,
+        request: &Request,
+        starts: &[Vec<Rational>],
+    ) -> Result<Answer, Refusal> {
+        let (parameters, eps) = request.rounded::<A>(starts)?;
+        let map = FloatMap::new(arithmetic, request, self.order, &parameters, &eps)
             .map_err(|UndefinedField| request.undefined_field())?;
-        let mut head = self.head::<A>(request, &parameters, &eps, orbit.integral_names());
-        head.insert("runs_as".to_owned(), json!(orbit.runs_as()));
-        self.write(head, |table, progress| {
-            let rows = Rows { steps: self.steps, every: self.every, at_once: AT_ONCE, progress };
-            rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
+        let mut head = self.head::<A>(request, &parameters, &eps, map.integral_names(), starts.len());
+        head.insert("runs_as".to_owned(), json!(map.orbit(&starts[0]).runs_as()));
+        self.write(head, starts.iter().map(|start| map.orbit(start)), |mut orbit, rows, table| {
+            rows.follow(&mut orbit, AT_ONCE, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
         })
     }
 
-    /// Opens the table, lets it be filled (why it ended early comes back), closes it.
-    fn write(
+    /// Opens the table, lets it be filled orbit by orbit (why an orbit ended early comes back),
+    /// closes it.
+    fn write<O>(
         &self,
         head: Map<String, Value>,
-        fill: impl FnOnce(&mut Table, Option<&Progress>) -> Result<Option<String>, Broken>,
+        orbits: impl IntoIterator<Item = O, IntoIter: ExactSizeIterator>,
+        mut fill: impl FnMut(O, &Rows<'_>, &mut Table) -> Result<Option<String>, Broken>,
     ) -> Result<Answer, Refusal> {
+        let orbits = orbits.into_iter();
+        let count = orbits.len();
         let file = self.out.as_deref().filter(|path| !is_array(path));
         let sink = match file {
             Some(path) => Sink::file(path, "--out")?,
@@ -191,20 +212,27 @@ impl Orbit {
         };
         let format = if self.json && file.is_none() { Format::Json } else { Format::Csv };
         let mut table = Table::new(sink, format);
-        let progress =
-            has_room_for_progress(file.is_some()).then(|| Progress::new(self.steps.unsigned_abs(), "steps"));
+        let steps = self.steps.unsigned_abs().saturating_mul(count as u64);
+        let progress = has_room_for_progress(file.is_some()).then(|| Progress::new(steps, "steps"));
+        let rows = Rows { steps: self.steps, every: self.every, progress: progress.as_ref() };
         let written = table.begin(&head).and_then(|()| {
-            let stopped = fill(&mut table, progress.as_ref())?;
-            table.end(&json!(stopped))?;
-            Ok(stopped)
+            let mut stops = Vec::new();
+            for (index, orbit) in orbits.enumerate() {
+                if count > 1 {
+                    table.begin_orbit(index);
+                }
+                stops.push(fill(orbit, &rows, &mut table)?);
+            }
+            table.end(&stopped(&stops))?;
+            Ok(stops)
         });
         if let Some(progress) = progress {
             progress.finish();
         }
-        let stopped = match written {
-            Ok(stopped) => stopped,
+        let stops = match written {
+            Ok(stops) => stops,
             // Nobody wants more rows, which is no error.
-            Err(Broken::ReaderGone) => None,
+            Err(Broken::ReaderGone) => Vec::new(),
             Err(Broken::Failed(why)) => {
                 return Ok(Answer { complaint: Some(why), ..Answer::text(String::new()) });
             }
@@ -214,12 +242,12 @@ impl Orbit {
             Some(path) if self.json => {
                 let mut object = head;
                 object.insert("out".to_owned(), json!(path.display().to_string()));
-                object.insert("stopped".to_owned(), json!(stopped));
+                object.insert("stopped".to_owned(), stopped(&stops));
                 Answer::json(&Value::Object(object))
             }
             _ => Answer::text(String::new()),
         };
-        Ok(Answer { complaint: stopped, ..answer })
+        Ok(Answer { complaint: complaint(&stops), ..answer })
     }
 
     /// What is known before the first row.
@@ -229,10 +257,11 @@ impl Orbit {
         parameters: &[A::Value],
         eps: &A::Value,
         integrals: &[String],
+        orbits: usize,
     ) -> Map<String, Value> {
         let symbols = &request.system.field.symbols;
         let named = symbols.parameters.iter().cloned().zip(parameters.iter().map(A::json));
-        let columns = columns(&symbols.states, integrals);
+        let columns = columns(&symbols.states, integrals, orbits);
         let head = json!({
             "system": request.name,
             "variables": symbols.states,
@@ -255,8 +284,6 @@ impl Orbit {
 struct Rows<'a> {
     steps: i64,
     every: i64,
-    /// The most steps between two looks at the orbit.
-    at_once: i64,
     progress: Option<&'a Progress>,
 }
 
@@ -264,10 +291,12 @@ struct Rows<'a> {
 const AT_ONCE: i64 = 1 << 20;
 
 impl Rows<'_> {
-    /// Steps from row to row; what to tell the user where a step has no value.
+    /// Steps from row to row, at most so many `at_once` between two looks at the orbit; what to tell
+    /// the user where a step has no value.
     fn follow<O>(
         &self,
         orbit: &mut O,
+        at_once: i64,
         mut row: impl FnMut(&mut O, i64) -> Result<(), Broken>,
         mut advance: impl FnMut(&mut O, i64, i64) -> Result<(), String>,
     ) -> Result<Option<String>, Broken> {
@@ -277,7 +306,7 @@ impl Rows<'_> {
             if since == 0 {
                 row(orbit, n)?;
             }
-            let steps = (self.every - since).min(self.steps - n).min(self.at_once);
+            let steps = (self.every - since).min(self.steps - n).min(at_once);
             if steps == 0 {
                 return Ok(None);
             }
@@ -292,9 +321,34 @@ impl Rows<'_> {
     }
 }
 
-/// The names of all columns: n and t, with a `_` behind them where a variable or an integral has
-/// that name.
-fn columns(states: &[String], integrals: &[String]) -> Vec<String> {
+/// Why orbits ended early, as it stands in an object: of one orbit a sentence or null, of several a
+/// list of these.
+fn stopped(stops: &[Option<String>]) -> Value {
+    match stops {
+        [] => Value::Null,
+        [stop] => json!(stop),
+        stops => json!(stops),
+    }
+}
+
+/// The same for standard error: of several orbits, how many ended early, and why the first of them.
+fn complaint(stops: &[Option<String>]) -> Option<String> {
+    let mut early = stops.iter().enumerate().filter_map(|(orbit, why)| Some((orbit, why.as_ref()?)));
+    let (orbit, why) = early.next()?;
+    Some(match stops.len() {
+        1 => why.clone(),
+        count => {
+            format!(
+                "{} of {count} orbits end early, the first of them is orbit {orbit}: {why}",
+                1 + early.count()
+            )
+        }
+    })
+}
+
+/// The names of all columns: n and t, and before them orbit where there are several orbits, with a
+/// `_` behind them where a variable or an integral has that name.
+fn columns(states: &[String], integrals: &[String], orbits: usize) -> Vec<String> {
     let named: Vec<String> = states.iter().chain(integrals).cloned().collect();
     let free = |name: &str| {
         let mut name = name.to_owned();
@@ -303,5 +357,6 @@ fn columns(states: &[String], integrals: &[String]) -> Vec<String> {
         }
         name
     };
-    [vec![free("n"), free("t")], named.clone()].concat()
+    let counted: &[&str] = if orbits > 1 { &["orbit", "n", "t"] } else { &["n", "t"] };
+    counted.iter().map(|name| free(name)).chain(named.iter().cloned()).collect()
 }
