@@ -1,9 +1,8 @@
 //! The blocks of `kahan!` in a Rust file: where each begins and ends, and what it is called.
 //!
 //! In: any text. Out: the calls of the macro in it. The compiler's own lexer tells a call from a
-//! comment or a string. A parser of Rust, `syn` or only the tokens of `proc-macro2`, would refuse a
-//! file with a bracket that is still open, or a page of Markdown with a program in it, and find no
-//! calls inside other macros.
+//! comment or a string. The parsers `proc-macro2` and `syn` refuse a file in which a bracket is still
+//! open, and a page of Markdown with a program in it; and `syn` looks into no other macro.
 
 use std::ops::Range;
 
@@ -75,21 +74,18 @@ fn opens(kind: TokenKind) -> bool {
     matches!(kind, TokenKind::OpenBrace | TokenKind::OpenParen | TokenKind::OpenBracket)
 }
 
+fn closes(kind: TokenKind) -> bool {
+    matches!(kind, TokenKind::CloseBrace | TokenKind::CloseParen | TokenKind::CloseBracket)
+}
+
 /// How many pieces stand before the bracket that closes what is open; all where none does.
 fn length_inside(pieces: &[Piece<'_>]) -> usize {
-    let mut depth = 0_usize;
-    let closes = |piece: &Piece<'_>| {
-        match piece.kind {
-            kind if opens(kind) => depth += 1,
-            TokenKind::CloseBrace | TokenKind::CloseParen | TokenKind::CloseBracket if depth == 0 => {
-                return true;
-            }
-            TokenKind::CloseBrace | TokenKind::CloseParen | TokenKind::CloseBracket => depth -= 1,
-            _ => {}
-        }
-        false
+    let mut depth = 1;
+    let is_last = |piece: &Piece<'_>| {
+        depth += i64::from(opens(piece.kind)) - i64::from(closes(piece.kind));
+        depth == 0
     };
-    pieces.iter().position(closes).unwrap_or(pieces.len())
+    pieces.iter().position(is_last).unwrap_or(pieces.len())
 }
 
 /// The name behind the first `struct` of a block.
