@@ -5,7 +5,8 @@ use std::path::Path;
 use kahan_algebra::arithmetic::Float64;
 use serde_json::{Map, Value, json};
 
-use super::{AT_ONCE, Orbit, columns};
+use super::Orbit;
+use super::rows::{AT_ONCE, columns};
 use crate::numbers::{Printable, ScalarKind};
 use crate::printing::{Answer, Broken, Npy, Refusal, Sink, Table};
 use crate::reading::{Chain, MOST_VARIABLES};
