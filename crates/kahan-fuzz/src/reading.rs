@@ -56,7 +56,7 @@ fn read(bytes: &[u8], ending: &str) {
     // One file, written over and over: to make a new one takes much longer than to read it.
     let path = std::env::temp_dir().join(format!("kahan-fuzz-{}{ending}", std::process::id()));
     fs::write(&path, bytes).expect("there is room for a file");
-    match number_file::read(path.to_str().expect("its name is text"), "--start") {
+    match number_file::read::<f64>(path.to_str().expect("its name is text"), "--start") {
         Ok(number_file::Numbers { names, sizes, values }) => {
             let product: usize = sizes.iter().product();
             assert!(product == values.len() || sizes.is_empty() && values.is_empty(), "{sizes:?}");

@@ -2,13 +2,13 @@
 //!
 //! Rows are written as they are computed and then forgotten, so the length of an orbit costs no
 //! memory. Floats step as the compiled library does, exact numbers as projective integers
-//! ([`exact`]). The table is plain text with commas: names are identifiers and numbers have no
-//! commas, so nothing in it ever needs quoting.
+//! ([`exact`]).
 
 mod chain;
 mod exact;
 mod float;
 mod projective;
+mod rows;
 mod stops;
 
 use std::path::PathBuf;
@@ -16,17 +16,23 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
+use kahan_algebra::derive;
 use kahan_algebra::interpret::UndefinedField;
+use kahan_algebra::rational::Rational;
 use serde_json::{Map, Value, json};
 
 use crate::numbers::{DoubleDouble, Printable, Rounded, ScalarKind, scalar};
-use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, has_room_for_progress};
+use crate::printing::{Answer, Refusal};
 use crate::reading::{Request, Start, whole};
 use chain::is_array;
 use exact::ExactOrbit;
-use float::FloatOrbit;
+use float::{FloatMap, FloatOrbit};
+use rows::{AT_ONCE, columns};
 
 /// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
+///
+/// Where --at is a file of several rows, each is the first point of an orbit: the table has orbit
+/// after orbit, and a first column says which, 0, 1, and so on. An orbit that ends early ends alone.
 ///
 /// The integrals are those of the block without `when`. A cell is empty where an integral is
 /// undefined, or beyond the range of the scalar. Floats are written so that they read back exactly,
@@ -106,6 +112,7 @@ Examples:
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
+  kahan orbit lv --eps 1/7 --at starts.csv --steps 100 --every 10
   kahan orbit e1 --eps 1/2 --at -1,2/3,5/7 --steps 5 --scalar exact --projective
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9";
@@ -129,13 +136,13 @@ impl Orbit {
                 "--out F.npy is for the states of a chain, with --start; write --out F.csv",
             ));
         }
-        let request = self.start.request()?;
+        let (request, starts) = self.start.request_and_starts(&[])?;
         if self.projective {
             return match self.scalar {
-                ScalarKind::Exact => self.through_poles(&Exact, &request),
-                ScalarKind::F64 => self.through_poles(&Float64, &request),
-                ScalarKind::F32 => self.through_poles(&Float32, &request),
-                ScalarKind::Dd => self.through_poles(&DoubleDouble, &request),
+                ScalarKind::Exact => self.through_poles(&Exact, &request, &starts),
+                ScalarKind::F64 => self.through_poles(&Float64, &request, &starts),
+                ScalarKind::F32 => self.through_poles(&Float32, &request, &starts),
+                ScalarKind::Dd => self.through_poles(&DoubleDouble, &request, &starts),
             };
         }
         match self.scalar {
@@ -144,82 +151,49 @@ impl Orbit {
                  --scalar f64, or --order 2, which is exact",
                 self.order
             ))),
-            ScalarKind::Exact => self.exact(&request),
-            ScalarKind::F64 => self.floats(&Float64, &request),
-            ScalarKind::F32 => self.floats(&Float32, &request),
-            ScalarKind::Dd => self.floats(&DoubleDouble, &request),
+            ScalarKind::Exact => self.exact(&request, &starts),
+            ScalarKind::F64 => self.floats(&Float64, &request, &starts),
+            ScalarKind::F32 => self.floats(&Float32, &request, &starts),
+            ScalarKind::Dd => self.floats(&DoubleDouble, &request, &starts),
         }
     }
 
     /// Over the integers, without fractions between the rows.
-    fn exact(&self, request: &Request) -> Result<Answer, Refusal> {
-        let mut orbit = ExactOrbit::new(request)?;
+    fn exact(&self, request: &Request, starts: &[Vec<Rational>]) -> Result<Answer, Refusal> {
+        let derived = derive(&request.system);
+        let orbits = starts.iter().map(|start| ExactOrbit::new(request, &derived, start));
+        let orbits = orbits.collect::<Result<Vec<_>, _>>()?;
         let head = self.head::<Exact>(
             request,
             &request.point.parameters,
             &request.point.eps,
-            orbit.integral_names(),
+            &derived.integral_names,
+            starts.len(),
         );
-        self.write(head, |table, progress| {
-            let rows = Rows { steps: self.steps, every: self.every, at_once: 1, progress };
-            rows.follow(&mut orbit, |orbit, n| table.texts(n, &orbit.row(n)), |orbit, n, _| orbit.advance(n))
+        self.write(head, orbits, |mut orbit, rows, table| {
+            rows.follow(
+                &mut orbit,
+                1,
+                |orbit, n| table.texts(n, &orbit.row(n)),
+                |orbit, n, _| orbit.advance(n),
+            )
         })
     }
 
-    fn floats<A: Rounded>(&self, arithmetic: &A, request: &Request) -> Result<Answer, Refusal> {
-        let (parameters, eps) = request.rounded::<A>()?;
-        let mut orbit = FloatOrbit::new(arithmetic, request, self.order, &parameters, &eps)
-            .map_err(|UndefinedField| request.undefined_field())?;
-        let mut head = self.head::<A>(request, &parameters, &eps, orbit.integral_names());
-        head.insert("runs_as".to_owned(), json!(orbit.runs_as()));
-        self.write(head, |table, progress| {
-            let rows = Rows { steps: self.steps, every: self.every, at_once: AT_ONCE, progress };
-            rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
-        })
-    }
-
-    /// Opens the table, lets it be filled (why it ended early comes back), closes it.
-    fn write(
+    fn floats<A: Rounded>(
         &self,
-        head: Map<String, Value>,
-        fill: impl FnOnce(&mut Table, Option<&Prompt>) -> Result<Option<String>, Broken>,
+        arithmetic: &A,
+        request: &Request,
+        starts: &[Vec<Rational>],
     ) -> Result<Answer, Refusal> {
-        let file = self.out.as_deref().filter(|path| !is_array(path));
-        let sink = match file {
-            Some(path) => Sink::file(path, "--out")?,
-            None => Sink::standard(),
-        };
-        let format = if self.json && file.is_none() { Format::Json } else { Format::Csv };
-        let mut table = Table::new(sink, format);
-        let progress =
-            has_room_for_progress(file.is_some()).then(|| Prompt::new(self.steps.unsigned_abs(), "steps"));
-        let written = table.begin(&head).and_then(|()| {
-            let stopped = fill(&mut table, progress.as_ref())?;
-            table.end(&json!(stopped))?;
-            Ok(stopped)
-        });
-        if let Some(progress) = progress {
-            progress.finish();
-        }
-        let stopped = match written {
-            Ok(stopped) => stopped,
-            // Nobody wants more rows, which is no error.
-            Err(Broken::ReaderGone) => None,
-            Err(Broken::Failed(why)) => {
-                return Ok(Answer { complaint: Some(why), ..Answer::text(String::new()) });
-            }
-        };
-        // With rows in a file, the object that describes them is the answer.
-        let answer = match file {
-            Some(path) if self.json => {
-                let mut object = head;
-                object.insert("out".to_owned(), json!(path.display().to_string()));
-                object.insert("stopped".to_owned(), json!(stopped));
-                Answer::json(&Value::Object(object))
-            }
-            _ => Answer::text(String::new()),
-        };
-        Ok(Answer { complaint: stopped, ..answer })
+        let (parameters, eps) = request.rounded::<A>(starts)?;
+        let map = FloatMap::new(arithmetic, request, self.order, &parameters, &eps)
+            .map_err(|UndefinedField| request.undefined_field())?;
+        let mut head = self.head::<A>(request, &parameters, &eps, map.integral_names(), starts.len());
+        head.insert("runs_as".to_owned(), json!(map.orbit(&starts[0]).runs_as()));
+        self.write(head, starts.iter().map(|start| map.orbit(start)), |mut orbit, rows, table| {
+            rows.follow(&mut orbit, AT_ONCE, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
+        })
     }
 
     /// What is known before the first row.
@@ -229,10 +203,11 @@ impl Orbit {
         parameters: &[A::Value],
         eps: &A::Value,
         integrals: &[String],
+        orbits: usize,
     ) -> Map<String, Value> {
         let symbols = &request.system.field.symbols;
         let named = symbols.parameters.iter().cloned().zip(parameters.iter().map(A::json));
-        let columns = columns(&symbols.states, integrals);
+        let columns = columns(&symbols.states, integrals, orbits);
         let head = json!({
             "system": request.name,
             "variables": symbols.states,
@@ -249,59 +224,4 @@ impl Orbit {
             _ => Map::new(),
         }
     }
-}
-
-/// Which points become rows.
-struct Rows<'a> {
-    steps: i64,
-    every: i64,
-    /// The most steps between two looks at the orbit.
-    at_once: i64,
-    progress: Option<&'a Prompt>,
-}
-
-/// Steps of floats between two looks: some hundredths of a second.
-const AT_ONCE: i64 = 1 << 20;
-
-impl Rows<'_> {
-    /// Steps from row to row; what to tell the user where a step has no value.
-    fn follow<O>(
-        &self,
-        orbit: &mut O,
-        mut row: impl FnMut(&mut O, i64) -> Result<(), Broken>,
-        mut advance: impl FnMut(&mut O, i64, i64) -> Result<(), String>,
-    ) -> Result<Option<String>, Broken> {
-        let mut n = 0;
-        loop {
-            let since = n % self.every;
-            if since == 0 {
-                row(orbit, n)?;
-            }
-            let steps = (self.every - since).min(self.steps - n).min(self.at_once);
-            if steps == 0 {
-                return Ok(None);
-            }
-            if let Err(why) = advance(orbit, n, steps) {
-                return Ok(Some(why));
-            }
-            n += steps;
-            if let Some(progress) = self.progress {
-                progress.advance(steps.unsigned_abs());
-            }
-        }
-    }
-}
-
-/// The names of all columns: n and t, with a `_` behind them where a variable or an integral has
-/// that name.
-fn columns(states: &[String], integrals: &[String]) -> Vec<String> {
-    let named: Vec<String> = states.iter().chain(integrals).cloned().collect();
-    let free = |name: &str| {
-        let mut name = name.to_owned();
-        while named.contains(&name) {
-            name.push('_');
-        }
-        name
-    };
-    [vec![free("n"), free("t")], named.clone()].concat()
 }

@@ -19,7 +19,7 @@ use maud::{Markup, html};
 use super::atlas::{index_in, today};
 use crate::document::{Making, colophon, document, readable};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
-use crate::reading::{Block, Source, coordinates, number, seconds};
+use crate::reading::{Block, Source, number, point, seconds};
 
 use super::line::Line;
 use figures::{Subject, command};
@@ -117,7 +117,7 @@ impl Page {
 
     fn scene(&self, system: &System, parameters: &[Rational]) -> Result<Scene, Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
-        let at = self.at.as_deref().map(|at| coordinates(at, &system.field.symbols.states)).transpose()?;
+        let at = self.at.as_deref().map(|at| point(at, &system.field.symbols.states)).transpose()?;
         Scene::of(&Field::of(system), parameters, eps.as_ref(), at.as_deref())
     }
 

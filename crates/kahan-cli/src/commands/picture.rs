@@ -45,6 +45,8 @@ pub(crate) struct Picture {
     eps: Option<String>,
 
     /// A first point, or the ends of a line, A..B, with --starts; once for each.
+    ///
+    /// Or a file of first points, F.csv or F.npy, that has a row for each.
     #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
     at: Vec<String>,
 

@@ -14,7 +14,7 @@ use serde_json::json;
 
 use crate::plot::{Sheet, Theme};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
-use crate::reading::{Source, coordinates, number, seconds};
+use crate::reading::{Source, number, point, seconds};
 pub(super) use comparison::Comparison;
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
@@ -125,7 +125,7 @@ impl Trade {
         // A false claim is told before a number that is missing.
         study.proved()?;
         let asked = Question {
-            at: coordinates(&self.at, study.variables())?,
+            at: point(&self.at, study.variables())?,
             horizon: number(&self.horizon, "--horizon")?,
             need: match self.need {
                 NeedName::Trajectory => Need::Trajectory,

@@ -1,4 +1,7 @@
 //! A table of numbers while it grows: CSV, or the rows of a JSON object.
+//!
+//! Names are identifiers and numbers have no commas, so that no cell needs quotes. The crate `csv`,
+//! which looks at each byte of a cell for what would, has nothing to do here but to put commas.
 
 use serde_json::{Map, Value};
 
@@ -30,6 +33,8 @@ pub(crate) enum Cell<V> {
 pub(crate) struct Table {
     sink: Sink,
     format: Format,
+    /// Which of several orbits the rows are of: their first cell.
+    orbit: Option<usize>,
     /// The row being written, kept so that its memory is.
     line: String,
     has_rows: bool,
@@ -41,7 +46,7 @@ impl Table {
     /// A table without anything in it.
     pub(crate) fn new(sink: Sink, format: Format) -> Self {
         let width = terminal_width().filter(|_| sink.is_standard() && format == Format::Csv);
-        Table { sink, format, line: String::new(), has_rows: false, width }
+        Table { sink, format, orbit: None, line: String::new(), has_rows: false, width }
     }
 
     /// Writes what stands before the rows; `head` has the names of the columns under `columns`.
@@ -59,6 +64,11 @@ impl Table {
             }
         };
         self.sink.write(&text)
+    }
+
+    /// Of several orbits, numbered from 0, the one that the next rows are of.
+    pub(crate) fn begin_orbit(&mut self, orbit: usize) {
+        self.orbit = Some(orbit);
     }
 
     /// Writes a row: an index, and the values behind it, `None` for what is undefined.
@@ -109,6 +119,10 @@ impl Table {
         self.line.clear();
         match self.format {
             Format::Csv => {
+                if let Some(orbit) = self.orbit {
+                    self.line.push_str(&orbit.to_string());
+                    self.line.push(',');
+                }
                 self.line.push_str(&index.to_string());
                 for cell in cells {
                     self.line.push(',');
@@ -118,7 +132,9 @@ impl Table {
             }
             Format::Json => {
                 self.line.push_str(if self.has_rows { ",\n    " } else { "\n    " });
-                let row: Value = std::iter::once(Value::from(index)).chain(cells.map(json)).collect();
+                let orbit = self.orbit.map(Value::from);
+                let row: Value =
+                    orbit.into_iter().chain([Value::from(index)]).chain(cells.map(json)).collect();
                 self.line.push_str(&row.to_string());
             }
         }

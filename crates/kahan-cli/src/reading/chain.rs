@@ -5,7 +5,7 @@
 use kahan_runtime::{ChainAt, Lattice};
 
 use super::formula::{Formula, Known, formula, formulas};
-use super::number_file::{Numbers, is_file, read};
+use super::number_file::{Numbers, is_number_file, read};
 use super::source::Start;
 use super::values::number;
 use crate::printing::Refusal;
@@ -75,7 +75,7 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
     };
     let (name, value) = (name.trim(), value.trim());
     let option = format!("--param {name}");
-    if is_file(value) {
+    if is_number_file(value) {
         return Ok((name, read(value, &option)?.values));
     }
     if let Ok(number) = number(value, &option) {
@@ -88,7 +88,7 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
 
 /// The first state, all of it numbers.
 fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<Vec<f64>, Refusal> {
-    let state = if is_file(start) {
+    let state = if is_number_file(start) {
         of_file(start, arrays, sites)?
     } else {
         let formulas = in_order(formulas(start, known, "--start")?, arrays)?;

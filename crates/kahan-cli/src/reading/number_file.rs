@@ -1,83 +1,119 @@
-//! Files of numbers: CSV, and NumPy's arrays (`.npy`, numpy.lib.format).
+//! Files of numbers: CSV, of which the crate `csv` makes cells, and NumPy's arrays (`.npy`,
+//! numpy.lib.format).
+//!
+//! In: the path of a file. Out: its numbers, as exact as they stand there if the caller wants that,
+//! with their sizes and the names of their columns. What the numbers are for, this module must not
+//! know.
+//!
+//! Arrays are read here and written in `printing::npy` by code of our own. We tried `npyz` 0.9.1,
+//! the best kept of the crates for them: it multiplies the sizes of a header unchecked, so that a
+//! file of a hundred bytes makes it panic; for that header it brings a generator of parsers and a
+//! build script in C; and where the number of rows is known at the end only, its arrays have at most
+//! two directions, while states of chains take three. `ndarray-npy` wants all sizes beforehand.
 
 use std::fs;
-use std::io::{self, BufRead};
 use std::path::Path;
+
+use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::printing::Refusal;
 
+/// A number as files have it.
+pub(super) trait Entry: Sized {
+    /// The number in a cell of text, which may be empty; `None` where the cell has no number.
+    fn of_text(cell: &str) -> Option<Self>;
+
+    /// The number that an array has as a float.
+    fn of_float(float: f64) -> Self;
+}
+
+/// A cell that is empty is not a number.
+impl Entry for f64 {
+    fn of_text(cell: &str) -> Option<Self> {
+        if cell.is_empty() { Some(f64::NAN) } else { cell.parse().ok() }
+    }
+
+    fn of_float(float: f64) -> Self {
+        float
+    }
+}
+
 /// The numbers of a file, and the names of its columns where it has them.
-#[derive(Debug, Default, PartialEq)]
-pub(super) struct Numbers {
+#[derive(Debug, PartialEq)]
+pub(super) struct Numbers<V = f64> {
     pub(super) names: Option<Vec<String>>,
     /// How many there are in each direction, rows first.
     pub(super) sizes: Vec<usize>,
     /// Row by row.
-    pub(super) values: Vec<f64>,
+    pub(super) values: Vec<V>,
 }
 
 /// Whether a text names such a file.
-pub(super) fn is_file(text: &str) -> bool {
+pub(crate) fn is_number_file(text: &str) -> bool {
     let ending = Path::new(text).extension().and_then(|ending| ending.to_str());
     ending.is_some_and(|ending| ending == "npy" || ending == "csv")
 }
 
 /// Reads a file; `option` names it in the refusal.
-pub(super) fn read(path: &str, option: &str) -> Result<Numbers, Refusal> {
+pub(super) fn read<V: Entry>(path: &str, option: &str) -> Result<Numbers<V>, Refusal> {
     let refused = |why: String| Refusal::new(format!("{option}: cannot read the file {path}: {why}"));
     let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
-    let numbers = if path.ends_with(".npy") { array(&bytes) } else { table(&bytes[..]) };
+    let numbers = if path.ends_with(".npy") { array(&bytes) } else { table(&bytes) };
     numbers.map_err(refused)
 }
 
-/// Rows of numbers with commas, behind a row of names or not; what is left out is not a number.
-pub(super) fn table(text: impl BufRead) -> Result<Numbers, String> {
-    let (mut numbers, mut index) = (Numbers::default(), 0);
-    for (line, row) in text.lines().enumerate() {
-        let row = row.map_err(|error| match error.kind() {
-            io::ErrorKind::InvalidData => "it is no text".to_owned(),
-            _ => error.to_string(),
-        })?;
-        if row.trim().is_empty() {
+/// Rows of numbers with commas, behind a row of names or not.
+pub(super) fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
+    let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
+    let (mut row, mut is_first) = (StringRecord::new(), true);
+    let mut numbers = Numbers { names: None, sizes: Vec::new(), values: Vec::new() };
+    // Bytes in memory can be read, so all that may be wrong is what they say.
+    while cells.read_record(&mut row).map_err(|_| "it is no text".to_owned())? {
+        // A line of spaces.
+        if row.len() == 1 && row[0].is_empty() {
             continue;
         }
-        index += 1;
-        let cells: Vec<&str> = row.split(',').map(str::trim).collect();
-        let value = |cell: &&'_ str| if cell.is_empty() { Ok(f64::NAN) } else { cell.parse() };
-        let values: Result<Vec<f64>, &str> =
-            cells.iter().map(|cell| value(cell).map_err(|_| *cell)).collect();
+        let line = || line(text, &row);
+        let values: Result<Vec<V>, &str> = row.iter().map(|cell| V::of_text(cell).ok_or(cell)).collect();
         match values {
             Ok(values) => {
-                let [rows, columns] = numbers.sizes[..] else {
-                    if let Some(names) = numbers.names.as_ref().filter(|names| names.len() != values.len()) {
-                        let (line, found, names) = (line + 1, values.len(), names.len());
+                let (found, names) = (values.len(), numbers.names.as_ref().map(Vec::len));
+                match (&mut numbers.sizes[..], names) {
+                    ([_, columns], _) if *columns != found => {
+                        let line = line();
+                        return Err(format!(
+                            "line {line} has {found} numbers, and those before it {columns}"
+                        ));
+                    }
+                    ([rows, _], _) => *rows += 1,
+                    (_, Some(names)) if names != found => {
+                        let line = line();
                         return Err(format!(
                             "line {line} has {found} numbers, and above it are {names} names"
                         ));
                     }
-                    numbers.sizes = vec![1, values.len()];
-                    numbers.values = values;
-                    continue;
-                };
-                if values.len() != columns {
-                    let found = values.len();
-                    return Err(format!(
-                        "line {} has {found} numbers, and those before it {columns}",
-                        line + 1
-                    ));
+                    _ => numbers.sizes = vec![1, found],
                 }
-                numbers.sizes[0] = rows + 1;
                 numbers.values.extend(values);
             }
-            Err(_) if index == 1 => numbers.names = Some(cells.into_iter().map(str::to_owned).collect()),
-            Err(cell) => return Err(format!("`{cell}` in line {} is no number", line + 1)),
+            Err(_) if is_first => numbers.names = Some(row.iter().map(str::to_owned).collect()),
+            Err(cell) => return Err(format!("`{cell}` in line {} is no number", line())),
         }
+        is_first = false;
     }
     Ok(numbers)
 }
 
+/// The line in which a row begins. The reader does not count what it skips before a row: empty lines,
+/// and the second half of a line break of Windows.
+fn line(text: &[u8], row: &StringRecord) -> usize {
+    let behind = row.position().map_or(0, |place| usize::try_from(place.byte()).unwrap_or(text.len()));
+    let skipped = text[behind..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
+    1 + text[..behind + skipped].iter().filter(|byte| **byte == b'\n').count()
+}
+
 /// An array of NumPy's, in the order in which rows lie one behind the other.
-fn array(bytes: &[u8]) -> Result<Numbers, String> {
+fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
     let broken = || "it is no array of NumPy's, or not a whole one".to_owned();
     let (header, data) = header(bytes).ok_or_else(broken)?;
     let value = |key: &str| {
@@ -90,9 +126,13 @@ fn array(bytes: &[u8]) -> Result<Numbers, String> {
     if value("fortran_order") != Some("False") && sizes.iter().filter(|size| **size > 1).count() > 1 {
         return Err("its columns lie one behind the other; save it with np.ascontiguousarray".to_owned());
     }
-    let values: Vec<f64> = match value("descr") {
-        Some("'<f8'") => data.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect(),
-        Some("'<f4'") => data.as_chunks().0.iter().map(|bytes| f32::from_le_bytes(*bytes).into()).collect(),
+    let values: Vec<V> = match value("descr") {
+        Some("'<f8'") => {
+            data.as_chunks().0.iter().map(|bytes| V::of_float(f64::from_le_bytes(*bytes))).collect()
+        }
+        Some("'<f4'") => {
+            data.as_chunks().0.iter().map(|bytes| V::of_float(f32::from_le_bytes(*bytes).into())).collect()
+        }
         _ => return Err("its numbers are no floats; save it with .astype(float)".to_owned()),
     };
     let count = sizes.iter().try_fold(1, |product: usize, size| product.checked_mul(*size));
@@ -124,7 +164,7 @@ mod tests {
             let sizes = if values.is_empty() { Vec::new() } else { vec![values.len() / columns, columns] };
             Ok(Numbers { names, sizes, values: values.to_vec() })
         };
-        let table = |text: &str| table(text.as_bytes());
+        let table = |text: &str| table::<f64>(text.as_bytes());
         assert_eq!(table("a, b\n1, 2\n\n-3,4e-1\n"), numbers(Some(&["a", "b"]), &[1.0, 2.0, -3.0, 0.4]));
         assert_eq!(table("1\n2"), numbers(None, &[1.0, 2.0]));
         assert_eq!(table(""), numbers(None, &[]));
@@ -134,6 +174,11 @@ mod tests {
             Err("line 3 has 3 numbers, and those before it 2".to_owned())
         );
         assert_eq!(table("a,b\n1,2,3\n"), Err("line 2 has 3 numbers, and above it are 2 names".to_owned()));
+        // As spreadsheets write tables: a mark before the text, quotes, line breaks of Windows.
+        assert_eq!(table("\u{feff}\"a\",b\r\n\r\n1,\"2\"\r\n"), numbers(Some(&["a", "b"]), &[1.0, 2.0]));
+        for text in ["1\r\n\r\n \r\nx\r\n", "1\n\n \nx"] {
+            assert_eq!(table(text), Err("`x` in line 4 is no number".to_owned()), "{text:?}");
+        }
         let left_out = table("a,b\n1,\n").expect("a table").values;
         assert!(left_out[0] == 1.0 && left_out[1].is_nan());
     }
@@ -167,7 +212,7 @@ mod tests {
             b"\x93NUMPY\x01\x00\xff\xff{".to_vec(),
             b"x,y".to_vec(),
         ] {
-            assert!(array(&wrong).is_err(), "{}", String::from_utf8_lossy(&wrong));
+            assert!(array::<f64>(&wrong).is_err(), "{}", String::from_utf8_lossy(&wrong));
         }
     }
 }

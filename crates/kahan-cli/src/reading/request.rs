@@ -8,9 +8,10 @@ use kahan_algebra::system::System;
 use kahan_runtime::{Field, MapAt};
 
 use super::formula::{Formula, formula_of};
+use super::points::{only, points};
 use super::range::Range;
 use super::source::Start;
-use super::values::{coordinates, number};
+use super::values::number;
 use crate::numbers::Printable;
 use crate::printing::{Refusal, shorten};
 
@@ -31,6 +32,17 @@ impl Start {
 
     /// The same, where parameters or ε are gone through: those need no value besides.
     pub(crate) fn request_over(&self, ranges: &[Range<'_>]) -> Result<Request, Refusal> {
+        let (mut request, starts) = self.request_and_starts(ranges)?;
+        request.point.state = only(starts, self.at.as_deref().unwrap_or_default())?;
+        Ok(request)
+    }
+
+    /// The same with all first points of `--at`, each of which may take the place of the request's,
+    /// which is the first of them.
+    pub(crate) fn request_and_starts(
+        &self,
+        ranges: &[Range<'_>],
+    ) -> Result<(Request, Vec<Vec<Rational>>), Refusal> {
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
@@ -41,15 +53,16 @@ impl Start {
                 source = source.with_parameter(range.name, &range.value(0));
             }
         }
+        let starts = points(self.at.as_deref().unwrap_or_default(), &symbols.states)?;
         let point = Point {
-            state: coordinates(self.at.as_deref().unwrap_or_default(), &symbols.states)?,
+            state: starts[0].clone(),
             parameters: source.parameter_values(&system, &name)?,
             eps: ranges
                 .iter()
                 .find(|range| range.name == "eps" && self.eps.is_none())
                 .map_or_else(|| self.half_step(), |range| Ok(range.value(0)))?,
         };
-        Ok(Request { name, system, point })
+        Ok((Request { name, system, point }, starts))
     }
 }
 

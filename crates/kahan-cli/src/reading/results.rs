@@ -1,7 +1,7 @@
 //! Columns of numbers from files with names above them: results of `kahan sweep`, tables.
 
 use std::env::consts::EXE_SUFFIX;
-use std::io::{self, BufReader, Read};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -70,14 +70,14 @@ fn swept(path: &Path, names: &[&str], option: &str) -> Result<Numbers, Refusal> 
     program.arg("--read").arg(path).arg("--columns").arg(names.join(","));
     let started = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
     let mut reader = started.map_err(|error| not_started(&error))?;
-    let numbers = reader.stdout.take().map(|rows| number_file::table(BufReader::new(rows)));
-    let mut complaint = String::new();
+    let (mut rows, mut complaint) = (Vec::new(), String::new());
+    let read = reader.stdout.take().map_or(Ok(0), |mut pipe| pipe.read_to_end(&mut rows));
     // What it cannot say is not more important than that it failed.
     let _ = reader.stderr.take().map(|mut words| words.read_to_string(&mut complaint));
     let refused = |why: &str| Refusal::new(format!("{option}: {}", why.trim()));
     match reader.wait() {
         Ok(status) if status.success() => {
-            let numbers = numbers.unwrap_or_else(|| Ok(Numbers::default()));
+            let numbers = read.map_err(|error| error.to_string()).and_then(|_| number_file::table(&rows));
             numbers.map_err(|why| refused(&format!("{}: {why}", path.display())))
         }
         Ok(_) => Err(refused(complaint.trim_start_matches("error: "))),

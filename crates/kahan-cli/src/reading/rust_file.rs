@@ -1,12 +1,12 @@
 //! The blocks of `kahan!` in a Rust file: where each begins and ends, and what it is called.
 //!
-//! Of Rust only as much is understood as tells a macro call from a comment, a string or a
-//! character.
+//! In: any text. Out: the calls of the macro in it. The compiler's own lexer tells a call from a
+//! comment or a string. The parsers `proc-macro2` and `syn` refuse a file in which a bracket is still
+//! open, and a page of Markdown with a program in it; and `syn` looks into no other macro.
 
 use std::ops::Range;
 
-use kahan_algebra::lexer::lex;
-use kahan_algebra::token::TokenKind;
+use rustc_lexer::{FrontmatterAllowed, TokenKind, tokenize};
 
 /// One call of the macro.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,154 +19,79 @@ pub(super) struct RustBlock {
     pub(super) name: Option<String>,
 }
 
+/// A word, a sign or a literal of a text, and where it stands.
+struct Piece<'a> {
+    kind: TokenKind,
+    text: &'a str,
+    range: Range<usize>,
+}
+
 /// The blocks of a file, in order; none where it is no Rust file, or has none.
 pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
+    let pieces = pieces(text);
     let mut found = Vec::new();
-    // The last two pieces before the macro: `field` and `=` in `let field = kahan! { … }`.
-    let mut before = ["", ""];
     let mut at = 0;
-    while let Some(piece) = piece(text, at) {
-        let word = &text[piece.clone()];
-        at = piece.end;
-        if is_blank(word) {
+    while let Some(rest) = pieces.get(at..)
+        && let [macro_name, bang, bracket, inside @ ..] = rest
+    {
+        let is_call = macro_name.text == "kahan" && bang.kind == TokenKind::Bang && opens(bracket.kind);
+        if !is_call {
+            at += 1;
             continue;
         }
-        if word == "kahan"
-            && let Some(start) = opening(text, at)
-        {
-            let range = start..closing(text, start);
-            let line = text[..piece.start].matches('\n').count() + 1;
-            let bound = (before[1] == "=").then(|| before[0].to_owned());
-            let name = struct_name(&text[range.clone()]).or(bound);
-            at = range.end;
-            found.push(RustBlock { range, line, name });
-        }
-        before = [before[1], word];
+        let length = length_inside(inside);
+        let end = inside.get(length).map_or(text.len(), |bracket| bracket.range.start);
+        let bound = match &pieces[..at] {
+            [.., variable, sign] if sign.kind == TokenKind::Eq => Some(variable.text.to_owned()),
+            _ => None,
+        };
+        found.push(RustBlock {
+            range: bracket.range.end..end,
+            line: text[..macro_name.range.start].matches('\n').count() + 1,
+            name: struct_name(&inside[..length]).or(bound),
+        });
+        at += 3 + length;
     }
     found
 }
 
-/// The next piece of Rust: a comment, a string, a character, a word, or a single sign.
-fn piece(text: &str, at: usize) -> Option<Range<usize>> {
-    let rest = &text[at..];
-    let first = rest.chars().next()?;
-    let length = if rest.starts_with("//") {
-        rest.find('\n').unwrap_or(rest.len())
-    } else if rest.starts_with("/*") {
-        comment(rest)
-    } else if first == '"' {
-        string(rest)
-    } else if first == '\'' {
-        character(rest)
-    } else if is_of_word(first) {
-        let word = rest.find(|c| !is_of_word(c)).unwrap_or(rest.len());
-        raw_string(&rest[..word], &rest[word..]).map_or(word, |string| word + string)
-    } else {
-        first.len_utf8()
+/// The pieces of a text, without spaces and comments.
+fn pieces(text: &str) -> Vec<Piece<'_>> {
+    let mut end = 0;
+    let pieces = tokenize(text, FrontmatterAllowed::No).map(|token| {
+        let range = end..end + token.len as usize;
+        end = range.end;
+        Piece { kind: token.kind, text: &text[range.clone()], range }
+    });
+    let is_blank = |kind| {
+        use TokenKind::{BlockComment, LineComment, Whitespace};
+        matches!(kind, Whitespace | LineComment { .. } | BlockComment { .. })
     };
-    Some(at..at + length)
+    pieces.filter(|piece| !is_blank(piece.kind)).collect()
 }
 
-fn is_blank(piece: &str) -> bool {
-    piece.trim().is_empty() || piece.starts_with("//") || piece.starts_with("/*")
+fn opens(kind: TokenKind) -> bool {
+    matches!(kind, TokenKind::OpenBrace | TokenKind::OpenParen | TokenKind::OpenBracket)
 }
 
-fn is_of_word(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
+fn closes(kind: TokenKind) -> bool {
+    matches!(kind, TokenKind::CloseBrace | TokenKind::CloseParen | TokenKind::CloseBracket)
 }
 
-/// The length of a comment, which may have others inside.
-fn comment(rest: &str) -> usize {
-    let mut depth = 0_usize;
-    let mut at = 0;
-    while at < rest.len() {
-        if rest[at..].starts_with("/*") {
-            depth += 1;
-            at += 2;
-        } else if rest[at..].starts_with("*/") {
-            depth -= 1;
-            at += 2;
-            if depth == 0 {
-                return at;
-            }
-        } else {
-            at += rest[at..].chars().next().map_or(1, char::len_utf8);
-        }
-    }
-    rest.len()
-}
-
-/// The length of a string with its quotes; a backslash hides what follows it.
-fn string(rest: &str) -> usize {
-    let mut is_hidden = false;
-    for (at, c) in rest.char_indices().skip(1) {
-        match c {
-            '"' if !is_hidden => return at + 1,
-            '\\' => is_hidden = !is_hidden,
-            _ => is_hidden = false,
-        }
-    }
-    rest.len()
-}
-
-/// The length of what follows the `r` of a raw string; `None` where none follows.
-fn raw_string(prefix: &str, rest: &str) -> Option<usize> {
-    if !matches!(prefix, "r" | "br" | "cr") {
-        return None;
-    }
-    let signs = rest.len() - rest.trim_start_matches('#').len();
-    let inside = rest[signs..].strip_prefix('"')?;
-    let end = format!("\"{}", "#".repeat(signs));
-    Some(inside.find(&end).map_or(rest.len(), |at| signs + 1 + at + end.len()))
-}
-
-/// The length of a character with its quotes, or of the quote of a lifetime.
-fn character(rest: &str) -> usize {
-    let mut inside = rest[1..].char_indices();
-    match inside.next() {
-        Some((_, '\\')) => rest[3.min(rest.len())..].find('\'').map_or(rest.len(), |at| at + 4),
-        Some((_, c)) if rest[1 + c.len_utf8()..].starts_with('\'') => c.len_utf8() + 2,
-        _ => 1,
-    }
-}
-
-/// Where the text of a macro call begins, if `! {` or its like follows the name.
-fn opening(text: &str, mut at: usize) -> Option<usize> {
-    let mut wanted = ["!"].iter();
-    while let Some(piece) = piece(text, at) {
-        let word = &text[piece.clone()];
-        at = piece.end;
-        match (is_blank(word), wanted.next()) {
-            (true, sign) => wanted = if sign.is_some() { ["!"].iter() } else { [].iter() },
-            (false, Some(sign)) if word == *sign => {}
-            (false, None) if matches!(word, "{" | "(" | "[") => return Some(at),
-            _ => return None,
-        }
-    }
-    None
-}
-
-/// Where the bracket that is open at `start` closes; the end of the text where it does not.
-fn closing(text: &str, start: usize) -> usize {
-    let mut depth = 0_usize;
-    let mut at = start;
-    while let Some(piece) = piece(text, at) {
-        match &text[piece.clone()] {
-            "{" | "(" | "[" => depth += 1,
-            "}" | ")" | "]" if depth == 0 => return piece.start,
-            "}" | ")" | "]" => depth -= 1,
-            _ => {}
-        }
-        at = piece.end;
-    }
-    text.len()
+/// How many pieces stand before the bracket that closes what is open; all where none does.
+fn length_inside(pieces: &[Piece<'_>]) -> usize {
+    let mut depth = 1;
+    let is_last = |piece: &Piece<'_>| {
+        depth += i64::from(opens(piece.kind)) - i64::from(closes(piece.kind));
+        depth == 0
+    };
+    pieces.iter().position(is_last).unwrap_or(pieces.len())
 }
 
 /// The name behind the first `struct` of a block.
-fn struct_name(block: &str) -> Option<String> {
-    let tokens = lex(block).tokens;
-    let named = tokens.windows(2).find(|pair| pair[0].text == "struct")?;
-    (named[1].kind == TokenKind::Identifier).then(|| named[1].text.clone())
+fn struct_name(block: &[Piece<'_>]) -> Option<String> {
+    let named = block.windows(2).find(|pair| pair[0].text == "struct")?;
+    (named[1].kind == TokenKind::Ident).then(|| named[1].text.to_owned())
 }
 
 #[cfg(test)]
@@ -199,6 +124,19 @@ mod inner {
         assert!(inside[0].starts_with("/// A doc") && inside[0].ends_with("xdot = a*x;"), "{}", inside[0]);
         assert!(inside[1].ends_with("{x,y} = 1; }"), "{}", inside[1]);
         assert_eq!(inside[2..], ["ydot = y;", "zdot = z;"]);
+    }
+
+    #[test]
+    fn a_text_need_not_be_rust() {
+        for text in [
+            "# Kahan's\n`x` ```rust\nkahan! { xdot = x; }\n``` that's \" all",
+            "} kahan! { xdot = x; } (",
+            "wrap! { kahan! { xdot = x; } }",
+        ] {
+            let found = blocks(text);
+            assert_eq!(found.len(), 1, "{text}");
+            assert_eq!(&text[found[0].range.clone()], " xdot = x; ", "{text}");
+        }
     }
 
     #[test]

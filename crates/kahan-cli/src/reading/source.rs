@@ -64,6 +64,9 @@ pub(crate) struct Start {
     pub(super) eps: Option<String>,
 
     /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
+    ///
+    /// Or a file, F.csv or F.npy, that has the point as a row. A first line of names says which
+    /// column is which variable; other columns are ignored. `orbit` takes several rows.
     #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
     pub(super) at: Option<String>,
 }

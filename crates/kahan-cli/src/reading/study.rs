@@ -6,9 +6,9 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
+use super::points::point;
 use super::request::assignments;
 use super::source::{Source, Start};
-use super::values::coordinates;
 use crate::printing::Refusal;
 
 impl Source {
@@ -37,7 +37,7 @@ impl Start {
         let study = self.source.study()?;
         // A false claim is told before a number that is missing.
         study.proved()?;
-        let at = coordinates(self.at.as_deref().unwrap_or_default(), study.variables())?;
+        let at = point(self.at.as_deref().unwrap_or_default(), study.variables())?;
         study.values()?;
         Ok((study, at, self.half_step()?))
     }

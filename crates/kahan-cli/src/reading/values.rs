@@ -1,4 +1,4 @@
-//! Exact numbers, times and coordinates behind options; what is wrong with them becomes a
+//! Exact numbers, counts and times behind options; what is wrong with them becomes a
 //! [`Refusal`].
 
 use std::fmt::Display;
@@ -60,20 +60,6 @@ pub(crate) fn whole<T: Copy + Display + TryFrom<i128>>(text: &str, least: T, mos
 pub(crate) fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.trim().parse().ok().filter(|seconds: &f64| seconds.is_finite() && *seconds > 0.0);
     seconds.ok_or_else(|| "write a number of seconds above 0, such as 60 or 0.5".to_owned())
-}
-
-/// The coordinates behind `--at`, one a state.
-pub(crate) fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
-    let parts: Vec<&str> = text.split(',').collect();
-    if parts.len() != states.len() {
-        let (expected, plural) = (states.len(), if states.len() == 1 { "" } else { "s" });
-        let names = states.join(",");
-        return Err(Refusal::new(format!(
-            "--at: {expected} coordinate{plural} {names} expected, {} given",
-            parts.len()
-        )));
-    }
-    parts.iter().zip(states).map(|(part, state)| number(part, &format!("--at, coordinate {state}"))).collect()
 }
 
 #[cfg(test)]

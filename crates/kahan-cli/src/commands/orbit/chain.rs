@@ -6,7 +6,8 @@ use kahan_algebra::arithmetic::Float64;
 use kahan_study::MOST_VARIABLES;
 use serde_json::{Map, Value, json};
 
-use super::{AT_ONCE, Orbit, Rows, columns};
+use super::Orbit;
+use super::rows::{AT_ONCE, columns};
 use crate::numbers::{Printable, ScalarKind};
 use crate::printing::{Answer, Broken, Npy, Refusal, Sink, Table};
 use crate::reading::Chain;
@@ -31,14 +32,14 @@ impl Orbit {
         let arrays = chain.lattice.arrays().len();
         let sizes = if arrays == 1 { vec![chain.sites] } else { vec![chain.sites, arrays] };
         let array = array.map(|path| Npy::new(Sink::file(path, "--out")?, sizes).map_err(Refusal::from));
-        let mut orbit = ChainOrbit { array: array.transpose()?, chain };
+        let orbit = ChainOrbit { array: array.transpose()?, chain };
         let head = self.chain_head(&orbit);
-        self.write(head, |table, progress| {
+        self.write(head, [orbit], |mut orbit, rows, table| {
             let at_once = (AT_ONCE
                 / i64::try_from(orbit.chain.state.len()).expect("the states fit into memory"))
             .max(1);
-            let rows = Rows { steps: self.steps, every: self.every, at_once, progress };
-            let stopped = rows.follow(&mut orbit, |orbit, n| orbit.write(table, n), ChainOrbit::advance)?;
+            let stopped =
+                rows.follow(&mut orbit, at_once, |orbit, n| orbit.write(table, n), ChainOrbit::advance)?;
             if let Some(array) = orbit.array {
                 array.finish()?;
             }
@@ -60,7 +61,7 @@ impl Orbit {
             "order": self.order,
             "steps": self.steps,
             "every": self.every,
-            "columns": columns(&orbit.state_names(), &orbit.sum_names()),
+            "columns": columns(&orbit.state_names(), &orbit.sum_names(), 1),
         });
         match head {
             Value::Object(head) => head,

@@ -6,10 +6,11 @@
 
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
+use kahan_algebra::Derived;
 use kahan_algebra::arithmetic::Arithmetic;
+use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::symbols::Symbol;
-use kahan_algebra::{Derived, derive};
 use kahan_runtime::heights::HeightsOrbit;
 
 use crate::printing::Refusal;
@@ -20,34 +21,27 @@ pub(super) struct ExactOrbit<'a> {
     request: &'a Request,
     orbit: HeightsOrbit,
     time_step: Rational,
-    derived: Derived,
+    derived: &'a Derived,
     /// The integrals at the first point.
     first: Vec<Option<Fraction>>,
 }
 
 impl<'a> ExactOrbit<'a> {
-    /// The orbit at its first point.
-    pub(super) fn new(request: &'a Request) -> Result<Self, Refusal> {
-        let point = &request.point;
-        let orbit = HeightsOrbit::new(&request.system, &point.parameters, &point.eps, &point.state);
+    /// The orbit at its first point; `derived` is of the request's system.
+    pub(super) fn new(
+        request: &'a Request,
+        derived: &'a Derived,
+        start: &[Rational],
+    ) -> Result<Self, Refusal> {
+        let Point { parameters, eps, .. } = &request.point;
+        let orbit = HeightsOrbit::new(&request.system, parameters, eps, start);
         let mut orbit = orbit.map_err(|_| request.undefined_field())?;
         // The first item is the first point itself.
         orbit.next();
-        let mut exact = ExactOrbit {
-            request,
-            orbit,
-            time_step: &point.eps + &point.eps,
-            derived: derive(&request.system),
-            first: Vec::new(),
-        };
+        let mut exact = ExactOrbit { request, orbit, time_step: eps + eps, derived, first: Vec::new() };
         let first = exact.integrals(&exact.state());
         exact.first = first.into_iter().map(|value| value.map(Fraction::reduced)).collect();
         Ok(exact)
-    }
-
-    /// The names of the integrals, in order.
-    pub(super) fn integral_names(&self) -> &[String] {
-        &self.derived.integral_names
     }
 
     /// t, the state and the integrals at the point n; `None` for an integral that divides by zero

@@ -1,28 +1,35 @@
-//! Orbits in rounded numbers: Kahan's map, or a composition of it.
+//! Orbits in rounded numbers: Kahan's map, or a composition of it. The map is prepared once for all
+//! first points.
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::interpret::UndefinedField;
 use kahan_algebra::rational::Rational;
 use kahan_core::{Composition, Scheme};
-use kahan_runtime::Field;
 use kahan_runtime::orbit::{End, SchemeOrbit};
+use kahan_runtime::{Field, Map};
 
 use crate::numbers::Rounded;
 use crate::printing::{Broken, Table};
 use crate::reading::Request;
 
-/// An orbit in rounded numbers.
-pub(super) struct FloatOrbit<'a, A: Arithmetic> {
+/// A map in rounded numbers.
+pub(super) struct FloatMap<'a, A: Arithmetic> {
     arithmetic: &'a A,
     request: &'a Request,
     field: Field,
-    orbit: SchemeOrbit,
+    map: Map,
+    scheme: Scheme,
     time_step: A::Value,
-    is_composed: bool,
 }
 
-impl<'a, A: Rounded> FloatOrbit<'a, A> {
-    /// The orbit at its first point, by the composition for this order (2, 4, 6 or 8).
+/// An orbit in rounded numbers.
+pub(super) struct FloatOrbit<'a, A: Arithmetic> {
+    map: &'a FloatMap<'a, A>,
+    orbit: SchemeOrbit,
+}
+
+impl<'a, A: Rounded> FloatMap<'a, A> {
+    /// The map, or its composition for this order (2, 4, 6 or 8).
     pub(super) fn new(
         arithmetic: &'a A,
         request: &'a Request,
@@ -39,27 +46,33 @@ impl<'a, A: Rounded> FloatOrbit<'a, A> {
         }
         let values = field.parameters().iter().zip(&request.point.parameters);
         let map = field.with(values).map_err(|_| UndefinedField)?;
-        // The point has been read for this field.
-        let orbit =
-            map.orbit(scheme, &request.point.eps, &request.point.state).map_err(|_| UndefinedField)?;
         let time_step = arithmetic.add(eps, eps);
-        Ok(Self { arithmetic, request, field, orbit, time_step, is_composed: composition.stages() > 1 })
+        Ok(Self { arithmetic, request, field, map, scheme, time_step })
     }
 
-    /// How it runs, in words.
-    pub(super) fn runs_as(&self) -> &'static str {
-        if self.orbit.is_code() { "machine code" } else { "interpreted" }
+    /// The orbit at its first point.
+    pub(super) fn orbit(&'a self, start: &[Rational]) -> FloatOrbit<'a, A> {
+        let orbit = self.map.orbit(self.scheme, &self.request.point.eps, start);
+        FloatOrbit { map: self, orbit: orbit.expect("the point has been read for this field") }
     }
 
     /// The names of the integrals, in order.
     pub(super) fn integral_names(&self) -> &[String] {
         self.field.integrals()
     }
+}
+
+impl<A: Rounded> FloatOrbit<'_, A> {
+    /// How it runs, in words.
+    pub(super) fn runs_as(&self) -> &'static str {
+        if self.orbit.is_code() { "machine code" } else { "interpreted" }
+    }
 
     /// Writes the point n as a row.
     pub(super) fn write(&mut self, table: &mut Table, n: i64) -> Result<(), Broken> {
-        let number = self.arithmetic.constant(&Rational::from(n));
-        let time = number.map(|n| self.arithmetic.multiply(&n, &self.time_step));
+        let FloatMap { arithmetic, time_step, .. } = self.map;
+        let number = arithmetic.constant(&Rational::from(n));
+        let time = number.map(|n| arithmetic.multiply(&n, time_step));
         let integrals = self.orbit.integrals();
         let values: Vec<A::Value> =
             self.orbit.point().iter().chain(&integrals).map(|x| A::narrow(*x)).collect();
@@ -76,10 +89,11 @@ impl<'a, A: Rounded> FloatOrbit<'a, A> {
     fn why(&self, n: i64, End { steps, is_pole }: End) -> String {
         let n = n.saturating_add_unsigned(steps);
         let last: Vec<A::Value> = self.orbit.point().iter().map(|x| A::narrow(*x)).collect();
-        match (is_pole, self.is_composed) {
-            (true, true) => self.request.stage_pole::<A>(n, &last),
-            (true, false) => self.request.pole::<A>(n, &last, self.field.derived().map.is_some()),
-            (false, _) => self.request.overflow::<A>(n, &last),
+        let FloatMap { request, field, scheme, .. } = self.map;
+        match (is_pole, scheme.composition.stages() > 1) {
+            (true, true) => request.stage_pole::<A>(n, &last),
+            (true, false) => request.pole::<A>(n, &last, field.derived().map.is_some()),
+            (false, _) => request.overflow::<A>(n, &last),
         }
     }
 }

@@ -8,7 +8,7 @@ use kahan_core::num_traits::Zero;
 use kahan_runtime::Field;
 use kahan_runtime::orbit::{ProjectiveOrbit, ProjectiveScalar};
 
-use super::{Orbit, Rows};
+use super::Orbit;
 use crate::numbers::{DoubleDouble, Printable};
 use crate::printing::{Answer, Broken, Cell, Refusal, Table};
 use crate::reading::Request;
@@ -48,18 +48,19 @@ of_float!(Float64, f64);
 of_float!(DoubleDouble, Dd);
 
 impl Orbit {
-    /// The rows of an orbit through its poles.
+    /// The rows of orbits through their poles.
     pub(super) fn through_poles<A: OfScalar>(
         &self,
         arithmetic: &A,
         request: &Request,
+        starts: &[Vec<Rational>],
     ) -> Result<Answer, Refusal> {
         if self.order != 2 {
             return Err(Refusal::new(
                 "--projective follows Kahan's map itself, not compositions; leave --order out",
             ));
         }
-        let (parameters, eps) = request.rounded::<A>()?;
+        let (parameters, eps) = request.rounded::<A>(starts)?;
         let field = Field::of(&request.system);
         // What differs exactly may be one number in the scalar.
         if !field.derived().is_defined_at(arithmetic, &parameters) {
@@ -68,15 +69,16 @@ impl Orbit {
         let point = &request.point;
         let values = field.parameters().iter().zip(&point.parameters);
         let map = field.with(values).map_err(|_| request.undefined_field())?;
-        let orbit = map.projective_orbit::<A::Scalar>(&point.eps, &point.state);
-        let mut orbit = orbit.map_err(|why| Refusal::new(format!("--projective: {why}")))?;
-        let mut head = self.head::<A>(request, &parameters, &eps, field.integrals());
+        let orbits = starts.iter().map(|start| map.projective_orbit::<A::Scalar>(&point.eps, start));
+        let orbits = orbits.collect::<Result<Vec<_>, _>>();
+        let orbits = orbits.map_err(|why| Refusal::new(format!("--projective: {why}")))?;
+        let mut head = self.head::<A>(request, &parameters, &eps, field.integrals(), starts.len());
         head.insert("projective".to_owned(), true.into());
         let time_step = arithmetic.add(&eps, &eps);
-        self.write(head, |table, progress| {
-            let rows = Rows { steps: self.steps, every: self.every, at_once: 1, progress };
+        self.write(head, orbits, |mut orbit, rows, table| {
             rows.follow(
                 &mut orbit,
+                1,
                 |orbit, n| row(arithmetic, table, n, &time_step, orbit.as_ref()),
                 |orbit, n, _| orbit.advance().map_err(|why| request.end(n, why)),
             )

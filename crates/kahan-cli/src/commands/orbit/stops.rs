@@ -2,6 +2,7 @@
 
 use kahan_algebra::interpret::Point;
 use kahan_algebra::kahan::TERM_BUDGET;
+use kahan_algebra::rational::Rational;
 use kahan_core::SingularStep;
 
 use crate::numbers::Printable;
@@ -10,11 +11,15 @@ use crate::reading::Request;
 
 impl Request {
     /// Parameters and ε in the scalar; numbers that it cannot hold are refused, those of the first
-    /// point too.
-    pub(super) fn rounded<A: Printable>(&self) -> Result<(Vec<A::Value>, A::Value), Refusal> {
+    /// points too.
+    pub(super) fn rounded<A: Printable>(
+        &self,
+        starts: &[Vec<Rational>],
+    ) -> Result<(Vec<A::Value>, A::Value), Refusal> {
         let symbols = &self.system.field.symbols;
-        let Point { state, parameters, eps } = &self.point;
-        let states = symbols.states.iter().zip(state).map(|(name, value)| ("--at", name.as_str(), value));
+        let Point { parameters, eps, .. } = &self.point;
+        let names = symbols.states.iter().cycle();
+        let states = names.zip(starts.iter().flatten()).map(|(name, value)| ("--at", name.as_str(), value));
         let parameters_given = symbols.parameters.iter().zip(parameters);
         let given = states
             .chain(parameters_given.map(|(name, value)| ("--param", name.as_str(), value)))

@@ -1,11 +1,11 @@
-//! First points of orbits: as they are given, along a line, or drawn at random.
+//! First points of orbits: as they are given, in files, along a line, or drawn at random.
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 
 use super::Subject;
 use crate::printing::Refusal;
-use crate::reading::{coordinates, number};
+use crate::reading::{is_number_file, number, point, points};
 
 impl Subject<'_> {
     /// The first points, in the order of `--at`.
@@ -13,22 +13,28 @@ impl Subject<'_> {
         let mut random = SplitMix64::new(self.asked.seed);
         let mut starts = Vec::new();
         for at in &self.asked.at {
-            match (at.split_once(".."), self.asked.starts) {
+            // The path of a file may have dots of its own.
+            let line = at.split_once("..").filter(|_| !is_number_file(at));
+            match (line, self.asked.starts) {
                 (Some((from, to)), Some(count)) => starts.extend(self.along(from, to, count)?),
                 (Some(_), None) => {
                     return Err(Refusal::new(format!(
                         "--at {at} is a line; say by --starts how many first points it has"
                     )));
                 }
-                (None, Some(count)) => starts.extend(self.around(at, count, &mut random)?),
-                (None, None) => starts.push(self.point(at)?),
+                (None, Some(count)) => {
+                    for middle in points(at, self.variables())? {
+                        starts.extend(self.around(&middle, count, &mut random)?);
+                    }
+                }
+                (None, None) => starts.extend(points(at, self.variables())?),
             }
         }
         Ok(starts)
     }
 
     pub(super) fn point(&self, at: &str) -> Result<Vec<Rational>, Refusal> {
-        coordinates(at, self.variables())
+        point(at, self.variables())
     }
 
     /// Evenly on the line between two points, both of them among these; one start is the first.
@@ -43,11 +49,16 @@ impl Subject<'_> {
     }
 
     /// At random in the cube around a point.
-    fn around(&self, at: &str, count: usize, random: &mut SplitMix64) -> Result<Vec<Vec<Rational>>, Refusal> {
+    fn around(
+        &self,
+        middle: &[Rational],
+        count: usize,
+        random: &mut SplitMix64,
+    ) -> Result<Vec<Vec<Rational>>, Refusal> {
         /// Parts of the radius, so that the fractions stay short.
         const PARTS: i64 = 1 << 20;
 
-        let (middle, radius) = (self.point(at)?, number(&self.asked.radius, "--radius")?);
+        let radius = number(&self.asked.radius, "--radius")?;
         let part = radius.checked_div(&Rational::from(PARTS)).expect("there are parts");
         let mut near = |value: &Rational| {
             let drawn = random.below(2 * PARTS as u64 + 1) as i64 - PARTS;

@@ -175,7 +175,7 @@ fn mistakes_are_told() {
 }
 
 /// A file of NumPy's with this shape.
-fn numpy(file: &Path, shape: &str, values: &[f64]) {
+pub(super) fn numpy(file: &Path, shape: &str, values: &[f64]) {
     let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
     let mut bytes = [b"\x93NUMPY\x01\x00\x76\x00".as_slice(), format!("{header:<117}\n").as_bytes()].concat();
     bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));

@@ -77,6 +77,7 @@ fn bad_input_says_what_to_write_instead() {
 #[test]
 fn the_examples_of_the_help_run() {
     let folder = folder();
+    fs::write(folder.path().join("starts.csv"), "x,y\n1/4,1\n1/2,1\n").expect("a file");
     assert!(examples_run("orbit", folder.path()) >= 5);
-    assert_eq!(contents(&folder), ["e7.csv"]);
+    assert_eq!(contents(&folder), ["e7.csv", "starts.csv"]);
 }

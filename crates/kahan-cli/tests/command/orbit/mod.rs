@@ -8,6 +8,7 @@ mod manners;
 mod order;
 mod poles;
 mod scalars;
+mod starts;
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};

@@ -1,0 +1,137 @@
+//! `--at` with a file: a row for each first point.
+
+use super::chains::numpy;
+use super::*;
+use crate::running;
+
+/// A file with this text.
+fn file(folder: &TempDir, text: &str) -> String {
+    let path = folder.path().join("starts.csv");
+    fs::write(&path, text).expect("a file");
+    path_text(&path).to_owned()
+}
+
+fn orbits<'a>(at: &'a str, further: &[&'a str]) -> Vec<&'a str> {
+    [&["lv", "--eps", "1/7", "--steps", "5", "--at", at], further].concat()
+}
+
+#[test]
+fn a_file_of_one_row_is_the_point_written_out() {
+    let folder = folder();
+    for further in [&["--scalar", "exact"][..], &["--scalar", "exact", "--json"], &["--scalar", "dd"], &[]] {
+        let written = answer(&orbits("1/3,0.1", further));
+        for text in ["1/3,0.1\n", "y,t,x\n0.1,,1/3\n", "\"x\", y\r\n\r\n1/3 , 0.1"] {
+            assert_eq!(answer(&orbits(&file(&folder, text), further)), written, "{text:?} {further:?}");
+        }
+    }
+    // One tenth is no float: an array has the float.
+    let array = folder.path().join("starts.npy");
+    numpy(&array, "(1, 2)", &[0.1, 3.0]);
+    let of_array = answer(&orbits(path_text(&array), &["--scalar", "exact"]));
+    let tenth = "3602879701896397/36028797018963968";
+    assert_eq!(of_array, answer(&orbits(&format!("{tenth},3"), &["--scalar", "exact"])));
+}
+
+#[test]
+fn of_several_rows_each_begins_an_orbit() {
+    let folder = folder();
+    let starts = ["1/3,1/2", "1,2", "5/7,0.3"];
+    let path = file(&folder, &format!("x,y\n{}\n", starts.join("\n")));
+    for further in [
+        &["--scalar", "exact"][..],
+        &["--every", "2"],
+        &["--scalar", "f32", "--order", "4"],
+        &["--projective", "--scalar", "exact"],
+        &["--projective"],
+    ] {
+        let (names, rows) = table(&answer(&orbits(&path, further)));
+        let mut expected = Vec::new();
+        for (index, start) in starts.iter().enumerate() {
+            let (own_names, own) = table(&answer(&orbits(start, further)));
+            assert_eq!(names, [&["orbit".to_owned()], &own_names[..]].concat());
+            expected.extend(own.into_iter().map(|row| [vec![index.to_string()], row].concat()));
+        }
+        assert_eq!(rows, expected, "{further:?}");
+        let object: Value =
+            serde_json::from_str(&answer(&orbits(&path, &[further, &["--json"]].concat()))).expect("JSON");
+        assert_eq!(object["columns"], json!(names));
+        assert_eq!(object["stopped"], json!([null, null, null]));
+        let listed = object["rows"].as_array().expect("rows");
+        let orbits_and_steps = |cells: &[Value]| [cells[0].to_string(), cells[1].to_string()];
+        let firsts: Vec<_> =
+            listed.iter().map(|row| orbits_and_steps(row.as_array().expect("a row"))).collect();
+        assert_eq!(firsts, rows.iter().map(|row| [row[0].clone(), row[1].clone()]).collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn an_orbit_that_ends_early_ends_alone() {
+    // E1: 1/x changes by 2ε; from x = 2/3 there is no third step at ε = −1/4.
+    let folder = folder();
+    let path = file(&folder, "x,y,z\n1/9,1,1\n2/3,1,1\n1/8,1,1\n2/3,1,1\n");
+    let asked = ["e1", "--eps", "-1/4", "--at", &path, "--steps", "4", "--scalar", "exact"];
+    let output = kahan(&asked);
+    assert_eq!(output.status.code(), Some(1));
+    let (_, rows) = table(&text(&output.stdout));
+    let length = |orbit: &str| rows.iter().filter(|row| row[0] == orbit).count();
+    assert_eq!(["0", "1", "2", "3"].map(length), [5, 3, 5, 3]);
+    let told = text(&output.stderr);
+    assert!(told.contains("2 of 4 orbits end early, the first of them is orbit 1: "), "{told}");
+    assert!(told.contains("at n = 2 det A = 0"), "{told}");
+    let object: Value =
+        serde_json::from_slice(&kahan(&with(&asked, &["--json".to_owned()])).stdout).expect("JSON");
+    let stopped = object["stopped"].as_array().expect("a list");
+    assert_eq!(stopped.iter().map(Value::is_null).collect::<Vec<_>>(), [true, false, true, false]);
+}
+
+#[test]
+fn what_is_no_first_point_is_told() {
+    let folder = folder();
+    let told = |path: &str, part: &str| {
+        let paragraph =
+            running::refusal(&["orbit", "lv", "--eps", "1", "--at", path, "--steps", "1"]).replace('\n', " ");
+        assert!(paragraph.contains(part) && paragraph.contains("--at"), "{part}: {paragraph}");
+    };
+    for (content, part) in [
+        ("x,z\n1,2\n", "has no column `y`; it has x, z"),
+        ("x,y,x\n1,2,3\n", "two columns `x`"),
+        ("1,2,3\n", "has 1 x 3 numbers, and first points are rows of 2: x,y"),
+        ("x,y\n", "has no rows"),
+        ("", "has no rows"),
+        ("x,y\n1,2\n1,\n", "has no number for y in row 2"),
+        ("x,y\n1,2\n1/0,2\n", "`1/0` in line 3 is no number"),
+        ("x,y\n1,2\n1e400,2\n", "x is beyond the range of f64; use --scalar exact"),
+    ] {
+        told(&file(&folder, content), part);
+    }
+    told("no.csv", "cannot read the file no.csv");
+    let array = folder.path().join("starts.npy");
+    for (shape, values, part) in [
+        ("(2,)", &[1.0, 2.0][..], "has 2 numbers, and first points are rows of 2: x,y"),
+        ("(1, 1, 2)", &[1.0, 2.0], "has 1 x 1 x 2 numbers"),
+        ("(0, 2)", &[], "has no rows"),
+        ("(1, 2)", &[1.0, f64::NAN], "has no number for y in row 1"),
+    ] {
+        numpy(&array, shape, values);
+        told(path_text(&array), part);
+    }
+}
+
+#[test]
+fn other_commands_take_a_file_of_one_row_and_pictures_several() {
+    let folder = folder();
+    let one = file(&folder, "y,x\n2,1/3\n");
+    let eval = |at: &str| running::answer(&["eval", "lv", "--eps", "1/7", "--at", at]);
+    assert_eq!(eval(&one), eval("1/3,2"));
+    let several = file(&folder, "1/3,2\n1,2\n");
+    let told = running::refusal(&["eval", "lv", "--eps", "1/7", "--at", &several]).replace('\n', " ");
+    assert!(told.contains("has 2 rows, and here one point is asked for"), "{told}");
+    let picture = |at: &[&str]| {
+        let out = folder.path().join("orbits.svg");
+        let starts: Vec<&str> = at.iter().flat_map(|at| ["--at", at]).collect();
+        let asked = ["picture", "lv", "--eps", "1/7", "--steps", "9", "--out", path_text(&out)];
+        running::answer(&[&asked[..], &starts].concat());
+        fs::read_to_string(&out).expect("a picture")
+    };
+    assert_eq!(picture(&[&several]), picture(&["1/3,2", "1,2"]));
+}
