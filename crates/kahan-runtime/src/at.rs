@@ -1,23 +1,24 @@
 //! A map at one ε, over slices.
 
+mod columns;
 mod drift;
 mod group;
 mod objects;
 mod observe;
+mod rotation;
 mod tangent;
 
 pub use drift::IntegralDrift;
+pub use observe::WhileFinite;
 
-use core::slice;
 use std::sync::{Arc, OnceLock};
 
-use kahan_algebra::arithmetic::Float64;
 use kahan_core::{Composition, Increments, Level, Room, Step, Stopped};
 use smallvec::SmallVec;
 
 use crate::dimension::Argument;
 use crate::engine::{
-    CodedStages, Columns, ColumnsOnce, Engine, Instructions, Scratches, Stage, split, stage_constants,
+    CodedStages, ColumnsOnce, Engine, Instructions, Scratches, Stage, split, stage_constants,
 };
 use crate::machine::StepKind;
 use crate::{DimensionError, Map};
@@ -176,94 +177,10 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(())
     }
 
-    /// Advances many trajectories: column c holds variable c of all of them, in one order.
-    ///
-    /// `eps` holds ε for each trajectory, or one for all, or nothing, which means that of the map.
-    /// `parameters` has a list a parameter, each of a value for each trajectory or one for all; an
-    /// empty one means those of the map. A trajectory has the same bits whatever stands beside it,
-    /// and those of an ensemble at its ε and parameters.
-    ///
-    /// What is not a number stays so, and a trajectory at whose parameters the field divides by
-    /// zero is not a number either. The rest never notices.
-    ///
-    /// # Errors
-    /// [`DimensionError`] for what has another length.
-    ///
-    /// ```
-    /// use kahan_runtime::Field;
-    ///
-    /// let map = Field::parse("xdot = r*x*(1 - y); ydot = r*y*(x - 1);").unwrap().with([("r", 1)]).unwrap();
-    /// let (mut x, mut y) = ([1.5, 1.5, 0.7], [1.0, 1.0, 0.7]);
-    /// let rates = [1.0, 0.5, 1.0];
-    /// map.at(0.05).advance_columns(&mut [&mut x, &mut y], &[], &[&rates], 100).unwrap();
-    ///
-    /// let mut alone = [1.5_f64, 1.0];
-    /// map.at(0.05).advance(&mut alone, 100).unwrap();
-    /// assert!((x[0] - alone[0]).abs() < 1e-12 && x[1] != x[0]);
-    /// ```
-    pub fn advance_columns(
-        &self,
-        columns: &mut [&mut [T]],
-        eps: &[T],
-        parameters: &[&[T]],
-        steps: u64,
-    ) -> Result<(), DimensionError> {
-        let trajectories = columns.first().map_or(0, |column| column.len());
-        self.check_columns(columns, eps, parameters, trajectories)?;
-        let (own, own_eps) = self.own();
-        let eps = if eps.is_empty() { &[own_eps] } else { eps };
-        let own: SmallVec<[&[T]; 8]> = own.iter().map(slice::from_ref).collect();
-        let are_own = parameters.is_empty();
-        let mut columns = Columns { columns, eps, parameters: if are_own { &own } else { parameters } };
-        let code = (self.instructions, &*self.columns);
-        self.engine().advance_columns(&mut columns, self.composition, steps, code);
-        if !are_own && self.map.field().has_divisors() {
-            self.forget_undefined(&mut columns);
-        }
-        Ok(())
-    }
-
-    /// Where the field divides by zero at a trajectory's parameters there is no map; its code,
-    /// which has no such divisor any more, does not notice.
-    fn forget_undefined(&self, Columns { columns, parameters, .. }: &mut Columns<'_, '_, T>) {
-        let trajectories = columns.first().map_or(0, |column| column.len());
-        for k in 0..trajectories {
-            let of_trajectory = |values: &&[T]| if values.len() == 1 { values[0] } else { values[k] };
-            let values: Vec<f64> =
-                parameters.iter().map(|values| of_trajectory(values).approximate()).collect();
-            if !self.map.field().derived().is_defined_at(&Float64, &values) {
-                columns.iter_mut().for_each(|column| column[k] = T::zero() / T::zero());
-            }
-        }
-    }
-
-    fn check_columns(
-        &self,
-        columns: &[&mut [T]],
-        eps: &[T],
-        parameters: &[&[T]],
-        trajectories: usize,
-    ) -> Result<(), DimensionError> {
-        let symbols = &self.map.field().system().field.symbols;
-        DimensionError::check(Argument::Columns, columns.len(), self.dimension())?;
-        let refused = |argument, found| Err(DimensionError::new(argument, found, trajectories));
-        for (column, variable) in columns.iter().zip(&symbols.states) {
-            if column.len() != trajectories {
-                return refused(Argument::Column(variable.clone()), column.len());
-            }
-        }
-        if eps.len() > 1 && eps.len() != trajectories {
-            return refused(Argument::Eps, eps.len());
-        }
-        if !parameters.is_empty() {
-            DimensionError::check(Argument::Parameters, parameters.len(), symbols.parameters.len())?;
-        }
-        for (values, name) in parameters.iter().zip(&symbols.parameters) {
-            if values.len() != 1 && values.len() != trajectories {
-                return refused(Argument::Parameter(name.clone()), values.len());
-            }
-        }
-        Ok(())
+    /// The same, of the map of this field at other parameters, and at another ε.
+    fn at_constants(&self, map: Map, parameters: impl Iterator<Item = T>, eps: T) -> Self {
+        let constants = parameters.chain([eps]).collect();
+        MapAt { map, constants, ..self.clone() }.composed(self.composition)
     }
 
     fn engine(&self) -> &Engine {
@@ -305,9 +222,8 @@ impl<T: MachineFloat> Step for MapAt<T> {
 
     #[track_caller]
     fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
-        let constants = self.own().0.iter().copied().chain([*eps]).collect();
-        let columns = Arc::default();
-        Step::advance(&MapAt { constants, columns, ..self.clone() }.composed(self.composition), x, 1, room)
+        let part = self.at_constants(self.map.clone(), self.own().0.iter().copied(), *eps);
+        Step::advance(&part, x, 1, room)
     }
 }
 

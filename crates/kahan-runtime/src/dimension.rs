@@ -17,6 +17,8 @@ pub(crate) enum Argument {
     /// Where a result is to be written.
     Out,
     Carry,
+    /// Where points are to be written, one after the other.
+    Rows,
     Columns,
     Maps,
     /// The column of a variable.
@@ -50,7 +52,7 @@ impl DimensionError {
     }
 
     /// How many are needed; of what can be one for all trajectories, how many trajectories there
-    /// are.
+    /// are; of rows, how many each has.
     #[must_use]
     pub fn expected(&self) -> usize {
         self.expected
@@ -67,6 +69,12 @@ impl fmt::Display for DimensionError {
                 write!(f, "there is room for {found} {entries} of the result; make it {expected}")
             }
             Argument::Carry => write!(f, "the carry has {found} {entries}; give {expected}, one a variable"),
+            Argument::Rows => {
+                write!(
+                    f,
+                    "the rows have {found} {entries}; give a multiple of {expected}, one a variable in each row"
+                )
+            }
             Argument::Columns => write!(f, "the columns are {found}; give {expected}, one a variable"),
             Argument::Maps => {
                 write!(f, "the maps are {found}; give one, or {expected}, one an orbit")

@@ -3,8 +3,8 @@
 //! In: a text in the language of `kahan!` ([`Field::parse`]) or a checked
 //! [`System`](kahan_algebra::system::System), and values of its parameters ([`Field::with`]). Out:
 //! a map over slices of any dimension ([`Map::at`]), a [`KahanMap`](kahan_core::KahanMap) over any
-//! scalar ([`Map::as_kahan_map`]), exact orbits with the growth of their heights ([`heights`]), and
-//! of a family chains of any number of sites ([`Lattice`]).
+//! scalar ([`Map::as_kahan_map`]), exact orbits with the growth of their heights ([`heights`]), of a
+//! family chains of any number of sites ([`Lattice`]), and orbits of any of them ([`Follow`]).
 //! It must not know the catalog: a field comes from its caller. Beside them, how work is spread
 //! over processors ([`threads`]).
 //!
@@ -40,6 +40,7 @@ mod diagnostics;
 mod dimension;
 mod engine;
 mod field;
+mod follow;
 pub mod heights;
 mod indicator;
 pub mod interpreted;
@@ -55,11 +56,12 @@ mod periodic;
 mod text;
 pub mod threads;
 
-pub use at::{IntegralDrift, MachineFloat, MapAt, RuntimePoint};
+pub use at::{IntegralDrift, MachineFloat, MapAt, RuntimePoint, WhileFinite};
 pub use claim::ClaimError;
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;
 pub use field::Field;
+pub use follow::{Ended, Follow, Followed};
 pub use indicator::Indicator;
 pub use kahan_algebra::rational::Rational;
 pub use kahan_core::{Composition, Level};

@@ -33,6 +33,7 @@
 //! | when it escapes, when it comes back | [`Escape`], [`Period`] |
 //! | the same, and no further than that | [`Ending`] |
 //! | how long it stays where | [`Residence`] |
+//! | the points themselves | [`Visit`] |
 //!
 //! Times are in steps; exponents are per unit of time, of which a step takes 2ε. Logarithms,
 //! exponentials and arctangents are those of the `libm` crate, and growth is kept as a number and a
@@ -69,6 +70,7 @@ mod section;
 mod spectrum;
 mod tangent;
 mod tuples;
+mod visit;
 
 #[cfg(feature = "std")]
 use crate::EnsembleScalar;
@@ -101,6 +103,7 @@ pub use section::{Crossing, Direction, Section, Sink, first_crossing};
 #[cfg(feature = "std")]
 pub use spectrum::Spectrum;
 pub use tangent::{Tangent, TangentMap};
+pub use visit::Visit;
 
 /// A question about an orbit whose numbers are of the type T.
 ///
@@ -144,7 +147,7 @@ pub use tangent::{Tangent, TangentMap};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not observe orbits of numbers of the type `{T}`",
     label = "not an observer of such orbits",
-    note = "a closure is asked by an observer: `Extrema::of(|x: &[f64]| x[0])`, `Escape::when(…)`, or one of your own, which implements `Observer`"
+    note = "a closure is asked by an observer: `Extrema::of(|x: &[f64]| x[0])`, `Escape::when(…)`, `Visit::by(|step, x: &[f64]| …)`, or one of your own, which implements `Observer`"
 )]
 pub trait Observer<T> {
     /// The answer.

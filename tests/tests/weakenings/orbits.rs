@@ -11,6 +11,7 @@ const REMOVABLE: &str = "-p kahan-tests --test removable_poles";
 const MAPS: &str = "-p kahan-core-tests -- ensemble::maps";
 const ANY: &str = "-p kahan-core-tests -- any_map";
 const EXPONENTS: &str = "-p kahan-core-tests -- exponents";
+const FOLLOWED: &str = "-p kahan-runtime --test slices --test side_by_side";
 
 const fn of(
     tests: &'static str,
@@ -189,4 +190,13 @@ pub(crate) const ORBITS: &[Weakening] = &[
     of(POLES, "one line instead of two", "kahan-core/src/map/orbit/projective/passage.rs",
         "if delta.is_zero() { 1 } else { 2 }",
         "1"),
+    of(FOLLOWED, "a watch that stops a run that is over", "crates/kahan-runtime/src/follow.rs",
+        "watch(made - first).is_break() && made < steps",
+        "watch(made - first).is_break()"),
+    of(FOLLOWED, "steps that are counted from the last look of the watch", "crates/kahan-runtime/src/follow.rs",
+        "first + advance_while_finite(",
+        "advance_while_finite("),
+    of(FOLLOWED, "a group that goes on with an orbit that has left the range", "crates/kahan-runtime/src/at/observe.rs",
+        "own.ended == Ended::Complete && are_finite(lane)",
+        "own.ended == Ended::Complete"),
 ];

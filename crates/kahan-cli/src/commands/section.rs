@@ -1,11 +1,11 @@
 //! `kahan section`: where an orbit crosses a plane, or the level of any function.
 
-use std::cell::RefCell;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
-use kahan_runtime::{MapAt, RuntimePoint};
+use kahan_core::observe::{self, Crossing, Direction, Section as Crossings};
+use kahan_runtime::{Ended, Follow, Followed, MapAt, RuntimePoint};
 use serde_json::{Value, json};
 
 use crate::printing::{Answer, Prompt, Refusal, Sink};
@@ -75,6 +75,29 @@ fn points(text: &str) -> Result<usize, String> {
 
 type Point = Crossing<Vec<f64>, f64>;
 
+/// Takes the first crossings, in memory that grows with them: `most` is what a user allows, and far
+/// more than there are as a rule.
+struct First {
+    found: Vec<Point>,
+    most: usize,
+}
+
+impl observe::Sink<Point> for First {
+    type Report = Vec<Point>;
+
+    fn take(&mut self, crossing: Point) {
+        self.found.push(crossing);
+    }
+
+    fn is_full(&self) -> bool {
+        self.found.len() >= self.most
+    }
+
+    fn report(self) -> Vec<Point> {
+        self.found
+    }
+}
+
 impl Section {
     /// Writes the crossings; what is left to say is the answer.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
@@ -87,40 +110,31 @@ impl Section {
             Side::Both => Direction::Both,
         };
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let points: RefCell<Vec<Point>> = RefCell::new(Vec::new());
-        let mut crossings = Crossings::new(&at, height(&at, &plane), direction, |crossing: Point| {
-            points.borrow_mut().push(crossing);
-        });
+        let first = First { found: Vec::new(), most: self.points };
+        let crossings = Crossings::new(&at, height(&at, &plane), direction, first);
         let progress = Prompt::new(self.steps, "steps");
-        let (mut made, mut is_finite) = (0, true);
-        crossings.observe(0, &x);
-        while is_finite && made < self.steps && points.borrow().len() < self.points {
-            // The state is as long as the field has variables.
-            let _ = at.advance(&mut x, 1);
-            is_finite = x.iter().all(|x| x.is_finite());
-            if is_finite {
-                made += 1;
-                crossings.observe(made, &x);
-                progress.advance(1);
-            }
-        }
+        let watch = |steps| {
+            progress.advance(steps);
+            ControlFlow::Continue(())
+        };
+        let followed = at.observe(&mut x, self.steps, crossings, watch).expect("the start is of the field");
         progress.finish();
-        let found =
-            Found { name: &request.name, variables: at.map().field().variables(), points: points.take() };
-        let complaint = (!is_finite).then(|| {
+        let Followed { report: points, steps, ended } = followed;
+        let found = Found { name: &request.name, variables: at.map().field().variables(), points };
+        let complaint = (ended == Ended::Range).then(|| {
             format!(
                 "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings up to \
                  there are kept",
                 request.name,
-                made + 1
+                steps + 1
             )
         });
         let answer = match sink {
             Some(sink) => {
                 sink.put(found.table())?;
-                if self.json { Answer::json(&found.object(made)) } else { Answer::text(String::new()) }
+                if self.json { Answer::json(&found.object(steps)) } else { Answer::text(String::new()) }
             }
-            None if self.json => Answer::json(&found.object(made)),
+            None if self.json => Answer::json(&found.object(steps)),
             None => Answer::verbatim(found.table()),
         };
         Ok(Answer { complaint, ..answer })

@@ -5,14 +5,15 @@
 
 use core::array::from_fn;
 
-use kahan_core::Level;
-use kahan_core::observe::{GROUP, Observer, observe_group};
+use kahan_core::observe::{Burst, GROUP, Grouped, Observer, Observers, observe_group};
+use kahan_core::{EnsembleScalar, Level, Scalar};
 
 use super::group::RuntimeGroup;
 use super::{MachineFloat, MapAt, RuntimePoint};
-use crate::DimensionError;
 use crate::dimension::Argument;
 use crate::engine::Abreast;
+use crate::follow::is_finite;
+use crate::{DimensionError, Ended, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
     /// Advances many orbits by so many steps, and shows each to the observers that `observers`
@@ -46,7 +47,7 @@ impl<T: MachineFloat> MapAt<T> {
         if maps.len() != 1 {
             DimensionError::check(Argument::Maps, maps.len(), orbits)?;
         }
-        maps.iter().try_for_each(|map| map.check_columns(columns, &[], &[], orbits))?;
+        maps.iter().try_for_each(|map| map.check_columns(columns).map(|_| ()))?;
         let mut reports = Vec::with_capacity(orbits);
         for first in (0..orbits).step_by(GROUP) {
             let end = orbits.min(first + GROUP);
@@ -111,5 +112,72 @@ impl<T: MachineFloat> MapAt<T> {
     /// Whether it is of the same field, on the same instructions.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         core::ptr::eq(self.engine(), other.engine()) && self.instructions == other.instructions
+    }
+}
+
+/// Observers of one orbit among many, which see its points as far as these are finite, and then tell
+/// how it ended: what [`Follow::observe`](crate::Follow::observe) does for one orbit, for
+/// [`MapAt::observe_columns`].
+///
+/// The start is seen as it is. Where the orbit leaves the range, or the observers are done, the
+/// columns go on, unseen.
+#[derive(Clone, Debug)]
+pub struct WhileFinite<O> {
+    observers: O,
+    steps: u64,
+    ended: Ended,
+}
+
+impl<O> WhileFinite<O> {
+    /// The same observers, of points that are finite.
+    #[must_use]
+    pub fn new(observers: O) -> Self {
+        WhileFinite { observers, steps: 0, ended: Ended::Complete }
+    }
+}
+
+impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
+    type Report = Followed<O::Report>;
+
+    fn observe(&mut self, step: u64, x: &[T]) {
+        if self.ended != Ended::Complete {
+            return;
+        }
+        if step > 0 && !is_finite(x) {
+            self.ended = Ended::Range;
+            return;
+        }
+        self.observers.observe(step, x);
+        self.steps = step;
+        if self.observers.is_done() {
+            self.ended = Ended::Done;
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        self.ended != Ended::Complete
+    }
+
+    fn report(self) -> Self::Report {
+        Followed { report: self.observers.report(), steps: self.steps, ended: self.ended }
+    }
+
+    /// Side by side where all orbits go on: what is not finite stays so, and so the last points
+    /// tell of all.
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
+    where
+        T: EnsembleScalar,
+    {
+        let Some((last, points)) = burst.steps().last() else { return };
+        let are_finite = |lane: usize| is_finite(points.of(lane).as_ref());
+        let mut lanes = group.iter().flatten().enumerate();
+        if O::MAY_END || !lanes.all(|(lane, own)| own.ended == Ended::Complete && are_finite(lane)) {
+            for (lane, own) in group.iter_mut().flatten().enumerate() {
+                burst.show(lane, 0, |step, x| own.observe(step, x));
+            }
+            return;
+        }
+        O::observe_burst(&mut group.each_mut().map(|own| own.as_mut().map(|own| &mut own.observers)), burst);
+        group.iter_mut().flatten().for_each(|own| own.steps = last);
     }
 }

@@ -1,10 +1,11 @@
 //! Points and reports, bit for bit.
 
 use std::fmt::Debug;
+use std::ops::ControlFlow;
 
 use kahan_core::observe::{Escape, Extrema, Fli, Lyapunov, Megno, Observer, Sali};
 use kahan_core::{Composition, Level};
-use kahan_runtime::{Field, MachineFloat, MapAt};
+use kahan_runtime::{Ended, Field, Follow, MachineFloat, MapAt, WhileFinite};
 
 use super::support::{FIELDS, STEPS, columns, maps};
 
@@ -155,4 +156,47 @@ fn maps_and_columns_have_to_fit() {
     assert_eq!(refused(&[&at], &mut columns(3, 3)), "the columns are 3; give 2, one a variable");
     let uneven = &mut [vec![1.0; 3], vec![1.0; 2]];
     assert_eq!(refused(&[&at], uneven), "the column of `y` has 2 entries; give 3, as in the first");
+}
+
+/// How many orbits from (1, 1, …) end in each way, which is the way in which each ends alone, with the
+/// same reports.
+fn ends<O: Observer<f64, Report: Debug>>(
+    maps: &[&MapAt<f64>],
+    variables: usize,
+    observers: impl Fn(usize) -> O,
+) -> [usize; 3] {
+    const STEPS: u64 = 400;
+    let mut columns = vec![vec![1.0; maps.len()]; variables];
+    let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+    let of = |orbit: usize| WhileFinite::new(observers(orbit));
+    let found = MapAt::observe_columns(maps, &mut slices, STEPS, of).expect("columns that fit");
+    let mut counts = [0; 3];
+    for (orbit, found) in found.iter().enumerate() {
+        let go_on = |_| ControlFlow::Continue(());
+        let alone = maps[orbit].observe(&mut vec![1.0; variables], STEPS, observers(orbit), go_on);
+        assert_eq!(format!("{found:?}"), format!("{:?}", alone.expect("a state that fits")), "orbit {orbit}");
+        let ways = [Ended::Complete, Ended::Range, Ended::Done];
+        counts[ways.iter().position(|way| *way == found.ended).expect("nothing stops it")] += 1;
+    }
+    counts
+}
+
+/// Fields of one, two and nine variables; orbits end within bursts of steps, each in its own.
+#[test]
+fn orbits_end_side_by_side_where_each_ends_alone() {
+    let nine = "adot = a; bdot = b; cdot = c; ddot = d; edot = e; fdot = f; gdot = g; hdot = h; idot = i/2;";
+    for text in ["xdot = x;", "xdot = x + y; ydot = y/2;", nine] {
+        let field = Field::parse(text).expect("a field");
+        let (map, variables) = (field.map().expect("no parameters").at(0.1), field.variables().len());
+        let eps: Vec<f64> = (0..37).map(|k| 0.6 + 0.01 * f64::from(k)).collect();
+        let maps = map.each(&eps, &[]).expect("an eps for each");
+        let maps: Vec<&MapAt<f64>> = maps.iter().collect();
+        let lasting = |orbit: usize| (Fli::new(maps[orbit]), Extrema::of(|x: &[f64]| x[0]));
+        let [complete, range, done] = ends(&maps, variables, lasting);
+        assert!(complete > 0 && range > 0 && done == 0, "{text}: {complete} {range}");
+        // Observers that may be done are shown orbits in turn.
+        let beyond = || Escape::when(|x: &[f64]| x[0] > 1e250).ending();
+        let [complete, range, done] = ends(&maps, variables, |orbit| (lasting(orbit), beyond()));
+        assert!(complete > 0 && range == 0 && done > 0, "{text}: {complete} {range} {done}");
+    }
 }

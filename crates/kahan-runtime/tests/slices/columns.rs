@@ -3,7 +3,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
 use kahan_core::{Composition, Ensemble, EnsembleScalar, Level, Lift};
-use kahan_runtime::{Field, MachineFloat, Map, MapAt};
+use kahan_runtime::{Ended, Field, Followed, MachineFloat, Map, MapAt};
 use kahan_systems::{E1, E3, E6, E9, LotkaVolterra};
 
 use super::support::{Random, assert_same, catalog, number, steps};
@@ -181,5 +181,77 @@ fn a_trajectory_whose_field_divides_by_zero_is_no_number() {
         for (k, a) in a.iter().enumerate() {
             assert_eq!((x[k].is_nan(), y[k].is_nan()), (*a == 1.5, *a == 1.5), "{k}");
         }
+    }
+}
+
+/// Trajectories grow, each in its own time; some are slow enough to stay in the range.
+#[test]
+fn a_trajectory_that_leaves_the_range_is_followed_to_its_last_point() {
+    const STEPS: u64 = 3000;
+    let field = Field::parse("xdot = a*x; ydot = x - y;").expect("a field");
+    let map = field.with([("a", 1)]).expect("its parameter").at(0.1);
+    for trajectories in [1, 37] {
+        let eps: Vec<f64> = (0..trajectories).map(|k| 0.1 + 0.01 * f64::from(k)).collect();
+        let rates: Vec<f64> = (0..trajectories).map(|k| 1.0 + 0.25 * f64::from(k % 5)).collect();
+        let start = columns::<f64>(2, eps.len());
+        let mut ours = start.clone();
+        let mut slices: Vec<&mut [f64]> = ours.iter_mut().map(Vec::as_mut_slice).collect();
+        let followed =
+            map.follow_columns(&mut slices, &eps, &[&rates], STEPS).expect("columns of one length");
+        let mut complete = 0;
+        for (k, found) in followed.iter().enumerate() {
+            // Alone, step by step.
+            let mut alone: Vec<Vec<f64>> = start.iter().map(|column| vec![column[k]]).collect();
+            let (mut last, mut made) = (alone.clone(), 0);
+            while made < STEPS {
+                let mut slices: Vec<&mut [f64]> = alone.iter_mut().map(Vec::as_mut_slice).collect();
+                map.advance_columns(&mut slices, &eps[k..=k], &[&rates[k..=k]], 1)
+                    .expect("columns of one length");
+                if !alone.iter().flatten().all(|x| x.is_finite()) {
+                    break;
+                }
+                (last, made) = (alone.clone(), made + 1);
+            }
+            let ended = if made == STEPS { Ended::Complete } else { Ended::Range };
+            assert_eq!(*found, Followed { report: (), steps: made, ended }, "{k}");
+            let ours: Vec<f64> = ours.iter().map(|column| column[k]).collect();
+            assert_same(&ours, &last.concat(), k);
+            complete += usize::from(ended == Ended::Complete);
+        }
+        assert!(complete > 0 && (complete < eps.len() || eps.len() == 1), "{complete}");
+    }
+}
+
+#[test]
+fn each_trajectory_has_a_map_of_its_own() {
+    let field = Field::parse("xdot = x*y/(a - b); ydot = -x;").expect("a field");
+    let map = field.with([("a", 2.0), ("b", 1.5)]).expect("its parameters").at(0.1);
+    let values = |maps: Result<Vec<MapAt<f64>>, _>| -> Vec<(Vec<f64>, f64)> {
+        let maps: Vec<MapAt<f64>> = maps.expect("values that fit");
+        let parameters = |map: &MapAt<f64>| map.map().parameters().iter().map(Rational::to_f64).collect();
+        maps.iter().map(|map| (parameters(map), map.eps())).collect()
+    };
+    assert_eq!(values(map.each(&[], &[])), [(vec![2.0, 1.5], 0.1)]);
+    assert_eq!(values(map.each(&[0.5], &[&[3.0], &[0.1]])), [(vec![3.0, 0.1], 0.5)]);
+    let both = [(vec![3.0, 0.25], 0.1), (vec![4.0, 0.25], 0.2)];
+    assert_eq!(values(map.each(&[0.1, 0.2], &[&[3.0, 4.0], &[0.25]])), both);
+    assert!(values(map.each(&[], &[&[], &[0.25]])).is_empty());
+    let refused = map.each(&[0.1; 3], &[&[1.0, 2.0], &[0.5]]).expect_err("they do not fit");
+    assert_eq!(refused.to_string(), "eps has 3 entries; give none, one, or 2, one a trajectory");
+
+    for composition in [Composition::KAHAN, Composition::KAHAN_LI_6] {
+        let values: [&[f64]; 2] = [&[1.5, 3.0, f64::NAN], &[1.5]];
+        let points = map.composed(composition).each(&[], &values).expect("they fit").into_iter().map(|own| {
+            let mut x = [1.0, 0.5];
+            own.advance(&mut x, 1).expect("two variables");
+            x
+        });
+        let points: Vec<[f64; 2]> = points.collect();
+        let other = field.with([("a", 3.0), ("b", 1.5)]).expect("its parameters").at(0.1);
+        let mut x = [1.0, 0.5];
+        other.composed(composition).advance(&mut x, 1).expect("two variables");
+        assert_eq!(points[1], x);
+        // The field has no value at these.
+        assert!(points[0].iter().chain(&points[2]).all(|x| x.is_nan()), "{points:?}");
     }
 }

@@ -4,6 +4,7 @@ mod catalog;
 mod columns;
 mod couplings;
 mod errors;
+mod follow;
 mod large;
 mod random;
 mod support;

@@ -5,7 +5,6 @@
 
 mod exactly;
 mod orbit;
-mod walk;
 mod watch;
 
 use std::fmt;
@@ -58,7 +57,7 @@ impl fmt::Display for Task {
 
 /// The fewest rows that a thread should take at once.
 pub(crate) fn least_rows(plan: &Plan) -> u64 {
-    if orbit::gait(plan) == walk::Gait::Abreast { orbit::LANES as u64 } else { 1 }
+    if orbit::are_abreast(plan) { orbit::LANES as u64 } else { 1 }
 }
 
 /// The rows of these points, as far as they were made before it was over.

@@ -1,12 +1,13 @@
 //! Orbits in floats, observed in the loop.
 
+use std::ops::ControlFlow;
+
 use kahan_core::Composition;
-use kahan_core::observe::{Extrema, Observer};
-use kahan_runtime::{MachineFloat, Map, MapAt};
+use kahan_core::observe::Observer;
+use kahan_runtime::{Follow, Followed, MachineFloat, Map, MapAt, WhileFinite};
 
 use super::Task;
-use super::walk::{Gait, Walked};
-use super::watch::{Quantity, Rotations, Running, Watch};
+use super::watch::{Watch, Watches};
 use crate::columns::{Column, Entry, Kind};
 use crate::plan::{Axis, Plan, Point};
 
@@ -46,7 +47,7 @@ pub(super) struct Follower {
     prepared: Option<((f64, u32, u32), Prepared)>,
     /// Columns of what is found.
     columns: usize,
-    gait: Gait,
+    are_abreast: bool,
 }
 
 /// Orbits that fill registers.
@@ -54,20 +55,26 @@ pub(super) const LANES: usize = 16;
 /// Steps of all orbits that are followed at once.
 const AT_ONCE: u64 = 1 << 24;
 
-/// How the orbits of a plan are followed. Where neighbours have maps of their own nothing is gained
-/// side by side, and where they are long too much would be lost with a process that ends.
-pub(super) fn gait(plan: &Plan) -> Gait {
-    match &plan.task {
-        Task::Orbit(orbit) if plan.neighbours_share_a_map() && orbit.steps <= AT_ONCE / LANES as u64 => {
-            Gait::Abreast
-        }
-        _ => Gait::OneByOne,
-    }
+/// Whether the orbits of a plan are followed side by side. Where neighbours have maps of their own
+/// nothing is gained by that, and where they are long too much would be lost with a process that
+/// ends.
+///
+/// Orbits of which nothing is asked but their ends then go through the map's step for columns, which
+/// is faster, and whose last digits differ from those of single steps; so the plan chooses, and not
+/// what happens to stand together.
+pub(super) fn are_abreast(plan: &Plan) -> bool {
+    let is_short = |orbit: &Orbit| orbit.steps <= AT_ONCE / LANES as u64;
+    matches!(&plan.task, Task::Orbit(orbit) if plan.neighbours_share_a_map() && is_short(orbit))
 }
 
 impl Follower {
     pub(super) fn new(plan: &Plan) -> Self {
-        Self { map: None, prepared: None, columns: plan.task.columns(plan).len(), gait: gait(plan) }
+        Self {
+            map: None,
+            prepared: None,
+            columns: plan.task.columns(plan).len(),
+            are_abreast: are_abreast(plan),
+        }
     }
 
     /// What is found on the orbits of points, of which the first has this index, and which have
@@ -80,10 +87,10 @@ impl Follower {
         points: &[Point<f64>],
     ) -> Vec<Vec<Entry>> {
         let starts: Vec<&[f64]> = points.iter().map(|point| &point.start[..]).collect();
-        let (gait, columns) = (self.gait, self.columns);
+        let (are_abreast, columns) = (self.are_abreast, self.columns);
         match self.prepare(plan, index, &points[0]) {
-            Some(Prepared::Double(at)) => orbit.observed(gait, at, &starts),
-            Some(Prepared::Single(at)) => orbit.observed(gait, at, &starts),
+            Some(Prepared::Double(at)) => orbit.observed(are_abreast, at, &starts),
+            Some(Prepared::Single(at)) => orbit.observed(are_abreast, at, &starts),
             None => {
                 // Where the field divides by zero there is no orbit.
                 let mut nothing = vec![Entry::Double(f64::NAN); columns];
@@ -96,10 +103,7 @@ impl Follower {
     /// How many points with one map are followed at once: enough to fill registers, few enough that
     /// they are done in a moment.
     pub(super) fn at_once(&self, orbit: &Orbit) -> usize {
-        match self.gait {
-            Gait::OneByOne => 1,
-            Gait::Abreast => (AT_ONCE / orbit.steps).clamp(LANES as u64, 64) as usize,
-        }
+        if self.are_abreast { (AT_ONCE / orbit.steps).clamp(LANES as u64, 64) as usize } else { 1 }
     }
 
     fn prepare(&mut self, plan: &Plan, index: u64, point: &Point<f64>) -> Option<&Prepared> {
@@ -128,70 +132,100 @@ impl Follower {
 
 impl Orbit {
     /// The steps made, and what the observers report, of each orbit.
-    fn observed<T: Machine>(&self, gait: Gait, at: &MapAt<T>, starts: &[&[f64]]) -> Vec<Vec<Entry>> {
-        let starts: Vec<Vec<T>> =
-            starts.iter().map(|start| start.iter().map(|&x| T::nearest(x)).collect()).collect();
-        let own = |value: &[T]| [value[0]];
-        let running = self.observe.iter().map(|watch| Running::new(*watch, at, self, starts.len(), own));
-        let mut running: Vec<Running<'_, T, _>> = running.collect();
-        let looks = self.observe.iter().any(|watch| !matches!(watch, Watch::Last | Watch::Rotation));
-        let walked = if looks {
-            gait.walk(at, &starts, &vec![self.steps; starts.len()], |seen| {
-                running.iter_mut().for_each(|one| one.observe(seen));
-            })
+    fn observed<T: Machine>(&self, are_abreast: bool, at: &MapAt<T>, starts: &[&[f64]]) -> Vec<Vec<Entry>> {
+        let nearest = |start: &&[f64]| start.iter().map(|&x| T::nearest(x)).collect();
+        let starts: Vec<Vec<T>> = starts.iter().map(nearest).collect();
+        let found = if self.observe.iter().all(|watch| *watch == Watch::Last) {
+            self.ends(are_abreast, at, &starts)
         } else {
-            gait.advance(at, &starts, self.steps)
+            self.watched(at, &starts)
         };
-        let rotations = match self.observe.contains(&Watch::Rotation) {
-            true => Self::rotations(gait, at, &starts, &walked),
-            false => Vec::new(),
+        let row = |Followed { steps, report, .. }: Followed<Vec<f64>>| {
+            let numbers = report.into_iter().map(Entry::Double);
+            [Entry::Integer(steps as i64)].into_iter().chain(numbers).collect()
         };
-        let mut rows: Vec<Vec<Entry>> =
-            walked.iter().map(|walked| vec![Entry::Integer(walked.steps as i64)]).collect();
-        let mut rotations = rotations.into_iter();
-        for (watch, one) in self.observe.iter().zip(running) {
-            match watch {
-                Watch::Last => {
-                    for (row, walked) in rows.iter_mut().zip(&walked) {
-                        row.extend(walked.last.iter().map(|&x| Entry::Double(x.into())));
-                    }
-                }
-                Watch::Rotation => rows.iter_mut().zip(&mut rotations).for_each(|(row, one)| one.report(row)),
-                _ => one.report(&mut rows),
-            }
-        }
-        rows
+        found.into_iter().map(row).collect()
     }
 
-    /// The rotation of each variable of each orbit, in two more runs.
-    fn rotations<T: Machine>(
-        gait: Gait,
+    /// The last point of each orbit, as often as it is asked; nothing is looked at on the way.
+    fn ends<T: Machine>(
+        &self,
+        are_abreast: bool,
         at: &MapAt<T>,
         starts: &[Vec<T>],
-        walked: &[Walked<T>],
-    ) -> Vec<Rotations<T>> {
-        let steps: Vec<u64> = walked.iter().map(|walked| walked.steps).collect();
-        let variables = at.map().field().variables().len();
-        let mut both = vec![T::zero(); 2 * variables];
-        let mut with_rates = |x: &[T]| {
-            both[..variables].copy_from_slice(x);
-            // Both are as long as the field has variables.
-            let _ = at.field(x, &mut both[variables..]);
-            both.clone()
+    ) -> Vec<Followed<Vec<f64>>> {
+        let mut ends = columns(starts);
+        let followed = if are_abreast {
+            at.follow_columns(&mut slices(&mut ends), &[], &[], self.steps).expect(FITTING)
+        } else {
+            let alone = starts.iter().enumerate().map(|(orbit, start)| {
+                let mut x = start.clone();
+                let followed = at.follow(&mut x, self.steps, |_| ControlFlow::Continue(()));
+                ends.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
+                followed.expect(FITTING)
+            });
+            alone.collect()
         };
-        let of = |k: usize| Extrema::of(Box::new(move |both: &[T]| both[k]) as Quantity<T>);
-        let mut extrema: Vec<Vec<_>> = starts.iter().map(|_| (0..2 * variables).map(of).collect()).collect();
-        gait.walk(at, starts, &steps, |seen| {
-            seen.each().for_each(|(orbit, x)| extrema[orbit].observe(seen.step, &with_rates(x)));
-        });
-        let with_steps = extrema.into_iter().zip(&steps);
-        let mut rotations: Vec<_> =
-            with_steps.map(|(extrema, &steps)| Rotations::new(steps, extrema.report())).collect();
-        gait.walk(at, starts, &steps, |seen| {
-            seen.each().for_each(|(orbit, x)| rotations[orbit].observe(seen.step, &with_rates(x)));
-        });
-        rotations
+        let point = |orbit: usize| ends.iter().map(move |column| column[orbit].into());
+        let told = |(orbit, Followed { steps, ended, .. })| {
+            let report = self.observe.iter().flat_map(|_| point(orbit)).collect();
+            Followed { report, steps, ended }
+        };
+        followed.into_iter().enumerate().map(told).collect()
     }
+
+    /// What is seen of each orbit, in the order of the columns.
+    fn watched<T: Machine>(&self, at: &MapAt<T>, starts: &[Vec<T>]) -> Vec<Followed<Vec<f64>>> {
+        let found = observe(at, starts, self.steps, |_| Watches::new(self, at));
+        let turns = if self.observe.contains(&Watch::Rotation) { self.turns(at, starts) } else { Vec::new() };
+        let told = |(orbit, Followed { report, steps, ended }): (usize, Followed<Vec<Vec<f64>>>)| {
+            let numbers = self.observe.iter().zip(report);
+            let numbers = numbers.flat_map(|(watch, numbers)| match watch {
+                Watch::Rotation => turns[orbit].clone(),
+                _ => numbers,
+            });
+            Followed { report: numbers.collect(), steps, ended }
+        };
+        found.into_iter().enumerate().map(told).collect()
+    }
+
+    /// The rotation of each variable of each orbit, and how wrong it may be, in two more runs.
+    fn turns<T: Machine>(&self, at: &MapAt<T>, starts: &[Vec<T>]) -> Vec<Vec<f64>> {
+        let first = observe(at, starts, self.steps, |_| at.extremes());
+        let again = observe(at, starts, self.steps, |orbit| {
+            let Followed { report, steps, .. } = &first[orbit];
+            at.rotations(*steps, report)
+        });
+        let told = again.into_iter().map(|followed| followed.report.into_iter());
+        told.map(|turns| turns.flat_map(|turns| [turns.value, turns.error]).collect()).collect()
+    }
+}
+
+/// Why calls of a map are not refused.
+const FITTING: &str = "there are as many columns as the field has variables, all of one length";
+
+/// What observers tell of each orbit of a map, as far as it goes: the same alone and side by side.
+fn observe<T: Machine, O: Observer<T>>(
+    at: &MapAt<T>,
+    starts: &[Vec<T>],
+    steps: u64,
+    observers: impl Fn(usize) -> O,
+) -> Vec<Followed<O::Report>> {
+    if let [start] = starts {
+        let alone = at.observe(&mut start.clone(), steps, observers(0), |_| ControlFlow::Continue(()));
+        return vec![alone.expect(FITTING)];
+    }
+    let of = |orbit| WhileFinite::new(observers(orbit));
+    MapAt::observe_columns(&[at], &mut slices(&mut columns(starts)), steps, of).expect(FITTING)
+}
+
+fn columns<T: Machine>(starts: &[Vec<T>]) -> Vec<Vec<T>> {
+    let variables = starts.first().map_or(0, Vec::len);
+    (0..variables).map(|k| starts.iter().map(|start| start[k]).collect()).collect()
+}
+
+fn slices<T>(columns: &mut [Vec<T>]) -> Vec<&mut [T]> {
+    columns.iter_mut().map(Vec::as_mut_slice).collect()
 }
 
 /// A float of the machine, from doubles and to them.

@@ -1,13 +1,12 @@
 //! The observers of an orbit, as a plan names them, and their columns.
 
 use kahan_core::observe::{
-    Drift, Escape, Extrema, Fli, Lyapunov, MeanLogDet, Megno, Observer, Rotation, Sali, Spectrum,
+    Burst, Escape, Extrema, Fli, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers, Sali, Spectrum,
 };
-use kahan_runtime::MapAt;
+use kahan_runtime::{IntegralDrift, MapAt};
 
 use super::orbit::{Machine, Orbit};
-use super::walk::Seen;
-use crate::columns::{Column, Entry, Kind};
+use crate::columns::{Column, Kind};
 use crate::plan::Plan;
 
 /// What may be observed.
@@ -98,165 +97,148 @@ impl Watch {
 }
 
 /// A number of a point.
-pub(super) type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
+type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 /// A condition on a point.
 type Condition<T> = Box<dyn Fn(&[T]) -> bool>;
-/// Two numbers of a point.
-type Plane<T> = Box<dyn Fn(&[T]) -> [T; 2]>;
 
-/// What is observed of some orbits, an observer an orbit.
-pub(super) enum Running<'a, T: Machine, F> {
-    /// Those of one orbit behind those of another.
-    Drift {
-        at: &'a MapAt<T>,
-        values: Vec<T>,
-        drifts: Vec<Drift<F, T, 1>>,
-    },
-    Extrema(Vec<Vec<Extrema<Quantity<T>, T>>>),
-    Lyapunov(Vec<Lyapunov<&'a MapAt<T>>>),
-    Spectrum(Vec<Spectrum<&'a MapAt<T>>>),
-    LogDet(Vec<MeanLogDet<&'a MapAt<T>>>),
-    Fli(Vec<Fli<&'a MapAt<T>>>),
-    Megno(Vec<Megno<&'a MapAt<T>>>),
-    Sali(Vec<Sali<&'a MapAt<T>>>),
-    Escape(Vec<Escape<Condition<T>>>),
-    /// What needs no look at the points on the way.
-    Nothing,
+/// What is observed of an orbit; its report are the entries of the columns.
+enum Running<'a, T: Machine> {
+    Last(Vec<T>),
+    Drift(IntegralDrift<'a, T>),
+    Extrema(Vec<Extrema<Quantity<T>, T>>),
+    Lyapunov(Lyapunov<&'a MapAt<T>>),
+    Spectrum(Spectrum<&'a MapAt<T>>),
+    LogDet(MeanLogDet<&'a MapAt<T>>),
+    Fli(Fli<&'a MapAt<T>>),
+    Megno(Megno<&'a MapAt<T>>),
+    Sali(Sali<&'a MapAt<T>>),
+    Escape(Escape<Condition<T>>),
+    /// What is found in runs of its own.
+    Rotation,
 }
 
-impl<'a, T: Machine, F: Fn(&[T]) -> [T; 1] + Copy> Running<'a, T, F> {
-    /// Observers of so many orbits; `own` is the number that a slice of one number holds.
-    pub(super) fn new(watch: Watch, at: &'a MapAt<T>, orbit: &Orbit, orbits: usize, own: F) -> Self {
-        let (variables, integrals) = (at.map().field().variables().len(), at.map().field().integrals().len());
-        let maps = || (0..orbits).map(|_| at);
+impl<'a, T: Machine> Running<'a, T> {
+    fn new(watch: Watch, at: &'a MapAt<T>, orbit: &Orbit) -> Self {
+        let variables = at.map().field().variables().len();
         match watch {
-            Watch::Drift => {
-                let drifts = (0..orbits * integrals).map(|_| Drift::of(own)).collect();
-                Running::Drift { at, values: vec![T::zero(); integrals], drifts }
-            }
+            Watch::Last => Running::Last(vec![T::zero(); variables]),
+            Watch::Drift => Running::Drift(IntegralDrift::of(at)),
             Watch::Extrema => {
                 let of = |k: usize| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>);
-                Running::Extrema((0..orbits).map(|_| (0..variables).map(of).collect()).collect())
+                Running::Extrema((0..variables).map(of).collect())
             }
-            Watch::Lyapunov => Running::Lyapunov(maps().map(Lyapunov::new).collect()),
-            Watch::Spectrum => {
-                Running::Spectrum(maps().map(|map| Spectrum::new(map, variables, orbit.every)).collect())
-            }
-            Watch::LogDet => Running::LogDet(maps().map(MeanLogDet::new).collect()),
-            Watch::Fli => Running::Fli(maps().map(Fli::new).collect()),
-            Watch::Megno => Running::Megno(maps().map(Megno::new).collect()),
-            Watch::Sali => Running::Sali(maps().map(Sali::new).collect()),
+            Watch::Lyapunov => Running::Lyapunov(Lyapunov::new(at)),
+            Watch::Spectrum => Running::Spectrum(Spectrum::new(at, variables, orbit.every)),
+            Watch::LogDet => Running::LogDet(MeanLogDet::new(at)),
+            Watch::Fli => Running::Fli(Fli::new(at)),
+            Watch::Megno => Running::Megno(Megno::new(at)),
+            Watch::Sali => Running::Sali(Sali::new(at)),
+            Watch::Rotation => Running::Rotation,
             Watch::Escape => {
                 let radius = orbit.escape;
                 let beyond = move |x: &[T]| !x.iter().all(|&x| x.into().abs() <= radius);
-                Running::Escape((0..orbits).map(|_| Escape::when(Box::new(beyond) as Condition<T>)).collect())
+                Running::Escape(Escape::when(Box::new(beyond) as Condition<T>))
             }
-            Watch::Last | Watch::Rotation => Running::Nothing,
         }
     }
 
-    pub(super) fn observe(&mut self, seen: &Seen<'_, T>) {
+    /// The entries of its columns.
+    fn report(self) -> Vec<f64> {
         match self {
-            Running::Drift { at, values, drifts } => {
-                let integrals = values.len();
-                for (orbit, x) in seen.each() {
-                    // The state is as long as the field has variables.
-                    let _ = at.integrals(x, values);
-                    for (drift, value) in drifts[orbit * integrals..].iter_mut().zip(values.iter()) {
-                        drift.observe(seen.step, std::slice::from_ref(value));
+            Running::Last(last) => last.into_iter().map(Into::into).collect(),
+            Running::Drift(one) => {
+                one.report().into_iter().flat_map(|drifted| [drifted.max, drifted.last]).collect()
+            }
+            Running::Extrema(one) => {
+                let ends = one.report().into_iter();
+                ends.flat_map(|ends| {
+                    ends.map_or([f64::NAN; 2], |ends| [ends.least.into(), ends.greatest.into()])
+                })
+                .collect()
+            }
+            Running::Lyapunov(one) => {
+                let exponent = one.report();
+                vec![exponent.value, exponent.error]
+            }
+            Running::Spectrum(one) => one.report().into_iter().map(|exponent| exponent.value).collect(),
+            Running::LogDet(one) => vec![one.report()],
+            Running::Fli(one) => vec![one.report()],
+            Running::Megno(one) => vec![one.report().mean],
+            Running::Sali(one) => vec![one.report()],
+            Running::Escape(one) => {
+                vec![Observer::<T>::report(one).map_or(f64::NAN, |step| step as f64)]
+            }
+            Running::Rotation => Vec::new(),
+        }
+    }
+}
+
+/// What a plan observes of an orbit, in its order.
+pub(super) struct Watches<'a, T: Machine>(Vec<Running<'a, T>>);
+
+impl<'a, T: Machine> Watches<'a, T> {
+    pub(super) fn new(orbit: &Orbit, at: &'a MapAt<T>) -> Self {
+        Watches(orbit.observe.iter().map(|watch| Running::new(*watch, at, orbit)).collect())
+    }
+}
+
+impl<T: Machine> Observer<T> for Watches<'_, T> {
+    type Report = Vec<Vec<f64>>;
+
+    const MAY_END: bool = false;
+
+    fn observe(&mut self, step: u64, x: &[T]) {
+        for watch in &mut self.0 {
+            match watch {
+                Running::Last(last) => last.copy_from_slice(x),
+                Running::Drift(one) => one.observe(step, x),
+                Running::Extrema(one) => one.observe(step, x),
+                Running::Lyapunov(one) => one.observe(step, x),
+                Running::Spectrum(one) => one.observe(step, x),
+                Running::LogDet(one) => one.observe(step, x),
+                Running::Fli(one) => one.observe(step, x),
+                Running::Megno(one) => one.observe(step, x),
+                Running::Sali(one) => one.observe(step, x),
+                Running::Escape(one) => one.observe(step, x),
+                Running::Rotation => {}
+            }
+        }
+    }
+
+    /// Each watch of all orbits at once, so that their tangent vectors and integrals go side by side.
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
+        /// Shows a burst to what all orbits have at a place, which is of one variant.
+        macro_rules! show {
+            ($place:expr, $($variant:ident),*) => {
+                match group[0].as_ref().map(|watches| &watches.0[$place]) {
+                    $(Some(Running::$variant(_)) => {
+                        let mut own = group.each_mut().map(|watches| match watches {
+                            Some(watches) => match &mut watches.0[$place] {
+                                Running::$variant(one) => Some(one),
+                                _ => None,
+                            },
+                            None => None,
+                        });
+                        Observer::observe_burst(&mut own, burst);
+                    })*
+                    Some(Running::Last(_)) => {
+                        let Some((_, points)) = burst.steps().last() else { continue };
+                        for (lane, watches) in group.iter_mut().flatten().enumerate() {
+                            if let Running::Last(last) = &mut watches.0[$place] {
+                                points.read(lane, last);
+                            }
+                        }
                     }
+                    Some(Running::Rotation) | None => {}
                 }
-            }
-            Running::Extrema(each) => show(each, seen),
-            Running::Lyapunov(each) => show(each, seen),
-            Running::Spectrum(each) => show(each, seen),
-            Running::LogDet(each) => show(each, seen),
-            Running::Fli(each) => show(each, seen),
-            Running::Megno(each) => show(each, seen),
-            Running::Sali(each) => show(each, seen),
-            Running::Escape(each) => show(each, seen),
-            Running::Nothing => {}
+            };
+        }
+        for place in 0..group[0].as_ref().map_or(0, |watches| watches.0.len()) {
+            show!(place, Drift, Extrema, Lyapunov, Spectrum, LogDet, Fli, Megno, Sali, Escape);
         }
     }
 
-    /// Adds the entries of its columns to the row of each orbit.
-    pub(super) fn report(self, rows: &mut [Vec<Entry>]) {
-        match self {
-            Running::Drift { values, drifts, .. } => {
-                // Without integrals there is nothing to share out.
-                let integrals = values.len().max(1);
-                for (place, drift) in drifts.into_iter().enumerate() {
-                    let [drifted] = drift.report();
-                    put(&mut rows[place / integrals], &[drifted.max, drifted.last]);
-                }
-            }
-            Running::Extrema(each) => tell(each, rows, |ends| {
-                let ends = ends.into_iter().flat_map(|ends| match ends {
-                    Some(ends) => [ends.least.into(), ends.greatest.into()],
-                    None => [f64::NAN; 2],
-                });
-                ends.collect()
-            }),
-            Running::Lyapunov(each) => tell(each, rows, |exponent| vec![exponent.value, exponent.error]),
-            Running::Spectrum(each) => {
-                tell(each, rows, |exponents| exponents.into_iter().map(|exponent| exponent.value).collect());
-            }
-            Running::LogDet(each) => tell(each, rows, |value| vec![value]),
-            Running::Fli(each) => tell(each, rows, |value| vec![value]),
-            Running::Megno(each) => tell(each, rows, |megno| vec![megno.mean]),
-            Running::Sali(each) => tell(each, rows, |value| vec![value]),
-            Running::Escape(each) => {
-                tell(each, rows, |step| vec![step.map_or(f64::NAN, |step| step as f64)]);
-            }
-            Running::Nothing => {}
-        }
-    }
-}
-
-fn show<T, O: Observer<T>>(observers: &mut [O], seen: &Seen<'_, T>) {
-    seen.each().for_each(|(orbit, x)| observers[orbit].observe(seen.step, x));
-}
-
-fn tell<T, O: Observer<T>>(
-    observers: Vec<O>,
-    rows: &mut [Vec<Entry>],
-    numbers: impl Fn(O::Report) -> Vec<f64>,
-) {
-    for (observer, row) in observers.into_iter().zip(rows) {
-        put(row, &numbers(observer.report()));
-    }
-}
-
-fn put(row: &mut Vec<Entry>, numbers: &[f64]) {
-    row.extend(numbers.iter().map(|&number| Entry::Double(number)));
-}
-
-/// The rotation of each variable about the middle of its extremes, in the plane of the variable and
-/// its rate, seen in a second run.
-pub(super) struct Rotations<T: Machine> {
-    of: Vec<Option<Rotation<Plane<T>, T>>>,
-}
-
-impl<T: Machine> Rotations<T> {
-    /// From the extremes of variables, and behind them those of their rates.
-    pub(super) fn new(steps: u64, extremes: Vec<Option<kahan_core::observe::Extremes<T>>>) -> Self {
-        let variables = extremes.len() / 2;
-        let of = (0..variables).map(|k| {
-            let plane = Box::new(move |both: &[T]| [both[k], both[variables + k]]) as Plane<T>;
-            Some(Rotation::between(steps, plane, [extremes[k]?, extremes[variables + k]?]))
-        });
-        Self { of: of.collect() }
-    }
-
-    pub(super) fn observe(&mut self, step: u64, both: &[T]) {
-        self.of.iter_mut().flatten().for_each(|rotation| rotation.observe(step, both));
-    }
-
-    pub(super) fn report(self, entries: &mut Vec<Entry>) {
-        for rotation in self.of {
-            let turns = rotation.map(Observer::report);
-            entries.push(Entry::Double(turns.map_or(f64::NAN, |turns| turns.value)));
-            entries.push(Entry::Double(turns.map_or(f64::NAN, |turns| turns.error)));
-        }
+    fn report(self) -> Self::Report {
+        self.0.into_iter().map(Running::report).collect()
     }
 }

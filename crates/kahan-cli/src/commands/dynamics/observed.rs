@@ -1,11 +1,12 @@
 //! The orbit, twice: once for all that needs no extremes, once for the rotation about their middle.
 
+use std::ops::ControlFlow;
+
 use kahan_core::Composition;
 use kahan_core::observe::{
-    Drift, Drifted, Escape, Exponent, Extrema, Extremes, Fli, MeanLogDet, Megno, Observer, Rotation, Sali,
-    Spectrum, Turns,
+    Drifted, Escape, Exponent, Extremes, Fli, MeanLogDet, Megno, Sali, Spectrum, Turns,
 };
-use kahan_runtime::MapAt;
+use kahan_runtime::{Follow, Followed, IntegralDrift};
 
 use crate::printing::{Prompt, Refusal};
 use crate::reading::Request;
@@ -42,48 +43,29 @@ impl Asked {
     pub(super) fn of(&self, request: &Request, composition: Composition) -> Result<Observed, Refusal> {
         let (at, start) = request.in_floats()?;
         let at = at.composed(composition);
-        let (variables, integrals) = (start.len(), at.map().field().integrals().len());
         let progress = Prompt::new(2 * self.steps, "steps");
-        let loops = Loop { at: &at, start: &start, progress: &progress };
+        let watch = |steps| {
+            progress.advance(steps);
+            ControlFlow::Continue(())
+        };
 
         let tangents = (
-            Spectrum::new(&at, variables, self.every),
+            Spectrum::new(&at, start.len(), self.every),
             MeanLogDet::new(&at),
             Fli::new(&at),
             Megno::new(&at),
             Sali::new(&at),
         );
         let beyond = Escape::when(|x: &[f64]| !x.iter().all(|x| x.abs() <= self.escape));
-        let extrema: Vec<_> = (0..2 * variables).map(|k| Extrema::of(move |both: &[f64]| both[k])).collect();
-        let drift: Vec<_> = (0..integrals).map(|k| Drift::of(move |values: &[f64]| [values[k]])).collect();
-        let mut observers = (tangents, beyond);
-        let mut of_rates = extrema;
-        let (mut of_integrals, mut values) = (drift, vec![0.0; integrals]);
-        let steps = loops.run(self.steps, |step, x, both| {
-            observers.observe(step, x);
-            of_rates.observe(step, both);
-            // The state is as long as the field has variables.
-            let _ = at.integrals(x, &mut values);
-            of_integrals.observe(step, &values);
-        });
-        let ((lyapunov, mean_log_det, fli, megno, sali), escaped) = observers.report();
-        let extremes = of_rates.report();
-        let drift = of_integrals.report().into_iter().map(|[drifted]| drifted).collect();
-
-        let mut rotations: Vec<_> = (0..variables)
-            .map(|k| {
-                let extremes = [extremes[k], extremes[variables + k]];
-                let [Some(x), Some(rate)] = extremes else { return None };
-                let plane = move |both: &[f64]| [both[k], both[variables + k]];
-                Some(Rotation::between(steps, plane, [x, rate]))
-            })
-            .collect();
-        loops.run(steps, |step, _, both| {
-            rotations.iter_mut().flatten().for_each(|rotation| rotation.observe(step, both));
-        });
+        let observers = (tangents, beyond, at.extremes(), IntegralDrift::of(&at));
+        let Followed { report, steps, .. } =
+            at.observe(&mut start.clone(), self.steps, observers, watch).expect("the start is of the field");
+        let ((lyapunov, mean_log_det, fli, megno, sali), escaped, extremes, drift) = report;
+        let rotations = at.rotations(steps, &extremes);
+        let again =
+            at.observe(&mut start.clone(), steps, rotations, watch).expect("the start is of the field");
         progress.finish();
-        let nothing = Turns { value: f64::NAN, error: f64::NAN };
-        let rotation = rotations.into_iter().map(|rotation| rotation.map_or(nothing, Observer::report));
+        let [extrema, _] = extremes;
         Ok(Observed {
             steps,
             lyapunov,
@@ -91,44 +73,10 @@ impl Asked {
             fli,
             megno: megno.mean,
             sali,
-            rotation: rotation.collect(),
+            rotation: again.report,
             drift,
-            extrema: extremes[..variables].to_vec(),
+            extrema,
             escaped,
         })
-    }
-}
-
-/// The orbit, to be run through.
-struct Loop<'a> {
-    at: &'a MapAt<f64>,
-    start: &'a [f64],
-    progress: &'a Prompt,
-}
-
-impl Loop<'_> {
-    /// Shows the points with their steps, and each with its rate of change behind it, as long as
-    /// they are numbers; the steps made.
-    fn run(&self, steps: u64, mut show: impl FnMut(u64, &[f64], &[f64])) -> u64 {
-        /// Steps between two looks at the bar.
-        const AT_ONCE: u64 = 1 << 12;
-
-        let mut x = self.start.to_vec();
-        let mut both = [self.start, self.start].concat();
-        for step in 0..=steps {
-            if !x.iter().all(|x| x.is_finite()) {
-                return step - 1;
-            }
-            let (place, rate) = both.split_at_mut(x.len());
-            place.copy_from_slice(&x);
-            // Both are as long as the field has variables.
-            let _ = self.at.field(&x, rate);
-            show(step, &x, &both);
-            let _ = self.at.advance(&mut x, 1);
-            if step % AT_ONCE == AT_ONCE - 1 {
-                self.progress.advance(AT_ONCE);
-            }
-        }
-        steps
     }
 }

@@ -4,9 +4,12 @@
 //! What is chosen is in units of the field's own: other units of length and time change a choice by
 //! powers of two, and so nothing of what is drawn.
 
+use std::ops::ControlFlow;
+
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
-use kahan_runtime::{Field, MapAt};
+use kahan_core::observe::{Escape, Visit};
+use kahan_runtime::{Ended, Field, Follow, MapAt};
 
 use crate::printing::Refusal;
 
@@ -89,21 +92,25 @@ impl Followed {
         let size = if size > 0.0 { size } else { length };
         let is_within = |x: &[f64]| x.iter().all(|x| x.abs() <= REACH * size);
         let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
-        let mut late = extremes.clone();
-        let (mut steps, mut rate) = (0, 0.0f64);
-        while steps < STEPS && is_within(&x) {
-            widen(&mut extremes, &x);
-            if steps == STEPS / 2 {
+        let (mut late, mut rate) = (extremes.clone(), 0.0f64);
+        let look = Visit::by(|step, x: &[f64]| {
+            if !is_within(x) {
+                return;
+            }
+            widen(&mut extremes, x);
+            if step == STEPS / 2 {
                 late = x.iter().map(|&x| [x, x]).collect();
             }
-            widen(&mut late, &x);
-            if steps % 16 == 0 {
-                rate = rate.max(Followed::rate(at, &x));
+            widen(&mut late, x);
+            if step % 16 == 0 {
+                rate = rate.max(Followed::rate(at, x));
             }
-            // The state is as long as the field has variables.
-            let _ = at.advance(&mut x, 1);
-            steps += 1;
-        }
+        });
+        let lost = Escape::when(|x: &[f64]| !is_within(x)).ending();
+        let followed = at.observe(&mut x, STEPS - 1, (look, lost), |_| ControlFlow::Continue(()));
+        let followed = followed.expect("the start is of the field");
+        // A point that is lost is none of them.
+        let steps = followed.steps + u64::from(followed.ended != Ended::Done);
         let spread = |ends: &[[f64; 2]]| ends.iter().fold(0.0, |most: f64, [low, high]| most.max(high - low));
         let moves = spread(&late) > 1e-3 * size;
         let scene = Scene { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };

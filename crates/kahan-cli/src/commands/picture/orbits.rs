@@ -1,9 +1,11 @@
 //! Orbits of doubles, followed while time is left.
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
-use kahan_runtime::{Field, MapAt};
+use kahan_core::observe::Visit;
+use kahan_runtime::{Ended, Field, Follow, MapAt};
 
 use super::Subject;
 use crate::printing::{Prompt, Refusal};
@@ -13,9 +15,6 @@ pub(super) struct Pace {
     progress: Prompt,
     end: Instant,
 }
-
-/// Steps between two looks at the clock.
-const AT_ONCE: u64 = 4096;
 
 impl Pace {
     pub(super) fn new(steps: u64, seconds: f64) -> Self {
@@ -41,35 +40,18 @@ impl Pace {
         (transient, steps): (u64, u64),
         mut visit: impl FnMut(u64, &[f64]),
     ) -> u64 {
-        let (mut x, mut next) = (start.to_vec(), start.to_vec());
-        let is_number = |x: &[f64]| x.iter().all(|value| value.is_finite());
-        let mut gone = 0;
-        while gone < transient && is_number(&x) && !self.is_over() {
-            let now = AT_ONCE.min(transient - gone);
-            if map.advance(&mut x, now).is_err() {
-                return 0;
-            }
-            self.progress.advance(now);
-            gone += now;
+        let mut x = start.to_vec();
+        let watch = |steps| {
+            self.progress.advance(steps);
+            if self.is_over() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let is_through = map.follow(&mut x, transient, watch).map(|followed| followed.ended);
+        if is_through != Ok(Ended::Complete) || !x.iter().all(|x| x.is_finite()) {
+            return 0;
         }
-        let is_through = gone == transient;
-        let mut shown = 0;
-        while is_through && is_number(&x) && shown <= steps {
-            visit(transient + shown, &x);
-            shown += 1;
-            if shown % AT_ONCE == 0 {
-                self.progress.advance(AT_ONCE);
-                if self.is_over() {
-                    break;
-                }
-            }
-            if map.step(&x, &mut next).is_err() {
-                break;
-            }
-            std::mem::swap(&mut x, &mut next);
-        }
-        self.progress.advance(shown % AT_ONCE);
-        shown
+        let visit = Visit::by(|step, x: &[f64]| visit(transient + step, x));
+        let shown = map.observe(&mut x, steps, visit, watch);
+        shown.map_or(0, |shown| shown.steps + 1)
     }
 }
 

@@ -1,0 +1,179 @@
+//! One orbit, followed: its points are those of single steps, and its end is told.
+
+use std::num::NonZeroU64;
+use std::ops::ControlFlow;
+
+use kahan_core::observe::{Escape, Visit};
+use kahan_core::{Composition, FloatScalar, Room, Step};
+use kahan_runtime::{ChainAt, Ended, Field, FieldText, Follow, Followed, Lattice, MachineFloat, MapAt};
+
+use super::support::{assert_same, catalog, number};
+
+fn go_on(_: u64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// The points of so many steps, each made by a call of its own, as far as they are finite.
+fn by_hand<S: Step<Scalar: FloatScalar>>(map: &S, start: &[S::Scalar], steps: u64) -> Vec<Vec<S::Scalar>> {
+    let mut points = vec![start.to_vec()];
+    for _ in 0..steps {
+        let mut x = points[points.len() - 1].clone();
+        map.advance(&mut x, 1, &mut Room::new()).expect("floats go on");
+        if !x.iter().all(|x| kahan_core::Scalar::approximate(x).is_finite()) {
+            break;
+        }
+        points.push(x);
+    }
+    points
+}
+
+/// All ways of following an orbit agree with single steps; how it ended.
+fn agree<S: Step<Scalar: FloatScalar>>(map: &S, start: &[S::Scalar], steps: u64) -> Ended {
+    let expected = by_hand(map, start, steps);
+    let made = expected.len() as u64 - 1;
+    let last = &expected[expected.len() - 1];
+    let ended = if made == steps { Ended::Complete } else { Ended::Range };
+
+    let (mut x, mut seen, mut watched) = (start.to_vec(), Vec::new(), 0);
+    let visit = Visit::by(|step, x: &[S::Scalar]| {
+        assert_eq!(step, seen.len() as u64);
+        seen.push(x.to_vec());
+    });
+    let followed = map.observe(&mut x, steps, visit, |steps| {
+        watched += steps;
+        ControlFlow::Continue(())
+    });
+    assert_eq!(followed, Ok(Followed { report: (), steps: made, ended }));
+    assert_same(
+        seen.iter().flatten().collect::<Vec<_>>(),
+        expected.iter().flatten().collect::<Vec<_>>(),
+        made,
+    );
+    assert_same(&x, last, "observed");
+    assert!(watched <= made && (watched == steps) == (ended == Ended::Complete), "{watched} of {made}");
+
+    let mut x = start.to_vec();
+    assert_eq!(map.follow(&mut x, steps, go_on), Ok(Followed { report: (), steps: made, ended }));
+    assert_same(&x, last, "followed");
+
+    for every in [1, 7, 5000] {
+        let n = start.len();
+        let count = (steps / every) as usize;
+        let (mut x, untouched) = (start.to_vec(), start[0]);
+        let mut rows = vec![untouched; count * n];
+        let followed = map.rows(&mut x, NonZeroU64::new(every).unwrap(), &mut rows, go_on).unwrap();
+        let (filled, wanted) = (followed.report, count as u64 * every);
+        assert_eq!((followed.steps, filled), (made.min(wanted), (made.min(wanted) / every) as usize));
+        assert_eq!(followed.ended == Ended::Range, made < wanted);
+        for (k, row) in rows.chunks(n).enumerate() {
+            match expected.get((k + 1) * every as usize) {
+                Some(point) => assert_same(row, point, (every, k)),
+                None => assert!(k >= filled && row.iter().all(|entry| *entry == untouched)),
+            }
+        }
+        assert_same(&x, &expected[followed.steps as usize], every);
+    }
+    ended
+}
+
+fn map_agrees<T: MachineFloat>(field: &Field, steps: u64) {
+    let map = field.with(field.parameters().iter().map(|name| (name, 1.25))).expect("parameters");
+    let start: Vec<T> = (0..field.variables().len()).map(|k| number(0.25 + 0.125 * k as f64)).collect();
+    for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
+        agree(&map.at(number::<T>(0.03125)).composed(composition), &start, steps);
+    }
+}
+
+#[test]
+fn points_are_those_of_single_steps() {
+    for name in ["lv", "e6", "euler"] {
+        map_agrees::<f64>(&catalog(name), 9000);
+        map_agrees::<f32>(&catalog(name), 300);
+    }
+    // Nine variables, which are interpreted.
+    let ring = |k: usize| format!("x{k}dot = x{k}*(x{} - x{});", (k + 1) % 9, (k + 8) % 9);
+    map_agrees::<f64>(&Field::parse(&(0..9).map(ring).collect::<String>()).expect("a field"), 70);
+}
+
+fn chain(sites: usize) -> ChainAt {
+    let text = "for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }";
+    let family = FieldText::new(text.to_owned(), "chain".to_owned()).family().unwrap().unwrap();
+    let none: [(&str, [f64; 1]); 0] = [];
+    Lattice::of(&family).at(0.01, sites, none).expect("a chain")
+}
+
+#[test]
+fn chains_are_followed_by_the_same_calls() {
+    for sites in [3, 200] {
+        let start: Vec<f64> = (0..sites).map(|k| 1.0 + (k % 7) as f64 / 8.0).collect();
+        assert_eq!(agree(&chain(sites), &start, 50), Ended::Complete);
+    }
+    let mut x = vec![1.0; 200];
+    // Where a step takes longer, the watch is asked after fewer.
+    let stopped = chain(200).follow(&mut x, 1000, |_| ControlFlow::Break(())).unwrap();
+    assert!(stopped.ended == Ended::Stopped && stopped.steps < 100, "{stopped:?}");
+}
+
+/// It takes 7092 steps to leave the range, and one at the pole.
+#[test]
+fn an_orbit_ends_at_its_last_finite_point() {
+    let growth = Field::parse("xdot = x; ydot = x - y;").unwrap().map().unwrap();
+    assert_eq!(agree(&growth.at(0.05), &[1.0, 0.5], 20_000), Ended::Range);
+    assert_eq!(agree(&growth.at(0.05_f32), &[1.0, 0.5], 20_000), Ended::Range);
+    let pole = Field::parse("xdot = x^2;").unwrap().map().unwrap().at(0.5);
+    assert_eq!(agree(&pole, &[1.0], 5), Ended::Range);
+    assert_eq!(agree(&pole, &[1.0], 0), Ended::Complete);
+    // A start that is not finite is seen, as it is, and nothing else.
+    let (mut x, mut seen) = ([f64::INFINITY], 0);
+    let followed = pole.observe(&mut x, 9, Visit::by(|_, _: &[f64]| seen += 1), go_on).unwrap();
+    assert_eq!((followed.steps, followed.ended, seen, x), (0, Ended::Range, 1, [f64::INFINITY]));
+}
+
+#[test]
+fn observers_and_a_watch_end_a_run() {
+    let growth: MapAt<f64> = Field::parse("xdot = x;").unwrap().map().unwrap().at(0.001);
+    let beyond = |size: f64| Escape::when(move |x: &[f64]| x[0] > size).ending();
+    let mut x = [1.0];
+    let done = growth.observe(&mut x, 9999, (beyond(2.0), beyond(3.0)), go_on).unwrap();
+    let expected = by_hand(&growth, &[1.0], 9999);
+    let first = expected.iter().position(|x| x[0] > 2.0).expect("it grows") as u64;
+    assert_eq!(done, Followed { report: (Some(first), None), steps: first, ended: Ended::Done });
+    assert_eq!(x[..], expected[first as usize]);
+    let at_once = growth.observe(&mut x, 9999, beyond(2.0), go_on).unwrap();
+    assert_eq!(at_once, Followed { report: Some(0), steps: 0, ended: Ended::Done });
+
+    for most in 1..4 {
+        let (mut x, mut told) = ([1.0], Vec::new());
+        let followed = growth.follow(&mut x, 10_000, |steps| {
+            told.push(steps);
+            if told.len() == most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        // After the last step there is nothing to stop.
+        let (steps, ended) =
+            [(4096, Ended::Stopped), (8192, Ended::Stopped), (10_000, Ended::Complete)][most - 1];
+        assert_eq!(followed, Ok(Followed { report: (), steps, ended }));
+        assert_eq!(told, [4096, 4096, 1808][..most]);
+        let mut by_one_call = [1.0];
+        growth.advance(&mut by_one_call, steps).unwrap();
+        assert_eq!(x, by_one_call);
+    }
+}
+
+#[test]
+fn states_and_rows_have_to_fit() {
+    let map: MapAt<f64> = Field::parse("xdot = y; ydot = -x;").unwrap().map().unwrap().at(0.1);
+    let one = NonZeroU64::MIN;
+    let refused = map.rows(&mut [1.0, 0.0], one, &mut [0.0; 5], go_on).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "the rows have 5 entries; give a multiple of 2, one a variable in each row"
+    );
+    let refused = map.follow(&mut [1.0], 3, go_on).unwrap_err();
+    assert_eq!(refused.to_string(), "the state has 1 entry; give 2, one a variable");
+    assert!(
+        map.observe(&mut [1.0; 3], 3, (), go_on).is_err()
+            && map.rows(&mut [1.0], one, &mut [], go_on).is_err()
+    );
+    let none = map.rows(&mut [1.0, 0.0], one, &mut [], go_on).unwrap();
+    assert_eq!(none, Followed { report: 0, steps: 0, ended: Ended::Complete });
+}

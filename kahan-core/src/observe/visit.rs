@@ -1,0 +1,45 @@
+//! A closure that is shown every point.
+
+use super::Observer;
+
+/// Calls a closure with every point and its step; nothing is reported.
+///
+/// ```
+/// use kahan_core::observe::Visit;
+/// use kahan_core::prelude::*;
+///
+/// kahan! {
+///     /// Growth without limits.
+///     pub struct Growth;
+///     xdot = x;
+/// }
+///
+/// let mut points = Vec::new();
+/// Growth.orbit(vector![1.0], 0.5).observe(2, Visit::by(|step, x: &[f64]| points.push((step, x[0]))));
+/// assert_eq!(points, [(0, 1.0), (1, 3.0), (2, 9.0)]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Visit<F>(F);
+
+impl<F> Visit<F> {
+    /// Calls this one.
+    pub fn by<T>(visit: F) -> Self
+    where
+        F: FnMut(u64, &[T]),
+    {
+        Self(visit)
+    }
+}
+
+impl<T, F: FnMut(u64, &[T])> Observer<T> for Visit<F> {
+    type Report = ();
+
+    const MAY_END: bool = false;
+
+    #[inline]
+    fn observe(&mut self, step: u64, x: &[T]) {
+        (self.0)(step, x);
+    }
+
+    fn report(self) {}
+}
