@@ -94,6 +94,10 @@ pub enum StudyError {
         /// The highest degree within reach, if there is one.
         most: Option<u32>,
     },
+    /// A point or ε is beyond the range of doubles.
+    OutOfRange,
+    /// There is no composition of this order.
+    Order(u32),
     /// The question measures times, and the watch has no clock.
     NoClock,
     /// There is nothing to measure.
@@ -172,6 +176,8 @@ impl fmt::Display for StudyError {
                     None => f.write_str("ask for none"),
                 }
             }
+            Self::OutOfRange => f.write_str("the point and eps must be in the range of f64"),
+            Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
             Self::Trade { system, why } => write!(f, "{system}: {why}"),
             Self::UndefinedField { system, parameters } => write!(

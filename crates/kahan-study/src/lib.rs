@@ -38,8 +38,8 @@ pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use named::Names;
 pub use question::{
-    Answer, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, NoStep, Poles, PolesFound,
-    Question, fifteen_digits,
+    Answer, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, NoStep, Observe, Observed,
+    Poles, PolesFound, Question, fifteen_digits,
 };
 pub use study::{MOST_VARIABLES, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};

@@ -6,7 +6,7 @@ use kahan_algebra::interpret::Interpreter;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_discover::Watch;
-use kahan_runtime::FieldText;
+use kahan_runtime::{Field, FieldText, MapAt};
 
 use crate::error::StudyError;
 use crate::question::{Answer, Question};
@@ -50,7 +50,9 @@ impl Study {
             Some(sites) => chain(&text, sites)?,
             None => text.unproved_system().map_err(StudyError::Field)?,
         };
-        let name = named.as_ref().map_or_else(|| system.name(), |named| named.name).to_owned();
+        // A chain goes by the name of its family's type.
+        let of_catalog = named.as_ref().filter(|named| named.type_name.is_some());
+        let name = of_catalog.map_or_else(|| system.name(), |named| named.name).to_owned();
         let given = values_by_name(&subject.parameters, &system.field.symbols.parameters, &name)?;
         Ok(Study(Arc::new(Parts {
             name,
@@ -160,6 +162,23 @@ impl Study {
             return Ok(at.to_vec());
         }
         Err(StudyError::Coordinates { variables: self.variables().to_vec(), given: at.len() })
+    }
+
+    /// The map at ε, and a point, in doubles.
+    pub(crate) fn in_floats(
+        &self,
+        at: &[Rational],
+        eps: &Rational,
+    ) -> Result<(MapAt<f64>, Vec<f64>), StudyError> {
+        let (point, values) = (self.point(at)?, self.values()?);
+        let field = Field::of(self.system());
+        let map = field.with(field.parameters().iter().zip(&values)).map_err(|_| self.undefined_field())?;
+        let mut start: Vec<f64> = point.iter().chain([eps]).map(Rational::to_f64).collect();
+        if !start.iter().all(|number| number.is_finite()) {
+            return Err(StudyError::OutOfRange);
+        }
+        let eps = start.pop().expect("eps stands last");
+        Ok((map.at(eps), start))
     }
 
     pub(crate) fn interpreter(&self) -> &Interpreter {

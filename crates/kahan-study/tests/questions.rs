@@ -28,6 +28,7 @@ fn a_question_writes_itself_as_it_was_read() {
     for object in [
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
+        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5}),
         json!({"ask": "poles", "eps": null, "steps": 6, "seconds": 10.0}),
         json!({"ask": "discover", "eps": "1", "degree": 4, "seconds": 2.5}),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
@@ -108,6 +109,17 @@ fn questions_that_do_not_fit_say_so() {
     assert!(matches!(error(Subject::named("lv"), trade.clone()), StudyError::NoClock));
     let negative = json!({"ask": "trade", "at": [1, 1], "horizon": -1});
     assert!(matches!(error(Subject::named("lv"), negative), StudyError::NotPositive { what: "horizon", .. }));
+    let observe = |rest: Value| {
+        let mut object = json!({"ask": "observe", "eps": "1/10", "at": [1, 1], "steps": 9});
+        object.as_object_mut().expect("an object").extend(rest.as_object().expect("an object").clone());
+        object
+    };
+    let third = observe(json!({"order": 3}));
+    assert!(matches!(error(Subject::named("lv"), third), StudyError::Order(3)));
+    let never = observe(json!({"every": 0}));
+    assert!(matches!(error(Subject::named("lv"), never), StudyError::NotPositive { what: "every", .. }));
+    let far = observe(json!({"eps": "1e400"}));
+    assert!(matches!(error(Subject::named("lv"), far), StudyError::OutOfRange));
     let too_high = json!({"ask": "discover", "degree": 1000});
     assert!(matches!(error(Subject::named("lv"), too_high), StudyError::Degree { asked: 1000, .. }));
     let collapse = json!({"ask": "discover", "eps": 0});
@@ -136,6 +148,31 @@ fn heights_and_poles_of_the_lotka_volterra_map() {
     assert_eq!(heights["seconds"], Value::Null, "without a clock");
     let poles = answer(&lv, json!({"ask": "poles", "steps": 4}));
     assert!(poles["patterns"].as_array().is_some_and(|patterns| !patterns.is_empty()), "{poles}");
+}
+
+/// ẋ = x² + 1 reaches a pole of the flow; rotations about the fixed point of x″ = −x take 2π a turn.
+#[test]
+fn what_orbits_do() {
+    let away = study(Subject::text("xdot = x^2 + 1;"));
+    let observed =
+        answer(&away, json!({"ask": "observe", "eps": "1/20", "at": [0], "steps": 100, "escape": 5}));
+    assert!(observed["escaped"].as_u64().is_some_and(|step| step < 20), "{observed}");
+    let turning = study(Subject::text("xdot = y; ydot = -x; integral E = x^2 + y^2;"));
+    let asked = json!({"ask": "observe", "eps": "1/20", "at": [1, 0], "steps": 10_000});
+    let observed = answer(&turning, asked.clone());
+    // tan of half the angle of a step is ε.
+    let turns = 0.05_f64.atan() / std::f64::consts::PI;
+    // Backwards, as the phase of x and its rate goes. A weighted mean over 10⁴ steps rounds as often.
+    let value = observed["rotation"]["x"]["value"].as_f64().expect("a number");
+    assert!((value + turns).abs() < 1e4 * f64::EPSILON * turns, "{observed}");
+    assert!(observed["drift"]["E"]["max"].as_f64().is_some_and(|drift| drift < 1e-11), "{observed}");
+    assert_eq!(observed["extrema"]["y"].as_array().map(Vec::len), Some(2));
+    let stopped =
+        Listening { begun: Instant::now(), heard: Mutex::new(vec![String::new()]), stops_at_first: true };
+    let Ok(Answer::Observe(part)) = turning.ask(&question(asked).expect("a question"), &stopped) else {
+        panic!("observations")
+    };
+    assert!(part.steps < 10_000 && !part.left_range);
 }
 
 /// A clock, and what was heard.

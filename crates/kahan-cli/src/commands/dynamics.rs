@@ -1,17 +1,15 @@
 //! `kahan dynamics`: what one asks of an orbit, answered in the loop.
 
-mod observed;
 mod report;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use kahan_core::Composition;
+use kahan_study::{Observe, Observed, Study};
+use serde_json::json;
 
 use crate::printing::layout::Rows;
-use crate::printing::{Answer, Refusal};
-use crate::reading::{Request, Start, whole};
-
-use observed::{Asked, Observed};
+use crate::printing::{Answer, Prompt, Refusal};
+use crate::reading::{Start, whole};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
@@ -73,28 +71,32 @@ fn radius(text: &str) -> Result<f64, String> {
 }
 
 impl Dynamics {
+    /// What is asked, and of which field.
+    pub(super) fn asked(&self) -> Result<(Study, Observe), Refusal> {
+        let (study, at, eps) = self.start.study()?;
+        let Dynamics { steps, order, every, escape, .. } = *self;
+        Ok((study, Observe { eps, at, steps, order, every, escape }))
+    }
+
     /// The answers; a complaint where the orbit ends early.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let (request, observed) = self.observed()?;
-        let answer = if self.json {
-            Answer::json(&report::object(&request, &observed))
-        } else {
-            Answer::text(report::text(&request, &observed))
-        };
-        Ok(Answer { complaint: report::complaint(&request, self.steps, &observed), ..answer })
+        let observed = self.observed()?;
+        let answer =
+            if self.json { Answer::json(&json!(observed)) } else { Answer::text(report::text(&observed)) };
+        Ok(Answer { complaint: report::complaint(&observed), ..answer })
     }
 
     /// The answers as tables; a complaint where the orbit ends early.
     pub(super) fn tables(&self) -> Result<(Vec<Rows>, Option<String>), Refusal> {
-        let (request, observed) = self.observed()?;
-        Ok((report::tables(&request, &observed), report::complaint(&request, self.steps, &observed)))
+        let observed = self.observed()?;
+        Ok((report::tables(&observed), report::complaint(&observed)))
     }
 
-    fn observed(&self) -> Result<(Request, Observed), Refusal> {
-        let request = self.start.request()?;
-        let composition = Composition::of_order(self.order).expect("orders are 2, 4, 6 and 8");
-        let asked = Asked { steps: self.steps, every: self.every, escape: self.escape };
-        let observed = asked.of(&request, composition)?;
-        Ok((request, observed))
+    fn observed(&self) -> Result<Observed, Refusal> {
+        let (study, asked) = self.asked()?;
+        let prompt = Prompt::new(2 * self.steps, "steps");
+        let observed = asked.ask(&study, &prompt);
+        prompt.finish();
+        Ok(observed?)
     }
 }

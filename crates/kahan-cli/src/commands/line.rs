@@ -5,7 +5,7 @@ use std::fmt;
 use clap::{Args, Command, FromArgMatches};
 use kahan_algebra::rational::Rational;
 use kahan_study::trade::Trade;
-use kahan_study::{Discover, Evaluate, Heights, Poles, Question};
+use kahan_study::{Discover, Evaluate, Heights, Observe, Poles, Question};
 
 use crate::printing::Refusal;
 
@@ -32,6 +32,13 @@ impl Line {
                 let usual = Evaluate::new(eps.clone(), at.clone());
                 let line = Line::new("eval", system).with("--eps", eps).with("--at", point(at));
                 line.unless(*scalar == usual.scalar, "--scalar", scalar.name())
+            }
+            Question::Observe(Observe { eps, at, steps, order, every, escape }) => {
+                let usual = Observe::new(eps.clone(), at.clone(), *steps);
+                let line = Line::new("dynamics", system).with("--eps", eps).with("--at", point(at));
+                let line = line.with("--steps", steps).unless(*order == usual.order, "--order", order);
+                let line = line.unless(*every == usual.every, "--every", every);
+                line.unless(*escape == usual.escape, "--escape", escape)
             }
             Question::Heights(Heights { eps, at, steps, max_digits, seconds }) => {
                 let usual = Heights::new(eps.clone(), at.clone(), *steps);
@@ -109,7 +116,7 @@ impl fmt::Display for Line {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{discover, eval, heights, poles, trade};
+    use super::super::{discover, dynamics, eval, heights, poles, trade};
     use super::*;
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
@@ -125,6 +132,12 @@ mod tests {
         for asked in [Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain] {
             let line = call(&Question::Evaluate(asked.clone()));
             let read: eval::Eval = line.read().expect("a call");
+            assert_eq!(read.asked().expect("a question").1, asked, "{line}");
+        }
+        let plain = Observe::new(eps.clone(), at.clone(), 1000);
+        for asked in [Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain] {
+            let line = call(&Question::Observe(asked.clone()));
+            let read: dynamics::Dynamics = line.read().expect("a call");
             assert_eq!(read.asked().expect("a question").1, asked, "{line}");
         }
         let plain = Heights::new(eps.clone(), at.clone(), 17);

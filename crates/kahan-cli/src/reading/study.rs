@@ -82,6 +82,7 @@ impl From<StudyError> for Refusal {
                 let values = assignments::<Exact>(&names, &values);
                 format!("the field of {system} divides by zero at {values}; choose other values")
             }
+            StudyError::OutOfRange => "--at and --eps must be in the range of f64".to_owned(),
             StudyError::NotPositive { .. } => format!("--{error}"),
             StudyError::Degree { .. } => {
                 format!("--degree: {error}").replace("ask for none", "leave --degree out")

@@ -7,6 +7,7 @@
 use core::slice;
 
 use kahan_algebra::arithmetic::Float64;
+use kahan_core::Scalar;
 use smallvec::SmallVec;
 
 use super::{MachineFloat, MapAt};
@@ -69,7 +70,7 @@ impl<T: MachineFloat> MapAt<T> {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
             let values = parameters.iter().flat_map(|values| own(values, k));
-            let values: Vec<f64> = values.map(|value| value.approximate()).collect();
+            let values: Vec<f64> = values.map(Scalar::approximate).collect();
             if !self.map.field().derived().is_defined_at(&Float64, &values) {
                 columns.iter_mut().for_each(|column| column[k] = T::zero() / T::zero());
             }

@@ -7,6 +7,7 @@
 mod discover;
 mod evaluate;
 mod heights;
+mod observe;
 mod poles;
 
 use std::time::Duration;
@@ -23,6 +24,7 @@ use crate::trade::{Trade, Traded};
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated, NoStep};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
+pub use observe::{Observe, Observed};
 pub use poles::{Poles, PolesFound};
 
 /// What is asked.
@@ -31,6 +33,8 @@ pub use poles::{Poles, PolesFound};
 pub enum Question {
     /// Every object at a point.
     Evaluate(Evaluate),
+    /// What an orbit does.
+    Observe(Observe),
     /// The heights of an exact orbit.
     Heights(Heights),
     /// What becomes of singularities.
@@ -47,6 +51,8 @@ pub enum Question {
 pub enum Answer {
     /// Every object at a point.
     Evaluate(Evaluated),
+    /// What an orbit does.
+    Observe(Observed),
     /// The heights of an exact orbit.
     Heights(HeightsFound),
     /// What becomes of singularities.
@@ -58,7 +64,7 @@ pub enum Answer {
 }
 
 /// The values of `ask`.
-const NAMES: [&str; 5] = ["evaluate", "heights", "poles", "discover", "trade"];
+const NAMES: [&str; 6] = ["evaluate", "observe", "heights", "poles", "discover", "trade"];
 
 /// The seconds since then; `None` without a clock.
 fn seconds_since(begun: Option<Duration>, watch: &dyn Watch) -> Option<f64> {
@@ -69,6 +75,7 @@ impl Question {
     pub(crate) fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
         match self {
             Self::Evaluate(asked) => asked.ask(study).map(Answer::Evaluate),
+            Self::Observe(asked) => asked.ask(study, watch).map(Answer::Observe),
             Self::Heights(asked) => asked.ask(study, watch).map(Answer::Heights),
             Self::Poles(asked) => asked.ask(study, watch).map(Answer::Poles),
             Self::Discover(asked) => Ok(Answer::Discover(Box::new(asked.ask(study, watch)?))),
@@ -87,6 +94,7 @@ impl<'de> Deserialize<'de> for Question {
         let mut object = Map::deserialize(deserializer)?;
         match object.remove("ask").as_ref().and_then(Value::as_str) {
             Some("evaluate") => rest(object).map(Self::Evaluate),
+            Some("observe") => rest(object).map(Self::Observe),
             Some("heights") => rest(object).map(Self::Heights),
             Some("poles") => rest(object).map(Self::Poles),
             Some("discover") => rest(object).map(Self::Discover),

@@ -1,56 +1,21 @@
-//! What was observed, as an object and as tables.
+//! What was observed as tables.
 
-use serde_json::{Map, Value, json};
+use kahan_study::Observed;
 
 use crate::printing::layout::{Rows, table};
-use crate::reading::Request;
 
-use super::observed::Observed;
-
-/// The JSON object.
-pub(super) fn object(request: &Request, observed: &Observed) -> Value {
-    let variables = &request.system.field.symbols.states;
-    let by_name = |names: &[String], values: Vec<Value>| {
-        Value::Object(names.iter().cloned().zip(values).collect::<Map<_, _>>())
-    };
-    let rotation =
-        observed.rotation.iter().map(|turns| json!({ "value": turns.value, "error": turns.error }));
-    let drift = observed.drift.iter().map(|drifted| json!({ "max": drifted.max, "final": drifted.last }));
-    let extrema = observed.extrema.iter().map(|extremes| json!(extremes.map(|of| [of.least, of.greatest])));
-    json!({
-        "system": request.name,
-        "steps": observed.steps,
-        "lyapunov": observed.lyapunov.iter().map(|exponent| exponent.value).collect::<Vec<_>>(),
-        "lyapunov_errors": observed.lyapunov.iter().map(|exponent| exponent.error).collect::<Vec<_>>(),
-        "mean_log_det": observed.mean_log_det,
-        "fli": observed.fli,
-        "megno": observed.megno,
-        "sali": observed.sali,
-        "rotation": by_name(variables, rotation.collect()),
-        "drift": by_name(&integrals(request), drift.collect()),
-        "extrema": by_name(variables, extrema.collect()),
-        "escaped": observed.escaped,
-    })
-}
-
-/// The integrals whose drift is observed: those that are claimed without `when`.
-fn integrals(request: &Request) -> Vec<String> {
-    let claims = request.system.accessors(kahan_algebra::syntax::ClaimKind::Integral);
-    claims.map(|claim| claim.name.text.clone()).collect()
-}
-
-/// The same as text.
-pub(super) fn text(request: &Request, observed: &Observed) -> String {
+/// What was observed as text.
+pub(super) fn text(observed: &Observed) -> String {
     let escaped = observed.escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
     let last =
         vec![vec!["steps".to_owned(), observed.steps.to_string()], vec!["escaped".to_owned(), escaped]];
-    let tables = tables(request, observed).into_iter().chain([last]);
+    let tables = tables(observed).into_iter().chain([last]);
     let tables: Vec<String> = tables.map(|rows| table(&rows, 1).join("\n") + "\n").collect();
     tables.join("\n")
 }
 
 /// The same as tables, each with its headings first.
-pub(super) fn tables(request: &Request, observed: &Observed) -> Vec<Rows> {
+pub(super) fn tables(observed: &Observed) -> Vec<Rows> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
     let mut tables = Vec::new();
     let mut rows = vec![row(&["Lyapunov exponent", "value", "converged to"])];
@@ -68,7 +33,7 @@ pub(super) fn tables(request: &Request, observed: &Observed) -> Vec<Rows> {
         vec!["SALI".to_owned(), number(observed.sali)],
     ]);
     let mut rows = vec![row(&["variable", "least", "greatest", "turns a step", "error"])];
-    let variables = request.system.field.symbols.states.iter().zip(&observed.extrema).zip(&observed.rotation);
+    let variables = observed.variables.iter().zip(&observed.extrema).zip(&observed.rotation);
     for ((name, extremes), turns) in variables {
         let [least, greatest] =
             extremes.map_or([String::new(), String::new()], |of| [number(of.least), number(of.greatest)]);
@@ -77,7 +42,7 @@ pub(super) fn tables(request: &Request, observed: &Observed) -> Vec<Rows> {
     tables.push(rows);
     if !observed.drift.is_empty() {
         let mut rows = vec![row(&["integral", "greatest drift", "final drift"])];
-        for (name, drifted) in integrals(request).iter().zip(&observed.drift) {
+        for (name, drifted) in observed.integrals.iter().zip(&observed.drift) {
             rows.push(vec![name.clone(), short(drifted.max), short(drifted.last)]);
         }
         tables.push(rows);
@@ -86,12 +51,12 @@ pub(super) fn tables(request: &Request, observed: &Observed) -> Vec<Rows> {
 }
 
 /// Why there are fewer steps than asked.
-pub(super) fn complaint(request: &Request, steps: u64, observed: &Observed) -> Option<String> {
-    (observed.steps < steps).then(|| {
+pub(super) fn complaint(observed: &Observed) -> Option<String> {
+    observed.left_range.then(|| {
         format!(
             "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; what is said is of the steps \
              before",
-            request.name,
+            observed.system,
             observed.steps + 1
         )
     })
