@@ -6,6 +6,7 @@
 use std::fmt;
 
 use kahan_algebra::rational::Rational;
+use kahan_core::periodic::NoPeriodicPoint;
 use kahan_discover::DiscoverError;
 use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_runtime::Diagnostics;
@@ -94,6 +95,38 @@ pub enum StudyError {
         /// The highest degree within reach, if there is one.
         most: Option<u32>,
     },
+    /// What goes through values is neither a parameter nor ε.
+    UnknownAxis {
+        /// The field.
+        system: String,
+        /// What was given.
+        name: String,
+        /// What there is.
+        known: Vec<String>,
+    },
+    /// ε has no value.
+    MissingStep,
+    /// A cycle has more numbers than this.
+    LongCycle {
+        /// Its numbers.
+        unknowns: usize,
+        /// The most.
+        most: usize,
+    },
+    /// There is no cycle near the point.
+    NoCycle {
+        /// The field.
+        system: String,
+        /// Why.
+        why: NoPeriodicPoint,
+    },
+    /// Nothing goes through values.
+    NoAxis,
+    /// A grid has more points than this.
+    ManyPoints {
+        /// The most.
+        most: usize,
+    },
     /// A point or ε is beyond the range of doubles.
     OutOfRange,
     /// There is no composition of this order.
@@ -175,6 +208,19 @@ impl fmt::Display for StudyError {
                     Some(most) => write!(f, "ask for at most {most}"),
                     None => f.write_str("ask for none"),
                 }
+            }
+            Self::UnknownAxis { system, name, known } => {
+                write!(f, "`{name}` is no parameter of {system}; there is {}", known.join(", "))
+            }
+            Self::MissingStep => f.write_str("half the time step is missing"),
+            Self::LongCycle { unknowns, most } => write!(
+                f,
+                "a cycle of {unknowns} numbers is beyond the {most} that Newton's method is given"
+            ),
+            Self::NoCycle { system, why } => write!(f, "{system}: no cycle was found: {why}"),
+            Self::NoAxis => f.write_str("which values? give an axis to a parameter or to eps"),
+            Self::ManyPoints { most } => {
+                write!(f, "the grid has more than {most} points; take larger steps")
             }
             Self::OutOfRange => f.write_str("the point and eps must be in the range of f64"),
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),

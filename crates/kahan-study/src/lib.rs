@@ -28,6 +28,7 @@ mod named;
 pub mod numbers;
 mod question;
 pub mod random_fields;
+mod range;
 pub mod reference;
 mod study;
 mod subject;
@@ -38,8 +39,10 @@ pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use named::Names;
 pub use question::{
-    Answer, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, NoStep, Observe, Observed,
-    Poles, PolesFound, Question, fifteen_digits,
+    Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, NoStep, Observe,
+    Observed, Periodic, Poles, PolesFound, Question, Scan, ScanFound, characteristic_polynomial,
+    fifteen_digits,
 };
+pub use range::{Axis, NoRange, Range, Spacing};
 pub use study::{MOST_VARIABLES, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};

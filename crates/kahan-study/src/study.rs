@@ -136,6 +136,23 @@ impl Study {
         &self.0.given
     }
 
+    /// The same with a value of one more parameter; what was planned is planned again.
+    pub(crate) fn with(&self, place: usize, value: Rational) -> Self {
+        let Parts { name, named, text, sites, given, system, proved, .. } = &*self.0;
+        let mut given = given.clone();
+        given[place] = Some(value);
+        Study(Arc::new(Parts {
+            name: name.clone(),
+            named: named.clone(),
+            text: text.clone(),
+            sites: *sites,
+            given,
+            system: system.clone(),
+            proved: proved.clone(),
+            interpreter: OnceLock::new(),
+        }))
+    }
+
     /// The parameters that have a value, by name; the others are generic.
     #[must_use]
     pub fn fixed(&self) -> Vec<(String, Rational)> {

@@ -29,8 +29,16 @@ fn a_question_writes_itself_as_it_was_read() {
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
         json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5}),
+        json!({
+            "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
+            "over": {"name": "eps", "range": "1:0:/5"},
+        }),
         json!({"ask": "poles", "eps": null, "steps": 6, "seconds": 10.0}),
         json!({"ask": "discover", "eps": "1", "degree": 4, "seconds": 2.5}),
+        json!({
+            "ask": "scan", "eps": null, "axes": [{"name": "xi", "range": "-2:2:+1/12"}, {"name": "eps", "range": "1:2:/4"}],
+            "degree": 3, "seconds": 1.0,
+        }),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
     ] {
         let read = question(object.clone()).expect("a question");
@@ -53,8 +61,12 @@ fn what_a_question_does_not_have_is_a_mistake() {
         (json!({"ask": "evaluate", "eps": 1, "at": [1], "epsilon": 1}), "unknown field `epsilon`"),
         (json!({"ask": "evaluate", "at": [1]}), "missing field `eps`"),
         (json!({"ask": "evaluate", "eps": "a half", "at": [1]}), "`a half` is not an exact number"),
-        (json!({"ask": "evaluate", "eps": "1/0", "at": [1]}), "is not an exact number"),
+        (json!({"ask": "evaluate", "eps": "1/0", "at": [1]}), "`1/0` divides by zero"),
         (json!({"ask": "evaluate", "eps": 1, "at": [1], "scalar": "f16"}), "unknown variant `f16`"),
+        (
+            json!({"ask": "scan", "axes": [{"name": "xi", "range": "0:1"}]}),
+            "`0:1` is no range; write FROM:TO:COUNT",
+        ),
         (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `evaluate`"),
         (json!({"eps": 1, "at": [1]}), "missing field `ask`"),
     ] {
@@ -82,6 +94,7 @@ fn subjects_that_are_wrong_say_so() {
 
 #[test]
 fn questions_that_do_not_fit_say_so() {
+    let one = || Rational::from(1);
     let error = |subject: Subject, object: Value| {
         let question = question(object).expect("a question");
         study(subject).ask(&question, &Unwatched).expect_err("a mistake")
@@ -120,6 +133,18 @@ fn questions_that_do_not_fit_say_so() {
     assert!(matches!(error(Subject::named("lv"), never), StudyError::NotPositive { what: "every", .. }));
     let far = observe(json!({"eps": "1e400"}));
     assert!(matches!(error(Subject::named("lv"), far), StudyError::OutOfRange));
+    let scan = |axes: Value| json!({"ask": "scan", "axes": axes});
+    let through = |name: &str, range: &str| json!({"name": name, "range": range});
+    assert!(matches!(error(Subject::named("e7"), scan(json!([]))), StudyError::NoAxis));
+    assert!(matches!(
+        error(Subject::named("e7"), scan(json!([through("zeta", "0:1:2")]))),
+        StudyError::UnknownParameter { name, .. } if name == "zeta"
+    ));
+    let fixed = Subject::named("e7").with("xi", one());
+    let twice = scan(json!([through("xi", "0:1:2")]));
+    assert!(matches!(error(fixed, twice), StudyError::ParameterTwice { .. }));
+    let many = scan(json!([through("xi", "0:1:100000"), through("eps", "1:2:100000")]));
+    assert!(matches!(error(Subject::named("e7"), many), StudyError::ManyPoints { .. }));
     let too_high = json!({"ask": "discover", "degree": 1000});
     assert!(matches!(error(Subject::named("lv"), too_high), StudyError::Degree { asked: 1000, .. }));
     let collapse = json!({"ask": "discover", "eps": 0});
@@ -173,6 +198,42 @@ fn what_orbits_do() {
         panic!("observations")
     };
     assert!(part.steps < 10_000 && !part.left_range);
+}
+
+#[test]
+fn special_values_of_a_parameter() {
+    let e9 = study(Subject::named("e9"));
+    let asked = json!({"ask": "scan", "axes": [{"name": "xi", "range": "-1:1:+1"}], "degree": 2});
+    let found = answer(&e9, asked);
+    assert_eq!(found["points"].as_array().map(Vec::len), Some(3));
+    let special = found["special"].as_array().expect("points");
+    assert!(special.iter().any(|point| point["xi"] == "1"), "{found}");
+}
+
+/// The fixed point of the Lotka-Volterra map at (1, 1), and the fold of x = ±√a at a = 0.
+#[test]
+fn cycles_and_their_branches() {
+    let lv = study(Subject::named("lv"));
+    let found = answer(&lv, json!({"ask": "periodic", "eps": "1/10", "at": ["0.9", "1.1"]}));
+    assert_eq!((&found["period"], &found["stability"]), (&json!(1), &json!("neutral")));
+    assert_eq!(found["exact"]["points"], json!([["1", "1"]]));
+    assert!(found.get("branch").is_none(), "{found}");
+    let fold = study(Subject::text("xdot = a - x^2;"));
+    let over = json!({"name": "a", "range": "1:-1:41"});
+    let found = answer(&fold, json!({"ask": "periodic", "eps": "1/10", "at": [1], "over": over}));
+    assert_eq!(found["branch"]["turns"][0]["change"], "fold, two cycles meet");
+    let error =
+        |object: Value| fold.ask(&question(object).expect("a question"), &Unwatched).expect_err("a mistake");
+    let other = json!({"name": "b", "range": "1:-1:41"});
+    assert!(matches!(
+        error(json!({"ask": "periodic", "eps": 1, "at": [1], "over": other})),
+        StudyError::UnknownAxis { .. }
+    ));
+    assert!(matches!(error(json!({"ask": "periodic", "at": [1], "over": over})), StudyError::MissingStep));
+    assert!(matches!(
+        error(json!({"ask": "periodic", "eps": 1, "at": [1], "period": 601, "over": over})),
+        StudyError::LongCycle { .. }
+    ));
 }
 
 /// A clock, and what was heard.

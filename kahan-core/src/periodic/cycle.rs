@@ -42,6 +42,18 @@ pub enum Stability {
     Neutral,
 }
 
+/// One word.
+impl fmt::Display for Stability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Attracting => "attracting",
+            Self::Repelling => "repelling",
+            Self::Saddle => "saddle",
+            Self::Neutral => "neutral",
+        })
+    }
+}
+
 /// Why there is no periodic point.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoPeriodicPoint {

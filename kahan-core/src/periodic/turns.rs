@@ -1,6 +1,7 @@
 //! What happens within a stride along a branch: where it turns back, and which multipliers go
 //! through the unit circle.
 
+use core::fmt;
 use core::iter::repeat_n;
 use std::vec::Vec;
 
@@ -19,6 +20,18 @@ pub enum Change {
     ThroughMinusOne,
     /// A pair of complex multipliers goes through the unit circle.
     ThroughCircle,
+}
+
+/// What it means, in words.
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Fold => "fold, two cycles meet",
+            Self::ThroughOne => "a multiplier goes through 1",
+            Self::ThroughMinusOne => "a multiplier goes through -1, the period may double",
+            Self::ThroughCircle => "a pair of multipliers goes through the unit circle",
+        })
+    }
 }
 
 /// A change, and where.

@@ -7,11 +7,12 @@ mod rows;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use kahan_study::{Axis, Spacing};
 use serde_json::json;
 
 use crate::plot::{Drawing, Format, Grid, Mark, NumberLine, Plot, Series, Sheet, Theme};
 use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{Range, Spacing, Start, whole};
+use crate::reading::{self, Start, whole};
 
 use cells::Cells;
 use rows::Rows;
@@ -142,9 +143,9 @@ impl Colour {
 }
 
 /// What a chart shows.
-struct Shown<'a> {
+struct Shown {
     /// One or two.
-    ranges: Vec<Range<'a>>,
+    axes: Vec<Axis>,
     /// Row by row from below.
     values: Vec<f64>,
     /// Of what.
@@ -193,7 +194,7 @@ impl Chart {
         self.drawing(&self.shown()?)
     }
 
-    fn shown(&self) -> Result<Shown<'_>, Refusal> {
+    fn shown(&self) -> Result<Shown, Refusal> {
         if self.over.len() > 2 {
             return Err(Refusal::new(
                 "--over: a chart goes through one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
@@ -205,16 +206,16 @@ impl Chart {
         }
     }
 
-    fn of_orbits(&self) -> Result<Shown<'_>, Refusal> {
-        let ranges = self.over.iter().map(|over| Range::over(over, Spacing::Cells));
-        let ranges: Vec<Range<'_>> = ranges.collect::<Result<_, _>>()?;
-        let request = self.start.request_over(&ranges)?;
-        let values = Cells::new(&request, &ranges, self.color, self.steps, &self.escape)?.values()?;
+    fn of_orbits(&self) -> Result<Shown, Refusal> {
+        let axes = self.over.iter().map(|over| reading::over(over, Spacing::Cells));
+        let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
+        let request = self.start.request_over(&axes)?;
+        let values = Cells::new(&request, &axes, self.color, self.steps, &self.escape)?.values()?;
         let label = self.color.label().to_owned();
         let is_logarithm = matches!(self.color, Colour::Sali | Colour::Drift);
-        let description = format!("{}, {} steps each", over(&label, &request.name, &ranges), self.steps);
+        let description = format!("{}, {} steps each", over(&label, &request.name, &axes), self.steps);
         Ok(Shown {
-            ranges,
+            axes,
             values,
             name: request.name,
             column: self.color.name(),
@@ -224,72 +225,72 @@ impl Chart {
         })
     }
 
-    fn of_rows<'a>(&'a self, from: &'a Path) -> Result<Shown<'a>, Refusal> {
+    fn of_rows(&self, from: &Path) -> Result<Shown, Refusal> {
         let column = self.column.clone().unwrap_or_else(|| self.color.column());
         let rows = Rows { from, over: &self.over, column, chosen: &self.chosen };
         let is_logarithm = rows.column == "sali" || rows.column.starts_with("drift");
-        let (ranges, values) =
+        let (axes, values) =
             rows.cells(|value| if is_logarithm { cells::logarithm(value) } else { value })?;
         let column = rows.column;
         let label = if is_logarithm { format!("log {column}, to base 10") } else { column.clone() };
         let name = from.display().to_string();
-        let description = over(&label, &name, &ranges);
-        Ok(Shown { ranges, values, name, column, is_logarithm, label, description })
+        let description = over(&label, &name, &axes);
+        Ok(Shown { axes, values, name, column, is_logarithm, label, description })
     }
 
     fn sheet(&self) -> Sheet {
         Sheet { pixels: self.size, theme: self.theme }
     }
 
-    fn drawing(&self, shown: &Shown<'_>) -> Result<Drawing, Refusal> {
-        match &shown.ranges[..] {
-            [range] => Ok(self.curve(shown, range).drawing()),
-            ranges => self.grid(shown, ranges).drawing(),
+    fn drawing(&self, shown: &Shown) -> Result<Drawing, Refusal> {
+        match &shown.axes[..] {
+            [axis] => Ok(self.curve(shown, axis).drawing()),
+            axes => self.grid(shown, axes).drawing(),
         }
     }
 
     /// The values over one range.
-    fn curve(&self, shown: &Shown<'_>, range: &Range<'_>) -> Plot {
-        let places = range.values().map(|value| value.to_f64());
+    fn curve(&self, shown: &Shown, axis: &Axis) -> Plot {
+        let places = axis.range.values().map(|value| value.to_f64());
         let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();
         // The dots show the values that no line leads to.
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
-        let plot = Plot::around(&shown.description, [range.name, &shown.label], marked.into());
+        let plot = Plot::around(&shown.description, [&axis.name, &shown.label], marked.into());
         Plot { size: self.sheet().view_box(), ..plot }
     }
 
-    fn grid(&self, shown: &Shown<'_>, ranges: &[Range<'_>]) -> Grid {
-        let line = |range: &Range<'_>| {
-            let [low, high] = range.edges().map(|edge| edge.to_f64());
-            NumberLine { label: range.name.to_owned(), low, high }
+    fn grid(&self, shown: &Shown, axes: &[Axis]) -> Grid {
+        let line = |axis: &Axis| {
+            let [low, high] = axis.range.edges().map(|edge| edge.to_f64());
+            NumberLine { label: axis.name.to_owned(), low, high }
         };
         Grid {
             description: shown.description.clone(),
             size: self.sheet().view_box(),
-            x: line(&ranges[0]),
-            y: line(&ranges[1]),
+            x: line(&axes[0]),
+            y: line(&axes[1]),
             scale: NumberLine::around_most(&shown.label, shown.values.iter().copied()),
-            columns: ranges[0].count(),
+            columns: axes[0].range.count(),
             values: shown.values.clone(),
         }
     }
 }
 
 /// What is shown, in words: the values of a curve, the cells of a grid.
-fn over(label: &str, name: &str, ranges: &[Range<'_>]) -> String {
-    let through = |range: &Range<'_>| {
-        let [from, to] = if ranges.len() == 1 { range.ends() } else { range.edges() };
-        format!("{} from {from} to {to}", range.name)
+fn over(label: &str, name: &str, axes: &[Axis]) -> String {
+    let through = |axis: &Axis| {
+        let [from, to] = if axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
+        format!("{} from {from} to {to}", axis.name)
     };
-    let ranges: Vec<String> = ranges.iter().map(through).collect();
-    format!("{label} of {name} over {}", ranges.join(" and "))
+    let axes: Vec<String> = axes.iter().map(through).collect();
+    format!("{label} of {name} over {}", axes.join(" and "))
 }
 
 /// A row an orbit, and the names of what is in it; the first range runs fastest.
-fn table(shown: &Shown<'_>) -> String {
-    let floats = |range: &Range<'_>| range.values().map(|value| value.to_f64()).collect::<Vec<_>>();
-    let names: Vec<&str> = shown.ranges.iter().map(|range| range.name).collect();
-    let along: Vec<Vec<f64>> = shown.ranges.iter().map(floats).collect();
+fn table(shown: &Shown) -> String {
+    let floats = |axis: &Axis| axis.range.values().map(|value| value.to_f64()).collect::<Vec<_>>();
+    let names: Vec<&str> = shown.axes.iter().map(|axis| axis.name.as_str()).collect();
+    let along: Vec<Vec<f64>> = shown.axes.iter().map(floats).collect();
     let log = if shown.is_logarithm { "log_" } else { "" };
     let mut text = format!("{},{log}{}\n", names.join(","), shown.column);
     for (index, value) in shown.values.iter().enumerate() {

@@ -5,7 +5,7 @@ use std::fmt;
 use clap::{Args, Command, FromArgMatches};
 use kahan_algebra::rational::Rational;
 use kahan_study::trade::Trade;
-use kahan_study::{Discover, Evaluate, Heights, Observe, Poles, Question};
+use kahan_study::{Discover, Evaluate, Heights, Observe, Periodic, Poles, Question, Scan};
 
 use crate::printing::Refusal;
 
@@ -40,6 +40,11 @@ impl Line {
                 let line = line.unless(*every == usual.every, "--every", every);
                 line.unless(*escape == usual.escape, "--escape", escape)
             }
+            Question::Periodic(Periodic { eps, at, period, over }) => {
+                let line = Line::new("periodic", system).with_some("--eps", eps.as_ref());
+                let line = line.with("--at", point(at)).unless(*period == 1, "--period", period);
+                line.with_some("--over", over.as_ref().map(|axis| format!("{}={}", axis.name, axis.range)))
+            }
             Question::Heights(Heights { eps, at, steps, max_digits, seconds }) => {
                 let usual = Heights::new(eps.clone(), at.clone(), *steps);
                 let line = Line::new("heights", system).with("--eps", eps).with("--at", point(at));
@@ -57,6 +62,15 @@ impl Line {
                 let line = Line::new("discover", system).with_some("--eps", eps.as_ref());
                 let line = line.with_some("--degree", degree.as_ref());
                 line.unless(*seconds == Discover::default().seconds, "--seconds", format!("{seconds:?}"))
+            }
+            Question::Scan(Scan { eps, axes, degree, seconds }) => {
+                let line = Line::new("scan", system).with_some("--eps", eps.as_ref());
+                let line = axes.iter().fold(line, |line, axis| match axis.name.as_str() {
+                    "eps" => line.with("--eps", &axis.range),
+                    name => line.with("--param", format!("{name}={}", axis.range)),
+                });
+                let line = line.with_some("--degree", degree.as_ref());
+                line.unless(*seconds == Scan::new(Vec::new()).seconds, "--seconds", format!("{seconds:?}"))
             }
             Question::Trade(Trade { at, horizon, need, tolerance, seconds }) => {
                 let usual = Trade::new(at.clone(), horizon.clone());
@@ -116,10 +130,11 @@ impl fmt::Display for Line {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{discover, dynamics, eval, heights, poles, trade};
+    use super::super::{discover, dynamics, eval, heights, periodic, poles, scan, trade};
     use super::*;
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
+    use kahan_study::{Axis, Range};
 
     #[test]
     fn a_call_that_is_read_back_asks_the_same() {
@@ -155,6 +170,24 @@ mod tests {
         for asked in [fixed, Discover::default()] {
             let line = call(&Question::Discover(asked.clone()));
             let read: discover::Discover = line.read().expect("a call");
+            assert_eq!(read.asked().expect("a question").1, asked, "{line}");
+        }
+        let through = |name: &str, range: &str| Axis {
+            name: name.to_owned(),
+            range: Range::read(range).expect("a range"),
+        };
+        let plain = Periodic::new(rational(1, 10), at.clone());
+        let along =
+            Periodic { eps: None, period: 3, over: Some(through("eps", "1:-1:+-1/40")), ..plain.clone() };
+        for asked in [along, plain] {
+            let line = call(&Question::Periodic(asked.clone()));
+            let read: periodic::Periodic = line.read().expect("a call");
+            assert_eq!(read.asked().expect("a question").1, asked, "{line}");
+        }
+        let plain = Scan::new(vec![through("eps", "-2:2:+1/4")]);
+        for asked in [Scan { degree: Some(3), seconds: 2.0, ..plain.clone() }, plain] {
+            let line = call(&Question::Scan(asked.clone()));
+            let read: scan::Scan = line.read().expect("a call");
             assert_eq!(read.asked().expect("a question").1, asked, "{line}");
         }
         let plain = Trade::new(at, rational(25, 2));

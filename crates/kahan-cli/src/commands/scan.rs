@@ -1,17 +1,15 @@
-//! `kahan scan`: which values of parameters, and of ε, are special. What is seen is
-//! `kahan-discover`'s; this only prints it.
+//! `kahan scan`: which values of parameters, and of ε, are special.
 
 use clap::Args;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
-use kahan_discover::scan::{GridPoint, Proposal, Sight};
-use kahan_discover::{Options, Scan as Grid, Scanned, scan};
-use serde_json::{Map, Value, json};
+use kahan_discover::scan::{Proposal, Sight};
+use kahan_study::{Axis, Scan as Question, ScanFound, Spacing, Study};
+use serde_json::json;
 
-use super::search::{Search, refused};
+use super::search::Search;
 use crate::printing::layout::table;
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{Range, Spacing, number};
+use crate::reading::{axis, number};
 
 /// Finds special values of parameters and of eps, on a grid.
 ///
@@ -42,118 +40,39 @@ Examples:
   kahan scan e7 --param xi=-2:2:+1/4 --eps 1/4:2:+1/4 --json
   kahan scan --field 'xdot = y; ydot = c*y + 6*x^2 - a;' --param c=-1:1:+1/5 --param a=1";
 
-/// The most points of a grid.
-const MOST_POINTS: usize = 1_000_000;
-
 impl Scan {
-    /// The special points, or all in JSON.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let search = &self.search;
-        let (source, ranges) = search.source.without_ranges();
-        let block = source.required_block()?;
-        let system = block.unproved_system()?;
-        let name = block.name(&system);
-        let mut options = Options {
-            parameters: source.fixed_parameters(&system, &name)?,
-            degree: search.degree_for(&system)?,
-            seconds: search.seconds,
-            ..Options::default()
-        };
-        let mut axes = parameter_axes(&ranges, &system, &name, &options.parameters)?;
-        match search.eps.as_deref() {
-            Some(range) if range.contains(':') => axes.push(axis("eps", range, "--eps")?),
-            Some(value) => options.eps = Some(number(value, "--eps")?),
+    /// What is asked, and of which field.
+    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+        let (source, ranges) = self.search.source.without_ranges();
+        let study = source.study()?;
+        let of_parameter =
+            |&(name, range): &(&str, &str)| axis_of(name.trim(), range, &format!("--param {}", name.trim()));
+        let mut axes = ranges.iter().map(of_parameter).collect::<Result<Vec<Axis>, Refusal>>()?;
+        let mut eps = None;
+        match self.search.eps.as_deref() {
+            Some(range) if range.contains(':') => axes.push(axis_of("eps", range, "--eps")?),
+            Some(value) => eps = Some(number(value, "--eps")?),
             None => {}
         }
-        let total = axes.iter().try_fold(1usize, |count, axis| count.checked_mul(axis.values.len()));
-        let total = total.filter(|total| *total <= MOST_POINTS).ok_or_else(|| {
-            Refusal::new(format!("the grid has more than {MOST_POINTS} points; take larger steps"))
-        })?;
-        if axes.is_empty() {
-            return Err(Refusal::new(
-                "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 or --eps 1/4:2:+1/4",
-            ));
-        }
-        let prompt = Prompt::new(total as u64, "points");
-        let found = scan(&system, &axes, &options, &prompt);
+        let Search { degree, seconds, .. } = self.search;
+        Ok((study, Question { eps, axes, degree, seconds }))
+    }
+
+    /// The special points, or all in JSON.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let (study, asked) = self.asked()?;
+        let prompt = Prompt::new(asked.points().unwrap_or_default() as u64, "points");
+        let found = asked.ask(&study, &prompt);
         prompt.finish();
-        let found = found.map_err(|error| refused(&name, &error))?;
-        let seconds = prompt.seconds();
-        Ok(if search.json {
-            Answer::json(&object(&name, &found, seconds))
-        } else {
-            Answer::text(text(&name, &found, total, seconds))
-        })
+        let found = found?;
+        Ok(if self.search.json { Answer::json(&json!(found)) } else { Answer::text(text(&found)) })
     }
 }
 
-/// The axes of parameters, each a parameter of the system and none given twice.
-fn parameter_axes(
-    ranges: &[(&str, &str)],
-    system: &System,
-    name: &str,
-    fixed: &[(String, Rational)],
-) -> Result<Vec<Scanned>, Refusal> {
-    let mut axes: Vec<Scanned> = Vec::new();
-    for &(parameter, range) in ranges {
-        let parameter = parameter.trim();
-        let known = &system.field.symbols.parameters;
-        if !known.iter().any(|one| one == parameter) {
-            let known = if known.is_empty() {
-                "it has none".to_owned()
-            } else {
-                format!("it has {}", known.join(", "))
-            };
-            return Err(Refusal::new(format!("--param: `{parameter}` is no parameter of {name}: {known}")));
-        }
-        let is_given = axes.iter().map(|axis| &axis.name).chain(fixed.iter().map(|(name, _)| name));
-        if is_given.into_iter().any(|given| given == parameter) {
-            return Err(Refusal::new(format!("--param: `{parameter}` is given twice")));
-        }
-        axes.push(axis(parameter, range, &format!("--param {parameter}"))?);
-    }
-    Ok(axes)
-}
-
-/// The values of a range behind an option.
-fn axis(name: &str, range: &str, option: &str) -> Result<Scanned, Refusal> {
+/// A range behind an option.
+fn axis_of(name: &str, range: &str, option: &str) -> Result<Axis, Refusal> {
     // The third part was a step.
-    let range = Range::read(name, range, option, |step| Spacing::Step(Rational::from(step as i64)))?;
-    Ok(Scanned { name: name.to_owned(), values: range.values().collect() })
-}
-
-fn object(name: &str, found: &Grid, seconds: f64) -> Value {
-    let special: Vec<Value> = found.special().map(|point| values(found, point)).collect();
-    let points: Vec<Value> = found
-        .points
-        .iter()
-        .map(|point| json!({ "values": values(found, point), "sight": point.sight.as_ref().map(sight) }))
-        .collect();
-    json!({
-        "system": name,
-        "names": found.names,
-        "generic": sight(&found.generic),
-        "points": points,
-        "special": special,
-        "relations": found.relations.iter().map(relation).collect::<Vec<_>>(),
-        "out_of_time": found.out_of_time,
-        "seconds": seconds,
-    })
-}
-
-fn values(found: &Grid, point: &GridPoint) -> Value {
-    let pairs = found.names.iter().zip(&point.values);
-    pairs.map(|(name, value)| (name.clone(), json!(value.to_string()))).collect::<Map<_, _>>().into()
-}
-
-fn relation(found: &Proposal) -> Value {
-    json!({
-        "relation": found.relation,
-        "points": found.points,
-        "sight": sight(&found.sight),
-        "claims": found.claims,
-        "proved": !found.claims.is_empty(),
-    })
+    axis(name, range, option, |step| Spacing::Step(Rational::from(step as i64)))
 }
 
 /// What a relation has for it, in words, and the claims that are proved there.
@@ -173,11 +92,9 @@ fn relation_lines(found: &Proposal) -> Vec<String> {
     lines
 }
 
-fn sight(sight: &Sight) -> Value {
-    json!({ "independent_integrals": sight.integrals, "hilbert": sight.hilbert, "degrees": sight.degrees })
-}
-
-fn text(name: &str, found: &Grid, total: usize, seconds: f64) -> String {
+fn text(answer: &ScanFound) -> String {
+    let ScanFound { system: name, found, total, seconds } = answer;
+    let seconds = seconds.unwrap_or_default();
     let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
     let seen = |sight: &Option<Sight>| match sight {
         Some(sight) => vec![sight.integrals.to_string(), numbers(&sight.hilbert), numbers(&sight.degrees)],

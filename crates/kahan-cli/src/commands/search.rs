@@ -1,12 +1,7 @@
 //! What `discover` and `scan` are asked: of which field, with what fixed, how far and for how long.
 
 use clap::Args;
-use kahan_algebra::system::System;
-use kahan_discover::DiscoverError;
-use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
-use kahan_discover::monomials::Monomials;
 
-use crate::printing::Refusal;
 use crate::reading::{Source, seconds, whole};
 
 /// A field, and the bounds of a search.
@@ -43,25 +38,4 @@ pub(crate) struct Search {
 /// A whole number that is a degree.
 fn degree(text: &str) -> Result<u32, String> {
     whole(text, 1, u32::MAX)
-}
-
-impl Search {
-    /// The degree that was asked for, if relations of that degree are within reach.
-    pub(crate) fn degree_for(&self, system: &System) -> Result<Option<u32>, Refusal> {
-        let variables = system.field.dimension();
-        let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS_AT_ALL;
-        let Some(asked) = self.degree.filter(|&asked| !is_within(asked)) else { return Ok(self.degree) };
-        let way_out = match (1..asked).take_while(|&lower| is_within(lower)).last() {
-            Some(highest) => format!("ask for at most {highest}"),
-            None => "leave --degree out".to_owned(),
-        };
-        Err(Refusal::new(format!(
-            "--degree: {variables} variables have more than {MOST_MONOMIALS_AT_ALL} monomials of degree {asked} or less; {way_out}"
-        )))
-    }
-}
-
-/// Why there is nothing to report on a field of this name.
-pub(crate) fn refused(name: &str, error: &DiscoverError) -> Refusal {
-    Refusal::new(format!("{name}: {error}"))
 }

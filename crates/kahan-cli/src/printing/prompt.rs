@@ -54,11 +54,6 @@ impl Prompt {
     pub(crate) fn finish(&self) {
         self.bar.finish_and_clear();
     }
-
-    /// The time since the work began.
-    pub(crate) fn seconds(&self) -> f64 {
-        self.since.elapsed().as_secs_f64()
-    }
 }
 
 impl Watch for Prompt {

@@ -3,6 +3,7 @@
 //! Numbers of sites are given once, by a formula of the index i, or by a file.
 
 use kahan_runtime::{ChainAt, Lattice};
+use kahan_study::StudyError;
 
 use super::formula::{Formula, Known, formula, formulas};
 use super::number_file::{Numbers, is_number_file, read};
@@ -41,7 +42,7 @@ impl Start {
         if sites.saturating_mul(family.block()) > MOST_SITES {
             return Err(Refusal::new(format!("--sites {sites}: at most {MOST_SITES} numbers are stepped")));
         }
-        let eps = self.half_step()?.to_f64();
+        let eps = self.half_step()?.ok_or(StudyError::MissingStep)?.to_f64();
         if !eps.is_finite() {
             return Err(Refusal::new("--eps is beyond the range of f64"));
         }

@@ -22,7 +22,7 @@ pub(crate) use chain::Chain;
 pub(crate) use formula::Formula;
 pub(crate) use number_file::is_number_file;
 pub(crate) use points::{point, points};
-pub(crate) use range::{Range, Spacing};
+pub(crate) use range::{axis, over};
 pub(crate) use request::Request;
 pub(crate) use results::{columns, not_started, sweeper};
 pub(crate) use source::{Source, Start};

@@ -1,323 +1,36 @@
-//! Ranges of exact values, in the one grammar that all options have: `eps=1/10:1:400`.
-//!
-//! In: text behind an option. Out: values equally far from each other, the cells around them where
-//! a picture has cells, and text that reads back as the same range. What goes through the values it
-//! must not know.
+//! Ranges behind options. For this version a note says what a bare third part meant before.
 
-use std::fmt;
+use kahan_study::{Axis, Range, Spacing};
 
-use kahan_algebra::rational::Rational;
-
-use super::values::{number, whole};
 use crate::printing::{Refusal, warn};
 
-/// The values that a parameter, ε or a coordinate goes through: two or more, upwards or downwards.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Range<'a> {
-    /// What goes through them.
-    pub(crate) name: &'a str,
-    from: Rational,
-    to: Rational,
-    spacing: Spacing,
+/// NAME=FROM:TO:…, as `--over` has it; `before` as of [`axis`].
+pub(crate) fn over(text: &str, before: fn(usize) -> Spacing) -> Result<Axis, Refusal> {
+    let (name, range) = text.split_once('=').ok_or_else(|| {
+        Refusal::new(format!(
+            "--over: `{text}` does not say of what; write NAME=FROM:TO:COUNT, as in eps=1/10:1:400"
+        ))
+    })?;
+    axis(name.trim(), range, &format!("--over {}", name.trim()), before)
 }
 
-/// Which values between the two ends are meant.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Spacing {
-    /// `FROM:TO:COUNT`: so many values, both ends among them.
-    Count(usize),
-    /// `FROM:TO:+STEP`: FROM, and steps from there as long as TO is not passed.
-    Step(Rational),
-    /// `FROM:TO:/CELLS`: the middles of so many cells.
-    Cells(usize),
-}
-
-/// The most values of a range.
-const MOST: usize = 100_000;
-
-impl<'a> Range<'a> {
-    /// NAME=FROM:TO:…, as `--over` has it; `before` as in [`read`](Range::read).
-    pub(crate) fn over(text: &'a str, before: fn(usize) -> Spacing) -> Result<Self, Refusal> {
-        let (name, range) = text.split_once('=').ok_or_else(|| {
-            Refusal::new(format!(
-                "--over: `{text}` does not say of what; write NAME=FROM:TO:COUNT, as in eps=1/10:1:400"
-            ))
-        })?;
-        Range::read(name.trim(), range, &format!("--over {}", name.trim()), before)
+/// FROM:TO:… behind an option, for what has this name. `before` is what a bare COUNT meant there
+/// until now.
+pub(crate) fn axis(
+    name: &str,
+    text: &str,
+    option: &str,
+    before: fn(usize) -> Spacing,
+) -> Result<Axis, Refusal> {
+    let range = Range::read(text).map_err(|why| Refusal::new(format!("{option}: {why}")))?;
+    if let Spacing::Count(count) = range.spacing()
+        && let Some(meant) = range.spaced(before(*count))
+    {
+        warn(&format!(
+            "{option}: {range} means {} now; it meant {}, which is written {meant}",
+            range.spacing().words(),
+            meant.spacing().words()
+        ));
     }
-
-    /// FROM:TO:… behind an option, for what has this name. `before` is what a bare COUNT meant
-    /// there until now, and for this one version a note says how that is written.
-    pub(crate) fn read(
-        name: &'a str,
-        text: &str,
-        option: &str,
-        before: fn(usize) -> Spacing,
-    ) -> Result<Self, Refusal> {
-        let [from, to, third] = text.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
-            return Err(Refusal::new(format!(
-                "{option}: `{text}` is no range; write FROM:TO:COUNT for so many values with both ends, FROM:TO:+STEP for steps \
-                 from FROM, or FROM:TO:/CELLS for the middles of cells, as in 0:1:11, 0:1:+1/10 or 0:1:/10"
-            )));
-        };
-        let refused = |why: String| Refusal::new(format!("{option}: `{text}`: {why}"));
-        let count = |text: &str| whole(text, 2, MOST);
-        let spacing = match (third.strip_prefix('+'), third.strip_prefix('/')) {
-            (Some(step), _) => Spacing::Step(number(step, option)?),
-            (_, Some(cells)) => Spacing::Cells(count(cells).map_err(|why| refused(format!("CELLS: {why}")))?),
-            _ => Spacing::Count(count(third).map_err(|why| {
-                let step = number(third, option)
-                    .map(|_| format!("; for steps of {third} write {from}:{to}:+{third}"));
-                refused(format!("COUNT: {why}{}", step.unwrap_or_default()))
-            })?),
-        };
-        let range = Range { name, from: number(from, option)?, to: number(to, option)?, spacing };
-        range.check().map_err(refused)?;
-        if let Spacing::Count(count) = range.spacing {
-            let meant = Range { spacing: before(count), ..range.clone() };
-            if meant.check().is_ok() {
-                warn(&format!(
-                    "{option}: {range} means {} now; it meant {}, which is written {meant}",
-                    range.spacing.words(),
-                    meant.spacing.words()
-                ));
-            }
-        }
-        Ok(range)
-    }
-
-    /// Cells with these values in their middles; `None` where they are not equally spaced, or fewer
-    /// than two.
-    pub(crate) fn around(name: &'a str, values: &[f64]) -> Option<Self> {
-        let mut found = values.to_vec();
-        found.sort_unstable_by(f64::total_cmp);
-        found.dedup();
-        // The shortest decimals that mean these numbers are those that they were written with.
-        let exactly = |value: &f64| Rational::typed(&format!("{value:?}"));
-        let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
-        let range = Range { name, from, to, spacing: Spacing::Count(found.len()) };
-        range.check().ok()?;
-        // A thousandth of a step is far more than what roundings move a value by.
-        let near = 1e-3 * range.step().to_f64();
-        let is_near = |(found, value): (&f64, Rational)| (found - value.to_f64()).abs() < near;
-        let is_spaced = found.iter().zip(range.values()).all(is_near);
-        is_spaced.then_some(range)
-    }
-
-    /// What is wrong with it, and what to write.
-    fn check(&self) -> Result<(), String> {
-        let Range { from, to, .. } = self;
-        let way = to - from;
-        let part = |parts: i64| way.checked_div(&Rational::from(parts)).expect("there are parts");
-        Err(match &self.spacing {
-            _ if way.is_zero() => format!(
-                "FROM and TO are both {from}, and a range has two ends, as {from}:{}:+1/10 has",
-                from + &Rational::one()
-            ),
-            Spacing::Step(step) if step.is_zero() || step.is_negative() != way.is_negative() => format!(
-                "a step of {step} does not lead from {from} to {to}; write one that does, as {from}:{to}:+{}",
-                part(10)
-            ),
-            Spacing::Step(step) => match way.checked_div(step) {
-                Some(steps) if steps < Rational::one() => format!(
-                    "the first step of {step} passes {to}, and one value is no range; write a smaller one, as {from}:{to}:+{}",
-                    part(10)
-                ),
-                Some(steps) if steps >= Rational::from(MOST as i64) => format!(
-                    "steps of {step} make more than {MOST} values; write larger ones, as {from}:{to}:+{}",
-                    part(100)
-                ),
-                _ => return Ok(()),
-            },
-            Spacing::Count(_) | Spacing::Cells(_) => return Ok(()),
-        })
-    }
-
-    /// How many values there are.
-    pub(crate) fn count(&self) -> usize {
-        match &self.spacing {
-            Spacing::Count(count) | Spacing::Cells(count) => *count,
-            Spacing::Step(step) => {
-                let steps = (&self.to - &self.from).checked_div(step).expect("a range has steps");
-                // Rounding leads to the next whole number at most.
-                let near = steps.to_f64() as usize;
-                if Rational::from(near as i64) > steps { near } else { near + 1 }
-            }
-        }
-    }
-
-    /// How far each value is from the one before; below 0 in a range that goes downwards.
-    fn step(&self) -> Rational {
-        let parts = match &self.spacing {
-            Spacing::Count(count) => count - 1,
-            Spacing::Cells(count) => *count,
-            Spacing::Step(step) => return step.clone(),
-        };
-        (&self.to - &self.from).checked_div(&Rational::from(parts as i64)).expect("a range has parts")
-    }
-
-    /// The value after so many others.
-    pub(crate) fn value(&self, index: usize) -> Rational {
-        let step = self.step();
-        let first = match self.spacing {
-            Spacing::Cells(_) => &self.from + &half(&step),
-            Spacing::Count(_) | Spacing::Step(_) => self.from.clone(),
-        };
-        &first + &(&step * &Rational::from(index as i64))
-    }
-
-    /// All values, from FROM to TO.
-    pub(crate) fn values(&self) -> impl Iterator<Item = Rational> {
-        (0..self.count()).map(|index| self.value(index))
-    }
-
-    /// The first value and the last.
-    pub(crate) fn ends(&self) -> [Rational; 2] {
-        [0, self.count() - 1].map(|index| self.value(index))
-    }
-
-    /// Where the first cell begins and the last one ends, with the values in the middles of cells.
-    pub(crate) fn edges(&self) -> [Rational; 2] {
-        let ([first, last], half) = (self.ends(), half(&self.step()));
-        [&first - &half, &last + &half]
-    }
-
-    /// The cell that a value lies in.
-    pub(crate) fn place(&self, value: f64) -> Option<usize> {
-        let ([from, to], cells) = (self.edges().map(|edge| edge.to_f64()), self.count() as f64);
-        let place = (value - from) / (to - from) * cells;
-        // The last cell has its end.
-        let place = if value == to { place - 0.5 } else { place.floor() };
-        (place >= 0.0 && place < cells).then_some(place as usize)
-    }
-}
-
-fn half(step: &Rational) -> Rational {
-    step.checked_div(&Rational::from(2)).expect("2 is not 0")
-}
-
-impl Spacing {
-    /// What it means, in words.
-    fn words(&self) -> String {
-        match self {
-            Spacing::Count(count) => format!("{count} values with both ends"),
-            Spacing::Step(step) => format!("steps of {step}"),
-            Spacing::Cells(cells) => format!("the middles of {cells} cells"),
-        }
-    }
-}
-
-/// As it is read, without the name.
-impl fmt::Display for Range<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Range { from, to, .. } = self;
-        match &self.spacing {
-            Spacing::Count(count) => write!(f, "{from}:{to}:{count}"),
-            Spacing::Step(step) => write!(f, "{from}:{to}:+{step}"),
-            Spacing::Cells(cells) => write!(f, "{from}:{to}:/{cells}"),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use kahan_algebra::prime_field::SplitMix64;
-    use kahan_algebra::rational::Rational;
-
-    use super::{Range, Spacing};
-
-    /// What a bare COUNT meant before is no range here, so that no note is printed.
-    fn read(text: &str) -> Result<Range<'_>, String> {
-        Range::over(text, |_| Spacing::Step(Rational::zero())).map_err(|refusal| refusal.message().to_owned())
-    }
-
-    fn values(text: &str) -> Vec<String> {
-        read(text).expect(text).values().map(|value| value.to_string()).collect()
-    }
-
-    #[test]
-    fn the_third_part_says_which_values_are_meant() {
-        assert_eq!(values("x=0:1:3"), ["0", "1/2", "1"]);
-        assert_eq!(values("x=0:1:/2"), ["1/4", "3/4"]);
-        assert_eq!(values("x=0:1:+1/3"), ["0", "1/3", "2/3", "1"]);
-        assert_eq!(values("x=0:1:+0.4"), ["0", "2/5", "4/5"]);
-        assert_eq!(values(" x = 1 : -1 : 1e1 ").len(), 10);
-        assert_eq!(values("x=1:-1:+-1"), ["1", "0", "-1"]);
-        assert_eq!(values("x=1:0:/2"), ["3/4", "1/4"]);
-        // One step more would pass the end by less than a float can tell.
-        assert_eq!(values("x=0:2.9999999999999999999999:+1").len(), 3);
-    }
-
-    #[test]
-    fn a_range_reads_back_from_its_text() {
-        let mut random = SplitMix64::new(5);
-        let mut read_back = 0;
-        while read_back < 300 {
-            let mut drawn = |numbers: u64| Rational::from(random.below(numbers) as i64);
-            let (below, over) = (&drawn(30) + &Rational::one(), &drawn(30) + &Rational::one());
-            let [from, to] = [&drawn(99), &drawn(99)]
-                .map(|above| (above - &Rational::from(50)).checked_div(&below).expect("not 0"));
-            let step = (&to - &from).checked_div(&over).expect("not 0");
-            for spacing in [Spacing::Count(7), Spacing::Cells(7), Spacing::Step(step)] {
-                let range = Range { name: "x", from: from.clone(), to: to.clone(), spacing };
-                let text = format!("x={range}");
-                assert_eq!(read(&text).ok(), range.check().ok().map(|()| range.clone()), "{text}");
-                read_back += usize::from(range.check().is_ok());
-            }
-        }
-    }
-
-    #[test]
-    fn what_is_no_range_is_told_what_to_write() {
-        for (text, part) in [
-            ("0:1:3", "NAME=FROM:TO:COUNT"),
-            ("x=0:1", "0:1:11, 0:1:+1/10 or 0:1:/10"),
-            ("x=0:1:2:3", "is no range"),
-            (
-                "x=0:1:1",
-                "COUNT: write a whole number, 2 or more, such as 1000 or 1e3; for steps of 1 write 0:1:+1",
-            ),
-            ("x=0:1:/1", "CELLS: write a whole number, 2 or more"),
-            ("x=1:1:5", "two ends, as 1:2:+1/10"),
-            ("x=0:1:1/12", "for steps of 1/12 write 0:1:+1/12"),
-            ("x=0:1:many", "whole number"),
-            ("x=0:1:+0", "as 0:1:+1/10"),
-            ("x=0:1:+-1/2", "does not lead from 0 to 1"),
-            ("x=1:0:+1/2", "as 1:0:+-1/10"),
-            ("x=0:1:+2", "passes 1"),
-            ("x=0:1:+1e-5", "as 0:1:+1/100"),
-            ("x=0:1:100001", "the most is 100000"),
-            ("x=0:1:/1e6", "the most is 100000"),
-            ("x=a:1:5", "not an exact number"),
-        ] {
-            let why = read(text).expect_err(text);
-            assert!(why.contains(part), "{text}: {why}");
-        }
-        assert_eq!(values("x=0:1:+1/99999").len(), 100_000);
-    }
-
-    #[test]
-    fn cells_around_values_have_them_in_their_middles() {
-        let values = [0.3, 0.1, 0.2, 0.1, 0.4];
-        let range = Range::around("x", &values).expect("equally spaced");
-        let [from, to] = range.edges().map(|edge| edge.to_string());
-        assert_eq!((&*from, &*to, range.count()), ("1/20", "9/20", 4));
-        assert_eq!(values.map(|value| range.place(value)), [Some(2), Some(0), Some(1), Some(0), Some(3)]);
-        assert_eq!([0.04, 0.05, 0.45, 0.46].map(|value| range.place(value)), [None, Some(0), Some(3), None]);
-        for values in [&[0.1, 0.2, 0.4][..], &[0.1], &[], &[0.1, f64::INFINITY]] {
-            assert!(Range::around("x", values).is_none(), "{values:?}");
-        }
-        let edges = |text: &str| read(text).expect(text).edges().map(|edge| edge.to_string());
-        assert_eq!(edges("x=0:1:/4"), ["0", "1"]);
-        assert_eq!(edges("x=0:1:+2/5"), ["-1/5", "1"]);
-    }
-
-    #[test]
-    fn cells_may_go_downwards() {
-        let range = read("x=1:0:/4").expect("a range");
-        assert_eq!(
-            [1.0, 0.8, 0.1, 0.0, -0.1].map(|value| range.place(value)),
-            [Some(0), Some(0), Some(3), Some(3), None]
-        );
-    }
+    Ok(Axis { name: name.to_owned(), range })
 }

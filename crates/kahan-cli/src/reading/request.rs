@@ -6,12 +6,11 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_runtime::{Field, MapAt};
+use kahan_study::{Axis, StudyError};
 
 use super::formula::{Formula, formula_of};
 use super::points::{only, points};
-use super::range::Range;
 use super::source::Start;
-use super::values::number;
 use crate::numbers::Printable;
 use crate::printing::{Refusal, shorten};
 
@@ -31,49 +30,33 @@ impl Start {
     }
 
     /// The same, where parameters or ε are gone through: those need no value besides.
-    pub(crate) fn request_over(&self, ranges: &[Range<'_>]) -> Result<Request, Refusal> {
-        let (mut request, starts) = self.request_and_starts(ranges)?;
+    pub(crate) fn request_over(&self, axes: &[Axis]) -> Result<Request, Refusal> {
+        let (mut request, starts) = self.request_and_starts(axes)?;
         request.point.state = only(starts, self.at.as_deref().unwrap_or_default())?;
         Ok(request)
     }
 
     /// The same with all first points of `--at`, each of which may take the place of the request's,
     /// which is the first of them.
-    pub(crate) fn request_and_starts(
-        &self,
-        ranges: &[Range<'_>],
-    ) -> Result<(Request, Vec<Vec<Rational>>), Refusal> {
+    pub(crate) fn request_and_starts(&self, axes: &[Axis]) -> Result<(Request, Vec<Vec<Rational>>), Refusal> {
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
         let symbols = &system.field.symbols;
         let mut source = self.source.clone();
-        for range in ranges.iter().filter(|range| symbols.parameters.iter().any(|name| name == range.name)) {
-            if !source.has_parameter(range.name) {
-                source = source.with_parameter(range.name, &range.value(0));
+        for axis in axes.iter().filter(|axis| symbols.parameters.contains(&axis.name)) {
+            if !source.has_parameter(&axis.name) {
+                source = source.with_parameter(&axis.name, &axis.range.value(0));
             }
         }
         let starts = points(self.at.as_deref().unwrap_or_default(), &symbols.states)?;
+        let of_axis = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let point = Point {
             state: starts[0].clone(),
             parameters: source.parameter_values(&system, &name)?,
-            eps: ranges
-                .iter()
-                .find(|range| range.name == "eps" && self.eps.is_none())
-                .map_or_else(|| self.half_step(), |range| Ok(range.value(0)))?,
+            eps: self.half_step()?.or(of_axis).ok_or(StudyError::MissingStep)?,
         };
         Ok((Request { name, system, point }, starts))
-    }
-}
-
-impl Start {
-    /// The value of --eps.
-    pub(super) fn half_step(&self) -> Result<Rational, Refusal> {
-        let given = self
-            .eps
-            .as_deref()
-            .ok_or_else(|| Refusal::new("half the time step is missing: add --eps E, as in --eps 0.1"))?;
-        number(given, "--eps")
     }
 }
 

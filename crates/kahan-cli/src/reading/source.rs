@@ -249,17 +249,6 @@ impl Source {
         self
     }
 
-    /// The parameters that have a value, by name, in their order; the others are generic.
-    pub(crate) fn fixed_parameters(
-        &self,
-        system: &System,
-        name: &str,
-    ) -> Result<Vec<(String, Rational)>, Refusal> {
-        let values = self.known_parameters(system, name)?;
-        let names = system.field.symbols.parameters.iter().cloned();
-        Ok(names.zip(values).filter_map(|(name, value)| Some((name, value?))).collect())
-    }
-
     /// The system with the given parameters fixed, the others generic.
     pub(crate) fn specialised(&self, system: System, name: &str) -> Result<System, Refusal> {
         let values = self.known_parameters(&system, name)?;

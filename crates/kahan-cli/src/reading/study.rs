@@ -9,6 +9,7 @@ use super::block::Block;
 use super::points::point;
 use super::request::assignments;
 use super::source::{Source, Start};
+use super::values::number;
 use crate::printing::Refusal;
 
 impl Source {
@@ -34,12 +35,23 @@ impl Source {
 impl Start {
     /// The field, the first point, and ε.
     pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
+        let (study, at, eps) = self.study_without_values()?;
+        study.values()?;
+        Ok((study, at, eps.ok_or(StudyError::MissingStep)?))
+    }
+
+    /// The same, where parameters and ε may have their values from elsewhere.
+    pub(crate) fn study_without_values(&self) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
         let study = self.source.study()?;
         // A false claim is told before a number that is missing.
         study.proved()?;
         let at = point(self.at.as_deref().unwrap_or_default(), study.variables())?;
-        study.values()?;
         Ok((study, at, self.half_step()?))
+    }
+
+    /// The value of --eps.
+    pub(super) fn half_step(&self) -> Result<Option<Rational>, Refusal> {
+        self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()
     }
 }
 
@@ -82,6 +94,11 @@ impl From<StudyError> for Refusal {
                 let values = assignments::<Exact>(&names, &values);
                 format!("the field of {system} divides by zero at {values}; choose other values")
             }
+            StudyError::UnknownAxis { .. } => format!("--over: {error}"),
+            StudyError::MissingStep => format!("{error}: add --eps E, as in --eps 0.1"),
+            StudyError::NoAxis => "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 \
+                 or --eps 1/4:2:+1/4"
+                .to_owned(),
             StudyError::OutOfRange => "--at and --eps must be in the range of f64".to_owned(),
             StudyError::NotPositive { .. } => format!("--{error}"),
             StudyError::Degree { .. } => {

@@ -9,6 +9,8 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
 use serde_json::Value;
 
+use super::number;
+
 /// Writes p/q, or p.
 ///
 /// # Errors
@@ -30,9 +32,7 @@ fn read<E: Error>(value: &Value) -> Result<Rational, E> {
         Value::String(text) => text.clone(),
         other => other.to_string(),
     };
-    Rational::typed(text.trim()).ok_or_else(|| {
-        E::custom(format!("`{text}` is not an exact number; write it as \"3/7\", -2, 0.25 or 1e-3"))
-    })
+    number(&text).map_err(E::custom)
 }
 
 /// Lists of exact numbers.

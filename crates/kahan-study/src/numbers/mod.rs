@@ -4,7 +4,9 @@ mod double_double;
 pub mod exact;
 mod number;
 mod scalar;
+mod typed;
 
 pub use double_double::DoubleDouble;
 pub use number::Number;
 pub use scalar::{Printable, Rounded, ScalarKind};
+pub use typed::{number, whole};

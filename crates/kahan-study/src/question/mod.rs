@@ -8,7 +8,9 @@ mod discover;
 mod evaluate;
 mod heights;
 mod observe;
+mod periodic;
 mod poles;
+mod scan;
 
 use std::time::Duration;
 
@@ -25,7 +27,9 @@ pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated, NoStep};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observe, Observed};
+pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
+pub use scan::{Scan, ScanFound};
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -35,12 +39,16 @@ pub enum Question {
     Evaluate(Evaluate),
     /// What an orbit does.
     Observe(Observe),
+    /// A cycle and its branch.
+    Periodic(Periodic),
     /// The heights of an exact orbit.
     Heights(Heights),
     /// What becomes of singularities.
     Poles(Poles),
     /// What the map preserves.
     Discover(Discover),
+    /// Special values of parameters and of ε.
+    Scan(Scan),
     /// Speed against accuracy on a scene.
     Trade(Trade),
 }
@@ -53,18 +61,22 @@ pub enum Answer {
     Evaluate(Evaluated),
     /// What an orbit does.
     Observe(Observed),
+    /// A cycle and its branch.
+    Periodic(CycleFound),
     /// The heights of an exact orbit.
     Heights(HeightsFound),
     /// What becomes of singularities.
     Poles(PolesFound),
     /// What the map preserves.
     Discover(Box<Discovered>),
+    /// Special values of parameters and of ε.
+    Scan(ScanFound),
     /// Speed against accuracy on a scene.
     Trade(Traded),
 }
 
 /// The values of `ask`.
-const NAMES: [&str; 6] = ["evaluate", "observe", "heights", "poles", "discover", "trade"];
+const NAMES: [&str; 8] = ["evaluate", "observe", "periodic", "heights", "poles", "discover", "scan", "trade"];
 
 /// The seconds since then; `None` without a clock.
 fn seconds_since(begun: Option<Duration>, watch: &dyn Watch) -> Option<f64> {
@@ -76,9 +88,11 @@ impl Question {
         match self {
             Self::Evaluate(asked) => asked.ask(study).map(Answer::Evaluate),
             Self::Observe(asked) => asked.ask(study, watch).map(Answer::Observe),
+            Self::Periodic(asked) => asked.ask(study, watch).map(Answer::Periodic),
             Self::Heights(asked) => asked.ask(study, watch).map(Answer::Heights),
             Self::Poles(asked) => asked.ask(study, watch).map(Answer::Poles),
             Self::Discover(asked) => Ok(Answer::Discover(Box::new(asked.ask(study, watch)?))),
+            Self::Scan(asked) => asked.ask(study, watch).map(Answer::Scan),
             Self::Trade(asked) => asked.ask(study, watch).map(Answer::Trade),
         }
     }
@@ -95,9 +109,11 @@ impl<'de> Deserialize<'de> for Question {
         match object.remove("ask").as_ref().and_then(Value::as_str) {
             Some("evaluate") => rest(object).map(Self::Evaluate),
             Some("observe") => rest(object).map(Self::Observe),
+            Some("periodic") => rest(object).map(Self::Periodic),
             Some("heights") => rest(object).map(Self::Heights),
             Some("poles") => rest(object).map(Self::Poles),
             Some("discover") => rest(object).map(Self::Discover),
+            Some("scan") => rest(object).map(Self::Scan),
             Some("trade") => rest(object).map(Self::Trade),
             Some(other) => Err(D::Error::unknown_variant(other, &NAMES)),
             None => Err(D::Error::missing_field("ask")),

@@ -5,10 +5,11 @@ use std::ops::Range;
 use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
 use kahan_runtime::{Field, Indicator, MapAt, threads};
+use kahan_study::Axis;
 
 use super::Colour;
 use crate::printing::{Prompt, Refusal};
-use crate::reading::{self, Request, number};
+use crate::reading::{Request, number};
 
 /// Cells whose orbits a thread follows together.
 const STRETCH: usize = 256;
@@ -45,7 +46,7 @@ impl<'a> Cells<'a> {
     /// The cells of these ranges; refused where a range has no name of the system.
     pub(super) fn new(
         request: &'a Request,
-        ranges: &[reading::Range<'_>],
+        axes: &[Axis],
         colour: Colour,
         steps: u64,
         escape: &str,
@@ -55,17 +56,13 @@ impl<'a> Cells<'a> {
         if colour == Colour::Drift && field.integrals().is_empty() {
             return Err(Refusal::new(format!("--color drift: {} claims no integral", request.name)));
         }
-        let targets: Vec<Target> =
-            ranges.iter().map(|range| target(request, range)).collect::<Result<_, _>>()?;
+        let targets: Vec<Target> = axes.iter().map(|axis| target(request, axis)).collect::<Result<_, _>>()?;
         if let [across, upwards] = targets[..]
             && across == upwards
         {
-            return Err(Refusal::new(format!(
-                "--over: `{}` is gone through twice; name two",
-                ranges[0].name
-            )));
+            return Err(Refusal::new(format!("--over: `{}` is gone through twice; name two", axes[0].name)));
         }
-        let along = ranges.iter().map(|range| range.values().collect()).collect();
+        let along = axes.iter().map(|axis| axis.range.values().collect()).collect();
         Ok(Cells { request, targets, along, field, colour, steps, escape })
     }
 
@@ -174,17 +171,17 @@ pub(super) fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
 }
 
-fn target(request: &Request, range: &reading::Range<'_>) -> Result<Target, Refusal> {
+fn target(request: &Request, axis: &Axis) -> Result<Target, Refusal> {
     let symbols = &request.system.field.symbols;
-    let place = |names: &[String]| names.iter().position(|name| name == range.name);
+    let place = |names: &[String]| names.iter().position(|name| *name == axis.name);
     let found = place(&symbols.states).map(Target::Variable);
     let found = found.or_else(|| place(&symbols.parameters).map(Target::Parameter));
-    found.or((range.name == "eps").then_some(Target::Epsilon)).ok_or_else(|| {
+    found.or((axis.name == "eps").then_some(Target::Epsilon)).ok_or_else(|| {
         let known = symbols.states.iter().chain(&symbols.parameters).map(String::as_str);
         let known: Vec<&str> = known.chain(["eps"]).collect();
         Refusal::new(format!(
             "--over: `{}` is neither a variable nor a parameter of {}; there is {}",
-            range.name,
+            axis.name,
             request.name,
             known.join(", ")
         ))

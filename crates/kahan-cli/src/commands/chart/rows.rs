@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use kahan_study::{Axis, Range, Spacing};
+
 use crate::printing::Refusal;
-use crate::reading::{self, Range, Spacing, number};
+use crate::reading::{self, number, over};
 
 /// What is drawn, and of which rows.
 pub(super) struct Rows<'a> {
@@ -23,7 +25,7 @@ const MOST_CELLS: usize = 1 << 26;
 impl<'a> Rows<'a> {
     /// The cells, and the mean of what their rows show, row by row from below; not a number where
     /// there is none.
-    pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Range<'a>>, Vec<f64>), Refusal> {
+    pub(super) fn cells(&self, shown: impl Fn(f64) -> f64) -> Result<(Vec<Axis>, Vec<f64>), Refusal> {
         let axes = 0..self.over.len();
         let name = |over: &'a String| over.split_once('=').map_or(&**over, |(name, _)| name).trim();
         let names: Vec<&str> = self.over.iter().map(name).collect();
@@ -43,18 +45,19 @@ impl<'a> Rows<'a> {
         }
         let range = |axis: usize| {
             if has_range(axis) {
-                return Range::over(&self.over[axis], Spacing::Cells);
+                return over(&self.over[axis], Spacing::Cells);
             }
             let values: Vec<f64> = rows.iter().map(|row| columns[axis][*row]).collect();
-            Range::around(names[axis], &values).ok_or_else(|| {
-                let name = names[axis];
+            let name = names[axis];
+            let range = Range::around(&values).ok_or_else(|| {
                 Refusal::new(format!(
                     "--over {name}: the values of `{name}` are not equally spaced; give cells, as in --over {name}=-1:1:/60"
                 ))
-            })
+            })?;
+            Ok(Axis { name: name.to_owned(), range })
         };
-        let ranges: Vec<Range<'a>> = axes.clone().map(range).collect::<Result<_, _>>()?;
-        let counts: Vec<usize> = ranges.iter().map(Range::count).collect();
+        let ranges: Vec<Axis> = axes.clone().map(range).collect::<Result<_, _>>()?;
+        let counts: Vec<usize> = ranges.iter().map(|axis| axis.range.count()).collect();
         let count = counts.iter().try_fold(1_usize, |count, own| count.checked_mul(*own));
         let count = count.filter(|count| *count <= MOST_CELLS).ok_or_else(|| {
             let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
@@ -66,7 +69,7 @@ impl<'a> Rows<'a> {
         })?;
         let mut cells = vec![Cell::default(); count];
         for row in rows {
-            let place = |axis: usize| ranges[axis].place(columns[axis][row]);
+            let place = |axis: usize| ranges[axis].range.place(columns[axis][row]);
             // The first axis runs fastest.
             let cell = axes.clone().rev().try_fold(0, |cell, axis| Some(cell * counts[axis] + place(axis)?));
             if let Some(cell) = cell {
@@ -79,7 +82,7 @@ impl<'a> Rows<'a> {
             let at: Vec<String> = ranges
                 .iter()
                 .zip(places)
-                .map(|(range, place)| format!("{} = {}", range.name, range.value(place)))
+                .map(|(axis, place)| format!("{} = {}", axis.name, axis.range.value(place)))
                 .collect();
             return Err(Refusal::new(format!(
                 "--over: {} rows have {}; choose among them by another column, as in --where order=2, or give cells, as in \

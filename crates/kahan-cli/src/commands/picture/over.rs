@@ -2,6 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_runtime::Field;
+use kahan_study::{Axis, Spacing};
 
 use super::axes::Coordinate;
 use super::orbits::notes;
@@ -9,14 +10,14 @@ use super::starts::rounded;
 use super::{Drawn, Subject};
 use crate::plot::{Mark, NumberLine, Plot, Series};
 use crate::printing::Refusal;
-use crate::reading::{Range, Spacing};
+use crate::reading::over;
 
 impl Subject<'_> {
     pub(super) fn orbits_over(&self) -> Result<Drawn, Refusal> {
-        let range = self.asked.over.as_deref().expect("the kind of picture has --over");
+        let axis = self.asked.over.as_deref().expect("the kind of picture has --over");
         // So many steps were one value more.
-        let range = Range::over(range, |steps| Spacing::Count(steps + 1))?;
-        self.check_range(&range)?;
+        let axis = over(axis, |steps| Spacing::Count(steps + 1))?;
+        self.check_range(&axis)?;
         let ordinate = match &self.asked.axes[..] {
             [] => Coordinate::Variable(0),
             [name] => self.coordinate(name.trim())?,
@@ -30,20 +31,20 @@ impl Subject<'_> {
             return Err(Refusal::new("--axes: an orbit diagram shows a variable, and t is none"));
         }
         let name = self.axis_name(ordinate);
-        self.check_windows(&[range.name, name])?;
+        self.check_windows(&[&axis.name, name])?;
         let starts: Vec<Vec<f64>> = self.starts()?.iter().map(|start| rounded(start)).collect();
-        let orbits = starts.len() * range.count();
+        let orbits = starts.len() * axis.range.count();
         let points = self.points(orbits)?;
         let field = Field::of(&self.system);
         let pace = self.pace(points.saturating_add(self.asked.transient.saturating_mul(orbits as u64)));
         let mut shown: Vec<Vec<(f64, f64)>> = vec![Vec::new(); starts.len()];
         let (mut ended, mut last) = (0, 0);
-        for (index, value) in range.values().enumerate().take_while(|_| !pace.is_over()) {
+        for (index, value) in axis.range.values().enumerate().take_while(|_| !pace.is_over()) {
             last = index;
-            let (parameters, eps) = if range.name == "eps" {
+            let (parameters, eps) = if axis.name == "eps" {
                 (self.parameters(None)?, value.clone())
             } else {
-                (self.parameters(Some((range.name, &value)))?, self.eps()?)
+                (self.parameters(Some((&axis.name, &value)))?, self.eps()?)
             };
             let Some(map) = self.map(&field, &parameters, &eps) else {
                 ended += starts.len();
@@ -57,18 +58,18 @@ impl Subject<'_> {
             }
         }
         pace.finish();
-        let is_cut = pace.is_over() && (last + 1 < range.count() || ended > 0);
-        let label = if range.name == "eps" { "ε, half the time step, in units of time" } else { range.name };
-        let ends = range.ends();
+        let is_cut = pace.is_over() && (last + 1 < axis.range.count() || ended > 0);
+        let label = if axis.name == "eps" { "ε, half the time step, in units of time" } else { &axis.name };
+        let ends = axis.range.ends();
         let [from, to] = &ends;
-        let x = self.windowed(range.name, NumberLine::around(label, ends.iter().map(Rational::to_f64)))?;
+        let x = self.windowed(&axis.name, NumberLine::around(label, ends.iter().map(Rational::to_f64)))?;
         let y = self.axis(ordinate, shown.iter().flatten().map(|point| point.1))?;
         let mark = if points > 2000 { Mark::Fine } else { Mark::Points };
         let series = shown.into_iter().enumerate();
         let series = series.map(|(index, points)| Series::new("", index % 5 + 1, mark, points));
         let description = format!(
             "{name} of {} over {} from {from} to {to}, after {} steps",
-            self.name, range.name, self.asked.transient
+            self.name, axis.name, self.asked.transient
         );
         let size = self.sheet.view_box();
         let plot = Plot { description, size, x, y, levels: Vec::new(), series: series.collect() };
@@ -78,21 +79,21 @@ impl Subject<'_> {
     }
 
     /// Refuses a range of what is no parameter, or has a value already.
-    fn check_range(&self, range: &Range<'_>) -> Result<(), Refusal> {
+    fn check_range(&self, axis: &Axis) -> Result<(), Refusal> {
         let known = &self.system.field.symbols.parameters;
-        if range.name == "eps" {
+        if axis.name == "eps" {
             return match self.asked.eps {
                 Some(_) => Err(Refusal::new("--over goes through values of eps; leave --eps out")),
                 None => Ok(()),
             };
         }
-        if known.iter().any(|name| name == range.name) {
+        if known.contains(&axis.name) {
             return Ok(());
         }
         let known: Vec<&str> = known.iter().map(String::as_str).chain(["eps"]).collect();
         Err(Refusal::new(format!(
             "--over: `{}` is no parameter of {}; there is {}",
-            range.name,
+            axis.name,
             self.name,
             known.join(", ")
         )))

@@ -1,0 +1,280 @@
+//! A cycle of the map near a point, how stable it is, and where it goes when something changes.
+
+use std::cell::Cell;
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::render::{Notation, Text};
+use kahan_algebra::symbols::Symbols;
+use kahan_core::periodic::{Branch, PeriodicPoint, branch, periodic_point};
+use kahan_discover::{Progress, Watch};
+use kahan_runtime::{Field, Map, MapAt, RationalCycle};
+use serde::{Deserialize, Serialize, Serializer};
+
+use crate::error::StudyError;
+use crate::numbers::exact;
+use crate::range::Axis;
+use crate::study::Study;
+
+/// The most unknowns of Newton's method: beyond, a step takes minutes.
+const MOST_UNKNOWNS: usize = 600;
+
+/// Asks for a cycle near a point, and for its branch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Periodic {
+    /// ε, half the time step; the first value of `over` where that is of ε.
+    #[serde(with = "exact::optional", default)]
+    pub eps: Option<Rational>,
+    /// A point near the cycle, a coordinate for each variable.
+    #[serde(with = "exact::list")]
+    pub at: Vec<Rational>,
+    /// A multiple of the period.
+    #[serde(default = "one")]
+    pub period: usize,
+    /// The parameter that changes along the branch, or `eps`.
+    #[serde(default)]
+    pub over: Option<Axis>,
+}
+
+fn one() -> usize {
+    1
+}
+
+/// A cycle, and what becomes of it.
+#[derive(Clone, Debug)]
+pub struct CycleFound {
+    /// The name of the system.
+    pub system: String,
+    /// The state variables.
+    pub variables: Vec<String>,
+    /// The cycle, in doubles.
+    pub cycle: PeriodicPoint,
+    /// The cycle over ℚ, where its points are fractions of a few digits and nothing changes.
+    pub exact: Option<RationalCycle>,
+    /// What changes along the branch, and the branch.
+    pub branch: Option<(String, Branch)>,
+}
+
+impl Periodic {
+    /// Fixed points, with nothing that changes.
+    #[must_use]
+    pub fn new(eps: Rational, at: Vec<Rational>) -> Self {
+        Periodic { eps: Some(eps), at, period: one(), over: None }
+    }
+
+    /// Looks for the cycle of a system whose claims hold, by Newton's method. Costs at each of its
+    /// steps the elimination of a dense matrix with a row for each number of the cycle.
+    ///
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
+    /// doubles, a cycle that is too long, an axis of nothing that the field has, or no cycle there.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<CycleFound, StudyError> {
+        study.proved()?;
+        let family = Family::of(self, study)?;
+        let unknowns = self.period.saturating_mul(self.at.len());
+        if unknowns > MOST_UNKNOWNS {
+            return Err(StudyError::LongCycle { unknowns, most: MOST_UNKNOWNS });
+        }
+        let begin = self.over.as_ref().map_or(f64::NAN, |axis| axis.range.value(0).to_f64());
+        let cycle = periodic_point(&family.at(begin), &family.start, self.period);
+        let cycle = cycle.map_err(|why| StudyError::NoCycle { system: study.name().to_owned(), why })?;
+        Ok(CycleFound {
+            system: study.name().to_owned(),
+            variables: study.variables().to_vec(),
+            exact: family.exact(&cycle),
+            branch: self.over.as_ref().map(|axis| (axis.name.clone(), family.branch(&cycle, axis, watch))),
+            cycle,
+        })
+    }
+}
+
+/// The map at each value of what changes.
+struct Family {
+    field: Field,
+    parameters: Vec<Rational>,
+    eps: Rational,
+    start: Vec<f64>,
+    /// The index of the parameter that changes; `None` for ε, or for nothing.
+    parameter: Option<usize>,
+    changes: bool,
+}
+
+impl Family {
+    fn of(asked: &Periodic, study: &Study) -> Result<Self, StudyError> {
+        let axis = asked.over.as_ref();
+        let names = study.parameters();
+        let parameter = match axis.filter(|axis| axis.name != "eps") {
+            None => None,
+            Some(axis) => {
+                let place = names.iter().position(|name| *name == axis.name);
+                Some(place.ok_or_else(|| StudyError::UnknownAxis {
+                    system: study.name().to_owned(),
+                    name: axis.name.clone(),
+                    known: names.iter().cloned().chain(["eps".to_owned()]).collect(),
+                })?)
+            }
+        };
+        let of_axis = axis.filter(|_| parameter.is_none()).map(|axis| axis.range.value(0));
+        let eps = asked.eps.clone().or(of_axis).ok_or(StudyError::MissingStep)?;
+        let study = match (axis, parameter) {
+            (Some(axis), Some(place)) if study.given()[place].is_none() => {
+                &study.with(place, axis.range.value(0))
+            }
+            _ => study,
+        };
+        // A mistake in what is given is told before the search.
+        let (_, start) = study.in_floats(&asked.at, &eps)?;
+        let field = Field::of(study.system());
+        Ok(Family { field, parameters: study.values()?, eps, start, parameter, changes: axis.is_some() })
+    }
+
+    /// The map where what changes has this value; where the field divides by zero, that of no
+    /// value.
+    fn at(&self, value: f64) -> MapAt<f64> {
+        let mut parameters = self.parameters.clone();
+        if let Some(place) = self.parameter {
+            parameters[place] = Rational::from_f64(value).unwrap_or_default();
+        }
+        let eps = match (self.changes, self.parameter) {
+            (true, None) => value,
+            _ => self.eps.to_f64(),
+        };
+        match self.field.with(self.field.parameters().iter().zip(&parameters)) {
+            Ok(map) => map.at(eps),
+            Err(_) => self.own().at(f64::NAN),
+        }
+    }
+
+    /// The branch that begins with a cycle.
+    fn branch(&self, cycle: &PeriodicPoint, axis: &Axis, watch: &dyn Watch) -> Branch {
+        let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
+        let map = |value| self.at(value).by(self.parameter);
+        // A branch that winds has more.
+        let done = Cell::new(0);
+        branch(map, cycle, ends, steps, |_| {
+            done.set(done.get() + 1);
+            let _ = watch.look(&Progress { what: "cycles", done: done.get(), of: Some(steps as u64) });
+        })
+    }
+
+    /// The map at the values that were given, at which there is one.
+    fn own(&self) -> Map {
+        let given = self.field.parameters().iter().zip(&self.parameters);
+        self.field.with(given).expect("the family was made where its field is defined")
+    }
+
+    /// The cycle over ℚ, where nothing changes.
+    fn exact(&self, cycle: &PeriodicPoint) -> Option<RationalCycle> {
+        if self.changes { None } else { self.own().rational_cycle(&self.eps, cycle) }
+    }
+}
+
+/// The characteristic polynomial of a cycle's derivative, in z.
+#[must_use]
+pub fn characteristic_polynomial(exact: &RationalCycle) -> String {
+    let symbols = Symbols { states: vec!["z".to_owned()], parameters: Vec::new() };
+    Text.polynomial(&symbols, &exact.polynomial)
+}
+
+#[derive(Serialize)]
+struct Object<'a> {
+    #[serde(flatten)]
+    cycle: Cycle<'a>,
+    system: &'a str,
+    variables: &'a [String],
+    exact: Option<Exact>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    branch: Option<Along<'a>>,
+}
+
+#[derive(Serialize)]
+struct Cycle<'a> {
+    period: usize,
+    points: &'a [Vec<f64>],
+    residual: f64,
+    multipliers: Vec<[f64; 2]>,
+    stability: String,
+    family: usize,
+}
+
+#[derive(Serialize)]
+struct Exact {
+    points: Vec<Vec<String>>,
+    polynomial: String,
+    stability: String,
+}
+
+#[derive(Serialize)]
+struct Along<'a> {
+    over: &'a str,
+    points: Vec<Place<'a>>,
+    turns: Vec<Turn>,
+    cut: bool,
+}
+
+#[derive(Serialize)]
+struct Place<'a> {
+    #[serde(flatten)]
+    cycle: Cycle<'a>,
+    parameter: f64,
+}
+
+#[derive(Serialize)]
+struct Turn {
+    change: String,
+    parameter: f64,
+}
+
+impl<'a> Cycle<'a> {
+    fn of(cycle: &'a PeriodicPoint) -> Self {
+        Cycle {
+            period: cycle.points.len(),
+            points: &cycle.points,
+            residual: cycle.residual,
+            multipliers: cycle.multipliers.iter().map(|one| [one.re, one.im]).collect(),
+            stability: cycle.stability().to_string(),
+            family: cycle.family,
+        }
+    }
+}
+
+impl Exact {
+    fn of(cycle: &RationalCycle) -> Self {
+        let texts = |point: &Vec<Rational>| point.iter().map(ToString::to_string).collect();
+        Exact {
+            points: cycle.points.iter().map(texts).collect(),
+            polynomial: characteristic_polynomial(cycle),
+            stability: cycle.stability.to_string(),
+        }
+    }
+}
+
+impl<'a> Along<'a> {
+    fn of(over: &'a str, branch: &'a Branch) -> Self {
+        let points = branch.points.iter();
+        let turns = branch.turns.iter();
+        Along {
+            over,
+            points: points
+                .map(|point| Place { cycle: Cycle::of(&point.cycle), parameter: point.parameter })
+                .collect(),
+            turns: turns
+                .map(|turn| Turn { change: turn.change.to_string(), parameter: turn.parameter })
+                .collect(),
+            cut: branch.is_cut,
+        }
+    }
+}
+
+impl Serialize for CycleFound {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let object = Object {
+            cycle: Cycle::of(&self.cycle),
+            system: &self.system,
+            variables: &self.variables,
+            exact: self.exact.as_ref().map(Exact::of),
+            branch: self.branch.as_ref().map(|(over, branch)| Along::of(over, branch)),
+        };
+        object.serialize(serializer)
+    }
+}

@@ -1,0 +1,197 @@
+//! Which values of parameters, and of ε, are special.
+
+use kahan_algebra::rational::Rational;
+use kahan_discover::scan::{GridPoint, Proposal, Sight};
+use kahan_discover::{Options, Scan as Grid, Scanned, Watch, scan};
+use serde::{Deserialize, Serialize, Serializer};
+
+use crate::error::StudyError;
+use crate::named::{Names, by_name};
+use crate::numbers::exact;
+use crate::range::Axis;
+use crate::study::Study;
+
+use super::discover::within_reach;
+use super::seconds_since;
+
+/// The most points of a grid.
+const MOST_POINTS: usize = 1_000_000;
+
+/// Asks at which points of a grid degrees or ranks are not the generic ones, and along which
+/// relations of them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scan {
+    /// ε, half the time step, where it is fixed; generic otherwise.
+    #[serde(with = "exact::optional", default)]
+    pub eps: Option<Rational>,
+    /// What goes through values: parameters, or `eps`.
+    pub axes: Vec<Axis>,
+    /// The degree up to which relations on orbits are looked for.
+    #[serde(default)]
+    pub degree: Option<u32>,
+    /// The seconds that it may take.
+    #[serde(default = "usual_seconds")]
+    pub seconds: f64,
+}
+
+fn usual_seconds() -> f64 {
+    60.0
+}
+
+/// What was seen on the grid.
+#[derive(Clone, Debug)]
+pub struct ScanFound {
+    /// The name of the system.
+    pub system: String,
+    /// The grid as far as there was time, and the relations.
+    pub found: Grid,
+    /// The points of the whole grid.
+    pub total: usize,
+    /// The seconds that it took; `None` without a clock.
+    pub seconds: Option<f64>,
+}
+
+impl Scan {
+    /// Over these axes, in a minute.
+    #[must_use]
+    pub fn new(axes: Vec<Axis>) -> Self {
+        Scan { axes, seconds: usual_seconds(), ..Scan::default() }
+    }
+
+    /// The points of the grid; `None` where they are more than a million.
+    #[must_use]
+    pub fn points(&self) -> Option<usize> {
+        let total = self.axes.iter().try_fold(1usize, |count, axis| count.checked_mul(axis.range.count()));
+        total.filter(|total| *total <= MOST_POINTS)
+    }
+
+    /// Looks at every point. Parameters that have neither a value nor an axis are generic; claims
+    /// are not looked at. The watch hears of claims that are proved along relations.
+    ///
+    /// # Errors
+    /// [`StudyError`]: no axis, one of nothing that the field has, too many points, a degree out of
+    /// reach, or no map to look at.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<ScanFound, StudyError> {
+        let begun = watch.now();
+        let options = Options {
+            eps: self.eps.clone(),
+            parameters: study.fixed(),
+            degree: within_reach(self.degree, study)?,
+            seconds: self.seconds,
+            ..Options::default()
+        };
+        let axes = self.scanned(study)?;
+        let total = self.points().ok_or(StudyError::ManyPoints { most: MOST_POINTS })?;
+        let found = scan(study.system(), &axes, &options, watch);
+        let found = found.map_err(|why| StudyError::Discover { system: study.name().to_owned(), why })?;
+        Ok(ScanFound { system: study.name().to_owned(), found, total, seconds: seconds_since(begun, watch) })
+    }
+
+    /// The axes, each of something that has no value besides.
+    fn scanned(&self, study: &Study) -> Result<Vec<Scanned>, StudyError> {
+        if self.axes.is_empty() {
+            return Err(StudyError::NoAxis);
+        }
+        let fixed = study.fixed();
+        let given = fixed.iter().map(|(name, _)| name.as_str()).chain(self.eps.as_ref().map(|_| "eps"));
+        let mut taken: Vec<&str> = given.collect();
+        for axis in &self.axes {
+            if axis.name != "eps" && !study.parameters().contains(&axis.name) {
+                return Err(StudyError::UnknownParameter {
+                    system: study.name().to_owned(),
+                    name: axis.name.clone(),
+                    known: study.parameters().to_vec(),
+                });
+            }
+            if taken.contains(&axis.name.as_str()) {
+                return Err(StudyError::ParameterTwice { name: axis.name.clone() });
+            }
+            taken.push(&axis.name);
+        }
+        let scanned =
+            |axis: &Axis| Scanned { name: axis.name.clone(), values: axis.range.values().collect() };
+        Ok(self.axes.iter().map(scanned).collect())
+    }
+}
+
+#[derive(Serialize)]
+struct Object<'a> {
+    system: &'a str,
+    names: &'a [String],
+    generic: Seen<'a>,
+    points: Vec<Point<'a>>,
+    special: Vec<Values>,
+    relations: Vec<Relation<'a>>,
+    out_of_time: bool,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Seen<'a> {
+    independent_integrals: usize,
+    hilbert: &'a [usize],
+    degrees: &'a [usize],
+}
+
+#[derive(Serialize)]
+struct Point<'a> {
+    values: Values,
+    sight: Option<Seen<'a>>,
+}
+
+#[derive(Serialize)]
+struct Relation<'a> {
+    relation: &'a str,
+    points: usize,
+    sight: Seen<'a>,
+    claims: &'a [String],
+    proved: bool,
+}
+
+/// The values of a point by name.
+struct Values(Names<String>);
+
+impl Serialize for Values {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        by_name(&self.0, serializer)
+    }
+}
+
+impl<'a> Seen<'a> {
+    fn of(sight: &'a Sight) -> Self {
+        Seen { independent_integrals: sight.integrals, hilbert: &sight.hilbert, degrees: &sight.degrees }
+    }
+}
+
+impl Serialize for ScanFound {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let found = &self.found;
+        let values = |point: &GridPoint| {
+            Values(found.names.iter().cloned().zip(point.values.iter().map(ToString::to_string)).collect())
+        };
+        fn relation(proposal: &Proposal) -> Relation<'_> {
+            Relation {
+                relation: &proposal.relation,
+                points: proposal.points,
+                sight: Seen::of(&proposal.sight),
+                claims: &proposal.claims,
+                proved: !proposal.claims.is_empty(),
+            }
+        }
+        let points = found.points.iter();
+        let object = Object {
+            system: &self.system,
+            names: &found.names,
+            generic: Seen::of(&found.generic),
+            points: points
+                .map(|point| Point { values: values(point), sight: point.sight.as_ref().map(Seen::of) })
+                .collect(),
+            special: found.special().map(values).collect(),
+            relations: found.relations.iter().map(relation).collect(),
+            out_of_time: found.out_of_time,
+            seconds: self.seconds,
+        };
+        object.serialize(serializer)
+    }
+}

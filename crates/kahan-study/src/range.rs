@@ -1,0 +1,351 @@
+//! Ranges of exact values, in the one grammar that all questions have: `1/10:1:400`.
+//!
+//! In: text. Out: values equally far from each other, the cells around them where a picture has
+//! cells, and text that reads back as the same range.
+
+use std::fmt;
+
+use kahan_algebra::rational::Rational;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::numbers::{number, whole};
+
+/// A parameter, a variable or `eps`, with the values that it goes through.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Axis {
+    /// What goes through them.
+    pub name: String,
+    /// The values.
+    pub range: Range,
+}
+
+/// Two or more values, upwards or downwards.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Range {
+    from: Rational,
+    to: Rational,
+    spacing: Spacing,
+}
+
+/// Why a text is no range, and what to write, as a sentence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NoRange(String);
+
+impl fmt::Display for NoRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for NoRange {}
+
+/// Which values between the two ends are meant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Spacing {
+    /// `FROM:TO:COUNT`: so many values, both ends among them.
+    Count(usize),
+    /// `FROM:TO:+STEP`: FROM, and steps from there as long as TO is not passed.
+    Step(Rational),
+    /// `FROM:TO:/CELLS`: the middles of so many cells.
+    Cells(usize),
+}
+
+/// The most values of a range.
+const MOST: usize = 100_000;
+
+impl Range {
+    /// Reads FROM:TO:COUNT, FROM:TO:+STEP or FROM:TO:/CELLS.
+    ///
+    /// # Errors
+    /// [`NoRange`] says what is wrong with the text.
+    pub fn read(text: &str) -> Result<Self, NoRange> {
+        let [from, to, third] = text.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
+            return Err(NoRange(format!(
+                "`{text}` is no range; write FROM:TO:COUNT for so many values with both ends, FROM:TO:+STEP for steps \
+                 from FROM, or FROM:TO:/CELLS for the middles of cells, as in 0:1:11, 0:1:+1/10 or 0:1:/10"
+            )));
+        };
+        let refused = |why: String| NoRange(format!("`{text}`: {why}"));
+        let count = |text: &str| whole(text, 2, MOST);
+        let spacing = match (third.strip_prefix('+'), third.strip_prefix('/')) {
+            (Some(step), _) => Spacing::Step(number(step).map_err(NoRange)?),
+            (_, Some(cells)) => Spacing::Cells(count(cells).map_err(|why| refused(format!("CELLS: {why}")))?),
+            _ => Spacing::Count(count(third).map_err(|why| {
+                let step =
+                    number(third).map(|_| format!("; for steps of {third} write {from}:{to}:+{third}"));
+                refused(format!("COUNT: {why}{}", step.unwrap_or_default()))
+            })?),
+        };
+        let [from, to] = [from, to].map(|end| number(end).map_err(NoRange));
+        let range = Range { from: from?, to: to?, spacing };
+        range.check().map_err(refused)?;
+        Ok(range)
+    }
+
+    /// Which values between the ends are meant.
+    #[must_use]
+    pub fn spacing(&self) -> &Spacing {
+        &self.spacing
+    }
+
+    /// The same ends with other values between them, where that is a range.
+    #[must_use]
+    pub fn spaced(&self, spacing: Spacing) -> Option<Self> {
+        let range = Range { spacing, ..self.clone() };
+        range.check().is_ok().then_some(range)
+    }
+
+    /// Cells with these values in their middles; `None` where they are not equally spaced, or fewer
+    /// than two.
+    #[must_use]
+    pub fn around(values: &[f64]) -> Option<Self> {
+        let mut found = values.to_vec();
+        found.sort_unstable_by(f64::total_cmp);
+        found.dedup();
+        // The shortest decimals that mean these numbers are those that they were written with.
+        let exactly = |value: &f64| Rational::typed(&format!("{value:?}"));
+        let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
+        let range = Range { from, to, spacing: Spacing::Count(found.len()) };
+        range.check().ok()?;
+        // A thousandth of a step is far more than what roundings move a value by.
+        let near = 1e-3 * range.step().to_f64();
+        let is_near = |(found, value): (&f64, Rational)| (found - value.to_f64()).abs() < near;
+        let is_spaced = found.iter().zip(range.values()).all(is_near);
+        is_spaced.then_some(range)
+    }
+
+    /// What is wrong with it, and what to write.
+    fn check(&self) -> Result<(), String> {
+        let Range { from, to, .. } = self;
+        let way = to - from;
+        let part = |parts: i64| way.checked_div(&Rational::from(parts)).expect("there are parts");
+        Err(match &self.spacing {
+            _ if way.is_zero() => format!(
+                "FROM and TO are both {from}, and a range has two ends, as {from}:{}:+1/10 has",
+                from + &Rational::one()
+            ),
+            Spacing::Step(step) if step.is_zero() || step.is_negative() != way.is_negative() => format!(
+                "a step of {step} does not lead from {from} to {to}; write one that does, as {from}:{to}:+{}",
+                part(10)
+            ),
+            Spacing::Step(step) => match way.checked_div(step) {
+                Some(steps) if steps < Rational::one() => format!(
+                    "the first step of {step} passes {to}, and one value is no range; write a smaller one, as {from}:{to}:+{}",
+                    part(10)
+                ),
+                Some(steps) if steps >= Rational::from(MOST as i64) => format!(
+                    "steps of {step} make more than {MOST} values; write larger ones, as {from}:{to}:+{}",
+                    part(100)
+                ),
+                _ => return Ok(()),
+            },
+            Spacing::Count(_) | Spacing::Cells(_) => return Ok(()),
+        })
+    }
+
+    /// How many values there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        match &self.spacing {
+            Spacing::Count(count) | Spacing::Cells(count) => *count,
+            Spacing::Step(step) => {
+                let steps = (&self.to - &self.from).checked_div(step).expect("a range has steps");
+                // Rounding leads to the next whole number at most.
+                let near = steps.to_f64() as usize;
+                if Rational::from(near as i64) > steps { near } else { near + 1 }
+            }
+        }
+    }
+
+    /// How far each value is from the one before; below 0 in a range that goes downwards.
+    fn step(&self) -> Rational {
+        let parts = match &self.spacing {
+            Spacing::Count(count) => count - 1,
+            Spacing::Cells(count) => *count,
+            Spacing::Step(step) => return step.clone(),
+        };
+        (&self.to - &self.from).checked_div(&Rational::from(parts as i64)).expect("a range has parts")
+    }
+
+    /// The value after so many others.
+    #[must_use]
+    pub fn value(&self, index: usize) -> Rational {
+        let step = self.step();
+        let first = match self.spacing {
+            Spacing::Cells(_) => &self.from + &half(&step),
+            Spacing::Count(_) | Spacing::Step(_) => self.from.clone(),
+        };
+        &first + &(&step * &Rational::from(index as i64))
+    }
+
+    /// All values, from FROM to TO.
+    pub fn values(&self) -> impl Iterator<Item = Rational> {
+        (0..self.count()).map(|index| self.value(index))
+    }
+
+    /// The first value and the last.
+    #[must_use]
+    pub fn ends(&self) -> [Rational; 2] {
+        [0, self.count() - 1].map(|index| self.value(index))
+    }
+
+    /// Where the first cell begins and the last one ends, with the values in the middles of cells.
+    #[must_use]
+    pub fn edges(&self) -> [Rational; 2] {
+        let ([first, last], half) = (self.ends(), half(&self.step()));
+        [&first - &half, &last + &half]
+    }
+
+    /// The cell that a value lies in.
+    #[must_use]
+    pub fn place(&self, value: f64) -> Option<usize> {
+        let ([from, to], cells) = (self.edges().map(|edge| edge.to_f64()), self.count() as f64);
+        let place = (value - from) / (to - from) * cells;
+        // The last cell has its end.
+        let place = if value == to { place - 0.5 } else { place.floor() };
+        (place >= 0.0 && place < cells).then_some(place as usize)
+    }
+}
+
+fn half(step: &Rational) -> Rational {
+    step.checked_div(&Rational::from(2)).expect("2 is not 0")
+}
+
+impl Spacing {
+    /// What it means, in words.
+    #[must_use]
+    pub fn words(&self) -> String {
+        match self {
+            Spacing::Count(count) => format!("{count} values with both ends"),
+            Spacing::Step(step) => format!("steps of {step}"),
+            Spacing::Cells(cells) => format!("the middles of {cells} cells"),
+        }
+    }
+}
+
+/// As it is read.
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Range { from, to, .. } = self;
+        match &self.spacing {
+            Spacing::Count(count) => write!(f, "{from}:{to}:{count}"),
+            Spacing::Step(step) => write!(f, "{from}:{to}:+{step}"),
+            Spacing::Cells(cells) => write!(f, "{from}:{to}:/{cells}"),
+        }
+    }
+}
+
+impl Serialize for Range {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Range {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Range::read(&String::deserialize(deserializer)?).map_err(D::Error::custom)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kahan_algebra::prime_field::SplitMix64;
+    use kahan_algebra::rational::Rational;
+
+    use super::{Range, Spacing};
+
+    fn read(text: &str) -> Result<Range, String> {
+        Range::read(text).map_err(|why| why.to_string())
+    }
+
+    fn values(text: &str) -> Vec<String> {
+        read(text).expect(text).values().map(|value| value.to_string()).collect()
+    }
+
+    #[test]
+    fn the_third_part_says_which_values_are_meant() {
+        assert_eq!(values("0:1:3"), ["0", "1/2", "1"]);
+        assert_eq!(values("0:1:/2"), ["1/4", "3/4"]);
+        assert_eq!(values("0:1:+1/3"), ["0", "1/3", "2/3", "1"]);
+        assert_eq!(values("0:1:+0.4"), ["0", "2/5", "4/5"]);
+        assert_eq!(values(" 1 : -1 : 1e1 ").len(), 10);
+        assert_eq!(values("1:-1:+-1"), ["1", "0", "-1"]);
+        assert_eq!(values("1:0:/2"), ["3/4", "1/4"]);
+        // One step more would pass the end by less than a float can tell.
+        assert_eq!(values("0:2.9999999999999999999999:+1").len(), 3);
+    }
+
+    #[test]
+    fn a_range_reads_back_from_its_text() {
+        let mut random = SplitMix64::new(5);
+        let mut read_back = 0;
+        while read_back < 300 {
+            let mut drawn = |numbers: u64| Rational::from(random.below(numbers) as i64);
+            let (below, over) = (&drawn(30) + &Rational::one(), &drawn(30) + &Rational::one());
+            let [from, to] = [&drawn(99), &drawn(99)]
+                .map(|above| (above - &Rational::from(50)).checked_div(&below).expect("not 0"));
+            let step = (&to - &from).checked_div(&over).expect("not 0");
+            for spacing in [Spacing::Count(7), Spacing::Cells(7), Spacing::Step(step)] {
+                let range = Range { from: from.clone(), to: to.clone(), spacing };
+                let text = format!("{range}");
+                assert_eq!(read(&text).ok(), range.check().ok().map(|()| range.clone()), "{text}");
+                read_back += usize::from(range.check().is_ok());
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_range_is_told_what_to_write() {
+        for (text, part) in [
+            ("0:1", "0:1:11, 0:1:+1/10 or 0:1:/10"),
+            ("0:1:2:3", "is no range"),
+            (
+                "0:1:1",
+                "COUNT: write a whole number, 2 or more, such as 1000 or 1e3; for steps of 1 write 0:1:+1",
+            ),
+            ("0:1:/1", "CELLS: write a whole number, 2 or more"),
+            ("1:1:5", "two ends, as 1:2:+1/10"),
+            ("0:1:1/12", "for steps of 1/12 write 0:1:+1/12"),
+            ("0:1:many", "whole number"),
+            ("0:1:+0", "as 0:1:+1/10"),
+            ("0:1:+-1/2", "does not lead from 0 to 1"),
+            ("1:0:+1/2", "as 1:0:+-1/10"),
+            ("0:1:+2", "passes 1"),
+            ("0:1:+1e-5", "as 0:1:+1/100"),
+            ("0:1:100001", "the most is 100000"),
+            ("0:1:/1e6", "the most is 100000"),
+            ("a:1:5", "not an exact number"),
+        ] {
+            let why = read(text).expect_err(text);
+            assert!(why.contains(part), "{text}: {why}");
+        }
+        assert_eq!(values("0:1:+1/99999").len(), 100_000);
+    }
+
+    #[test]
+    fn cells_around_values_have_them_in_their_middles() {
+        let values = [0.3, 0.1, 0.2, 0.1, 0.4];
+        let range = Range::around(&values).expect("equally spaced");
+        let [from, to] = range.edges().map(|edge| edge.to_string());
+        assert_eq!((&*from, &*to, range.count()), ("1/20", "9/20", 4));
+        assert_eq!(values.map(|value| range.place(value)), [Some(2), Some(0), Some(1), Some(0), Some(3)]);
+        assert_eq!([0.04, 0.05, 0.45, 0.46].map(|value| range.place(value)), [None, Some(0), Some(3), None]);
+        for values in [&[0.1, 0.2, 0.4][..], &[0.1], &[], &[0.1, f64::INFINITY]] {
+            assert!(Range::around(values).is_none(), "{values:?}");
+        }
+        let edges = |text: &str| read(text).expect(text).edges().map(|edge| edge.to_string());
+        assert_eq!(edges("0:1:/4"), ["0", "1"]);
+        assert_eq!(edges("0:1:+2/5"), ["-1/5", "1"]);
+    }
+
+    #[test]
+    fn cells_may_go_downwards() {
+        let range = read("1:0:/4").expect("a range");
+        assert_eq!(
+            [1.0, 0.8, 0.1, 0.0, -0.1].map(|value| range.place(value)),
+            [Some(0), Some(0), Some(3), Some(3), None]
+        );
+    }
+}
