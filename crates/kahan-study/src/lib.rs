@@ -15,7 +15,7 @@
 //! let study = Subject::named("e1").study(&Systems).unwrap();
 //! let question: Question = serde_json::from_str(r#"{"ask": "evaluate", "eps": "1/2", "at": [1, 2, "1/3"]}"#).unwrap();
 //! let Answer::Evaluate(values) = study.ask(&question, &Unwatched).unwrap() else { unreachable!() };
-//! assert_eq!(values.det_matrix.to_string(), "1");
+//! assert_eq!(values.det_matrix.to_string(), "3/2"); // 1 + εx
 //! ```
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use kahan_algebra::kahan::TERM_BUDGET;
-use kahan_study::{Evaluate, NoStep, Study};
+use kahan_study::{Evaluate, NoStep, Study, Unwatched};
 use serde_json::{Value, json};
 
 use crate::numbers::{ScalarKind, scalar};
@@ -48,7 +48,7 @@ impl Eval {
     /// The object of all values; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
-        let values = asked.ask(&study)?;
+        let values = asked.ask(&study, &Unwatched)?;
         let complaint = values.no_step.map(|why| no_step(&study, &asked, why));
         let objects = json!(values);
         let answer = if self.json { Answer::json(&objects) } else { Answer::text(readable(&objects)) };

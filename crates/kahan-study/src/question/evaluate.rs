@@ -4,6 +4,7 @@ use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::Point;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
+use kahan_discover::Watch;
 use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
@@ -99,7 +100,7 @@ impl Evaluate {
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not defined
     /// at its parameters.
-    pub fn ask(&self, study: &Study) -> Result<Evaluated, StudyError> {
+    pub fn ask(&self, study: &Study, _: &dyn Watch) -> Result<Evaluated, StudyError> {
         study.proved()?;
         match self.scalar {
             ScalarKind::Exact => self.over(&Exact, study),
