@@ -20,7 +20,7 @@ pub(crate) fn sweeper() -> Command {
 pub(crate) fn not_started(error: &io::Error) -> Refusal {
     Refusal::new(if error.kind() == io::ErrorKind::NotFound {
         "sweeps and their results are for the program kahan-sweep, which is not installed here; `cargo install --path \
-         kahan-sweep` in the source tree installs it"
+         crates/kahan-sweep` in the source tree installs it"
             .to_owned()
     } else {
         format!("kahan-sweep does not run: {error}")
