@@ -11,6 +11,7 @@ use kahan_discover::DiscoverError;
 use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_runtime::Diagnostics;
 
+use crate::formula::NoFormula;
 use crate::study::MOST_VARIABLES;
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
@@ -103,6 +104,18 @@ pub enum StudyError {
         name: String,
         /// What there is.
         known: Vec<String>,
+    },
+    /// A text is no formula.
+    Formula {
+        /// What it is, by its name in the question.
+        what: &'static str,
+        /// Why.
+        why: NoFormula,
+    },
+    /// The formula of a section is one number everywhere.
+    ConstantPlane {
+        /// The formula.
+        text: String,
     },
     /// ε has no value.
     MissingStep,
@@ -212,6 +225,11 @@ impl fmt::Display for StudyError {
             Self::UnknownAxis { system, name, known } => {
                 write!(f, "`{name}` is no parameter of {system}; there is {}", known.join(", "))
             }
+            Self::Formula { what, why } => f.write_str(&why.report(what)),
+            Self::ConstantPlane { text } => write!(
+                f,
+                "{text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as x - 1/2"
+            ),
             Self::MissingStep => f.write_str("half the time step is missing"),
             Self::LongCycle { unknowns, most } => write!(
                 f,

@@ -23,6 +23,7 @@
 mod catalog;
 mod error;
 pub mod extremes;
+pub mod formula;
 mod map;
 mod named;
 pub mod numbers;
@@ -40,8 +41,8 @@ pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use named::Names;
 pub use question::{
     Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, NoStep, Observe,
-    Observed, Periodic, Poles, PolesFound, Question, Scan, ScanFound, characteristic_polynomial,
-    fifteen_digits,
+    Observed, Periodic, Plane, Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Side,
+    characteristic_polynomial, fifteen_digits,
 };
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use study::{MOST_VARIABLES, Study, chain, values_by_name};

@@ -33,6 +33,9 @@ fn a_question_writes_itself_as_it_was_read() {
             "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
             "over": {"name": "eps", "range": "1:0:/5"},
         }),
+        json!({
+            "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "side": "both", "points": 3,
+        }),
         json!({"ask": "poles", "eps": null, "steps": 6, "seconds": 10.0}),
         json!({"ask": "discover", "eps": "1", "degree": 4, "seconds": 2.5}),
         json!({
@@ -133,6 +136,12 @@ fn questions_that_do_not_fit_say_so() {
     assert!(matches!(error(Subject::named("lv"), never), StudyError::NotPositive { what: "every", .. }));
     let far = observe(json!({"eps": "1e400"}));
     assert!(matches!(error(Subject::named("lv"), far), StudyError::OutOfRange));
+    let section = |plane: &str| json!({"ask": "section", "eps": 1, "at": [1, 1], "steps": 9, "plane": plane});
+    assert!(matches!(
+        error(Subject::named("lv"), section("x - z")),
+        StudyError::Formula { what: "plane", .. }
+    ));
+    assert!(matches!(error(Subject::named("lv"), section("eps + 1")), StudyError::ConstantPlane { .. }));
     let scan = |axes: Value| json!({"ask": "scan", "axes": axes});
     let through = |name: &str, range: &str| json!({"name": name, "range": range});
     assert!(matches!(error(Subject::named("e7"), scan(json!([]))), StudyError::NoAxis));
@@ -208,6 +217,20 @@ fn special_values_of_a_parameter() {
     assert_eq!(found["points"].as_array().map(Vec::len), Some(3));
     let special = found["special"].as_array().expect("points");
     assert!(special.iter().any(|point| point["xi"] == "1"), "{found}");
+}
+
+/// ẋ = y, ẏ = −x turns clockwise: y rises through 0 at x = −1.
+#[test]
+fn crossings_of_a_plane() {
+    let turning = study(Subject::text("xdot = y; ydot = -x;"));
+    let asked =
+        json!({"ask": "section", "eps": "1/100", "at": [1, "1/2"], "steps": 1000, "plane": "y", "points": 2});
+    let found = answer(&turning, asked);
+    let points = found["points"].as_array().expect("points");
+    assert_eq!((points.len(), found["times"].as_array().map(Vec::len)), (2, Some(2)));
+    let x = points[0][0].as_f64().expect("a number");
+    // The map keeps x² + y², and the crossing lies on its curve.
+    assert!((x + 1.25_f64.sqrt()).abs() < 1e-3, "{found}");
 }
 
 /// The fixed point of the Lotka-Volterra map at (1, 1), and the fold of x = ±√a at a = 0.

@@ -5,7 +5,7 @@ use std::fmt;
 use clap::{Args, Command, FromArgMatches};
 use kahan_algebra::rational::Rational;
 use kahan_study::trade::Trade;
-use kahan_study::{Discover, Evaluate, Heights, Observe, Periodic, Poles, Question, Scan};
+use kahan_study::{Discover, Evaluate, Heights, Observe, Periodic, Poles, Question, Scan, Section, Side};
 
 use crate::printing::Refusal;
 
@@ -39,6 +39,18 @@ impl Line {
                 let line = line.with("--steps", steps).unless(*order == usual.order, "--order", order);
                 let line = line.unless(*every == usual.every, "--every", every);
                 line.unless(*escape == usual.escape, "--escape", escape)
+            }
+            Question::Section(Section { eps, at, steps, plane, side, points }) => {
+                let usual = Section::new(eps.clone(), at.clone(), *steps, plane.clone());
+                let line = Line::new("section", system).with("--eps", eps).with("--at", point(at));
+                let line = line.with("--plane", plane).with("--steps", steps);
+                let side_word = match side {
+                    Side::Rising => "rising",
+                    Side::Falling => "falling",
+                    Side::Both => "both",
+                };
+                let line = line.unless(*side == usual.side, "--direction", side_word);
+                line.unless(*points == usual.points, "--points", points)
             }
             Question::Periodic(Periodic { eps, at, period, over }) => {
                 let line = Line::new("periodic", system).with_some("--eps", eps.as_ref());
@@ -130,7 +142,7 @@ impl fmt::Display for Line {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{discover, dynamics, eval, heights, periodic, poles, scan, trade};
+    use super::super::{discover, dynamics, eval, heights, periodic, poles, scan, section, trade};
     use super::*;
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
@@ -153,6 +165,12 @@ mod tests {
         for asked in [Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain] {
             let line = call(&Question::Observe(asked.clone()));
             let read: dynamics::Dynamics = line.read().expect("a call");
+            assert_eq!(read.asked().expect("a question").1, asked, "{line}");
+        }
+        let plain = Section::new(eps.clone(), at.clone(), 50, "x - 1");
+        for asked in [Section { side: Side::Both, points: 7, ..plain.clone() }, plain] {
+            let line = call(&Question::Section(asked.clone()));
+            let read: section::Section = line.read().expect("a call");
             assert_eq!(read.asked().expect("a question").1, asked, "{line}");
         }
         let plain = Heights::new(eps.clone(), at.clone(), 17);

@@ -4,8 +4,9 @@
 
 use kahan_runtime::{ChainAt, Lattice};
 use kahan_study::StudyError;
+use kahan_study::formula::{Formula, Known};
 
-use super::formula::{Formula, Known, formula, formulas};
+use super::formula::{formula, formulas};
 use super::number_file::{Numbers, is_number_file, read};
 use super::source::Start;
 use super::values::number;

@@ -19,7 +19,6 @@ mod values;
 
 pub(crate) use block::Block;
 pub(crate) use chain::Chain;
-pub(crate) use formula::Formula;
 pub(crate) use number_file::is_number_file;
 pub(crate) use points::{point, points};
 pub(crate) use range::{axis, over};

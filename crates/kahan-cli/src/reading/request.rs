@@ -3,12 +3,10 @@
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_runtime::{Field, MapAt};
 use kahan_study::{Axis, StudyError};
 
-use super::formula::{Formula, formula_of};
 use super::points::{only, points};
 use super::source::Start;
 use crate::numbers::Printable;
@@ -24,12 +22,8 @@ pub(crate) struct Request {
 }
 
 impl Start {
-    /// The system with its claims proved, and the numbers.
-    pub(crate) fn request(&self) -> Result<Request, Refusal> {
-        self.request_over(&[])
-    }
-
-    /// The same, where parameters or ε are gone through: those need no value besides.
+    /// The system with its claims proved, and the numbers; parameters and ε that are gone through need
+    /// no value besides.
     pub(crate) fn request_over(&self, axes: &[Axis]) -> Result<Request, Refusal> {
         let (mut request, starts) = self.request_and_starts(axes)?;
         request.point.state = only(starts, self.at.as_deref().unwrap_or_default())?;
@@ -73,19 +67,6 @@ impl Request {
         }
         let eps = start.pop().expect("eps stands last");
         Ok((map.at(eps), start))
-    }
-
-    /// A formula of the variables, and behind them the integrals, at these parameters and ε, in
-    /// floats; `option` is what the text is called in reports.
-    pub(crate) fn formula(&self, text: &str, option: &str) -> Result<Formula, Refusal> {
-        let symbols = &self.system.field.symbols;
-        let parameters = symbols.parameters.iter().cloned().zip(&self.point.parameters);
-        let eps = [("eps".to_owned(), &self.point.eps)];
-        let known: Vec<(String, f64)> =
-            parameters.chain(eps).map(|(name, value)| (name, value.to_f64())).collect();
-        let integrals = self.system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.as_str());
-        let variables: Vec<&str> = symbols.states.iter().map(String::as_str).chain(integrals).collect();
-        formula_of(&variables, text, &known, option)
     }
 
     /// The field divides by zero at the parameters.

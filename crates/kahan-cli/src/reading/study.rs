@@ -6,6 +6,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
+use super::formula::refused;
 use super::points::point;
 use super::request::assignments;
 use super::source::{Source, Start};
@@ -95,6 +96,11 @@ impl From<StudyError> for Refusal {
                 format!("the field of {system} divides by zero at {values}; choose other values")
             }
             StudyError::UnknownAxis { .. } => format!("--over: {error}"),
+            StudyError::Formula { what, why } => return refused(&why, &format!("--{what}")),
+            StudyError::ConstantPlane { text } => format!(
+                "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
+                 --plane 'x - 1/2'"
+            ),
             StudyError::MissingStep => format!("{error}: add --eps E, as in --eps 0.1"),
             StudyError::NoAxis => "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 \
                  or --eps 1/4:2:+1/4"

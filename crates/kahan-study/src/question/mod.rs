@@ -14,6 +14,7 @@ mod observe;
 mod periodic;
 mod poles;
 mod scan;
+mod section;
 
 use std::time::Duration;
 
@@ -33,6 +34,7 @@ pub use observe::{Observe, Observed};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
+pub use section::{Plane, Section, SectionFound, Side};
 
 macro_rules! questions {
     ($($(#[$about:meta])* $question:ident, asked as $name:literal, answered by $answer:ident;)*) => {
@@ -80,6 +82,8 @@ questions! {
     Evaluate, asked as "evaluate", answered by Evaluated;
     /// What an orbit does.
     Observe, asked as "observe", answered by Observed;
+    /// Where an orbit crosses a plane.
+    Section, asked as "section", answered by SectionFound;
     /// A cycle and its branch.
     Periodic, asked as "periodic", answered by CycleFound;
     /// The heights of an exact orbit.

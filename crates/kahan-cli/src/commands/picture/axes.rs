@@ -1,9 +1,11 @@
 //! The axes of a portrait: which numbers of an orbit they show, and from where to where.
 
 use super::Subject;
+use kahan_study::Plane;
+
 use crate::plot::NumberLine;
 use crate::printing::Refusal;
-use crate::reading::{Formula, number};
+use crate::reading::number;
 
 /// What an axis shows of the point n.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +29,7 @@ impl Coordinate {
 impl Subject<'_> {
     /// The axes that were named; else all variables of up to three, or the first three; of a
     /// section the first two without the last that its formula names.
-    pub(super) fn coordinates(&self, plane: Option<&Formula>) -> Result<Vec<Coordinate>, Refusal> {
+    pub(super) fn coordinates(&self, plane: Option<&Plane>) -> Result<Vec<Coordinate>, Refusal> {
         let named: Result<Vec<Coordinate>, Refusal> =
             self.asked.axes.iter().map(|name| self.coordinate(name.trim())).collect();
         let named = named?;

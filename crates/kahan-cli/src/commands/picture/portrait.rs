@@ -3,18 +3,16 @@
 
 use std::collections::HashSet;
 
-use kahan_algebra::interpret::Point;
 use kahan_core::observe::{Crossing, Direction, Observer, Section as Crossings};
 use kahan_runtime::Field;
+use kahan_study::Plane;
 
-use super::super::section::{height, plane};
 use super::axes::Coordinate;
 use super::orbits::notes;
 use super::starts::rounded;
 use super::{Drawn, Subject, Visits};
 use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
 use crate::printing::Refusal;
-use crate::reading::{Formula, Request};
 
 /// Colours that orbits have in turn; the sixth is grey, for what they are compared with.
 const COLOURS: usize = 5;
@@ -112,18 +110,16 @@ impl Subject<'_> {
     }
 
     /// What vanishes on a section, where there is one.
-    fn plane(&self) -> Result<Option<Formula>, Refusal> {
+    fn plane(&self) -> Result<Option<Plane>, Refusal> {
         let Some(text) = &self.asked.plane else { return Ok(None) };
-        let point = Point { state: Vec::new(), parameters: self.parameters(None)?, eps: self.eps()? };
-        let request = Request { name: self.name.clone(), system: self.system.clone(), point };
-        plane(&request, text).map(Some)
+        Ok(Some(Plane::of(&self.system, &self.parameters(None)?, &self.eps()?, text)?))
     }
 
     /// The points of all orbits, as far as these go; and what to say of those that end early.
     fn orbits<const N: usize>(
         &self,
         coordinates: [Coordinate; N],
-        plane: Option<&Formula>,
+        plane: Option<&Plane>,
     ) -> Result<(Vec<Orbit<N>>, Vec<String>), Refusal> {
         let (starts, eps) = (self.starts()?, self.eps()?);
         let total = self.points(starts.len())?;
@@ -143,7 +139,7 @@ impl Subject<'_> {
                 None => pace.follow(&map, &start, steps, |n, x| show(n as f64, x)),
                 Some(plane) => {
                     let show = |at: Crossing<Vec<f64>, f64>| show(at.step as f64 + at.part, &at.point);
-                    let mut crossings = Crossings::new(&map, height(&map, plane), Direction::Rising, show);
+                    let mut crossings = Crossings::new(&map, plane.height(&map), Direction::Rising, show);
                     pace.follow(&map, &start, steps, |n, x| crossings.observe(n, x))
                 }
             };

@@ -1,0 +1,206 @@
+//! Where an orbit crosses a plane, or the level of any function.
+
+use std::cell::Cell;
+use std::ops::ControlFlow;
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::System;
+use kahan_core::observe::{self, Crossing, Direction, Section as Crossings};
+use kahan_discover::{Progress, Watch};
+use kahan_runtime::{Ended, Follow, Followed, MapAt, RuntimePoint};
+use serde::{Deserialize, Serialize, Serializer};
+
+use crate::error::StudyError;
+use crate::formula::{Formula, formula_of};
+use crate::numbers::exact;
+use crate::study::Study;
+
+/// Asks where the orbit of a point crosses a section, in doubles.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Section {
+    /// ε, half the time step.
+    #[serde(with = "exact")]
+    pub eps: Rational,
+    /// The first point, a coordinate for each variable.
+    #[serde(with = "exact::list")]
+    pub at: Vec<Rational>,
+    /// The most steps of the orbit.
+    pub steps: u64,
+    /// What vanishes on the section: a formula of the variables, the integrals that are claimed
+    /// without `when`, the parameters and `eps`.
+    pub plane: String,
+    /// Which crossings count.
+    #[serde(default)]
+    pub side: Side,
+    /// The most crossings.
+    #[serde(default = "usual_points")]
+    pub points: usize,
+}
+
+fn usual_points() -> usize {
+    100_000
+}
+
+/// The sign with which the formula of a section goes through 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Side {
+    /// From below to above.
+    #[default]
+    Rising,
+    /// From above to below.
+    Falling,
+    /// Either.
+    Both,
+}
+
+/// The crossings of an orbit.
+#[derive(Clone, Debug)]
+pub struct SectionFound {
+    /// The name of the system.
+    pub system: String,
+    /// The state variables.
+    pub variables: Vec<String>,
+    /// The steps that were made.
+    pub steps: u64,
+    /// Whether numbers left the range of doubles.
+    pub left_range: bool,
+    /// Where the orbit crosses, in order.
+    pub crossings: Vec<Crossing<Vec<f64>, f64>>,
+}
+
+/// A function of the state whose zeros are a section.
+#[derive(Clone, Debug)]
+pub struct Plane(Formula);
+
+impl Plane {
+    /// The formula of a section, at these values of the parameters and this ε.
+    ///
+    /// # Errors
+    /// [`StudyError::Formula`], or [`StudyError::ConstantPlane`] where it is one number everywhere.
+    pub fn of(
+        system: &System,
+        parameters: &[Rational],
+        eps: &Rational,
+        text: &str,
+    ) -> Result<Self, StudyError> {
+        let symbols = &system.field.symbols;
+        let parameters = symbols.parameters.iter().cloned().zip(parameters);
+        let known = parameters.chain([("eps".to_owned(), eps)]);
+        let known: Vec<(String, f64)> = known.map(|(name, value)| (name, value.to_f64())).collect();
+        let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.as_str());
+        let variables: Vec<&str> = symbols.states.iter().map(String::as_str).chain(integrals).collect();
+        let formula = formula_of(&variables, text, &known);
+        let formula = formula.map_err(|why| StudyError::Formula { what: "plane", why })?;
+        match formula.last_variable() {
+            Some(_) => Ok(Plane(formula)),
+            None => Err(StudyError::ConstantPlane { text: text.to_owned() }),
+        }
+    }
+
+    /// The last of the variables, and of the integrals behind them, that it names.
+    #[must_use]
+    pub fn last_variable(&self) -> Option<usize> {
+        self.0.last_variable()
+    }
+
+    /// How far a point is from the section, as the formula measures it.
+    pub fn height<'a>(&'a self, at: &'a MapAt<f64>) -> impl Fn(&[f64]) -> f64 + 'a {
+        let integrals = at.map().field().integrals().len();
+        move |x| {
+            let mut known: RuntimePoint<f64> = x.iter().copied().collect();
+            known.resize(x.len() + integrals, 0.0);
+            // The state is as long as the field has variables.
+            let _ = at.integrals(x, &mut known[x.len()..]);
+            self.0.of(&known)
+        }
+    }
+}
+
+/// Takes the first crossings, in memory that grows with them: `most` is what a user allows, and far
+/// more than there are as a rule.
+struct First {
+    found: Vec<Crossing<Vec<f64>, f64>>,
+    most: usize,
+}
+
+impl observe::Sink<Crossing<Vec<f64>, f64>> for First {
+    type Report = Vec<Crossing<Vec<f64>, f64>>;
+
+    fn take(&mut self, crossing: Crossing<Vec<f64>, f64>) {
+        self.found.push(crossing);
+    }
+
+    fn is_full(&self) -> bool {
+        self.found.len() >= self.most
+    }
+
+    fn report(self) -> Self::Report {
+        self.found
+    }
+}
+
+impl Section {
+    /// Rising crossings, a hundred thousand at most.
+    #[must_use]
+    pub fn new(eps: Rational, at: Vec<Rational>, steps: u64, plane: impl Into<String>) -> Self {
+        Section { eps, at, steps, plane: plane.into(), side: Side::Rising, points: usual_points() }
+    }
+
+    /// Follows the orbit of a system whose claims hold, and refines each crossing on the curve that
+    /// the map draws as ε grows from 0. Costs the orbit, and some steps a crossing.
+    ///
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
+    /// doubles, a plane that is no formula or a number, a field that is not defined at its parameters.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<SectionFound, StudyError> {
+        let system = study.proved()?;
+        let plane = Plane::of(system, &study.values()?, &self.eps, &self.plane)?;
+        let (at, mut x) = study.in_floats(&self.at, &self.eps)?;
+        let direction = match self.side {
+            Side::Rising => Direction::Rising,
+            Side::Falling => Direction::Falling,
+            Side::Both => Direction::Both,
+        };
+        let first = First { found: Vec::new(), most: self.points };
+        let crossings = Crossings::new(&at, plane.height(&at), direction, first);
+        let done = Cell::new(0);
+        let tell = |steps| -> ControlFlow<()> {
+            done.set(done.get() + steps);
+            watch.look(&Progress { what: "steps", done: done.get(), of: Some(self.steps) })
+        };
+        let followed = at.observe(&mut x, self.steps, crossings, tell).expect("the start is of the field");
+        let Followed { report: crossings, steps, ended } = followed;
+        Ok(SectionFound {
+            system: study.name().to_owned(),
+            variables: study.variables().to_vec(),
+            steps,
+            left_range: ended == Ended::Range,
+            crossings,
+        })
+    }
+}
+
+#[derive(Serialize)]
+struct Object<'a> {
+    system: &'a str,
+    variables: &'a [String],
+    steps: u64,
+    times: Vec<f64>,
+    points: Vec<&'a [f64]>,
+}
+
+impl Serialize for SectionFound {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let object = Object {
+            system: &self.system,
+            variables: &self.variables,
+            steps: self.steps,
+            times: self.crossings.iter().map(|crossing| crossing.time).collect(),
+            points: self.crossings.iter().map(|crossing| &crossing.point[..]).collect(),
+        };
+        object.serialize(serializer)
+    }
+}
