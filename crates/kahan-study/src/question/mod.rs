@@ -4,8 +4,8 @@
 //! reads itself from JSON, where `ask` names it: `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
 //! 3]}`; a name that it does not have is a mistake.
 //!
-//! Each question has a file, with what is asked, what is answered, and `ask`; the list below is all
-//! that knows of it besides.
+//! Each question has a file, with what is asked, what is answered, and `ask`. The list below makes of
+//! them what is common to all.
 
 mod discover;
 mod evaluate;
