@@ -1,8 +1,8 @@
 //! Who watches long work: tells the time, hears how far it is and what it found, and stops it.
 //!
 //! Libraries have neither clock nor threads nor screen of their own. Whoever asks a long question
-//! brings them along as a [`Watch`], so that the same work runs at a prompt, in a notebook, and in a
-//! browser, where there is no clock to read.
+//! brings them along as a [`Watch`], so that the same work runs at a prompt, in a notebook, and in
+//! a browser, where there is no clock to read.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -21,8 +21,8 @@ pub trait Watch: Sync {
         None
     }
 
-    /// Hears how far the work is. `Break` ends it: nothing here is called any more, and what is
-    /// known by then is the answer, as if the time were over. Work calls this when a stage begins,
+    /// Hears how far the work is. `Break` ends it: the watch hears no more, and what is known by
+    /// then is the answer, as if the time were over. Work calls this when a stage begins,
     /// after each finding, and else some times a second at most, as far as there is a clock.
     fn look(&self, _progress: &Progress<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())

@@ -3,10 +3,10 @@
 //! In: a text in the language of `kahan!` ([`Field::parse`]) or a checked
 //! [`System`](kahan_algebra::system::System), and values of its parameters ([`Field::with`]). Out:
 //! a map over slices of any dimension ([`Map::at`]), a [`KahanMap`](kahan_core::KahanMap) over any
-//! scalar ([`Map::as_kahan_map`]), exact orbits with the growth of their heights ([`heights`]), of a
-//! family chains of any number of sites ([`Lattice`]), and orbits of any of them ([`Follow`]).
-//! It must not know the catalog: a field comes from its caller. Beside them, how work is spread
-//! over processors ([`threads`]).
+//! scalar ([`Map::as_kahan_map`]), exact orbits with the growth of their heights ([`heights`]), of
+//! a family chains of any number of sites ([`Lattice`]), and orbits of any of them ([`Follow`]). It
+//! must not know the catalog: a field comes from its caller. Beside them, how work is spread over
+//! processors ([`threads`]).
 //!
 //! Maps and chains of texts are [`Step`](kahan_core::Step)s, as compiled ones are, so a program can
 //! choose among all of them while it runs:

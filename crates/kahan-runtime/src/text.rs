@@ -7,6 +7,7 @@ use kahan_algebra::check::{Broken, Checked};
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::family::Family;
 use kahan_algebra::lexer::{Lexed, lex};
+use kahan_algebra::prove::check_claims;
 use kahan_algebra::system::System;
 use kahan_algebra::{read, read_unproved};
 
@@ -69,6 +70,17 @@ impl FieldText {
     /// The mistakes of the text.
     pub fn unproved_system(&self) -> Result<System, Diagnostics> {
         self.accept(read_unproved(&self.lexed.tokens).system())
+    }
+
+    /// Proves the claims of a system that was read of this text, as the macro does it.
+    ///
+    /// # Errors
+    /// The claims that do not hold.
+    pub fn prove(&self, system: &System) -> Result<(), Diagnostics> {
+        let mut mistakes = kahan_algebra::diagnostics::Diagnostics::default();
+        check_claims(system, self.seed(), &mut mistakes);
+        let mistakes = mistakes.finish();
+        self.accept(if mistakes.is_empty() { Ok(()) } else { Err(mistakes) })
     }
 
     /// The names that are parameters because nothing declares them: the free names of a block

@@ -1,8 +1,9 @@
 //! Formulas in floats: of the index of a site, `1 + 1/2*cos(2*pi*i/n)`, or of the variables of a
 //! state.
 //!
-//! In: text in the language of `kahan!`, with functions and any exponents. Out: a value at each site
-//! or state. The module must not know how the text is read, only what its names and functions mean.
+//! In: text in the language of `kahan!`, with functions and any exponents. Out: a value at each
+//! site or state. The module must not know how the text is read, only what its names and functions
+//! mean.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -119,7 +120,8 @@ pub struct NoFormula {
 }
 
 impl NoFormula {
-    /// The mistake with the line that it stands in and a caret; `origin` is what the text is called.
+    /// The mistake with the line that it stands in and a caret; `origin` is what the text is
+    /// called.
     #[must_use]
     pub fn report(&self, origin: &str) -> String {
         report(&self.mistake, &self.text, &lex(&self.text).ranges, origin)

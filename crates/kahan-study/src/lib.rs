@@ -1,10 +1,10 @@
 //! Questions about a field and its Kahan map, and their answers, as values.
 //!
 //! In: a [`Subject`] (a field, the values of its parameters) and a [`Question`]. Out: an [`Answer`]
-//! with a type of its own for each question, which serializes under the names of the command's JSON.
-//! A [`Study`] is a subject that was read: planned once, asked often, from any thread. Beside the
-//! questions stands what they measure with: a trajectory of the flow that two independent methods
-//! agree on ([`mod@reference`]), the price and the error of every setting of the integrator
+//! with a type of its own for each question, which serializes under the names of the command's
+//! JSON. A [`Study`] is a subject that was read: planned once, asked often, from any thread. Beside
+//! the questions stands what they measure with: a trajectory of the flow that two independent
+//! methods agree on ([`mod@reference`]), the price and the error of every setting of the integrator
 //! ([`trade`]), and verdicts on single steps near poles and with extreme numbers ([`extremes`]).
 //!
 //! It must not know terminals, files, flags or HTML; fronts ask and show.
@@ -40,10 +40,10 @@ pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use named::Names;
 pub use question::{
-    Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, NoStep, Observe,
-    Observed, Periodic, Plane, Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Side,
+    Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, Observe, Observed,
+    Periodic, Plane, Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Side,
     characteristic_polynomial, fifteen_digits,
 };
 pub use range::{Axis, NoRange, Range, Spacing};
-pub use study::{MOST_VARIABLES, Study, chain, values_by_name};
+pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};

@@ -3,20 +3,30 @@
 use std::sync::{Arc, OnceLock};
 
 use kahan_algebra::interpret::Interpreter;
+use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_discover::Watch;
 use kahan_runtime::{Field, FieldText, MapAt};
 
 use crate::error::StudyError;
-use crate::question::{Answer, Question};
 use crate::subject::{Catalog, Given, Named, Subject};
 
 /// The most variables of a chain that is written out.
 pub const MOST_VARIABLES: usize = 200;
 
-/// A field with the values of its parameters, planned once and asked often, from any thread. A clone
-/// shares what was planned.
+/// Why a point has no next one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoStep {
+    /// The reduced map has a pole there.
+    Pole,
+    /// det A = 0; the map is beyond the budget of terms and not reduced, so it may have a value.
+    Unreduced,
+    /// It is beyond the range of the scalar.
+    Range,
+}
+
+/// A field with the values of its parameters, planned once and asked often, from any thread. A
+/// clone shares what was planned.
 #[derive(Clone, Debug)]
 pub struct Study(Arc<Parts>);
 
@@ -36,9 +46,13 @@ struct Parts {
     interpreter: OnceLock<Interpreter>,
 }
 
-impl Study {
-    pub(crate) fn of(subject: &Subject, catalog: &dyn Catalog) -> Result<Self, StudyError> {
-        let (named, text) = match &subject.field {
+impl Subject {
+    /// Reads the field. Costs a parse; plans are made when a question first needs them.
+    ///
+    /// # Errors
+    /// Where there is no such system, the text has mistakes, or a parameter is none of the field's.
+    pub fn study(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
+        let (named, text) = match &self.field {
             Given::Text(text) => (None, text.clone()),
             Given::Name(name) => {
                 let named = catalog.find(name).ok_or_else(|| StudyError::unknown_system(name, catalog))?;
@@ -46,34 +60,28 @@ impl Study {
                 (Some(named), text)
             }
         };
-        let system = match subject.sites {
+        let system = match self.sites {
             Some(sites) => chain(&text, sites)?,
             None => text.unproved_system().map_err(StudyError::Field)?,
         };
         // A chain goes by the name of its family's type.
         let of_catalog = named.as_ref().filter(|named| named.type_name.is_some());
         let name = of_catalog.map_or_else(|| system.name(), |named| named.name).to_owned();
-        let given = values_by_name(&subject.parameters, &system.field.symbols.parameters, &name)?;
+        let given = values_by_name(&self.parameters, &system.field.symbols.parameters, &name)?;
         Ok(Study(Arc::new(Parts {
             name,
             named,
             text,
-            sites: subject.sites,
+            sites: self.sites,
             given,
             system,
             proved: OnceLock::new(),
             interpreter: OnceLock::new(),
         })))
     }
+}
 
-    /// Answers a question.
-    ///
-    /// # Errors
-    /// Where the question does not fit the field, or has no answer: [`StudyError`].
-    pub fn ask(&self, question: &Question, watch: &dyn Watch) -> Result<Answer, StudyError> {
-        question.ask(self, watch)
-    }
-
+impl Study {
     /// The name of the field in answers: the catalog's, or that of its type, or `field`.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -123,8 +131,9 @@ impl Study {
     /// The claims that do not hold.
     pub fn proved(&self) -> Result<&System, StudyError> {
         let proof = || match self.0.sites {
-            Some(_) => self.0.text.family().map(|_| ()).map_err(StudyError::Field),
-            None => self.0.text.system().map(|_| ()).map_err(StudyError::Field),
+            // The claims of a family are proved when it is read, for chains of every length.
+            Some(_) => Ok(()),
+            None => self.0.text.prove(self.system()).map_err(StudyError::Field),
         };
         self.0.proved.get_or_init(proof).clone()?;
         Ok(self.system())
@@ -196,6 +205,11 @@ impl Study {
         }
         let eps = start.pop().expect("eps stands last");
         Ok((map.at(eps), start))
+    }
+
+    /// What a point where det A = 0 and that has no image is.
+    pub(crate) fn pole(&self) -> NoStep {
+        if RationalMap::of(&self.system().field).is_some() { NoStep::Pole } else { NoStep::Unreduced }
     }
 
     pub(crate) fn interpreter(&self) -> &Interpreter {

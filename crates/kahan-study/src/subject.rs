@@ -3,9 +3,6 @@
 use kahan_algebra::rational::Rational;
 use kahan_runtime::FieldText;
 
-use crate::error::StudyError;
-use crate::study::Study;
-
 /// A field as its user names it.
 ///
 /// ```
@@ -86,13 +83,5 @@ impl Subject {
     #[must_use]
     pub fn sites(self, sites: usize) -> Self {
         Subject { sites: Some(sites), ..self }
-    }
-
-    /// Reads the field. Costs a parse; plans are made when a question first needs them.
-    ///
-    /// # Errors
-    /// Where there is no such system, the text has mistakes, or a parameter is none of the field's.
-    pub fn study(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
-        Study::of(self, catalog)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
@@ -184,7 +185,8 @@ fn heights_and_poles_of_the_lotka_volterra_map() {
     assert!(poles["patterns"].as_array().is_some_and(|patterns| !patterns.is_empty()), "{poles}");
 }
 
-/// ẋ = x² + 1 reaches a pole of the flow; rotations about the fixed point of x″ = −x take 2π a turn.
+/// ẋ = x² + 1 reaches a pole of the flow; rotations about the fixed point of x″ = −x take 2π a
+/// turn.
 #[test]
 fn what_orbits_do() {
     let away = study(Subject::text("xdot = x^2 + 1;"));
@@ -196,7 +198,8 @@ fn what_orbits_do() {
     let observed = answer(&turning, asked.clone());
     // tan of half the angle of a step is ε.
     let turns = 0.05_f64.atan() / std::f64::consts::PI;
-    // Backwards, as the phase of x and its rate goes. A weighted mean over 10⁴ steps rounds as often.
+    // Backwards, as the phase of x and its rate goes. A weighted mean over 10⁴ steps rounds as
+    // often.
     let value = observed["rotation"]["x"]["value"].as_f64().expect("a number");
     assert!((value + turns).abs() < 1e4 * f64::EPSILON * turns, "{observed}");
     assert!(observed["drift"]["E"]["max"].as_f64().is_some_and(|drift| drift < 1e-11), "{observed}");
@@ -298,6 +301,43 @@ fn findings_are_told_when_they_are_proved() {
         // Once it is told to stop, the search says no more.
         assert_eq!(heard.len(), if stops_at_first { 1 } else { claims.len() });
         assert_eq!(found.report.out_of_time, stops_at_first);
+    }
+}
+
+/// A clock, and a `Break` at every look; that the watch is asked again after it is a mistake.
+struct Ending {
+    begun: Instant,
+    looks: AtomicU32,
+}
+
+impl Watch for Ending {
+    fn now(&self) -> Option<Duration> {
+        Some(self.begun.elapsed())
+    }
+
+    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
+        self.looks.fetch_add(1, Ordering::Relaxed);
+        ControlFlow::Break(())
+    }
+}
+
+#[test]
+fn a_question_that_was_stopped_asks_no_more() {
+    let lv = study(Subject::named("lv"));
+    let over = json!({"name": "eps", "range": "1/10:1:9"});
+    for object in [
+        json!({"ask": "observe", "eps": "1/10", "at": [1, 2], "steps": 100_000}),
+        json!({"ask": "section", "eps": "1/10", "at": [1, 2], "steps": 100_000, "plane": "x - y"}),
+        json!({"ask": "periodic", "at": [1, 1], "over": over}),
+        json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 9}),
+        json!({"ask": "poles"}),
+        json!({"ask": "discover"}),
+        json!({"ask": "scan", "axes": [over]}),
+        json!({"ask": "trade", "at": [1, 2], "horizon": 5}),
+    ] {
+        let watch = Ending { begun: Instant::now(), looks: AtomicU32::new(0) };
+        lv.ask(&question(object.clone()).expect("a question"), &watch).expect("what is known by then");
+        assert_eq!(watch.looks.into_inner(), 1, "{object}");
     }
 }
 

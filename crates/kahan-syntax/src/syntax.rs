@@ -1,7 +1,8 @@
 //! What was written: a block of `kahan!`, item by item, with the place of everything.
 //!
 //! Nothing here is checked: names may be unknown, degrees too high, claims false. `kahan-algebra`
-//! turns a block into a field and claims about it. Sums and products are flat lists, so that a sum of 20 000 terms is as shallow as one of two.
+//! turns a block into a field and claims about it. Sums and products are flat lists, so that a sum
+//! of 20 000 terms is as shallow as one of two.
 
 use core::fmt;
 

@@ -1,5 +1,6 @@
 //! Cycles as a parameter, or ε, changes: along the arc of the branch, so that it may turn back.
 
+use core::ops::ControlFlow;
 use std::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
@@ -27,7 +28,7 @@ pub struct Branch {
     /// Those within the range, in the same order.
     pub turns: Vec<Turn>,
     /// Whether it ended before the ends of the range: at a pole, where no cycle was found beyond,
-    /// or after twenty times as many steps as were asked for.
+    /// after twenty times as many steps as were asked for, or where `see` ended it.
     pub is_cut: bool,
 }
 
@@ -38,14 +39,16 @@ pub(super) type Place = DVector<f64>;
 /// Follows a cycle at `from` towards `to`, in about so many steps, until the parameter leaves the
 /// range between them.
 ///
-/// `map` makes the map at a value of the parameter, and `see` is shown each cycle as it is found.
-/// Between two cycles each change is found by halving the step; what changes and changes back
-/// between them is not seen.
+/// `map` makes the map at a value of the parameter, and `see` is shown each cycle as it is found,
+/// and may end the branch there. Between two cycles each change is found by halving the step; what
+/// changes and changes back between them is not seen.
 ///
 /// Cost: each step some decompositions as those of
 /// [`periodic_point`](super::periodic_point()), and each change some hundred.
 ///
 /// ```
+/// use std::ops::ControlFlow;
+///
 /// use kahan_core::Dual;
 /// use kahan_core::periodic::{Change, branch, periodic_point};
 /// use kahan_core::prelude::*;
@@ -59,7 +62,7 @@ pub(super) type Place = DVector<f64>;
 /// // At a, which changes, and a fixed ε.
 /// let map = |a| Fold { a: Dual::coordinate(a, 0) }.at(Dual::lift(0.1));
 /// let cycle = periodic_point(&map(1.0), &[0.9], 1).unwrap();
-/// let branch = branch(map, &cycle, [1.0, -1.0], 20, |_| ());
+/// let branch = branch(map, &cycle, [1.0, -1.0], 20, |_| ControlFlow::Continue(()));
 /// assert_eq!(branch.turns[0].change, Change::Fold);
 /// assert!(branch.turns[0].parameter.abs() < 1e-9);
 /// ```
@@ -68,7 +71,7 @@ pub fn branch<M: Parametric>(
     cycle: &PeriodicPoint,
     [from, to]: [f64; 2],
     steps: usize,
-    mut see: impl FnMut(&BranchPoint),
+    mut see: impl FnMut(&BranchPoint) -> ControlFlow<()>,
 ) -> Branch {
     let length = to - from;
     let arc = Arc { unit: Unit::of(first_size(&map(from), cycle, length)), map, from, length };
@@ -82,13 +85,13 @@ pub fn branch<M: Parametric>(
         return branch;
     };
     let first = arc.judged(&place);
-    see(&first);
+    branch.is_cut = see(&first).is_break();
     branch.points.push(first);
     let steps = steps.max(1);
     // Far from the origin points move faster than the parameter.
     let longest = |place: &Place| place.norm().max(1.0) / steps as f64;
     let mut stride = longest(&place);
-    while (0.0..=1.0).contains(&place[place.len() - 1]) {
+    while !branch.is_cut && (0.0..=1.0).contains(&place[place.len() - 1]) {
         let step =
             arc.step(&place, &tangent, stride).and_then(|next| Some((arc.tangent(&next, &tangent)?, next)));
         let Some((next_tangent, next)) = step.filter(|(turned, _)| turned.dot(&tangent) > 0.5) else {
@@ -100,7 +103,7 @@ pub fn branch<M: Parametric>(
             continue;
         };
         let there = arc.judged(&next);
-        see(&there);
+        branch.is_cut = see(&there).is_break();
         let before = &branch.points[branch.points.len() - 1].cycle;
         let whole = Stride { arc: &arc, place: &place, tangent: &tangent, length: stride };
         let turns = whole.turns(before, (&next_tangent, &there.cycle)).into_iter();

@@ -299,8 +299,8 @@ impl Fractions<'_> {
         (kept, if has_order { written } else { Vec::new() })
     }
 
-    /// What is kept of something as a factor of a product. The terms of a sum are added in the order
-    /// in which they were written, each partial sum being a value.
+    /// What is kept of something as a factor of a product. The terms of a sum are added in the
+    /// order in which they were written, each partial sum being a value.
     fn factor(&mut self, of: &Expansion) -> Polynomial {
         let Some((first, others)) = of.order.split_first() else { return self.values.factor(of.kept()) };
         others.iter().fold(first.clone(), |sum, term| self.values.factor(&(&sum + term)))

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_runtime::heights::{Growth, Stop, Survey};
-use kahan_study::{Heights as Question, HeightsFound, Study, fifteen_digits};
+use kahan_study::{Heights as Question, HeightsFound, NoStep, Study, fifteen_digits};
 use serde_json::json;
 
 use crate::printing::layout::table;
@@ -167,11 +167,9 @@ impl Record {
     }
 
     fn complaint(&self) -> Option<String> {
-        if self.0.survey.stopped != Some(Stop::Pole) {
-            return None;
-        }
+        let pole = self.0.pole?;
         let (step, name) = (self.0.steps(), &self.0.system);
-        Some(if !self.0.is_reduced {
+        Some(if pole == NoStep::Unreduced {
             format!(
                 "det A = 0 at step {step} of the orbit, which counts as a pole of the map of {name}: its closed form is beyond \
                  the budget of {TERM_BUDGET} terms, so it is not reduced, and it may have a value there"

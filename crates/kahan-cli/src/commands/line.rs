@@ -5,7 +5,7 @@ use std::fmt;
 use clap::{Args, Command, FromArgMatches};
 use kahan_algebra::rational::Rational;
 use kahan_study::trade::Trade;
-use kahan_study::{Discover, Evaluate, Heights, Observe, Periodic, Poles, Question, Scan, Section, Side};
+use kahan_study::{Discover, Evaluate, Heights, Observe, Periodic, Poles, Question, Scan, Section};
 
 use crate::printing::Refusal;
 
@@ -44,12 +44,7 @@ impl Line {
                 let usual = Section::new(eps.clone(), at.clone(), *steps, plane.clone());
                 let line = Line::new("section", system).with("--eps", eps).with("--at", point(at));
                 let line = line.with("--plane", plane).with("--steps", steps);
-                let side_word = match side {
-                    Side::Rising => "rising",
-                    Side::Falling => "falling",
-                    Side::Both => "both",
-                };
-                let line = line.unless(*side == usual.side, "--direction", side_word);
+                let line = line.unless(*side == usual.side, "--direction", side.name());
                 line.unless(*points == usual.points, "--points", points)
             }
             Question::Periodic(Periodic { eps, at, period, over }) => {
@@ -146,7 +141,7 @@ mod tests {
     use super::*;
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
-    use kahan_study::{Axis, Range};
+    use kahan_study::{Axis, Range, Side};
 
     #[test]
     fn a_call_that_is_read_back_asks_the_same() {

@@ -32,7 +32,8 @@ use rows::{AT_ONCE, columns};
 /// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
 ///
 /// Where --at is a file of several rows, each is the first point of an orbit: the table has orbit
-/// after orbit, and a first column says which, 0, 1, and so on. An orbit that ends early ends alone.
+/// after orbit, and a first column says which, 0, 1, and so on. An orbit that ends early ends
+/// alone.
 ///
 /// The integrals are those of the block without `when`. A cell is empty where an integral is
 /// undefined, or beyond the range of the scalar. Floats are written so that they read back exactly,

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_study::{Section as Question, SectionFound, Side, Study};
 use serde_json::json;
 
@@ -32,8 +33,8 @@ pub(crate) struct Section {
     plane: String,
 
     /// Which crossings count: those where the formula grows, falls, or both.
-    #[arg(long, value_enum, default_value = "rising")]
-    direction: Direction,
+    #[arg(long, value_parser = side(), default_value = "rising")]
+    direction: Side,
 
     /// Stop after K crossings.
     #[arg(long, value_name = "K", default_value = "100000", allow_hyphen_values = true, value_parser = points)]
@@ -48,20 +49,20 @@ pub(crate) struct Section {
     json: bool,
 }
 
-/// The sign with which the formula goes through 0.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Direction {
-    Rising,
-    Falling,
-    Both,
-}
-
 const EXAMPLES: &str = "\
 Examples:
   kahan section volterra --eps 0.02 --at 1,2,3 --plane 'x - y' --steps 1e4
   kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --points 5
   kahan section e6 --eps 0.05 --at 1,2,3 --plane 'x - y' --direction both --steps 1e4 --out e6.csv
   kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane y-x/2 --steps 99 --json";
+
+/// Reads which crossings count.
+fn side() -> impl TypedValueParser<Value = Side> {
+    PossibleValuesParser::new(Side::ALL.map(Side::name)).map(|name| {
+        let side = Side::ALL.into_iter().find(|side| side.name() == name);
+        side.expect("clap takes no other names")
+    })
+}
 
 fn steps(text: &str) -> Result<u64, String> {
     whole(text, 1, 1 << 53)
@@ -75,12 +76,7 @@ impl Section {
     /// What is asked, and of which field.
     pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let side = match self.direction {
-            Direction::Rising => Side::Rising,
-            Direction::Falling => Side::Falling,
-            Direction::Both => Side::Both,
-        };
-        let (plane, steps, points) = (self.plane.clone(), self.steps, self.points);
+        let (plane, steps, side, points) = (self.plane.clone(), self.steps, self.direction, self.points);
         Ok((study, Question { eps, at, steps, plane, side, points }))
     }
 

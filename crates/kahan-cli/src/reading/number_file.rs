@@ -8,8 +8,9 @@
 //! Arrays are read here and written in `printing::npy` by code of our own. We tried `npyz` 0.9.1,
 //! the best kept of the crates for them: it multiplies the sizes of a header unchecked, so that a
 //! file of a hundred bytes makes it panic; for that header it brings a generator of parsers and a
-//! build script in C; and where the number of rows is known at the end only, its arrays have at most
-//! two directions, while states of chains take three. `ndarray-npy` wants all sizes beforehand.
+//! build script in C; and where the number of rows is known at the end only, its arrays have at
+//! most two directions, while states of chains take three. `ndarray-npy` wants all sizes
+//! beforehand.
 
 use std::fs;
 use std::path::Path;
@@ -104,8 +105,8 @@ pub(super) fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
     Ok(numbers)
 }
 
-/// The line in which a row begins. The reader does not count what it skips before a row: empty lines,
-/// and the second half of a line break of Windows.
+/// The line in which a row begins. The reader does not count what it skips before a row: empty
+/// lines, and the second half of a line break of Windows.
 fn line(text: &[u8], row: &StringRecord) -> usize {
     let behind = row.position().map_or(0, |place| usize::try_from(place.byte()).unwrap_or(text.len()));
     let skipped = text[behind..].iter().take_while(|byte| b"\r\n".contains(byte)).count();

@@ -22,8 +22,8 @@ pub(crate) struct Request {
 }
 
 impl Start {
-    /// The system with its claims proved, and the numbers; parameters and ε that are gone through need
-    /// no value besides.
+    /// The system with its claims proved, and the numbers; parameters and ε that are gone through
+    /// need no value besides.
     pub(crate) fn request_over(&self, axes: &[Axis]) -> Result<Request, Refusal> {
         let (mut request, starts) = self.request_and_starts(axes)?;
         request.point.state = only(starts, self.at.as_deref().unwrap_or_default())?;

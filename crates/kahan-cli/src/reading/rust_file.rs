@@ -1,8 +1,8 @@
 //! The blocks of `kahan!` in a Rust file: where each begins and ends, and what it is called.
 //!
 //! In: any text. Out: the calls of the macro in it. The compiler's own lexer tells a call from a
-//! comment or a string. The parsers `proc-macro2` and `syn` refuse a file in which a bracket is still
-//! open, and a page of Markdown with a program in it; and `syn` looks into no other macro.
+//! comment or a string. The parsers `proc-macro2` and `syn` refuse a file in which a bracket is
+//! still open, and a page of Markdown with a program in it; and `syn` looks into no other macro.
 
 use std::ops::Range;
 

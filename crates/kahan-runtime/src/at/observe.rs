@@ -115,8 +115,8 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
-/// Observers of one orbit among many, which see its points as far as these are finite, and then tell
-/// how it ended: what [`Follow::observe`](crate::Follow::observe) does for one orbit, for
+/// Observers of one orbit among many, which see its points as far as these are finite, and then
+/// tell how it ended: what [`Follow::observe`](crate::Follow::observe) does for one orbit, for
 /// [`MapAt::observe_columns`].
 ///
 /// The start is seen as it is. Where the orbit leaves the range, or the observers are done, the

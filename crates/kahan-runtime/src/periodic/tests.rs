@@ -1,5 +1,7 @@
 //! Derivatives and cycles that are known in closed form.
 
+use std::ops::ControlFlow;
+
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::{Complex, ComplexField};
@@ -186,7 +188,7 @@ fn a_cycle_of_henon_and_heiles_changes_its_stability_where_the_formula_says() {
     let start = cycle_of_three(&Rational::from(2))[0].each_ref().map(Rational::to_f64);
     for (from, to) in [(1.0, 2.0), (2.0, 1.0)] {
         let cycle = periodic_point(&map(from), &start, 3).unwrap();
-        let branch = branch(map, &cycle, [from, to], 10, |_| ());
+        let branch = branch(map, &cycle, [from, to], 10, |_| ControlFlow::Continue(()));
         // A multiplier counts from 1 + 10⁻⁶ on, at a distance of about its square.
         assert!(has_turns(&branch, &[(Change::ThroughOne, 1.375, 1e-11)]), "{:?}", branch.turns);
     }
@@ -205,13 +207,13 @@ fn the_lorenz_system_changes_where_the_flow_does() {
     };
     let origin = periodic_point(&map(0.5), &[0.0; 3], 1).unwrap();
     for steps in [1, 7] {
-        let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ());
+        let branch = branch(map, &origin, [0.5, 1.5], steps, |_| ControlFlow::Continue(()));
         // The multiplier is known to a rounding, and 2ε·10/11 times as far from 1 as r is.
         assert!(has_turns(&branch, &[(Change::ThroughOne, 1.0, 1e-13)]), "{:?}", branch.turns);
     }
     // At r = 1 the other equilibria come together in the origin: their branch turns back.
     let wing = periodic_point(&map(28.0), &[8.5, 8.5, 27.0], 1).unwrap();
-    let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ());
+    let branch = branch(map, &wing, [28.0, 0.5], 30, |_| ControlFlow::Continue(()));
     let hopf = (Change::ThroughCircle, 470.0 / 19.0, 1e-9);
     // Near there what the map leaves open is the cube of the distance from the branch, and r − 1 is
     // its square: 10⁻¹² gives 10⁻⁸.
@@ -251,7 +253,7 @@ fn rounding_of_multipliers_of_1_is_no_change() {
     let top = Field::parse("xdot = y*z; ydot = -2*x*z; zdot = x*y;").unwrap().map().unwrap();
     let map = |eps: f64| top.at(eps).by(None);
     let cycle = periodic_point(&map(0.5), &[0.2, 1.6, 0.4], 7).unwrap();
-    let branch = branch(map, &cycle, [0.5, 0.75], 20, |_| ());
+    let branch = branch(map, &cycle, [0.5, 0.75], 20, |_| ControlFlow::Continue(()));
     assert!(branch.turns.is_empty() && !branch.is_cut, "{:?}", branch.turns);
     assert!(branch.points.iter().all(|point| point.cycle.stability() == Stability::Neutral));
 }

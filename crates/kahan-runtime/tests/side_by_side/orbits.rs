@@ -158,8 +158,8 @@ fn maps_and_columns_have_to_fit() {
     assert_eq!(refused(&[&at], uneven), "the column of `y` has 2 entries; give 3, as in the first");
 }
 
-/// How many orbits from (1, 1, …) end in each way, which is the way in which each ends alone, with the
-/// same reports.
+/// How many orbits from (1, 1, …) end in each way, which is the way in which each ends alone, with
+/// the same reports.
 fn ends<O: Observer<f64, Report: Debug>>(
     maps: &[&MapAt<f64>],
     variables: usize,

@@ -1,5 +1,7 @@
 //! Periodic points, and branches of them over ε and over a parameter.
 
+use std::ops::ControlFlow;
+
 use kahan_core::periodic::{Branch, NoPeriodicPoint, PeriodicPoint, branch, periodic_point};
 use kahan_runtime::Field;
 
@@ -42,7 +44,7 @@ fn cycles_and_branches_have_the_same_bits_in_every_unit() {
                     add_cycle(&cycle, answers);
                     let map = |eps| map(&field, unit).at(eps).by(None);
                     let range = [unit.time(case.eps), unit.time(2.5 * case.eps)];
-                    add_branch(&branch(map, &cycle, range, 8, |_| ()), TIME, answers);
+                    add_branch(&branch(map, &cycle, range, 8, |_| ControlFlow::Continue(())), TIME, answers);
                 }
                 Err(NoPeriodicPoint::NotFound { residual }) => answers.add("none", LENGTH, &[residual]),
                 Err(why) => answers.say("none", why),
@@ -71,7 +73,7 @@ fn branches_over_a_parameter_have_the_same_bits_in_every_unit() {
             };
             let start = start.map(|x| unit.length(x));
             let cycle = periodic_point(&at(scaled(from)), &start, 1).unwrap();
-            let branch = branch(at, &cycle, [scaled(from), scaled(to)], 12, |_| ());
+            let branch = branch(at, &cycle, [scaled(from), scaled(to)], 12, |_| ControlFlow::Continue(()));
             assert!(branch.points.len() > 10, "{name}: {branch:?}");
             add_branch(&branch, dimension, answers);
         });

@@ -222,7 +222,8 @@ struct Hamiltonian<'a> {
     modified: String,
 }
 
-/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an orbit.
+/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an
+/// orbit.
 #[derive(Serialize)]
 struct Relation {
     monomials: Vec<String>,

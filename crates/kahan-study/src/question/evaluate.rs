@@ -2,7 +2,6 @@
 
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::Point;
-use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
 use kahan_discover::Watch;
 use serde::{Deserialize, Serialize};
@@ -10,9 +9,10 @@ use serde::{Deserialize, Serialize};
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind, exact};
-use crate::study::Study;
+use crate::study::{NoStep, Study};
 
-/// Asks for the field, the matrices, the map, its Jacobian, and the values of the claims at a point.
+/// Asks for the field, the matrices, the map, its Jacobian, and the values of the claims at a
+/// point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Evaluate {
@@ -77,17 +77,6 @@ pub struct Evaluated {
     pub no_step: Option<NoStep>,
 }
 
-/// Why a point has no next one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoStep {
-    /// The reduced map has a pole there.
-    Pole,
-    /// det A = 0; the map is beyond the budget of terms and not reduced, so it may have a value.
-    Unreduced,
-    /// It is beyond the range of the scalar.
-    Range,
-}
-
 impl Evaluate {
     /// In exact numbers.
     #[must_use]
@@ -98,8 +87,8 @@ impl Evaluate {
     /// The values of a system whose claims hold.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not defined
-    /// at its parameters.
+    /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not
+    /// defined at its parameters.
     pub fn ask(&self, study: &Study, _: &dyn Watch) -> Result<Evaluated, StudyError> {
         study.proved()?;
         match self.scalar {
@@ -147,11 +136,7 @@ impl Evaluate {
                 .collect(),
             density: values.density.flatten().as_ref().map(number),
             brackets: values.brackets.into_iter().map(|(name, value)| (name, value.map(rows))).collect(),
-            no_step: (!has_next).then(|| match (is_singular, RationalMap::of(&study.system().field)) {
-                (true, None) => NoStep::Unreduced,
-                (true, Some(_)) => NoStep::Pole,
-                (false, _) => NoStep::Range,
-            }),
+            no_step: (!has_next).then(|| if is_singular { study.pole() } else { NoStep::Range }),
         })
     }
 }

@@ -1,6 +1,5 @@
 //! The Diophantine test on one exact orbit, within bounds.
 
-use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
 use kahan_discover::{Progress, Watch};
 use kahan_runtime::heights::{HeightsOrbit, Stop, Survey};
@@ -9,7 +8,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::exact;
-use crate::study::Study;
+use crate::study::{NoStep, Study};
 
 use super::seconds_since;
 
@@ -52,8 +51,8 @@ pub struct HeightsFound {
     pub survey: Survey,
     /// The seconds that it took; `None` without a clock.
     pub seconds: Option<f64>,
-    /// Whether the map is reduced; else det A = 0 counts as a pole.
-    pub is_reduced: bool,
+    /// The pole that ended the orbit.
+    pub pole: Option<NoStep>,
 }
 
 impl Heights {
@@ -67,8 +66,8 @@ impl Heights {
     /// numbers as long as the heights say.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not defined
-    /// at its parameters.
+    /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not
+    /// defined at its parameters.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<HeightsFound, StudyError> {
         let begun = watch.now();
         let system = study.proved()?;
@@ -82,9 +81,9 @@ impl Heights {
         Ok(HeightsFound {
             system: study.name().to_owned(),
             variables: study.variables().to_vec(),
+            pole: (survey.stopped == Some(Stop::Pole)).then(|| study.pole()),
             survey,
             seconds: seconds_since(begun, watch),
-            is_reduced: RationalMap::of(&system.field).is_some(),
         })
     }
 }

@@ -4,8 +4,8 @@
 //! reads itself from JSON, where `ask` names it: `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
 //! 3]}`; a name that it does not have is a mistake.
 //!
-//! Each question has a file, with what is asked, what is answered, and `ask`. The list below makes of
-//! them what is common to all.
+//! Each question has a file, with what is asked, what is answered, and `ask`. The list below makes
+//! of them what is common to all.
 
 mod discover;
 mod evaluate;
@@ -28,7 +28,7 @@ use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
 pub use discover::{Discover, Discovered};
-pub use evaluate::{Evaluate, Evaluated, NoStep};
+pub use evaluate::{Evaluate, Evaluated};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observe, Observed};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
@@ -56,7 +56,7 @@ macro_rules! questions {
         const NAMES: &[&str] = &[$($name),*];
 
         impl Question {
-            pub(crate) fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
+            fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
                 Ok(match self {
                     $(Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),)*
                 })
@@ -96,6 +96,16 @@ questions! {
     Scan, asked as "scan", answered by ScanFound;
     /// Speed against accuracy on a scene.
     Trade, asked as "trade", answered by Traded;
+}
+
+impl Study {
+    /// Answers a question.
+    ///
+    /// # Errors
+    /// Where the question does not fit the field, or has no answer: [`StudyError`].
+    pub fn ask(&self, question: &Question, watch: &dyn Watch) -> Result<Answer, StudyError> {
+        question.ask(self, watch)
+    }
 }
 
 impl<'de> Deserialize<'de> for Question {

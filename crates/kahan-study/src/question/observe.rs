@@ -13,7 +13,7 @@ use kahan_core::observe::{
     Drifted, Escape, Exponent, Extremes, Fli, MeanLogDet, Megno, Sali, Spectrum, Turns,
 };
 use kahan_discover::{Progress, Watch};
-use kahan_runtime::{Follow, Followed, IntegralDrift};
+use kahan_runtime::{Ended, Follow, Followed, IntegralDrift};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::error::StudyError;
@@ -131,8 +131,10 @@ impl Observe {
             at.observe(&mut start.clone(), self.steps, observers, tell).expect("the start is of the field");
         let ((lyapunov, mean_log_det, fli, megno, sali), escaped, extremes, drift) = report;
         let rotations = at.rotations(steps, &extremes);
+        // Who stopped the first run wants no second one.
+        let again = if ended == Ended::Stopped { 0 } else { steps };
         let again =
-            at.observe(&mut start.clone(), steps, rotations, tell).expect("the start is of the field");
+            at.observe(&mut start.clone(), again, rotations, tell).expect("the start is of the field");
         let [extrema, _] = extremes;
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
@@ -140,7 +142,7 @@ impl Observe {
             variables: study.variables().to_vec(),
             integrals: integrals.collect(),
             steps,
-            left_range: ended == kahan_runtime::Ended::Range,
+            left_range: ended == Ended::Range,
             lyapunov,
             mean_log_det,
             fli,

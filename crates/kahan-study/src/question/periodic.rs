@@ -153,7 +153,7 @@ impl Family {
         let done = Cell::new(0);
         branch(map, cycle, ends, steps, |_| {
             done.set(done.get() + 1);
-            let _ = watch.look(&Progress { what: "cycles", done: done.get(), of: Some(steps as u64) });
+            watch.look(&Progress { what: "cycles", done: done.get(), of: Some(steps as u64) })
         })
     }
 

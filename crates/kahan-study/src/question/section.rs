@@ -56,6 +56,21 @@ pub enum Side {
     Both,
 }
 
+impl Side {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Rising, Self::Falling, Self::Both];
+
+    /// Its name in questions.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rising => "rising",
+            Self::Falling => "falling",
+            Self::Both => "both",
+        }
+    }
+}
+
 /// The crossings of an orbit.
 #[derive(Clone, Debug)]
 pub struct SectionFound {
@@ -154,7 +169,8 @@ impl Section {
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
-    /// doubles, a plane that is no formula or a number, a field that is not defined at its parameters.
+    /// doubles, a plane that is no formula or a number, a field that is not defined at its
+    /// parameters.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<SectionFound, StudyError> {
         let system = study.proved()?;
         let plane = Plane::of(system, &study.values()?, &self.eps, &self.plane)?;

@@ -13,7 +13,7 @@ use super::Measured;
 use super::drift::{Drift, Integrals};
 use super::front::better;
 use super::prices::Prices;
-use super::runner::{Clock, Runner};
+use super::runner::Runner;
 use super::stops::stops;
 
 /// Points at which integrals are evaluated beside, where the need is the trajectory.
@@ -28,7 +28,6 @@ pub(super) struct Search<'a> {
     pub(super) tolerance: f64,
     pub(super) reference: Option<Reference>,
     pub(super) integrals: Integrals,
-    pub(super) clock: Clock<'a>,
     pub(super) deadline: Duration,
     /// The part of the time left that the way to a setting that serves may take.
     pub(super) share: f64,
@@ -76,7 +75,7 @@ impl Search<'_> {
     }
 
     fn time_left(&self) -> Duration {
-        self.deadline.saturating_sub((self.clock)())
+        self.deadline.saturating_sub((self.subject.clock)())
     }
 
     /// Whether so many steps take more than the share of the time that is left.

@@ -176,8 +176,8 @@ impl Trade {
     /// claims hold. Costs the time of the orbits that it runs; the watch must have a clock.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, values that are missing or not above 0, no clock, or
-    /// nothing that could be measured.
+    /// [`StudyError`]: claims that do not hold, values that are missing or not above 0, no clock,
+    /// or nothing that could be measured.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Traded, StudyError> {
         let system = study.proved()?;
         let start = study.point(&self.at)?;
@@ -268,7 +268,6 @@ impl<'a> Search<'a> {
                 - reference.as_ref().map_or(0.0, |reference| reference.certificate().difference),
             reference,
             integrals,
-            clock,
             deadline,
             share: SHARE,
             is_code,
@@ -304,8 +303,12 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Tells the watch how many settings are known; after it said stop, there is no time left.
+    /// Tells the watch how many settings are known; after it said stop, there is no time left, and
+    /// it hears no more.
     fn tell(&mut self) {
+        if self.deadline.is_zero() {
+            return;
+        }
         // How many there will be depends on what they show.
         let progress = Progress { what: "settings", done: self.settings.len() as u64, of: Some(60) };
         if let ControlFlow::Break(()) = self.watch.look(&progress) {

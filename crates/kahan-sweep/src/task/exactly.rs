@@ -104,8 +104,8 @@ impl Search {
         let options = Options {
             eps: Some(point.eps.clone()),
             parameters: names.zip(point.parameters.iter().cloned()).collect(),
-            // Nobody watches, as what is found must not depend on how fast a machine is; so a degree
-            // has to end the search.
+            // Nobody watches, as what is found must not depend on how fast a machine is; so a
+            // degree has to end the search.
             degree: Some(self.degree.unwrap_or_else(|| default_degree(plan.system().field.dimension()))),
             ..Options::default()
         };

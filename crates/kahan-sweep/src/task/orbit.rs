@@ -59,9 +59,9 @@ const AT_ONCE: u64 = 1 << 24;
 /// nothing is gained by that, and where they are long too much would be lost with a process that
 /// ends.
 ///
-/// Orbits of which nothing is asked but their ends then go through the map's step for columns, which
-/// is faster, and whose last digits differ from those of single steps; so the plan chooses, and not
-/// what happens to stand together.
+/// Orbits of which nothing is asked but their ends then go through the map's step for columns,
+/// which is faster, and whose last digits differ from those of single steps; so the plan chooses,
+/// and not what happens to stand together.
 pub(super) fn are_abreast(plan: &Plan) -> bool {
     let is_short = |orbit: &Orbit| orbit.steps <= AT_ONCE / LANES as u64;
     matches!(&plan.task, Task::Orbit(orbit) if plan.neighbours_share_a_map() && is_short(orbit))

@@ -205,7 +205,8 @@ impl<T: Machine> Observer<T> for Watches<'_, T> {
         }
     }
 
-    /// Each watch of all orbits at once, so that their tangent vectors and integrals go side by side.
+    /// Each watch of all orbits at once, so that their tangent vectors and integrals go side by
+    /// side.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         /// Shows a burst to what all orbits have at a place, which is of one variant.
         macro_rules! show {

@@ -166,8 +166,8 @@ impl Discovery {
 /// The width of the words before the numbers.
 const KEY_WIDTH: usize = 21;
 
-/// Which coefficients of a basis are integrals, and how they are found from an orbit; formulas stand
-/// between marks.
+/// Which coefficients of a basis are integrals, and how they are found from an orbit; formulas
+/// stand between marks.
 pub(in super::super) fn evaluation(basis: &Basis, notation: &dyn Notation, mark: &str) -> String {
     let quotient = |(above, below): (usize, usize)| {
         let [above, below] = [above, below].map(|number| notation.name(&format!("c{number}")));

@@ -21,8 +21,8 @@ pub(super) struct Rows<'a> {
 pub(super) const AT_ONCE: i64 = 1 << 20;
 
 impl Rows<'_> {
-    /// Steps from row to row, at most so many `at_once` between two looks at the orbit; what to tell
-    /// the user where a step has no value.
+    /// Steps from row to row, at most so many `at_once` between two looks at the orbit; what to
+    /// tell the user where a step has no value.
     pub(super) fn follow<O>(
         &self,
         orbit: &mut O,

@@ -203,8 +203,8 @@ impl Subject<'_> {
         (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as usize
     }
 
-    /// Cells of a chart of stability in a row: their number grows with the time that there is, and falls
-    /// with the number of variables.
+    /// Cells of a chart of stability in a row: their number grows with the time that there is, and
+    /// falls with the number of variables.
     fn cells(&self) -> usize {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize

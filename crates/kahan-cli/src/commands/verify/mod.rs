@@ -19,10 +19,11 @@ use report::{Form, Report, Row, in_one_line};
 
 /// Proves the formulas of the paper, or the claims of a field.
 ///
-/// A SYSTEM alone stands for the paper's formulas that are about it. Rational formulas are expanded over the rational numbers and tested modulo primes; what is not
-/// rational is compared in 256-bit arithmetic; what the paper misprints is refuted as printed and
-/// established as corrected. With a field of your own, or with --param, the claims of that block
-/// are proved. The exit status is 1 if a claim does not hold.
+/// A SYSTEM alone stands for the paper's formulas that are about it. Rational formulas are expanded
+/// over the rational numbers and tested modulo primes; what is not rational is compared in 256-bit
+/// arithmetic; what the paper misprints is refuted as printed and established as corrected. With a
+/// field of your own, or with --param, the claims of that block are proved. The exit status is 1 if
+/// a claim does not hold.
 #[derive(Args, Debug, Default)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Verify {
