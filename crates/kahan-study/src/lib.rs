@@ -31,6 +31,7 @@ mod question;
 pub mod random_fields;
 mod range;
 pub mod reference;
+mod rows;
 mod study;
 mod subject;
 pub mod trade;
@@ -45,5 +46,6 @@ pub use question::{
     characteristic_polynomial, fifteen_digits,
 };
 pub use range::{Axis, NoRange, Range, Spacing};
+pub use rows::{Column, End, Exact, Rows, Values};
 pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};

@@ -10,6 +10,7 @@ use kahan_algebra::render::{folded, macro_block};
 use kahan_study::{Discover as Question, Study};
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use super::search::Search;
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::number;
@@ -59,14 +60,24 @@ Examples:
   kahan discover henon-heiles --degree 7
   kahan discover --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] + x[i+2] - x[i-1] - x[i-2]); }' --sites 5";
 
-impl Discover {
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+impl Asking for Discover {
+    const COMMAND: &str = "discover";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
         let Search { source, eps, degree, seconds, .. } = &self.search;
         let eps = eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
     }
 
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { eps, degree, seconds } = asked;
+        let line = line.with_some("--eps", eps.as_ref()).with_some("--degree", degree.as_ref());
+        line.unless(*seconds == Question::default().seconds, "--seconds", format!("{seconds:?}"))
+    }
+}
+
+impl Discover {
     /// The report.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;

@@ -7,6 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_study::{Observe, Observed, Study};
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use crate::printing::layout::Rows;
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Start, whole};
@@ -70,14 +71,27 @@ fn radius(text: &str) -> Result<f64, String> {
     if radius > 0.0 { Ok(radius) } else { Err("it is a size, as in 1e6".to_owned()) }
 }
 
-impl Dynamics {
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Observe), Refusal> {
+impl Asking for Dynamics {
+    const COMMAND: &str = "dynamics";
+    type Question = Observe;
+
+    fn asked(&self) -> Result<(Study, Observe), Refusal> {
         let (study, at, eps) = self.start.study()?;
         let Dynamics { steps, order, every, escape, .. } = *self;
         Ok((study, Observe { eps, at, steps, order, every, escape }))
     }
 
+    fn options(asked: &Observe, line: Line) -> Line {
+        let Observe { eps, at, steps, order, every, escape } = asked;
+        let usual = Observe::new(eps.clone(), at.clone(), *steps);
+        let line = line.with("--eps", eps).at(at).with("--steps", steps);
+        let line = line.unless(*order == usual.order, "--order", order);
+        let line = line.unless(*every == usual.every, "--every", every);
+        line.unless(*escape == usual.escape, "--escape", escape)
+    }
+}
+
+impl Dynamics {
     /// The answers; a complaint where the orbit ends early.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let observed = self.observed()?;

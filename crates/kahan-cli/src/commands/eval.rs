@@ -5,6 +5,7 @@ use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_study::{Evaluate, NoStep, Study, Unwatched};
 use serde_json::{Value, json};
 
+use super::line::{Asking, Line};
 use crate::numbers::{ScalarKind, scalar};
 use crate::printing::layout::{labelled, matrix_within, screen_width};
 use crate::printing::{Answer, Refusal};
@@ -38,13 +39,24 @@ Examples:
   kahan eval lv --eps 0.1 --at 1/2,5/3 --scalar dd
   kahan eval --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1";
 
-impl Eval {
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Evaluate), Refusal> {
+impl Asking for Eval {
+    const COMMAND: &str = "eval";
+    type Question = Evaluate;
+
+    fn asked(&self) -> Result<(Study, Evaluate), Refusal> {
         let (study, at, eps) = self.start.study()?;
         Ok((study, Evaluate { eps, at, scalar: self.scalar }))
     }
 
+    fn options(asked: &Evaluate, line: Line) -> Line {
+        let Evaluate { eps, at, scalar } = asked;
+        let usual = Evaluate::new(eps.clone(), at.clone());
+        let line = line.with("--eps", eps).at(at);
+        line.unless(*scalar == usual.scalar, "--scalar", scalar.name())
+    }
+}
+
+impl Eval {
     /// The object of all values; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;

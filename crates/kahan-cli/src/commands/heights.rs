@@ -8,6 +8,7 @@ use kahan_runtime::heights::{Growth, Stop, Survey};
 use kahan_study::{Heights as Question, HeightsFound, NoStep, Study, fifteen_digits};
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use crate::printing::layout::table;
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Start, seconds, whole};
@@ -71,14 +72,26 @@ fn digits(text: &str) -> Result<u64, String> {
 /// What was found.
 struct Record(HeightsFound);
 
-impl Heights {
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+impl Asking for Heights {
+    const COMMAND: &str = "heights";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
         let Heights { steps, max_digits, seconds, .. } = *self;
         Ok((study, Question { eps, at, steps, max_digits, seconds }))
     }
 
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { eps, at, steps, max_digits, seconds } = asked;
+        let usual = Question::new(eps.clone(), at.clone(), *steps);
+        let line = line.with("--eps", eps).at(at).with("--steps", steps);
+        let line = line.unless(*max_digits == usual.max_digits, "--max-digits", max_digits);
+        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
+    }
+}
+
+impl Heights {
     /// The heights; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;

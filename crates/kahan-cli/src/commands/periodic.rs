@@ -8,6 +8,7 @@ use kahan_core::periodic::{Branch, PeriodicPoint, Stability};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use crate::plot::{Format, Mark, Plot, Series, Sheet, Theme};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
@@ -64,9 +65,11 @@ fn period(text: &str) -> Result<usize, String> {
     whole(text, 1, 200)
 }
 
-impl Periodic {
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+impl Asking for Periodic {
+    const COMMAND: &str = "periodic";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
         // So many steps were one value more.
         let axis = self.over.as_deref().map(|axis| over(axis, |steps| Spacing::Count(steps + 1)));
         let axis = axis.transpose()?;
@@ -74,6 +77,15 @@ impl Periodic {
         Ok((study, Question { eps, at, period: self.period, over: axis }))
     }
 
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { eps, at, period, over } = asked;
+        let line = line.with_some("--eps", eps.as_ref()).at(at);
+        let line = line.unless(*period == 1, "--period", period);
+        line.with_some("--over", over.as_ref().map(|axis| format!("{}={}", axis.name, axis.range)))
+    }
+}
+
+impl Periodic {
     /// The cycle, and its branch.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let format = match &self.out {

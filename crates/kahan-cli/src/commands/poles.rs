@@ -7,6 +7,7 @@ use kahan_discover::poles::Pattern;
 use kahan_study::{Poles as Question, PolesFound, Study};
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, shorten};
 use crate::reading::{Source, number, seconds, whole};
@@ -57,13 +58,25 @@ fn steps(text: &str) -> Result<usize, String> {
     whole(text, 1, 100)
 }
 
-impl Poles {
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+impl Asking for Poles {
+    const COMMAND: &str = "poles";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         Ok((self.source.study()?, Question { eps, steps: self.steps, seconds: self.seconds }))
     }
 
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { eps, steps, seconds } = asked;
+        let usual = Question::default();
+        let line = line.with_some("--eps", eps.as_ref());
+        let line = line.unless(*steps == usual.steps, "--steps", steps);
+        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
+    }
+}
+
+impl Poles {
     /// The patterns.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;

@@ -6,6 +6,7 @@ use kahan_discover::scan::{Proposal, Sight};
 use kahan_study::{Axis, Scan as Question, ScanFound, Spacing, Study};
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use super::search::Search;
 use crate::printing::layout::table;
 use crate::printing::{Answer, Prompt, Refusal};
@@ -40,9 +41,11 @@ Examples:
   kahan scan e7 --param xi=-2:2:+1/4 --eps 1/4:2:+1/4 --json
   kahan scan --field 'xdot = y; ydot = c*y + 6*x^2 - a;' --param c=-1:1:+1/5 --param a=1";
 
-impl Scan {
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+impl Asking for Scan {
+    const COMMAND: &str = "scan";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (source, ranges) = self.search.source.without_ranges();
         let study = source.study()?;
         let of_parameter =
@@ -58,6 +61,19 @@ impl Scan {
         Ok((study, Question { eps, axes, degree, seconds }))
     }
 
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { eps, axes, degree, seconds } = asked;
+        let line = line.with_some("--eps", eps.as_ref());
+        let line = axes.iter().fold(line, |line, axis| match axis.name.as_str() {
+            "eps" => line.with("--eps", &axis.range),
+            name => line.with("--param", format!("{name}={}", axis.range)),
+        });
+        let line = line.with_some("--degree", degree.as_ref());
+        line.unless(*seconds == Question::new(Vec::new()).seconds, "--seconds", format!("{seconds:?}"))
+    }
+}
+
+impl Scan {
     /// The special points, or all in JSON.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;

@@ -7,6 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_study::{Section as Question, SectionFound, Side, Study};
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Start, whole};
 
@@ -72,14 +73,27 @@ fn points(text: &str) -> Result<usize, String> {
     whole(text, 1, 1 << 26)
 }
 
-impl Section {
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+impl Asking for Section {
+    const COMMAND: &str = "section";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
         let (plane, steps, side, points) = (self.plane.clone(), self.steps, self.direction, self.points);
         Ok((study, Question { eps, at, steps, plane, side, points }))
     }
 
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { eps, at, steps, plane, side, points } = asked;
+        let usual = Question::new(eps.clone(), at.clone(), *steps, plane.clone());
+        let line = line.with("--eps", eps).at(at);
+        let line = line.with("--plane", plane).with("--steps", steps);
+        let line = line.unless(*side == usual.side, "--direction", side.name());
+        line.unless(*points == usual.points, "--points", points)
+    }
+}
+
+impl Section {
     /// Writes the crossings; what is left to say is the answer.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;

@@ -12,6 +12,7 @@ use kahan_study::Study;
 use kahan_study::trade::Trade as Question;
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use crate::plot::{Sheet, Theme};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Source, number, point, seconds};
@@ -103,24 +104,11 @@ enum NeedName {
     Integrals,
 }
 
-impl Trade {
-    /// The front and the choice; a complaint where nothing meets the tolerance.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        self.compared(|comparison| {
-            if let Some(sink) = sink {
-                let (width, height) = picture::SIZE;
-                let sheet = Sheet { pixels: (width as u32, height as u32), theme: Theme::Viewer };
-                sink.put(comparison.picture().svg(&sheet))?;
-            }
-            let answer =
-                if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
-            Ok(Answer { complaint: comparison.complaint(), ..answer })
-        })?
-    }
+impl Asking for Trade {
+    const COMMAND: &str = "trade";
+    type Question = Question;
 
-    /// What is asked, and of which field.
-    pub(super) fn asked(&self) -> Result<(Study, Question), Refusal> {
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
         let study = self.source.study()?;
         // A false claim is told before a number that is missing.
         study.proved()?;
@@ -135,6 +123,32 @@ impl Trade {
             seconds: self.seconds,
         };
         Ok((study, asked))
+    }
+
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { at, horizon, need, tolerance, seconds } = asked;
+        let usual = Question::new(at.clone(), horizon.clone());
+        let line = line.at(at).with("--horizon", horizon);
+        let line = line.unless(*need == usual.need, "--need", "integrals");
+        let line = line.unless(*tolerance == usual.tolerance, "--tolerance", tolerance);
+        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
+    }
+}
+
+impl Trade {
+    /// The front and the choice; a complaint where nothing meets the tolerance.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
+        self.compared(|comparison| {
+            if let Some(sink) = sink {
+                let (width, height) = picture::SIZE;
+                let sheet = Sheet { pixels: (width as u32, height as u32), theme: Theme::Viewer };
+                sink.put(comparison.picture().svg(&sheet))?;
+            }
+            let answer =
+                if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
+            Ok(Answer { complaint: comparison.complaint(), ..answer })
+        })?
     }
 
     /// Measures, and hands on what was measured.
