@@ -98,7 +98,7 @@ impl Paper {
         // the end.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
-        let mut results = threads::map(order.len(), |turn| (order[turn], work(claims[order[turn]])));
+        let mut results = threads::map(order.len(), None, |turn| (order[turn], work(claims[order[turn]])));
         results.sort_by_key(|(index, _)| *index);
         results.into_iter().map(|(_, result)| result).collect()
     }

@@ -21,6 +21,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod catalog;
+mod draw;
 mod error;
 pub mod extremes;
 pub mod formula;
@@ -41,11 +42,11 @@ pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use named::Names;
 pub use question::{
-    Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, Observe, Observed,
-    Periodic, Plane, Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Side,
-    characteristic_polynomial, fifteen_digits,
+    Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, Observable,
+    Observe, Observed, Over, OverFound, Periodic, Plane, Poles, PolesFound, Question, Scan, ScanFound,
+    Section, SectionFound, Seen, Side, Source, Through, Varied, characteristic_polynomial, fifteen_digits,
 };
 pub use range::{Axis, NoRange, Range, Spacing};
-pub use rows::{Column, End, Exact, Rows, Values};
+pub use rows::{Column, End, Exact, Kept, MOST_CELLS, Rows, Table, Values};
 pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};

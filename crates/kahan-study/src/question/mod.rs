@@ -11,11 +11,13 @@ mod discover;
 mod evaluate;
 mod heights;
 mod observe;
+mod over;
 mod periodic;
 mod poles;
 mod scan;
 mod section;
 
+use std::ops::Range;
 use std::time::Duration;
 
 use kahan_discover::Watch;
@@ -24,13 +26,15 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
 use crate::error::StudyError;
+use crate::rows::{End, Rows};
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
-pub use observe::{Observe, Observed};
+pub use observe::{Observable, Observe, Observed, Seen};
+pub use over::{Over, OverFound, Source, Through, Varied};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
@@ -56,6 +60,14 @@ macro_rules! questions {
         const NAMES: &[&str] = &[$($name),*];
 
         impl Question {
+            /// Its name, the value of `ask`.
+            #[must_use]
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$question(_) => $name,)*
+                }
+            }
+
             fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
                 Ok(match self {
                     $(Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),)*
@@ -84,6 +96,8 @@ questions! {
     Observe, asked as "observe", answered by Observed;
     /// Where an orbit crosses a plane.
     Section, asked as "section", answered by SectionFound;
+    /// Another question at every value of some axes.
+    Over, asked as "over", answered by OverFound;
     /// A cycle and its branch.
     Periodic, asked as "periodic", answered by CycleFound;
     /// The heights of an exact orbit.
@@ -105,6 +119,24 @@ impl Study {
     /// Where the question does not fit the field, or has no answer: [`StudyError`].
     pub fn ask(&self, question: &Question, watch: &dyn Watch) -> Result<Answer, StudyError> {
         question.ask(self, watch)
+    }
+
+    /// Hands on rows of an answer that is a table, by their numbers from 0 on; how the table ended.
+    /// Rows that are not there are left out.
+    ///
+    /// # Errors
+    /// [`StudyError::NoRows`] where the answer is no table, and where there is no answer.
+    pub fn rows(
+        &self,
+        question: &Question,
+        range: Range<u64>,
+        rows: &mut dyn Rows,
+        watch: &dyn Watch,
+    ) -> Result<End, StudyError> {
+        match question {
+            Question::Over(asked) => asked.rows(self, range, rows, watch),
+            other => Err(StudyError::NoRows(other.name())),
+        }
     }
 }
 
