@@ -4,8 +4,7 @@
 //! stands for in a field, its neighbour `cells` knows.
 
 use kahan_algebra::rational::Rational;
-use serde::de::Error;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use crate::draw::{Draw, Sobol, Uniform};
 use crate::numbers::exact;
@@ -13,7 +12,8 @@ use crate::range::{Axis, Range};
 
 /// A name with the values that it goes through: a variable, whose first value it is, a parameter,
 /// `eps`, and of orbits the `order` of the method and the `bits` of the floats.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(into = "Written", try_from = "Written")]
 pub struct Varied {
     /// What goes through them.
     pub name: String,
@@ -56,48 +56,48 @@ impl From<Axis> for Varied {
 }
 
 /// As it stands in JSON.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 struct Written {
     name: String,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<Range>,
-    #[serde(default, skip_serializing_if = "Option::is_none", with = "exact::optional_list")]
-    values: Option<Vec<Rational>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Vec::is_empty", with = "exact::list")]
+    values: Vec<Rational>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     draw: Option<Source>,
-    #[serde(default, skip_serializing_if = "Option::is_none", with = "exact::optional")]
+    #[serde(skip_serializing_if = "Option::is_none", with = "exact::optional")]
     low: Option<Rational>,
-    #[serde(default, skip_serializing_if = "Option::is_none", with = "exact::optional")]
+    #[serde(skip_serializing_if = "Option::is_none", with = "exact::optional")]
     high: Option<Rational>,
 }
 
-impl Serialize for Varied {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let name = self.name.clone();
-        let mut written = Written { name, range: None, values: None, draw: None, low: None, high: None };
-        match self.through.clone() {
+impl From<Varied> for Written {
+    fn from(Varied { name, through }: Varied) -> Self {
+        let mut written = Written { name, ..Written::default() };
+        match through {
             Through::Range(range) => written.range = Some(range),
-            Through::List(values) => written.values = Some(values),
+            Through::List(values) => written.values = values,
             Through::Drawn { source, low, high } => {
                 (written.draw, written.low, written.high) = (Some(source), Some(low), Some(high));
             }
         }
-        written.serialize(serializer)
+        written
     }
 }
 
-impl<'de> Deserialize<'de> for Varied {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Written { name, range, values, draw, low, high } = Written::deserialize(deserializer)?;
-        let through = match (range, values, draw, low, high) {
-            (Some(range), None, None, None, None) => Through::Range(range),
-            (None, Some(values), None, None, None) => Through::List(values),
-            (None, None, Some(source), Some(low), Some(high)) => Through::Drawn { source, low, high },
+impl TryFrom<Written> for Varied {
+    type Error = String;
+
+    fn try_from(Written { name, range, values, draw, low, high }: Written) -> Result<Self, String> {
+        let through = match (range, values.is_empty(), draw, low, high) {
+            (Some(range), true, None, None, None) => Through::Range(range),
+            (None, false, None, None, None) => Through::List(values),
+            (None, true, Some(source), Some(low), Some(high)) => Through::Drawn { source, low, high },
             _ => {
-                return Err(D::Error::custom(format!(
+                return Err(format!(
                     "the axis `{name}` has either a `range`, as \"0:1:/9\", or a list of `values`, or `draw`, `low` and `high`"
-                )));
+                ));
             }
         };
         Ok(Varied { name, through })
