@@ -6,7 +6,7 @@
 use kahan_algebra::rational::Rational;
 use serde::{Deserialize, Serialize};
 
-use crate::draw::{Draw, Sobol, Uniform};
+use crate::draw::{Sobol, Uniform};
 use crate::numbers::exact;
 use crate::range::{Axis, Range};
 
@@ -104,11 +104,14 @@ impl TryFrom<Written> for Varied {
     }
 }
 
+/// The number 0 ≤ u < 1 that has an index.
+type Draw = dyn Fn(u64) -> f64 + Sync;
+
 /// The values of an axis, found by their indices.
 pub(super) enum Values<'a> {
     List(&'a [Rational]),
     Spaced { first: Rational, step: Rational, count: u64 },
-    Drawn { from: Draw, low: f64, high: f64 },
+    Drawn { draw: Box<Draw>, low: f64, high: f64 },
 }
 
 impl<'a> Values<'a> {
@@ -124,18 +127,21 @@ impl<'a> Values<'a> {
                 Ok(Values::Spaced { first: range.value(0), step: range.step(), count: range.count() as u64 })
             }
             Through::Drawn { source, low, high } => {
-                let from = match source {
-                    Source::Uniform => Draw::Uniform(Uniform::new(seed, place)),
+                let draw: Box<Draw> = match source {
+                    Source::Uniform => {
+                        let uniform = Uniform::new(seed, place);
+                        Box::new(move |index| uniform.at(index))
+                    }
                     Source::Sobol => {
-                        let dimension = axes[..place].iter().filter(is_sobol).count();
-                        Draw::Sobol(Sobol::dimension(dimension)?)
+                        let sobol = Sobol::dimension(axes[..place].iter().filter(is_sobol).count())?;
+                        Box::new(move |index| sobol.at(index))
                     }
                 };
                 let [first, last] = [low, high].map(Rational::to_f64);
                 if low >= high || !(first.is_finite() && last.is_finite()) {
                     return Err("low is below high, both within the range of doubles".into());
                 }
-                Ok(Values::Drawn { from, low: first, high: last })
+                Ok(Values::Drawn { draw, low: first, high: last })
             }
         }
     }
@@ -165,7 +171,7 @@ impl<'a> Values<'a> {
         match self {
             Values::List(values) => values[index as usize].to_f64(),
             Values::Spaced { .. } => self.exactly(index).to_f64(),
-            Values::Drawn { from, low, high } => low + (high - low) * from.at(index),
+            Values::Drawn { draw, low, high } => low + (high - low) * draw(index),
         }
     }
 }
