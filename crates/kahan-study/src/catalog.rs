@@ -18,12 +18,20 @@ impl Catalog for Systems {
         let system = registry::find(name).map(|entry| Named {
             name: entry.command,
             type_name: Some(entry.type_name),
+            title: entry.title,
             text: entry.text(),
+            sources: entry.sources,
         });
         system.or_else(|| {
             let family = lattices::find(name)?;
             let body = kahan_systems::entry::block_range(family.text)?;
-            Some(Named { name: family.command, type_name: None, text: &family.text[body] })
+            Some(Named {
+                name: family.command,
+                type_name: None,
+                title: family.title,
+                text: &family.text[body],
+                sources: &[],
+            })
         })
     }
 }

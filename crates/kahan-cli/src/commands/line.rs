@@ -7,8 +7,8 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
 use super::{
-    discover::Discover, dynamics::Dynamics, eval::Eval, heights::Heights, periodic::Periodic, poles::Poles,
-    scan::Scan, section::Section, trade::Trade,
+    discover::Discover, dynamics::Dynamics, eval::Eval, heights::Heights,
+    periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade,
 };
 use crate::printing::Refusal;
 
@@ -47,6 +47,7 @@ impl Line {
     /// The call that asks a question about the system that these words name.
     pub(crate) fn asking(system: &[String], question: &Question) -> Self {
         match question {
+            Question::Show(asked) => Show::call(system, asked),
             Question::Evaluate(asked) => Eval::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
@@ -116,7 +117,7 @@ mod tests {
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Observe, Range, Side};
+    use kahan_study::{self as study, Axis, Evaluate, Form, Observe, Range, Side};
 
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
@@ -136,6 +137,8 @@ mod tests {
             range: Range::read(range).expect("a range"),
         };
 
+        let forms = [Form::Text, Form::Latex, Form::Sympy, Form::Kahan, Form::Plan];
+        reads_back::<Show>(forms.map(|form| study::Show { form }));
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);

@@ -15,6 +15,7 @@ mod periodic;
 mod poles;
 mod scan;
 mod section;
+mod show;
 
 use std::time::Duration;
 
@@ -35,6 +36,7 @@ pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
 pub use section::{Plane, Section, SectionFound, Side};
+pub use show::{ClaimShown, Costs, Form, Listing, Planned, Sheet, Show, Shown};
 
 macro_rules! questions {
     ($($(#[$about:meta])* $question:ident, asked as $name:literal, answered by $answer:ident;)*) => {
@@ -78,6 +80,8 @@ macro_rules! questions {
 }
 
 questions! {
+    /// Formulas.
+    Show, asked as "show", answered by Shown;
     /// Every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated;
     /// What an orbit does.
