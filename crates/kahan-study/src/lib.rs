@@ -42,8 +42,8 @@ pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use named::Names;
 pub use question::{
-    Answer, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated, Form,
-    Heights, HeightsFound, Listing, Observe, Observed, Periodic, Plane, Planned, Poles, PolesFound,
+    Answer, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated, Extremes, Form,
+    Heights, HeightsFound, Judged, Listing, Observe, Observed, Periodic, Plane, Planned, Poles, PolesFound,
     Question, Scan, ScanFound, Section, SectionFound, Sheet, Show, Shown, Side, characteristic_polynomial,
     fifteen_digits,
 };

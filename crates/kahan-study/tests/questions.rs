@@ -49,6 +49,7 @@ fn a_question_writes_itself_as_it_was_read() {
             "degree": 3, "seconds": 1.0,
         }),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
+        json!({"ask": "extremes", "trials": 9, "random_fields": 1, "odd_fields": 2, "odd_trials": 3, "seed": 4}),
     ] {
         let read = question(object.clone()).expect("a question");
         assert_eq!(json!(read), object);

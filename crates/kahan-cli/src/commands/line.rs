@@ -7,7 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
 use super::{
-    discover::Discover, dynamics::Dynamics, eval::Eval, heights::Heights,
+    discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes, heights::Heights,
     periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade,
 };
 use crate::printing::Refusal;
@@ -57,6 +57,7 @@ impl Line {
             Question::Discover(asked) => Discover::call(system, asked),
             Question::Scan(asked) => Scan::call(system, asked),
             Question::Trade(asked) => Trade::call(system, asked),
+            Question::Extremes(asked) => Extremes::call(system, asked),
         }
     }
 
@@ -145,6 +146,8 @@ mod tests {
         reads_back::<Dynamics>([Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);
+        let other = study::Extremes { trials: 9, random_fields: 2, odd_fields: 3, odd_trials: 8, seed: 0 };
+        reads_back::<Extremes>([other, study::Extremes::default()]);
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);
         reads_back::<Heights>([study::Heights { max_digits: 99, seconds: 0.5, ..plain.clone() }, plain]);
         let other = study::Poles { eps: Some(eps.clone()), steps: 6, seconds: 5.0 };

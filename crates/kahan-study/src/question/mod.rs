@@ -9,6 +9,7 @@
 
 mod discover;
 mod evaluate;
+mod extremes;
 mod heights;
 mod observe;
 mod periodic;
@@ -30,6 +31,7 @@ use crate::trade::{Trade, Traded};
 
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
+pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observe, Observed};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
@@ -100,6 +102,8 @@ questions! {
     Scan, asked as "scan", answered by ScanFound;
     /// Speed against accuracy on a scene.
     Trade, asked as "trade", answered by Traded;
+    /// Steps at the extremes.
+    Extremes, asked as "extremes", answered by Judged;
 }
 
 impl Study {
