@@ -24,6 +24,7 @@ mod catalog;
 mod error;
 pub mod extremes;
 pub mod formula;
+mod list;
 mod map;
 mod named;
 pub mod numbers;
@@ -40,6 +41,7 @@ pub mod trade;
 pub use catalog::Systems;
 pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
+pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::{
     Answer, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated, Extremes, Form,

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Watch,
+    Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Watch, list,
 };
 use serde_json::{Value, json};
 
@@ -386,4 +386,18 @@ fn parameters_are_put_in_before_the_map_is_reduced() {
     let nowhere = study(Subject::text("xdot = x/(a - b);").with("a", one()).with("b", one()));
     let error = nowhere.ask(&Question::Show(Show::default()), &Unwatched).expect_err("a mistake");
     assert!(error.to_string().contains("divides by zero at a = 1, b = 1"), "{error}");
+}
+
+#[test]
+fn a_catalog_lists_itself() {
+    let listed = json!(list(&Systems).expect("the catalog has no mistake"));
+    let of = |key: &str, name: &str| {
+        let all = listed[key].as_array().expect("a list").iter();
+        all.clone().find(|one| one["name"] == name).cloned().expect("it is there")
+    };
+    let e9 = of("systems", "e9");
+    assert_eq!([&e9["type"], &e9["variables"]], [&json!("E9"), &json!(["x", "y", "z"])]);
+    assert_eq!([&e9["parameters"], &e9["claims"][0]], [&json!(["xi"]), &json!("rho")]);
+    let species = of("families", "species");
+    assert_eq!([&species["arrays"], &species["parameters"]], [&json!(["n"]), &json!(["mu", "r[i]"])]);
 }
