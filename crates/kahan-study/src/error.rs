@@ -62,6 +62,8 @@ pub enum StudyError {
     },
     /// A point has not one coordinate for each variable.
     Coordinates {
+        /// Which point, by its name in the question.
+        what: &'static str,
         /// The variables.
         variables: Vec<String>,
         /// How many coordinates were given.
@@ -141,8 +143,13 @@ pub enum StudyError {
         /// The most.
         most: usize,
     },
-    /// A point or ε is beyond the range of doubles.
-    OutOfRange,
+    /// A number is beyond the range of doubles.
+    OutOfRange {
+        /// Which one, by its name in the question.
+        what: &'static str,
+        /// Of a point the variable.
+        variable: Option<String>,
+    },
     /// There is no composition of this order.
     Order(u32),
     /// The question measures times, and the watch has no clock.
@@ -212,9 +219,9 @@ impl fmt::Display for StudyError {
             Self::MissingParameters { system, names } => {
                 write!(f, "{system} needs a value for each of its parameters: {} is missing", names.join(", "))
             }
-            Self::Coordinates { variables, given } => {
+            Self::Coordinates { what, variables, given } => {
                 let (expected, plural) = (variables.len(), if variables.len() == 1 { "" } else { "s" });
-                write!(f, "{expected} coordinate{plural} {} expected, {given} given", variables.join(","))
+                write!(f, "{what}: {expected} coordinate{plural} {} expected, {given} given", variables.join(","))
             }
             Self::NotPositive { what, value } => {
                 write!(f, "{what}: `{value}` is not a number above 0 within the range of f64")
@@ -248,7 +255,10 @@ impl fmt::Display for StudyError {
             Self::ManyPoints { most } => {
                 write!(f, "the grid has more than {most} points; take larger steps")
             }
-            Self::OutOfRange => f.write_str("the point and eps must be in the range of f64"),
+            Self::OutOfRange { what, variable: Some(variable) } => {
+                write!(f, "{what}: the coordinate {variable} is beyond the range of f64")
+            }
+            Self::OutOfRange { what, variable: None } => write!(f, "{what} is beyond the range of f64"),
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
             Self::Judge { system, why } => write!(f, "{system} cannot be judged: {why}"),

@@ -219,7 +219,7 @@ impl Study {
         if at.len() == self.variables().len() {
             return Ok(at.to_vec());
         }
-        Err(StudyError::Coordinates { variables: self.variables().to_vec(), given: at.len() })
+        Err(StudyError::Coordinates { what: "at", variables: self.variables().to_vec(), given: at.len() })
     }
 
     /// The map at ε, and a point, in doubles.
@@ -231,12 +231,14 @@ impl Study {
         let (point, values) = (self.point(at)?, self.values()?);
         let field = Field::of(self.system());
         let map = field.with(field.parameters().iter().zip(&values)).map_err(|_| self.undefined_field())?;
-        let mut start: Vec<f64> = point.iter().chain([eps]).map(Rational::to_f64).collect();
-        if !start.iter().all(|number| number.is_finite()) {
-            return Err(StudyError::OutOfRange);
-        }
-        let eps = start.pop().expect("eps stands last");
-        Ok((map.at(eps), start))
+        let within = |value: &Rational, what, variable: Option<&String>| {
+            let number = Some(value.to_f64()).filter(|number| number.is_finite());
+            number.ok_or_else(|| StudyError::OutOfRange { what, variable: variable.cloned() })
+        };
+        let coordinates = point.iter().zip(self.variables());
+        let start = coordinates.map(|(value, variable)| within(value, "at", Some(variable)));
+        let start = start.collect::<Result<Vec<f64>, StudyError>>()?;
+        Ok((map.at(within(eps, "eps", None)?), start))
     }
 
     /// What a point where det A = 0 and that has no image is.

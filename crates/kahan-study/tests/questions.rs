@@ -114,7 +114,7 @@ fn questions_that_do_not_fit_say_so() {
     ));
     assert!(matches!(
         error(Subject::named("lv"), evaluate.clone()),
-        StudyError::Coordinates { given: 3, .. }
+        StudyError::Coordinates { what: "at", given: 3, .. }
     ));
     let false_claim = Subject::text("xdot = y; ydot = -x; integral H = x;");
     assert!(matches!(
@@ -139,8 +139,12 @@ fn questions_that_do_not_fit_say_so() {
     assert!(matches!(error(Subject::named("lv"), third), StudyError::Order(3)));
     let never = observe(json!({"every": 0}));
     assert!(matches!(error(Subject::named("lv"), never), StudyError::NotPositive { what: "every", .. }));
-    let far = observe(json!({"eps": "1e400"}));
-    assert!(matches!(error(Subject::named("lv"), far), StudyError::OutOfRange));
+    for (far, said) in [
+        (json!({"eps": "1e400"}), "eps is beyond the range of f64"),
+        (json!({"at": [1, "-1e400"]}), "at: the coordinate y is beyond the range of f64"),
+    ] {
+        assert_eq!(error(Subject::named("lv"), observe(far)).to_string(), said);
+    }
     let section = |plane: &str| json!({"ask": "section", "eps": 1, "at": [1, 1], "steps": 9, "plane": plane});
     assert!(matches!(
         error(Subject::named("lv"), section("x - z")),
