@@ -155,9 +155,7 @@ impl Trade {
     pub(super) fn compared<R>(&self, tell: impl FnOnce(&Comparison) -> R) -> Result<R, Refusal> {
         let (study, asked) = self.asked()?;
         // How many there will be depends on what they show.
-        let prompt = Prompt::new(60, "settings");
-        let traded = asked.ask(&study, &prompt);
-        prompt.finish();
-        Ok(tell(&Comparison(traded?)))
+        let traded = asked.ask(&study, &Prompt::new(60, "settings"))?;
+        Ok(tell(&Comparison(traded)))
     }
 }
