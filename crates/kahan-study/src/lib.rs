@@ -20,7 +20,9 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+#[cfg(feature = "catalog")]
 mod catalog;
+mod count;
 mod error;
 pub mod extremes;
 pub mod formula;
@@ -38,6 +40,7 @@ mod subject;
 mod sympy;
 pub mod trade;
 
+#[cfg(feature = "catalog")]
 pub use catalog::Systems;
 pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
@@ -49,6 +52,8 @@ pub use question::{
     Question, Scan, ScanFound, Section, SectionFound, Sheet, Show, Shown, Side, characteristic_polynomial,
     fifteen_digits,
 };
+#[cfg(feature = "paper")]
+pub use question::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rows::{Column, End, Exact, Rows, Values};
 pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};

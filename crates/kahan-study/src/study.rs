@@ -107,6 +107,18 @@ impl Study {
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
     }
 
+    /// The name of the catalog's system that this is, without values of parameters.
+    #[must_use]
+    pub fn as_it_stands(&self) -> Option<&'static str> {
+        self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
+    }
+
+    /// The seed of the macro's proof.
+    #[must_use]
+    pub fn seed(&self) -> [u8; 32] {
+        self.0.text.seed()
+    }
+
     /// The catalog's, unless it is a chain, which goes by the name of its family's type.
     fn entry(&self) -> Option<&Named> {
         self.0.named.as_ref().filter(|named| named.type_name.is_some())

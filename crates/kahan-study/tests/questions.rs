@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Watch, list,
+    Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Verify, Watch,
+    list,
 };
 use serde_json::{Value, json};
 
@@ -49,6 +50,7 @@ fn a_question_writes_itself_as_it_was_read() {
             "degree": 3, "seconds": 1.0,
         }),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
+        json!({"ask": "verify", "mutate": true}),
         json!({"ask": "extremes", "trials": 9, "random_fields": 1, "odd_fields": 2, "odd_trials": 3, "seed": 4}),
     ] {
         let read = question(object.clone()).expect("a question");
@@ -404,4 +406,34 @@ fn a_catalog_lists_itself() {
     assert_eq!([&e9["parameters"], &e9["claims"][0]], [&json!(["xi"]), &json!("rho")]);
     let species = of("families", "species");
     assert_eq!([&species["arrays"], &species["parameters"]], [&json!(["n"]), &json!(["mu", "r[i]"])]);
+}
+
+#[test]
+fn claims_of_a_field_hold_or_not() {
+    let field =
+        "xdot = a*y; ydot = -a*x; integral H = x^2 + y^2; integral L = x when a = 0; integral Z = a*x*y;";
+    let verdicts = |subject: Subject| answer(&study(subject), json!({"ask": "verify"}));
+    let of_field = verdicts(Subject::text(field));
+    let outcomes: Vec<&Value> =
+        of_field["claims"].as_array().expect("a list").iter().map(|claim| &claim["outcome"]).collect();
+    assert_eq!(json!([outcomes, of_field["failed"]]), json!([["proved", "proved", "failed"], 1]));
+    assert_eq!(of_field["claims"][0]["id"], "field.H");
+    assert_eq!(of_field["claims"][0]["detail"], "by normal forms over Q, and modulo primes");
+    // What does not fit the values of parameters is gone.
+    let put_in = verdicts(Subject::text(field).with("a", one()));
+    assert_eq!(put_in["claims"].as_array().map(Vec::len), Some(2));
+    // Of a system of the catalog as it stands the paper's claims are meant.
+    assert_eq!(verdicts(Subject::named("e9").with("xi", one()))["claims"][1]["id"], "e9.H3");
+    let of_paper = verdicts(Subject::named("lagrange"));
+    assert_eq!([&of_paper["failed"], &of_paper["claims"][0]["system"]], [&json!(0), &json!("lagrange")]);
+}
+
+#[test]
+fn a_claim_that_is_changed_fails() {
+    let mutate = Verify { mutate: true };
+    let swing = |claim: &str| study(Subject::text(format!("xdot = y; ydot = -x; {claim}")));
+    let mutated = json!(mutate.ask(&swing("integral H = x^2 + y^2;"), &Unwatched).expect("an answer"));
+    assert_eq!(mutated["survived"], 0);
+    assert_eq!(mutated["mutations"][0]["id"], "field.H");
+    assert!(matches!(mutate.ask(&swing("integral H = x;"), &Unwatched), Err(StudyError::Field(_))));
 }

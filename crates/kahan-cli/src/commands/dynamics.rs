@@ -108,6 +108,6 @@ impl Dynamics {
 
     fn observed(&self) -> Result<Observed, Refusal> {
         let (study, asked) = self.asked()?;
-        Ok(asked.ask(&study, &Prompt::new(2 * self.steps, "steps"))?)
+        Ok(asked.ask(&study, &Prompt::of("steps"))?)
     }
 }

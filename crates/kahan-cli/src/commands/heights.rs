@@ -104,7 +104,7 @@ impl Heights {
         }
         let out = self.out.as_deref().or(self.csv.as_deref());
         let sink = out.map(|path| Sink::file(path, "--out")).transpose()?;
-        let record = Record(asked.ask(&study, &Prompt::new(self.steps, "steps"))?);
+        let record = Record(asked.ask(&study, &Prompt::of("steps"))?);
         if let Some(sink) = sink {
             record.write(sink)?;
         }

@@ -8,7 +8,7 @@ use kahan_study::{Question, Study};
 
 use super::{
     discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes, heights::Heights,
-    periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade,
+    periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
 };
 use crate::printing::Refusal;
 
@@ -58,6 +58,7 @@ impl Line {
             Question::Scan(asked) => Scan::call(system, asked),
             Question::Trade(asked) => Trade::call(system, asked),
             Question::Extremes(asked) => Extremes::call(system, asked),
+            Question::Verify(asked) => Verify::call(system, asked),
         }
     }
 
@@ -146,6 +147,7 @@ mod tests {
         reads_back::<Dynamics>([Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);
+        reads_back::<Verify>([false, true].map(|mutate| study::Verify { mutate }));
         let other = study::Extremes { trials: 9, random_fields: 2, odd_fields: 3, odd_trials: 8, seed: 0 };
         reads_back::<Extremes>([other, study::Extremes::default()]);
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);

@@ -95,8 +95,7 @@ impl Periodic {
         };
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let cycles = asked.over.as_ref().map_or(1, |axis| axis.range.count() as u64 - 1);
-        let found = match asked.ask(&study, &Prompt::new(cycles, "cycles")) {
+        let found = match asked.ask(&study, &Prompt::of("cycles")) {
             Err(why @ StudyError::NoCycle { .. }) => {
                 return Ok(Answer { complaint: Some(why.to_string()), ..Answer::text(String::new()) });
             }

@@ -154,8 +154,7 @@ impl Trade {
     /// Measures, and hands on what was measured.
     pub(super) fn compared<R>(&self, tell: impl FnOnce(&Comparison) -> R) -> Result<R, Refusal> {
         let (study, asked) = self.asked()?;
-        // How many there will be depends on what they show.
-        let traded = asked.ask(&study, &Prompt::new(60, "settings"))?;
+        let traded = asked.ask(&study, &Prompt::of("settings"))?;
         Ok(tell(&Comparison(traded)))
     }
 }

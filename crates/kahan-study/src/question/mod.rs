@@ -17,6 +17,8 @@ mod poles;
 mod scan;
 mod section;
 mod show;
+#[cfg(feature = "paper")]
+mod verify;
 
 use std::time::Duration;
 
@@ -39,30 +41,35 @@ pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
 pub use section::{Plane, Section, SectionFound, Side};
 pub use show::{ClaimShown, Costs, Form, Listing, Planned, Sheet, Show, Shown};
+#[cfg(feature = "paper")]
+pub use verify::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 
 macro_rules! questions {
-    ($($(#[$about:meta])* $question:ident, asked as $name:literal, answered by $answer:ident;)*) => {
+    ($(
+        $(#[$about:meta])*
+        $question:ident, asked as $name:literal, answered by $answer:ident $(, with $feature:literal)?;
+    )*) => {
         /// What is asked.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(tag = "ask")]
         pub enum Question {
-            $($(#[$about])* #[serde(rename = $name)] $question($question),)*
+            $($(#[cfg(feature = $feature)])? $(#[$about])* #[serde(rename = $name)] $question($question),)*
         }
 
         /// The answer to a question, which has its names in JSON.
         #[derive(Clone, Debug, Serialize)]
         #[serde(untagged)]
         pub enum Answer {
-            $($(#[$about])* $question(Box<$answer>),)*
+            $($(#[cfg(feature = $feature)])? $(#[$about])* $question(Box<$answer>),)*
         }
 
         /// The values of `ask`.
-        const NAMES: &[&str] = &[$($name),*];
+        const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
         impl Question {
             fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
                 Ok(match self {
-                    $(Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),)*
+                    $($(#[cfg(feature = $feature)])? Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),)*
                 })
             }
 
@@ -73,7 +80,7 @@ macro_rules! questions {
                     serde_json::from_value(Value::Object(rest)).map_err(E::custom)
                 }
                 match name {
-                    $($name => of(rest).map(Self::$question),)*
+                    $($(#[cfg(feature = $feature)])? $name => of(rest).map(Self::$question),)*
                     other => Err(E::unknown_variant(other, NAMES)),
                 }
             }
@@ -104,6 +111,8 @@ questions! {
     Trade, asked as "trade", answered by Traded;
     /// Steps at the extremes.
     Extremes, asked as "extremes", answered by Judged;
+    /// Whether claims hold.
+    Verify, asked as "verify", answered by Verified, with "paper";
 }
 
 impl Study {

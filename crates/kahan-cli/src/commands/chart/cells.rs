@@ -72,7 +72,7 @@ impl<'a> Cells<'a> {
         self.request.in_floats()?;
         let cells = self.along.iter().map(Vec::len).product::<usize>();
         let progress = Prompt::new(cells as u64, "orbits");
-        let stretches = threads::map(cells.div_ceil(STRETCH), |stretch| {
+        let stretches = threads::map(cells.div_ceil(STRETCH), None, |stretch| {
             let cells = stretch * STRETCH..cells.min((stretch + 1) * STRETCH);
             let values = Stretch::of(self, cells.clone()).values(self);
             progress.advance(cells.len() as u64);
