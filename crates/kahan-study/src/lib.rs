@@ -26,6 +26,8 @@ mod count;
 mod error;
 pub mod extremes;
 pub mod formula;
+#[cfg(feature = "toml")]
+mod from_toml;
 mod list;
 mod map;
 mod named;
@@ -43,6 +45,8 @@ pub mod trade;
 #[cfg(feature = "catalog")]
 pub use catalog::Systems;
 pub use error::StudyError;
+#[cfg(feature = "toml")]
+pub use from_toml::from_toml;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;

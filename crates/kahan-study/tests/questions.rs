@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use kahan_algebra::rational::Rational;
 use kahan_study::{
     Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Verify, Watch,
-    list,
+    from_toml, list,
 };
 use serde_json::{Value, json};
 
@@ -65,6 +65,54 @@ fn numbers_of_questions_are_exact() {
     assert_eq!(asked.eps, Rational::new(1, 10));
     assert_eq!(asked.at[1], Rational::new(2, 3));
     assert_eq!(asked.at[2].to_string(), "-3333333333333333333333333333/10000000000000000000000000000");
+}
+
+#[test]
+fn toml_says_what_json_says() {
+    for (text, object) in [
+        (
+            "ask = 'evaluate'\neps = 0.1\nat = [+1, '2/3', -0.3333333333333333333333333333, 1e-400]",
+            r#"{"ask": "evaluate", "eps": 0.1, "at": [1, "2/3", -0.3333333333333333333333333333, 1e-400]}"#,
+        ),
+        (
+            "ask = 'scan'\ndegree = 0x3\n[[axes]]\nname = 'xi'\nrange = '-2:2:+1/12'",
+            r#"{"ask": "scan", "degree": 3, "axes": [{"name": "xi", "range": "-2:2:+1/12"}]}"#,
+        ),
+        ("ask = 'verify'\nmutate = true", r#"{"ask": "verify", "mutate": true}"#),
+    ] {
+        let read: Question = from_toml(text).expect("a question");
+        assert_eq!(read, serde_json::from_str(object).expect("a question"));
+    }
+    for (text, said) in [
+        ("ask = 'evaluate'\neps = 1\nat = [1]\nepsilon = 1", "unknown field `epsilon`"),
+        ("ask = 'poles'\nsteps = 'two'", "expected usize"),
+        ("ask = 'poles'\nseconds = inf", "`inf` is no finite number"),
+        ("ask = 'poles'\neps = 1979-05-27", "is a date"),
+        ("ask = 'poles'\nsteps =", "line 2"),
+    ] {
+        let mistake = from_toml::<Question>(text).expect_err("a mistake");
+        assert!(mistake.contains(said), "{text}: {mistake}");
+    }
+}
+
+#[test]
+fn subjects_read_themselves() {
+    let read: Subject = from_toml("name = 'e7'\nparams = { xi = 0.1 }").expect("a subject");
+    assert_eq!(study(read).values().expect("all values"), [Rational::new(1, 10)]);
+    let read: Subject = serde_json::from_value(json!({"name": "toda", "sites": 3})).expect("a subject");
+    assert_eq!(study(read).variables().len(), 6);
+    let read = json!({"field": "xdot = a*x;", "params": {"a": "1/3"}});
+    let read: Subject = serde_json::from_value(read).expect("a subject");
+    assert_eq!(study(read).values().expect("all values"), [Rational::new(1, 3)]);
+    for (object, said) in [
+        (json!({"name": "e7", "field": "xdot = x;"}), "either `name` or `field`"),
+        (json!({}), "either `name` or `field`"),
+        (json!({"name": "e7", "parameters": {"xi": 1}}), "unknown field `parameters`"),
+        (json!({"name": "e7", "params": {"xi": "one"}}), "`one` is not an exact number"),
+    ] {
+        let mistake = serde_json::from_value::<Subject>(object.clone()).expect_err("a mistake");
+        assert!(mistake.to_string().contains(said), "{object}: {mistake}");
+    }
 }
 
 #[test]
