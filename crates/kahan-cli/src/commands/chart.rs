@@ -14,7 +14,7 @@ use kahan_study::{
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use super::look::{Look, file, format};
+use super::look::{Look, file, format, usual};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{self, Start, number, observable, whole};
 
@@ -73,7 +73,7 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true)]
     escape: String,
 
-    /// The file, F.svg, F.png or F.csv, which appears when it is complete.
+    /// The file, F.svg, F.png, F.pdf or F.csv, which appears when it is complete.
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
@@ -187,7 +187,7 @@ impl Chart {
         let sink = Sink::file(&self.out, "--out")?;
         let shown = self.shown()?;
         let file = match format {
-            Some(format) => file(&self.drawing(&shown), format, &self.look.sheet())?,
+            Some(format) => file(&self.drawing(&shown), format)?,
             None => table(&shown).into_bytes(),
         };
         sink.put(file)?;
@@ -304,7 +304,7 @@ impl Chart {
         // The dots show the values that no line leads to.
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
         let plot = Plot::around(&shown.description, [&axis.name, &shown.label], marked.into());
-        Plot { size: self.look.sheet().view_box(), ..plot }
+        Plot { sheet: self.look.sheet(usual()), ..plot }
     }
 
     fn grid(&self, shown: &Shown, axes: &[Axis]) -> Grid {
@@ -314,7 +314,7 @@ impl Chart {
         };
         Grid {
             description: shown.description.clone(),
-            size: self.look.sheet().view_box(),
+            sheet: self.look.sheet(usual()),
             x: line(&axes[0]),
             y: line(&axes[1]),
             scale: NumberLine::around_most(&shown.label, shown.values.iter().copied()),
