@@ -39,9 +39,12 @@ pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sy
     });
 }
 
-/// The results of `work` for each index below `count`, in the order of the indices; `threads` as
-/// for [`for_each`].
+/// The results of `work` for each index below `count`, in the order of the indices, on so many
+/// threads as [`for_each`] takes; one thread is the caller's.
 pub fn map<R: Send>(count: usize, threads: Option<usize>, work: impl Fn(usize) -> R + Sync) -> Vec<R> {
+    if threads == Some(1) {
+        return (0..count).map(work).collect();
+    }
     let results = Mutex::new(Vec::with_capacity(count));
     for_each(count, threads, &|index| {
         let result = work(index);
@@ -73,6 +76,9 @@ mod tests {
 
     #[test]
     fn results_come_in_the_order_of_their_indices() {
-        assert_eq!(map(300, None, |index| 2 * index), (0..300).map(|index| 2 * index).collect::<Vec<_>>());
+        for threads in [None, Some(1), Some(3)] {
+            let doubled = map(300, threads, |index| 2 * index);
+            assert_eq!(doubled, (0..300).map(|index| 2 * index).collect::<Vec<_>>());
+        }
     }
 }

@@ -13,6 +13,7 @@ use kahan_runtime::Diagnostics;
 
 use crate::formula::NoFormula;
 use crate::map::CannotRun;
+use crate::rows::MOST_CELLS;
 use crate::study::MOST_VARIABLES;
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
@@ -99,14 +100,28 @@ pub enum StudyError {
         /// The highest degree within reach, if there is one.
         most: Option<u32>,
     },
-    /// What goes through values is neither a parameter nor ε.
+    /// What goes through values is nothing that could.
     UnknownAxis {
+        /// What it would have to be: `no parameter`.
+        what: &'static str,
         /// The field.
         system: String,
         /// What was given.
         name: String,
         /// What there is.
         known: Vec<String>,
+    },
+    /// Something goes through values twice.
+    AxisTwice {
+        /// Which one.
+        name: String,
+    },
+    /// Something cannot go through these values.
+    AxisValues {
+        /// What.
+        name: String,
+        /// Why not.
+        why: String,
     },
     /// A text is no formula.
     Formula {
@@ -152,6 +167,13 @@ pub enum StudyError {
     },
     /// There is no composition of this order.
     Order(u32),
+    /// A question whose answer is no table, by its name, is asked for rows.
+    NoRows(&'static str),
+    /// An answer has more cells than [`MOST_CELLS`].
+    TooLong {
+        /// How many it has.
+        cells: u64,
+    },
     /// The question measures times, and the watch has no clock.
     NoClock,
     /// The steps of a field cannot be tried.
@@ -237,8 +259,14 @@ impl fmt::Display for StudyError {
                     None => f.write_str("ask for none"),
                 }
             }
-            Self::UnknownAxis { system, name, known } => {
-                write!(f, "`{name}` is no parameter of {system}; there is {}", known.join(", "))
+            Self::UnknownAxis { what, system, name, known } => {
+                write!(f, "`{name}` is {what} of {system}; there is {}", known.join(", "))
+            }
+            Self::AxisTwice { name } => write!(f, "`{name}` is gone through twice; name two"),
+            Self::AxisValues { name, why } => write!(f, "{name}: {why}"),
+            Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
+            Self::TooLong { cells } => {
+                write!(f, "the answer has {cells} cells, and at most {MOST_CELLS} are kept in memory; take its rows")
             }
             Self::Formula { what, why } => f.write_str(&why.report(what)),
             Self::ConstantPlane { text } => write!(

@@ -23,6 +23,7 @@
 #[cfg(feature = "catalog")]
 mod catalog;
 mod count;
+mod draw;
 mod error;
 pub mod extremes;
 pub mod formula;
@@ -52,14 +53,14 @@ pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::{
     Answer, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated, Extremes, Form,
-    Heights, HeightsFound, Judged, Listing, Observe, Observed, Periodic, Plane, Planned, Poles, PolesFound,
-    Question, Scan, ScanFound, Section, SectionFound, Sheet, Show, Shown, Side, characteristic_polynomial,
-    fifteen_digits,
+    Heights, HeightsFound, Judged, Listing, Observable, Observe, Observed, Over, OverFound, Periodic, Plane,
+    Planned, Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Seen, Sheet, Show, Shown,
+    Side, Source, Through, Varied, characteristic_polynomial, fifteen_digits,
 };
 #[cfg(feature = "paper")]
 pub use question::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 pub use range::{Axis, NoRange, Range, Spacing};
-pub use rows::{Column, End, Exact, Rows, Values};
+pub use rows::{Column, End, Exact, Kept, MOST_CELLS, Rows, Table, Values};
 pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};
 pub use sympy::SymPy;

@@ -6,7 +6,7 @@ use kahan_algebra::interpret::Interpreter;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_runtime::{Field, FieldText, MapAt};
+use kahan_runtime::{Field, FieldText, Map, MapAt};
 
 use crate::error::StudyError;
 use crate::subject::{Catalog, Given, Named, Subject};
@@ -43,6 +43,7 @@ struct Parts {
     system: System,
     /// The mistakes of its claims, once they were proved.
     proved: OnceLock<Result<(), StudyError>>,
+    field: OnceLock<Field>,
     interpreter: OnceLock<Interpreter>,
 }
 
@@ -76,6 +77,7 @@ impl Subject {
             given,
             system,
             proved: OnceLock::new(),
+            field: OnceLock::new(),
             interpreter: OnceLock::new(),
         })))
     }
@@ -175,11 +177,16 @@ impl Study {
         &self.0.given
     }
 
-    /// The same with a value of one more parameter; what was planned is planned again.
+    /// The same with a value of one more parameter.
     pub(crate) fn with(&self, place: usize, value: Rational) -> Self {
-        let Parts { name, named, text, sites, given, system, proved, .. } = &*self.0;
-        let mut given = given.clone();
+        let mut given = self.given().to_vec();
         given[place] = Some(value);
+        self.at(given)
+    }
+
+    /// The same at other values of the parameters; what was planned of the field is shared.
+    pub(crate) fn at(&self, given: Vec<Option<Rational>>) -> Self {
+        let Parts { name, named, text, sites, system, proved, field, .. } = &*self.0;
         Study(Arc::new(Parts {
             name: name.clone(),
             named: named.clone(),
@@ -188,6 +195,7 @@ impl Study {
             given,
             system: system.clone(),
             proved: proved.clone(),
+            field: field.clone(),
             interpreter: OnceLock::new(),
         }))
     }
@@ -234,28 +242,46 @@ impl Study {
         Err(StudyError::Coordinates { what: "at", variables: self.variables().to_vec(), given: at.len() })
     }
 
+    /// The map at the values of the parameters.
+    pub(crate) fn map(&self) -> Result<Map, StudyError> {
+        let values = self.values()?;
+        let map = self.field().with(self.parameters().iter().zip(&values));
+        map.map_err(|_| self.undefined_field())
+    }
+
     /// The map at ε, and a point, in doubles.
     pub(crate) fn in_floats(
         &self,
         at: &[Rational],
         eps: &Rational,
     ) -> Result<(MapAt<f64>, Vec<f64>), StudyError> {
-        let (point, values) = (self.point(at)?, self.values()?);
-        let field = Field::of(self.system());
-        let map = field.with(field.parameters().iter().zip(&values)).map_err(|_| self.undefined_field())?;
-        let within = |value: &Rational, what, variable: Option<&String>| {
-            let number = Some(value.to_f64()).filter(|number| number.is_finite());
-            number.ok_or_else(|| StudyError::OutOfRange { what, variable: variable.cloned() })
-        };
-        let coordinates = point.iter().zip(self.variables());
-        let start = coordinates.map(|(value, variable)| within(value, "at", Some(variable)));
-        let start = start.collect::<Result<Vec<f64>, StudyError>>()?;
-        Ok((map.at(within(eps, "eps", None)?), start))
+        let (point, map) = (self.point(at)?, self.map()?);
+        let start: Vec<f64> = point.iter().map(Rational::to_f64).collect();
+        let eps = eps.to_f64();
+        self.within_range(&start, eps)?;
+        Ok((map.at(eps), start))
+    }
+
+    /// That a point and ε are within the range of doubles.
+    pub(crate) fn within_range(&self, at: &[f64], eps: f64) -> Result<(), StudyError> {
+        let beyond = at.iter().zip(self.variables()).find(|(value, _)| !value.is_finite());
+        match beyond {
+            Some((_, variable)) => {
+                Err(StudyError::OutOfRange { what: "at", variable: Some(variable.clone()) })
+            }
+            None if eps.is_finite() => Ok(()),
+            None => Err(StudyError::OutOfRange { what: "eps", variable: None }),
+        }
     }
 
     /// What a point where det A = 0 and that has no image is.
     pub(crate) fn pole(&self) -> NoStep {
         if RationalMap::of(&self.system().field).is_some() { NoStep::Pole } else { NoStep::Unreduced }
+    }
+
+    /// The field with its plans, which are made when it is first asked for.
+    pub(crate) fn field(&self) -> &Field {
+        self.0.field.get_or_init(|| Field::of(self.system()))
     }
 
     pub(crate) fn interpreter(&self) -> &Interpreter {

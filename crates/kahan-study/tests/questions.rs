@@ -35,13 +35,21 @@ fn a_question_writes_itself_as_it_was_read() {
         json!({"ask": "show", "as": "latex"}),
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
-        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5}),
+        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "of": ["final", "fli"]}),
         json!({
             "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
             "over": {"name": "eps", "range": "1:0:/5"},
         }),
         json!({
             "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "side": "both", "points": 3,
+        }),
+        json!({
+            "ask": "over", "axes": [
+                {"name": "x", "range": "0:1:/9"}, {"name": "eps", "values": ["1/10", "1/20"]},
+                {"name": "y", "draw": "sobol", "low": "-1/2", "high": "1/2"},
+            ],
+            "question": {"ask": "heights", "eps": "0", "at": ["0", "0"], "steps": 5, "max_digits": 99, "seconds": 1.0},
+            "starts": [["1", "2/3"], ["0", "1"]], "draws": 7, "seed": 3,
         }),
         json!({"ask": "poles", "eps": null, "steps": 6, "seconds": 10.0}),
         json!({"ask": "discover", "eps": "1", "degree": 4, "seconds": 2.5}),
@@ -126,6 +134,14 @@ fn what_a_question_does_not_have_is_a_mistake() {
         (
             json!({"ask": "scan", "axes": [{"name": "xi", "range": "0:1"}]}),
             "`0:1` is no range; write FROM:TO:COUNT",
+        ),
+        (
+            json!({"ask": "over", "axes": [{"name": "x", "values": [1], "low": 0}], "question": {"ask": "poles"}}),
+            "the axis `x` has either a `range`",
+        ),
+        (
+            json!({"ask": "over", "axes": [], "question": {"ask": "observe", "of": ["drifts"]}}),
+            "unknown variant `drifts`",
         ),
         (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `show`"),
         (json!({"eps": 1, "at": [1]}), "missing field `ask`"),

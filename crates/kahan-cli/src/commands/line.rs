@@ -7,7 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
 use super::{
-    discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes, heights::Heights,
+    chart::Chart, discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes, heights::Heights,
     periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
 };
 use crate::printing::Refusal;
@@ -50,6 +50,7 @@ impl Line {
             Question::Show(asked) => Show::call(system, asked),
             Question::Evaluate(asked) => Eval::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
+            Question::Over(asked) => Chart::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
             Question::Periodic(asked) => Periodic::call(system, asked),
             Question::Heights(asked) => Heights::call(system, asked),
@@ -119,7 +120,7 @@ mod tests {
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Form, Observe, Range, Side};
+    use kahan_study::{self as study, Axis, Evaluate, Form, Observable, Observe, Range, Side};
 
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
@@ -144,7 +145,17 @@ mod tests {
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
-        reads_back::<Dynamics>([Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain]);
+        let of = vec![Observable::Last, Observable::Fli];
+        reads_back::<Dynamics>([
+            Observe { order: 8, every: 3, escape: 12.5, of, ..plain.clone() },
+            plain.clone(),
+        ]);
+        let of = vec![Observable::Escape, Observable::Last];
+        let asked = Observe { of, escape: 12.5, ..plain.clone() };
+        let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();
+        let two = study::Over::new(Question::Observe(asked), axes.clone());
+        let plain = Observe { of: vec![Observable::Sali], ..plain };
+        reads_back::<Chart>([two, study::Over::new(Question::Observe(plain), axes[..1].to_vec())]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);
         reads_back::<Verify>([false, true].map(|mutate| study::Verify { mutate }));

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_core::periodic::{Branch, PeriodicPoint, Stability};
-use kahan_draw::{Mark, Plot, Series, Sheet, Theme};
+use kahan_draw::{Mark, Plot, Series};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use super::look::{file, format};
+use super::look::{Look, file, format, usual};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Start, over, whole};
@@ -44,10 +44,13 @@ pub(crate) struct Periodic {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
-    /// Write the branch to this file: a table, F.csv, or a picture of the first variable, F.svg or
-    /// F.png.
+    /// Write the branch to this file: a table, F.csv, or a picture of the first variable, F.svg,
+    /// F.png or F.pdf.
     #[arg(long, value_name = "F", requires = "over")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    look: Look,
 
     /// Print one JSON object: period, points, residual, multipliers, stability, family, exact,
     /// branch.
@@ -106,9 +109,11 @@ impl Periodic {
             found => Found(found?),
         };
         if let Some(sink) = sink {
-            let sheet = Sheet { pixels: (960, 720), theme: Theme::Viewer };
             match format {
-                Some(format) => sink.put(file(&found.plot().drawing(), format, &sheet)?)?,
+                Some(format) => sink.put(file(
+                    &Plot { sheet: self.look.sheet(usual()), ..found.plot() }.drawing(),
+                    format,
+                )?)?,
                 None => sink.put(found.csv())?,
             }
         }

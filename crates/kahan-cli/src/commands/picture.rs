@@ -16,7 +16,7 @@ use kahan_algebra::system::System;
 use kahan_draw::{Drawing, Mark, Sheet};
 use serde_json::json;
 
-use super::look::{Look, file, format};
+use super::look::{Look, file, format, usual};
 use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, seconds, whole};
 use orbits::Pace;
@@ -33,8 +33,8 @@ use orbits::Pace;
 /// it is after the transient. Heights are drawn so that growth like a power of n is a straight
 /// line; where it is exponential, exponential growth is.
 ///
-/// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone. PNG
-/// is for builds with the feature `png`.
+/// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone;
+/// --paper draws for print. PNG and PDF are for builds with the features `png` and `pdf`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Picture {
@@ -62,14 +62,14 @@ pub(crate) struct Picture {
     radius: String,
 
     /// The seed that random starts follow.
-    #[arg(long, value_name = "S", default_value = "1")]
+    #[arg(long, value_name = "S", default_value = "1", hide_short_help = true)]
     seed: u64,
 
     /// The number of steps of each orbit.
     #[arg(long, value_name = "N", value_parser = steps)]
     steps: u64,
 
-    /// The file, F.svg or F.png, which appears when it is complete.
+    /// The file, F.svg, F.png or F.pdf, which appears when it is complete.
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
@@ -184,7 +184,7 @@ impl Picture {
         let format = format(&self.out)?;
         let sink = Sink::file(&self.out, "--out")?;
         let (name, drawn) = self.drawn()?;
-        let file = file(&drawn.drawing, format, &self.look.sheet())?;
+        let file = file(&drawn.drawing, format)?;
         let bytes = file.len();
         sink.put(file)?;
         Ok(self.answer(&name, kind, &drawn, bytes))
@@ -196,8 +196,13 @@ impl Picture {
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
-        let subject =
-            Subject { asked: self, name, system, source: self.source.clone(), sheet: self.look.sheet() };
+        let subject = Subject {
+            asked: self,
+            name,
+            system,
+            source: self.source.clone(),
+            sheet: self.look.sheet(usual()),
+        };
         let drawn = match kind {
             Kind::Portrait | Kind::Section => subject.portrait()?,
             Kind::OrbitsOver => subject.orbits_over()?,

@@ -94,7 +94,7 @@ impl From<StudyError> for Refusal {
                 let values = assignments::<Exact>(&names, &values);
                 format!("the field of {system} divides by zero at {values}; choose other values")
             }
-            StudyError::UnknownAxis { .. } => format!("--over: {error}"),
+            StudyError::UnknownAxis { .. } | StudyError::AxisTwice { .. } => format!("--over: {error}"),
             StudyError::Formula { what, why } => return refused(&why, &format!("--{what}")),
             StudyError::ConstantPlane { text } => format!(
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \

@@ -12,6 +12,7 @@ mod evaluate;
 mod extremes;
 mod heights;
 mod observe;
+mod over;
 mod periodic;
 mod poles;
 mod scan;
@@ -20,6 +21,7 @@ mod show;
 #[cfg(feature = "paper")]
 mod verify;
 
+use std::ops::Range;
 use std::time::Duration;
 
 use kahan_discover::Watch;
@@ -28,6 +30,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
 use crate::error::StudyError;
+use crate::rows::{End, Rows};
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
@@ -35,7 +38,8 @@ pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
 pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
-pub use observe::{Observe, Observed};
+pub use observe::{Observable, Observe, Observed, Seen};
+pub use over::{Over, OverFound, Source, Through, Varied};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
@@ -67,6 +71,14 @@ macro_rules! questions {
         const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
         impl Question {
+            /// Its name, the value of `ask`.
+            #[must_use]
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$question(_) => $name,)*
+                }
+            }
+
             fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
                 Ok(match self {
                     $($(#[cfg(feature = $feature)])? Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),)*
@@ -97,6 +109,8 @@ questions! {
     Observe, asked as "observe", answered by Observed;
     /// Where an orbit crosses a plane.
     Section, asked as "section", answered by SectionFound;
+    /// Another question at every value of some axes.
+    Over, asked as "over", answered by OverFound;
     /// A cycle and its branch.
     Periodic, asked as "periodic", answered by CycleFound;
     /// The heights of an exact orbit.
@@ -122,6 +136,24 @@ impl Study {
     /// Where the question does not fit the field, or has no answer: [`StudyError`].
     pub fn ask(&self, question: &Question, watch: &dyn Watch) -> Result<Answer, StudyError> {
         question.ask(self, watch)
+    }
+
+    /// Hands on rows of an answer that is a table, by their numbers from 0 on; how the table ended.
+    /// Rows that are not there are left out.
+    ///
+    /// # Errors
+    /// [`StudyError::NoRows`] where the answer is no table, and where there is no answer.
+    pub fn rows(
+        &self,
+        question: &Question,
+        range: Range<u64>,
+        rows: &mut dyn Rows,
+        watch: &dyn Watch,
+    ) -> Result<End, StudyError> {
+        match question {
+            Question::Over(asked) => asked.rows(self, range, rows, watch),
+            other => Err(StudyError::NoRows(other.name())),
+        }
     }
 }
 

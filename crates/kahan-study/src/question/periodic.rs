@@ -108,6 +108,7 @@ impl Family {
             Some(axis) => {
                 let place = names.iter().position(|name| *name == axis.name);
                 Some(place.ok_or_else(|| StudyError::UnknownAxis {
+                    what: "no parameter",
                     system: study.name().to_owned(),
                     name: axis.name.clone(),
                     known: names.iter().cloned().chain(["eps".to_owned()]).collect(),

@@ -71,8 +71,8 @@ impl Subject<'_> {
             "{name} of {} over {} from {from} to {to}, after {} steps",
             self.name, axis.name, self.asked.transient
         );
-        let size = self.sheet.view_box();
-        let plot = Plot { description, size, x, y, levels: Vec::new(), series: series.collect() };
+        let sheet = self.sheet;
+        let plot = Plot { description, sheet, x, y, levels: Vec::new(), series: series.collect() };
         let points = plot.series.iter().map(|series| series.points.len()).sum();
         let notes = notes(orbits, ended, is_cut);
         Ok(Drawn { drawing: plot.drawing(), points, outside: plot.outside(), visits: Vec::new(), notes })
