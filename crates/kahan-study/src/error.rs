@@ -12,6 +12,7 @@ use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_runtime::Diagnostics;
 
 use crate::formula::NoFormula;
+use crate::map::CannotRun;
 use crate::rows::MOST_CELLS;
 use crate::study::MOST_VARIABLES;
 use crate::subject::Catalog;
@@ -62,6 +63,8 @@ pub enum StudyError {
     },
     /// A point has not one coordinate for each variable.
     Coordinates {
+        /// Which point, by its name in the question.
+        what: &'static str,
         /// The variables.
         variables: Vec<String>,
         /// How many coordinates were given.
@@ -155,8 +158,13 @@ pub enum StudyError {
         /// The most.
         most: usize,
     },
-    /// A point or ε is beyond the range of doubles.
-    OutOfRange,
+    /// A number is beyond the range of doubles.
+    OutOfRange {
+        /// Which one, by its name in the question.
+        what: &'static str,
+        /// Of a point the variable.
+        variable: Option<String>,
+    },
     /// There is no composition of this order.
     Order(u32),
     /// A question whose answer is no table, by its name, is asked for rows.
@@ -168,6 +176,13 @@ pub enum StudyError {
     },
     /// The question measures times, and the watch has no clock.
     NoClock,
+    /// The steps of a field cannot be tried.
+    Judge {
+        /// The field.
+        system: String,
+        /// Why.
+        why: CannotRun,
+    },
     /// There is nothing to measure.
     Trade {
         /// The field.
@@ -226,9 +241,9 @@ impl fmt::Display for StudyError {
             Self::MissingParameters { system, names } => {
                 write!(f, "{system} needs a value for each of its parameters: {} is missing", names.join(", "))
             }
-            Self::Coordinates { variables, given } => {
+            Self::Coordinates { what, variables, given } => {
                 let (expected, plural) = (variables.len(), if variables.len() == 1 { "" } else { "s" });
-                write!(f, "{expected} coordinate{plural} {} expected, {given} given", variables.join(","))
+                write!(f, "{what}: {expected} coordinate{plural} {} expected, {given} given", variables.join(","))
             }
             Self::NotPositive { what, value } => {
                 write!(f, "{what}: `{value}` is not a number above 0 within the range of f64")
@@ -268,9 +283,13 @@ impl fmt::Display for StudyError {
             Self::ManyPoints { most } => {
                 write!(f, "the grid has more than {most} points; take larger steps")
             }
-            Self::OutOfRange => f.write_str("the point and eps must be in the range of f64"),
+            Self::OutOfRange { what, variable: Some(variable) } => {
+                write!(f, "{what}: the coordinate {variable} is beyond the range of f64")
+            }
+            Self::OutOfRange { what, variable: None } => write!(f, "{what} is beyond the range of f64"),
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
+            Self::Judge { system, why } => write!(f, "{system} cannot be judged: {why}"),
             Self::Trade { system, why } => write!(f, "{system}: {why}"),
             Self::UndefinedField { system, parameters } => write!(
                 f,

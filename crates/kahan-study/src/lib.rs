@@ -20,11 +20,16 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+#[cfg(feature = "catalog")]
 mod catalog;
+mod count;
 mod draw;
 mod error;
 pub mod extremes;
 pub mod formula;
+#[cfg(feature = "toml")]
+mod from_toml;
+mod list;
 mod map;
 mod named;
 pub mod numbers;
@@ -35,18 +40,27 @@ pub mod reference;
 mod rows;
 mod study;
 mod subject;
+mod sympy;
 pub mod trade;
 
+#[cfg(feature = "catalog")]
 pub use catalog::Systems;
 pub use error::StudyError;
+#[cfg(feature = "toml")]
+pub use from_toml::from_toml;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
+pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::{
-    Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, Observable,
-    Observe, Observed, Over, OverFound, Periodic, Plane, Poles, PolesFound, Question, Scan, ScanFound,
-    Section, SectionFound, Seen, Side, Source, Through, Varied, characteristic_polynomial, fifteen_digits,
+    Answer, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated, Extremes, Form,
+    Heights, HeightsFound, Judged, Listing, Observable, Observe, Observed, Over, OverFound, Periodic, Plane,
+    Planned, Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Seen, Sheet, Show, Shown,
+    Side, Source, Through, Varied, characteristic_polynomial, fifteen_digits,
 };
+#[cfg(feature = "paper")]
+pub use question::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rows::{Column, End, Exact, Kept, MOST_CELLS, Rows, Table, Values};
 pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};
+pub use sympy::SymPy;

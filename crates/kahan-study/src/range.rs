@@ -270,7 +270,7 @@ mod tests {
     use kahan_algebra::prime_field::SplitMix64;
     use kahan_algebra::rational::Rational;
 
-    use super::{Range, Spacing};
+    use super::{MOST, Range, Spacing};
 
     fn read(text: &str) -> Result<Range, String> {
         Range::read(text).map_err(|why| why.to_string())

@@ -96,10 +96,40 @@ impl Study {
         self.0.named.as_ref().map(|named| named.name)
     }
 
+    /// What the catalog says it is, in one line, where it is a system of the catalog.
+    #[must_use]
+    pub fn title(&self) -> Option<&'static str> {
+        self.entry().map(|named| named.title)
+    }
+
+    /// Where the catalog has the claim with this name from.
+    #[must_use]
+    pub fn source(&self, claim: &str) -> Option<&'static str> {
+        let sources = self.entry()?.sources;
+        sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
+    }
+
+    /// The name of the catalog's system that this is, without values of parameters.
+    #[must_use]
+    pub fn as_it_stands(&self) -> Option<&'static str> {
+        self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
+    }
+
+    /// The seed of the macro's proof.
+    #[must_use]
+    pub fn seed(&self) -> [u8; 32] {
+        self.0.text.seed()
+    }
+
+    /// The catalog's, unless it is a chain, which goes by the name of its family's type.
+    fn entry(&self) -> Option<&Named> {
+        self.0.named.as_ref().filter(|named| named.type_name.is_some())
+    }
+
     /// The name of its type in Rust: the catalog's, or that of its header.
     #[must_use]
     pub fn type_name(&self) -> Option<&str> {
-        let of_catalog = self.0.named.as_ref().and_then(|named| named.type_name);
+        let of_catalog = self.entry().and_then(|named| named.type_name);
         of_catalog.or_else(|| self.system().header.as_ref().map(|header| header.name.text.as_str()))
     }
 
@@ -177,6 +207,20 @@ impl Study {
         values.filter_map(|(name, value)| Some((name.clone(), value.clone()?))).collect()
     }
 
+    /// The system with the given parameters put in, the others generic; claims that do not fit
+    /// these values are gone.
+    ///
+    /// # Errors
+    /// Where the field then divides by zero.
+    pub fn specialised(&self) -> Result<System, StudyError> {
+        let given = self.given().iter().cloned().enumerate();
+        let fixed: Vec<(usize, Rational)> = given.filter_map(|(k, value)| Some((k, value?))).collect();
+        if fixed.is_empty() {
+            return Ok(self.system().clone());
+        }
+        self.system().specialise(&fixed).ok_or_else(|| self.undefined_field())
+    }
+
     /// The values of all parameters, in their order.
     ///
     /// # Errors
@@ -195,7 +239,7 @@ impl Study {
         if at.len() == self.variables().len() {
             return Ok(at.to_vec());
         }
-        Err(StudyError::Coordinates { variables: self.variables().to_vec(), given: at.len() })
+        Err(StudyError::Coordinates { what: "at", variables: self.variables().to_vec(), given: at.len() })
     }
 
     /// The map at the values of the parameters.
@@ -212,12 +256,22 @@ impl Study {
         eps: &Rational,
     ) -> Result<(MapAt<f64>, Vec<f64>), StudyError> {
         let (point, map) = (self.point(at)?, self.map()?);
-        let mut start: Vec<f64> = point.iter().chain([eps]).map(Rational::to_f64).collect();
-        if !start.iter().all(|number| number.is_finite()) {
-            return Err(StudyError::OutOfRange);
-        }
-        let eps = start.pop().expect("eps stands last");
+        let start: Vec<f64> = point.iter().map(Rational::to_f64).collect();
+        let eps = eps.to_f64();
+        self.within_range(&start, eps)?;
         Ok((map.at(eps), start))
+    }
+
+    /// That a point and ε are within the range of doubles.
+    pub(crate) fn within_range(&self, at: &[f64], eps: f64) -> Result<(), StudyError> {
+        let beyond = at.iter().zip(self.variables()).find(|(value, _)| !value.is_finite());
+        match beyond {
+            Some((_, variable)) => {
+                Err(StudyError::OutOfRange { what: "at", variable: Some(variable.clone()) })
+            }
+            None if eps.is_finite() => Ok(()),
+            None => Err(StudyError::OutOfRange { what: "eps", variable: None }),
+        }
     }
 
     /// What a point where det A = 0 and that has no image is.
@@ -235,8 +289,7 @@ impl Study {
     }
 
     pub(crate) fn undefined_field(&self) -> StudyError {
-        let values = self.parameters().iter().cloned().zip(self.given().iter().flatten().cloned());
-        StudyError::UndefinedField { system: self.name().to_owned(), parameters: values.collect() }
+        StudyError::UndefinedField { system: self.name().to_owned(), parameters: self.fixed() }
     }
 }
 

@@ -7,9 +7,14 @@ use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Answer, Finding, Progress, Question, Study, StudyError, Subject, Systems, Unwatched, Watch,
+    Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Verify, Watch,
+    from_toml, list,
 };
 use serde_json::{Value, json};
+
+fn one() -> Rational {
+    Rational::from(1)
+}
 
 fn study(subject: Subject) -> Study {
     subject.study(&Systems).expect("a subject")
@@ -27,6 +32,7 @@ fn answer(study: &Study, object: Value) -> Value {
 #[test]
 fn a_question_writes_itself_as_it_was_read() {
     for object in [
+        json!({"ask": "show", "as": "latex"}),
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
         json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "of": ["final", "fli"]}),
@@ -52,6 +58,8 @@ fn a_question_writes_itself_as_it_was_read() {
             "degree": 3, "seconds": 1.0,
         }),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
+        json!({"ask": "verify", "mutate": true}),
+        json!({"ask": "extremes", "trials": 9, "random_fields": 1, "odd_fields": 2, "odd_trials": 3, "seed": 4}),
     ] {
         let read = question(object.clone()).expect("a question");
         assert_eq!(json!(read), object);
@@ -65,6 +73,54 @@ fn numbers_of_questions_are_exact() {
     assert_eq!(asked.eps, Rational::new(1, 10));
     assert_eq!(asked.at[1], Rational::new(2, 3));
     assert_eq!(asked.at[2].to_string(), "-3333333333333333333333333333/10000000000000000000000000000");
+}
+
+#[test]
+fn toml_says_what_json_says() {
+    for (text, object) in [
+        (
+            "ask = 'evaluate'\neps = 0.1\nat = [+1, '2/3', -0.3333333333333333333333333333, 1e-400]",
+            r#"{"ask": "evaluate", "eps": 0.1, "at": [1, "2/3", -0.3333333333333333333333333333, 1e-400]}"#,
+        ),
+        (
+            "ask = 'scan'\ndegree = 0x3\n[[axes]]\nname = 'xi'\nrange = '-2:2:+1/12'",
+            r#"{"ask": "scan", "degree": 3, "axes": [{"name": "xi", "range": "-2:2:+1/12"}]}"#,
+        ),
+        ("ask = 'verify'\nmutate = true", r#"{"ask": "verify", "mutate": true}"#),
+    ] {
+        let read: Question = from_toml(text).expect("a question");
+        assert_eq!(read, serde_json::from_str(object).expect("a question"));
+    }
+    for (text, said) in [
+        ("ask = 'evaluate'\neps = 1\nat = [1]\nepsilon = 1", "unknown field `epsilon`"),
+        ("ask = 'poles'\nsteps = 'two'", "expected usize"),
+        ("ask = 'poles'\nseconds = inf", "`inf` is no finite number"),
+        ("ask = 'poles'\neps = 1979-05-27", "is a date"),
+        ("ask = 'poles'\nsteps =", "line 2"),
+    ] {
+        let mistake = from_toml::<Question>(text).expect_err("a mistake");
+        assert!(mistake.contains(said), "{text}: {mistake}");
+    }
+}
+
+#[test]
+fn subjects_read_themselves() {
+    let read: Subject = from_toml("name = 'e7'\nparams = { xi = 0.1 }").expect("a subject");
+    assert_eq!(study(read).values().expect("all values"), [Rational::new(1, 10)]);
+    let read: Subject = serde_json::from_value(json!({"name": "toda", "sites": 3})).expect("a subject");
+    assert_eq!(study(read).variables().len(), 6);
+    let read = json!({"field": "xdot = a*x;", "params": {"a": "1/3"}});
+    let read: Subject = serde_json::from_value(read).expect("a subject");
+    assert_eq!(study(read).values().expect("all values"), [Rational::new(1, 3)]);
+    for (object, said) in [
+        (json!({"name": "e7", "field": "xdot = x;"}), "either `name` or `field`"),
+        (json!({}), "either `name` or `field`"),
+        (json!({"name": "e7", "parameters": {"xi": 1}}), "unknown field `parameters`"),
+        (json!({"name": "e7", "params": {"xi": "one"}}), "`one` is not an exact number"),
+    ] {
+        let mistake = serde_json::from_value::<Subject>(object.clone()).expect_err("a mistake");
+        assert!(mistake.to_string().contains(said), "{object}: {mistake}");
+    }
 }
 
 #[test]
@@ -87,7 +143,7 @@ fn what_a_question_does_not_have_is_a_mistake() {
             json!({"ask": "over", "axes": [], "question": {"ask": "observe", "of": ["drifts"]}}),
             "unknown variant `drifts`",
         ),
-        (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `evaluate`"),
+        (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `show`"),
         (json!({"eps": 1, "at": [1]}), "missing field `ask`"),
     ] {
         let mistake = question(object.clone()).expect_err("a mistake");
@@ -98,7 +154,6 @@ fn what_a_question_does_not_have_is_a_mistake() {
 #[test]
 fn subjects_that_are_wrong_say_so() {
     let error = |subject: Subject| subject.study(&Systems).expect_err("a mistake");
-    let one = || Rational::from(1);
     assert!(matches!(
         error(Subject::named("lorentz")),
         StudyError::UnknownSystem { nearest: Some("lorenz"), .. }
@@ -114,7 +169,6 @@ fn subjects_that_are_wrong_say_so() {
 
 #[test]
 fn questions_that_do_not_fit_say_so() {
-    let one = || Rational::from(1);
     let error = |subject: Subject, object: Value| {
         let question = question(object).expect("a question");
         study(subject).ask(&question, &Unwatched).expect_err("a mistake")
@@ -126,7 +180,7 @@ fn questions_that_do_not_fit_say_so() {
     ));
     assert!(matches!(
         error(Subject::named("lv"), evaluate.clone()),
-        StudyError::Coordinates { given: 3, .. }
+        StudyError::Coordinates { what: "at", given: 3, .. }
     ));
     let false_claim = Subject::text("xdot = y; ydot = -x; integral H = x;");
     assert!(matches!(
@@ -151,8 +205,12 @@ fn questions_that_do_not_fit_say_so() {
     assert!(matches!(error(Subject::named("lv"), third), StudyError::Order(3)));
     let never = observe(json!({"every": 0}));
     assert!(matches!(error(Subject::named("lv"), never), StudyError::NotPositive { what: "every", .. }));
-    let far = observe(json!({"eps": "1e400"}));
-    assert!(matches!(error(Subject::named("lv"), far), StudyError::OutOfRange));
+    for (far, said) in [
+        (json!({"eps": "1e400"}), "eps is beyond the range of f64"),
+        (json!({"at": [1, "-1e400"]}), "at: the coordinate y is beyond the range of f64"),
+    ] {
+        assert_eq!(error(Subject::named("lv"), observe(far)).to_string(), said);
+    }
     let section = |plane: &str| json!({"ask": "section", "eps": 1, "at": [1, 1], "steps": 9, "plane": plane});
     assert!(matches!(
         error(Subject::named("lv"), section("x - z")),
@@ -365,4 +423,81 @@ fn what_is_found_can_be_claimed() {
     };
     let claimed = found.claimed().expect("a field with its claims");
     assert_eq!(claimed.claims.len(), found.claims(None).len());
+}
+
+#[test]
+fn formulas_come_one_by_one_in_every_notation() {
+    let swing = study(Subject::text("struct Swing { lambda } xdot = lambda*y; ydot = -x^2/2;"));
+    let shown = |form: &str| answer(&swing, json!({"ask": "show", "as": form}));
+    assert_eq!(shown("text")["A"], json!([["1", "-eps*lambda"], ["eps*x", "1"]]));
+    assert_eq!(shown("latex")["A"][0][1], "-\\varepsilon \\lambda");
+    let sympy = shown("sympy");
+    assert_eq!(sympy["field"], json!(["lambda_*y", "-1/2*x**2"]));
+    assert_eq!(sympy["bilinear"][1], "-1/2*x*x_prime");
+    assert_eq!(sympy["map"][0], "x + 2*eps*(lambda_*y - 1/2*eps*lambda_*x**2)/(1 + eps**2*lambda_*x)");
+    assert_eq!(shown("kahan")["macro"], shown("text")["macro"]);
+    assert_eq!(shown("plan")["objects"][0]["object"], "field f");
+    assert_eq!(shown("plan")["derive_ms"], Value::Null);
+
+    let claimed = "xdot = lambda*y; ydot = -x/2; integral H = x^2 + 2*lambda*y^2 when lambda = 1;";
+    let claimed = study(Subject::text(claimed));
+    let claim = |form: &str| answer(&claimed, json!({"ask": "show", "as": form}))["claims"][0].clone();
+    assert_eq!([&claim("text")["when"], &claim("text")["equations"]], [&json!("lambda = 1"), &Value::Null]);
+    assert_eq!(claim("sympy")["equations"], json!([["H", "x**2 + 2*lambda_*y**2"]]));
+    assert_eq!(claim("latex")["condition"], "\\lambda = 1");
+}
+
+#[test]
+fn parameters_are_put_in_before_the_map_is_reduced() {
+    let shown = |subject: Subject| answer(&study(subject), json!({"ask": "show"}));
+    let put_in = shown(Subject::named("e9").with("xi", Rational::from(1)));
+    assert_eq!(put_in["parameters"], json!([]));
+    assert_eq!(put_in["map"], shown(Subject::named("e3"))["map"]);
+    let nowhere = study(Subject::text("xdot = x/(a - b);").with("a", one()).with("b", one()));
+    let error = nowhere.ask(&Question::Show(Show::default()), &Unwatched).expect_err("a mistake");
+    assert!(error.to_string().contains("divides by zero at a = 1, b = 1"), "{error}");
+}
+
+#[test]
+fn a_catalog_lists_itself() {
+    let listed = json!(list(&Systems).expect("the catalog has no mistake"));
+    let of = |key: &str, name: &str| {
+        let all = listed[key].as_array().expect("a list").iter();
+        all.clone().find(|one| one["name"] == name).cloned().expect("it is there")
+    };
+    let e9 = of("systems", "e9");
+    assert_eq!([&e9["type"], &e9["variables"]], [&json!("E9"), &json!(["x", "y", "z"])]);
+    assert_eq!([&e9["parameters"], &e9["claims"][0]], [&json!(["xi"]), &json!("rho")]);
+    let species = of("families", "species");
+    assert_eq!([&species["arrays"], &species["parameters"]], [&json!(["n"]), &json!(["mu", "r[i]"])]);
+}
+
+#[test]
+fn claims_of_a_field_hold_or_not() {
+    let field =
+        "xdot = a*y; ydot = -a*x; integral H = x^2 + y^2; integral L = x when a = 0; integral Z = a*x*y;";
+    let verdicts = |subject: Subject| answer(&study(subject), json!({"ask": "verify"}));
+    let of_field = verdicts(Subject::text(field));
+    let outcomes: Vec<&Value> =
+        of_field["claims"].as_array().expect("a list").iter().map(|claim| &claim["outcome"]).collect();
+    assert_eq!(json!([outcomes, of_field["failed"]]), json!([["proved", "proved", "failed"], 1]));
+    assert_eq!(of_field["claims"][0]["id"], "field.H");
+    assert_eq!(of_field["claims"][0]["detail"], "by normal forms over Q, and modulo primes");
+    // What does not fit the values of parameters is gone.
+    let put_in = verdicts(Subject::text(field).with("a", one()));
+    assert_eq!(put_in["claims"].as_array().map(Vec::len), Some(2));
+    // Of a system of the catalog as it stands the paper's claims are meant.
+    assert_eq!(verdicts(Subject::named("e9").with("xi", one()))["claims"][1]["id"], "e9.H3");
+    let of_paper = verdicts(Subject::named("lagrange"));
+    assert_eq!([&of_paper["failed"], &of_paper["claims"][0]["system"]], [&json!(0), &json!("lagrange")]);
+}
+
+#[test]
+fn a_claim_that_is_changed_fails() {
+    let mutate = Verify { mutate: true };
+    let swing = |claim: &str| study(Subject::text(format!("xdot = y; ydot = -x; {claim}")));
+    let mutated = json!(mutate.ask(&swing("integral H = x^2 + y^2;"), &Unwatched).expect("an answer"));
+    assert_eq!(mutated["survived"], 0);
+    assert_eq!(mutated["mutations"][0]["id"], "field.H");
+    assert!(matches!(mutate.ask(&swing("integral H = x;"), &Unwatched), Err(StudyError::Field(_))));
 }

@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use kahan_algebra::syntax::ClaimKind;
+use kahan_draw::{Drawing, Grid, Mark, NumberLine, Plot, Series};
 use kahan_study::{
     Axis, Kept, Observable, Observe, Over, OverFound, Question, Spacing, Study, StudyError, Through, Varied,
 };
 use serde_json::json;
 
 use super::line::{Asking, Line};
-
-use crate::plot::{Drawing, Format, Grid, Mark, NumberLine, Plot, Series, Sheet, Theme};
+use super::look::{Look, file, format, usual};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{self, Start, number, observable, whole};
 
@@ -73,17 +73,12 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true)]
     escape: String,
 
-    /// The file, F.svg, F.png or F.csv, which appears when it is complete.
+    /// The file, F.svg, F.png, F.pdf or F.csv, which appears when it is complete.
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
-    /// Width and height in pixels.
-    #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = super::picture::pixels)]
-    size: (u32, u32),
-
-    /// Around the chart: light, dark, or as the viewer has it.
-    #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
-    theme: Theme,
+    #[command(flatten)]
+    look: Look,
 
     /// Print one JSON object that says what the file shows.
     #[arg(long)]
@@ -188,11 +183,11 @@ impl Chart {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let is_table = self.out.extension().is_some_and(|ending| ending == "csv");
-        let format = if is_table { None } else { Some(Format::of(&self.out)?) };
+        let format = if is_table { None } else { Some(format(&self.out)?) };
         let sink = Sink::file(&self.out, "--out")?;
         let shown = self.shown()?;
         let file = match format {
-            Some(format) => self.drawing(&shown)?.file(format, &self.sheet())?,
+            Some(format) => file(&self.drawing(&shown), format)?,
             None => table(&shown).into_bytes(),
         };
         sink.put(file)?;
@@ -217,7 +212,7 @@ impl Chart {
 
     /// The picture.
     pub(super) fn drawn(&self) -> Result<Drawing, Refusal> {
-        self.drawing(&self.shown()?)
+        Ok(self.drawing(&self.shown()?))
     }
 
     fn shown(&self) -> Result<Shown, Refusal> {
@@ -295,13 +290,9 @@ impl Chart {
         Ok(Shown { axes, values, name, column, is_logarithm, label, description })
     }
 
-    fn sheet(&self) -> Sheet {
-        Sheet { pixels: self.size, theme: self.theme }
-    }
-
-    fn drawing(&self, shown: &Shown) -> Result<Drawing, Refusal> {
+    fn drawing(&self, shown: &Shown) -> Drawing {
         match &shown.axes[..] {
-            [axis] => Ok(self.curve(shown, axis).drawing()),
+            [axis] => self.curve(shown, axis).drawing(),
             axes => self.grid(shown, axes).drawing(),
         }
     }
@@ -313,7 +304,7 @@ impl Chart {
         // The dots show the values that no line leads to.
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
         let plot = Plot::around(&shown.description, [&axis.name, &shown.label], marked.into());
-        Plot { size: self.sheet().view_box(), ..plot }
+        Plot { sheet: self.look.sheet(usual()), ..plot }
     }
 
     fn grid(&self, shown: &Shown, axes: &[Axis]) -> Grid {
@@ -323,7 +314,7 @@ impl Chart {
         };
         Grid {
             description: shown.description.clone(),
-            size: self.sheet().view_box(),
+            sheet: self.look.sheet(usual()),
             x: line(&axes[0]),
             y: line(&axes[1]),
             scale: NumberLine::around_most(&shown.label, shown.values.iter().copied()),

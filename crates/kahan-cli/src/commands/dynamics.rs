@@ -118,9 +118,6 @@ impl Dynamics {
 
     fn observed(&self) -> Result<Observed, Refusal> {
         let (study, asked) = self.asked()?;
-        let prompt = Prompt::new(2 * self.steps, "steps");
-        let observed = asked.ask(&study, &prompt);
-        prompt.finish();
-        Ok(observed?)
+        Ok(asked.ask(&study, &Prompt::of("steps"))?)
     }
 }

@@ -5,11 +5,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_core::periodic::{Branch, PeriodicPoint, Stability};
+use kahan_draw::{Mark, Plot, Series};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use crate::plot::{Format, Mark, Plot, Series, Sheet, Theme};
+use super::look::{Look, file, format, usual};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Start, over, whole};
@@ -43,10 +44,13 @@ pub(crate) struct Periodic {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
-    /// Write the branch to this file: a table, F.csv, or a picture of the first variable, F.svg or
-    /// F.png.
+    /// Write the branch to this file: a table, F.csv, or a picture of the first variable, F.svg,
+    /// F.png or F.pdf.
     #[arg(long, value_name = "F", requires = "over")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    look: Look,
 
     /// Print one JSON object: period, points, residual, multipliers, stability, family, exact,
     /// branch.
@@ -90,29 +94,26 @@ impl Periodic {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let format = match &self.out {
             Some(out) if out.extension().is_some_and(|ending| ending == "csv") => None,
-            Some(out) => Some(Format::of(out)?),
+            Some(out) => Some(format(out)?),
             None => None,
         };
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let prompt =
-            Prompt::new(asked.over.as_ref().map_or(1, |axis| axis.range.count() as u64 - 1), "cycles");
-        let found = asked.ask(&study, &prompt);
-        prompt.finish();
-        let found = match found {
+        let found = match asked.ask(&study, &Prompt::of("cycles")) {
             Err(why @ StudyError::NoCycle { .. }) => {
                 return Ok(Answer { complaint: Some(why.to_string()), ..Answer::text(String::new()) });
             }
-            Err(StudyError::LongCycle { .. }) => {
-                let why = found.expect_err("it is too long");
+            Err(why @ StudyError::LongCycle { .. }) => {
                 return Err(Refusal::new(format!("--period {}: {why}", self.period)));
             }
             found => Found(found?),
         };
         if let Some(sink) = sink {
-            let sheet = Sheet { pixels: (960, 720), theme: Theme::Viewer };
             match format {
-                Some(format) => sink.put(found.plot().drawing().file(format, &sheet)?)?,
+                Some(format) => sink.put(file(
+                    &Plot { sheet: self.look.sheet(usual()), ..found.plot() }.drawing(),
+                    format,
+                )?)?,
                 None => sink.put(found.csv())?,
             }
         }

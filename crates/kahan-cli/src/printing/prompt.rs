@@ -9,13 +9,19 @@ use indicatif::{ProgressBar, ProgressStyle};
 use kahan_discover::{Progress, Watch};
 use kahan_runtime::threads;
 
-/// The user, who sees how far long work is, and what it found once it is done.
+/// The user, who sees how far long work is, and what it found once it is done. The bar is removed
+/// when this ends.
 pub(crate) struct Prompt {
     bar: ProgressBar,
     since: Instant,
 }
 
 impl Prompt {
+    /// A bar of steps of one sort, `claims`; the work says how many there are.
+    pub(crate) fn of(what: &str) -> Self {
+        Self::new(0, what)
+    }
+
     /// A bar of so many steps of one sort: `claims`.
     pub(crate) fn new(steps: u64, what: &str) -> Self {
         Self::showing(|| {
@@ -50,8 +56,14 @@ impl Prompt {
         self.bar.inc(steps);
     }
 
-    /// Removes the bar.
+    /// Removes the bar before this ends.
     pub(crate) fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Drop for Prompt {
+    fn drop(&mut self) {
         self.bar.finish_and_clear();
     }
 }
@@ -64,7 +76,8 @@ impl Watch for Prompt {
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         // A bar counts one sort of things to its end; stages in between are no part of that.
         let is_bar = self.bar.length().is_some();
-        if is_bar && progress.of.is_some() {
+        if let (true, Some(of)) = (is_bar, progress.of) {
+            self.bar.set_length(of);
             self.bar.set_position(progress.done);
         } else if !is_bar {
             self.say(&progress.to_string());

@@ -9,6 +9,7 @@
 
 mod discover;
 mod evaluate;
+mod extremes;
 mod heights;
 mod observe;
 mod over;
@@ -16,6 +17,9 @@ mod periodic;
 mod poles;
 mod scan;
 mod section;
+mod show;
+#[cfg(feature = "paper")]
+mod verify;
 
 use std::ops::Range;
 use std::time::Duration;
@@ -32,6 +36,7 @@ use crate::trade::{Trade, Traded};
 
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
+pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observable, Observe, Observed, Seen};
 pub use over::{Over, OverFound, Source, Through, Varied};
@@ -39,38 +44,47 @@ pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
 pub use section::{Plane, Section, SectionFound, Side};
+pub use show::{ClaimShown, Costs, Form, Listing, Planned, Sheet, Show, Shown};
+#[cfg(feature = "paper")]
+pub use verify::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 
 macro_rules! questions {
-    ($($(#[$about:meta])* $question:ident, asked as $name:literal, answered by $answer:ident;)*) => {
+    ($(
+        $(#[$about:meta])*
+        $question:ident, asked as $name:literal, answered by $answer:ident $(, with $feature:literal)?;
+    )*) => {
         /// What is asked.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(tag = "ask")]
         pub enum Question {
-            $($(#[$about])* #[serde(rename = $name)] $question($question),)*
+            $($(#[cfg(feature = $feature)])? $(#[$about])* #[serde(rename = $name)] $question($question),)*
         }
 
         /// The answer to a question, which has its names in JSON.
         #[derive(Clone, Debug, Serialize)]
         #[serde(untagged)]
         pub enum Answer {
-            $($(#[$about])* $question(Box<$answer>),)*
+            $($(#[cfg(feature = $feature)])? $(#[$about])* $question(Box<$answer>),)*
         }
 
         /// The values of `ask`.
-        const NAMES: &[&str] = &[$($name),*];
+        const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
         impl Question {
             /// Its name, the value of `ask`.
             #[must_use]
             pub fn name(&self) -> &'static str {
                 match self {
-                    $(Self::$question(_) => $name,)*
+                    $($(#[cfg(feature = $feature)])? Self::$question(_) => $name,)*
                 }
             }
 
             fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
                 Ok(match self {
-                    $(Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),)*
+                    $(
+                        $(#[cfg(feature = $feature)])?
+                        Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),
+                    )*
                 })
             }
 
@@ -81,7 +95,7 @@ macro_rules! questions {
                     serde_json::from_value(Value::Object(rest)).map_err(E::custom)
                 }
                 match name {
-                    $($name => of(rest).map(Self::$question),)*
+                    $($(#[cfg(feature = $feature)])? $name => of(rest).map(Self::$question),)*
                     other => Err(E::unknown_variant(other, NAMES)),
                 }
             }
@@ -90,6 +104,8 @@ macro_rules! questions {
 }
 
 questions! {
+    /// Formulas.
+    Show, asked as "show", answered by Shown;
     /// Every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated;
     /// What an orbit does.
@@ -110,6 +126,10 @@ questions! {
     Scan, asked as "scan", answered by ScanFound;
     /// Speed against accuracy on a scene.
     Trade, asked as "trade", answered by Traded;
+    /// Steps at the extremes.
+    Extremes, asked as "extremes", answered by Judged;
+    /// Whether claims hold.
+    Verify, asked as "verify", answered by Verified, with "paper";
 }
 
 impl Study {

@@ -11,11 +11,11 @@ use super::super::dynamics::Dynamics;
 use super::super::line::Line;
 use super::super::picture::{Picture, Visits};
 use super::super::poles::{patterns, rows as table_of};
-use super::super::trade::Trade;
+use super::super::trade::{Trade, usual};
 use super::scene::Scene;
-use crate::document::rows;
-use crate::plot::Drawing;
 use crate::printing::Refusal;
+use kahan_draw::Drawing;
+use kahan_draw::document::rows;
 
 /// What the figures are of.
 pub(super) struct Subject<'a> {
@@ -164,7 +164,7 @@ impl Subject<'_> {
         made(&line, |trade: Trade| {
             trade.compared(|comparison| html! {
             figure #trade {
-                div.drawings { (comparison.picture().inline()) }
+                div.drawings { (comparison.picture(usual()).inline()) }
                 figcaption { p { "Each dot is a setting: its price on this machine, and its error against a trajectory in 32 digits." } }
             }
             @match comparison.chosen() {

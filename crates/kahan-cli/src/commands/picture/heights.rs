@@ -4,8 +4,8 @@ use kahan_discover::{Progress, Watch};
 use kahan_runtime::heights::{Growth, HeightsOrbit, Stop, Survey};
 
 use super::{Drawn, Subject};
-use crate::plot::{Mark, Plot, Series};
 use crate::printing::{Prompt, Refusal};
+use kahan_draw::{Mark, Plot, Series};
 
 /// The most digits of a numerator or denominator.
 const MOST_DIGITS: u64 = 1_000_000;
@@ -45,7 +45,7 @@ impl Subject<'_> {
             format!("Logarithms of the heights of {} at eps = {eps}: growth is {}", self.name, survey.growth);
         let across = if is_exponential { "n" } else { "log n" };
         let plot = Plot::around(&description, [across, "log of the height h"], series);
-        let plot = Plot { size: self.sheet.view_box(), ..plot };
+        let plot = Plot { sheet: self.sheet, ..plot };
         let points = plot.series.iter().map(|series| series.points.len()).sum();
         let mut notes = vec![format!("growth is {}", survey.growth)];
         notes.extend(survey.stopped.map(|stop| {

@@ -8,9 +8,9 @@ use super::axes::Coordinate;
 use super::orbits::notes;
 use super::starts::rounded;
 use super::{Drawn, Subject};
-use crate::plot::{Mark, NumberLine, Plot, Series};
 use crate::printing::Refusal;
 use crate::reading::over;
+use kahan_draw::{Mark, NumberLine, Plot, Series};
 
 impl Subject<'_> {
     pub(super) fn orbits_over(&self) -> Result<Drawn, Refusal> {
@@ -71,8 +71,8 @@ impl Subject<'_> {
             "{name} of {} over {} from {from} to {to}, after {} steps",
             self.name, axis.name, self.asked.transient
         );
-        let size = self.sheet.view_box();
-        let plot = Plot { description, size, x, y, levels: Vec::new(), series: series.collect() };
+        let sheet = self.sheet;
+        let plot = Plot { description, sheet, x, y, levels: Vec::new(), series: series.collect() };
         let points = plot.series.iter().map(|series| series.points.len()).sum();
         let notes = notes(orbits, ended, is_cut);
         Ok(Drawn { drawing: plot.drawing(), points, outside: plot.outside(), visits: Vec::new(), notes })

@@ -11,8 +11,8 @@ use super::axes::Coordinate;
 use super::orbits::notes;
 use super::starts::rounded;
 use super::{Drawn, Subject, Visits};
-use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
 use crate::printing::Refusal;
+use kahan_draw::{Cloud, Mark, NumberLine, Plot, Series, Space};
 
 /// Colours that orbits have in turn; the sixth is grey, for what they are compared with.
 const COLOURS: usize = 5;
@@ -62,8 +62,8 @@ impl Subject<'_> {
                     Series::new("", index % COLOURS + 1, orbit.mark, points)
                 });
                 let [x, y] = axes;
-                let (size, levels) = (self.sheet.view_box(), Vec::new());
-                let plot = Plot { description, size, x, y, levels, series: series.collect() };
+                let (sheet, levels) = (self.sheet, Vec::new());
+                let plot = Plot { description, sheet, x, y, levels, series: series.collect() };
                 let points = plot.series.iter().map(|series| series.points.len()).sum();
                 Drawn { drawing: plot.drawing(), points, outside: plot.outside(), visits, notes }
             }
@@ -75,8 +75,7 @@ impl Subject<'_> {
                 let clouds = orbits.into_iter().enumerate().map(|(index, Marked { points, mark, .. })| {
                     Cloud { colour: index % COLOURS + 1, mark, points }
                 });
-                let space =
-                    Space { description, size: self.sheet.view_box(), axes, clouds: clouds.collect() };
+                let space = Space { description, sheet: self.sheet, axes, clouds: clouds.collect() };
                 let points = space.clouds.iter().map(|cloud| cloud.points.len()).sum();
                 Drawn { drawing: space.drawing(), points, outside: space.outside(), visits, notes }
             }

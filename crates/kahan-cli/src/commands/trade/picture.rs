@@ -2,17 +2,14 @@
 //! for other scalars and for compensation, the front above all.
 
 use super::comparison::Comparison;
-use crate::plot::{Drawing, Mark, NumberLine, Plot, Series, Side};
+use kahan_draw::{Drawing, Mark, NumberLine, Plot, Series, Sheet, Side, Theme};
 
 use kahan_core::Precision;
 use kahan_study::trade::Measured;
 
-/// Width and height of the view box.
-pub(super) const SIZE: (f64, f64) = (720.0, 480.0);
-
 impl Comparison {
     /// Every setting that was measured.
-    pub(in super::super) fn picture(&self) -> Drawing {
+    pub(in super::super) fn picture(&self, sheet: Sheet) -> Drawing {
         let what = self.error_name();
         let shown: Vec<&Measured> = self.0.settings.iter().filter(is_shown).collect();
         let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {
@@ -41,17 +38,19 @@ impl Comparison {
             series.push(Series { side: Side::Left, ..Series::new("choice", 4, Mark::Dots, points) });
         }
         let level = (self.0.scene.tolerance().log10(), "tolerance".to_owned());
+        // A column in print has no room for more.
+        let across = match sheet.theme {
+            Theme::Paper => "log10 of nanoseconds per unit of time",
+            _ => "log10 of nanoseconds per unit of time; small dots: other scalars than f64",
+        };
         let places = || shown.iter().map(|measured| place(measured));
         let plot = Plot {
             description: format!(
                 "{}: {what} against nanoseconds per unit of simulated time, both as decimal logarithms",
                 self.title()
             ),
-            size: SIZE,
-            x: NumberLine::around(
-                "log10 of nanoseconds per unit of time; small dots: other scalars than f64",
-                places().map(|(x, _)| x),
-            ),
+            sheet,
+            x: NumberLine::around(across, places().map(|(x, _)| x)),
             y: NumberLine::around(&format!("log10 of {what}"), places().map(|(_, y)| y).chain([level.0])),
             levels: vec![level],
             series,

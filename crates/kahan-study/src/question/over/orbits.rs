@@ -42,9 +42,7 @@ impl<'a> Orbits<'a> {
         study.proved()?;
         asked.composition()?;
         let (Place { at, eps, .. }, _) = cells.in_doubles(0);
-        if !at.iter().chain([&eps]).all(|number| number.is_finite()) {
-            return Err(StudyError::OutOfRange);
-        }
+        study.within_range(&at, eps)?;
         // What is wrong everywhere is told once.
         let is_one_field = !cells.axes.iter().any(|along| matches!(along.target, Target::Parameter(_)));
         if is_one_field {

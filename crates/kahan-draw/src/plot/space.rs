@@ -5,28 +5,30 @@ use maud::{Markup, html};
 
 use super::palette::Paint;
 use super::path::{Place, dots, line, polyline, stroked, tenths, text};
-use super::{Drawing, Mark, NumberLine, names_of_axes, placed, ticks};
+use super::{Drawing, Mark, NumberLine, Sheet, grid, names_of_axes, placed, ticks};
 
 /// Points in space that belong together.
 #[derive(Clone, Debug)]
-pub(crate) struct Cloud {
+pub struct Cloud {
     /// The colour, 1 to 6.
-    pub(crate) colour: usize,
+    pub colour: usize,
     /// How it is drawn.
-    pub(crate) mark: Mark,
+    pub mark: Mark,
     /// In the units of the axes; what these do not show is left out, and no line leads there.
-    pub(crate) points: Vec<[f64; 3]>,
+    pub points: Vec<[f64; 3]>,
 }
 
 /// A drawing in space.
 #[derive(Clone, Debug)]
-pub(crate) struct Space {
+pub struct Space {
     /// What is seen, for those who do not see it.
-    pub(crate) description: String,
-    /// Width and height of the view box.
-    pub(crate) size: (f64, f64),
-    pub(crate) axes: [NumberLine; 3],
-    pub(crate) clouds: Vec<Cloud>,
+    pub description: String,
+    /// What it is drawn on.
+    pub sheet: Sheet,
+    /// To the right, to the back, upwards.
+    pub axes: [NumberLine; 3],
+    /// What is drawn.
+    pub clouds: Vec<Cloud>,
 }
 
 /// Room that is left around the box: on the left and below for words.
@@ -114,8 +116,9 @@ fn half(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
 
 impl Space {
     /// The drawing.
-    pub(crate) fn drawing(&self) -> Drawing {
-        let view = View::of(&self.axes, self.size);
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        let view = View::of(&self.axes, self.sheet.view_box);
         let body = html! {
             (self.edges(&view))
             @for layer in 0..LAYERS {
@@ -123,11 +126,12 @@ impl Space {
             }
             (self.names(&view))
         };
-        Drawing { description: self.description.clone(), size: self.size, body }
+        Drawing { description: self.description.clone(), sheet: self.sheet, body }
     }
 
     /// How many points there are that the axes do not show.
-    pub(crate) fn outside(&self) -> usize {
+    #[must_use]
+    pub fn outside(&self) -> usize {
         self.clouds.iter().flat_map(|cloud| &cloud.points).filter(|point| !self.shows(point)).count()
     }
 
@@ -143,12 +147,13 @@ impl Space {
         let edges = (0..8_usize).flat_map(|from| [1, 2, 4].map(|bit| (from, from | bit)));
         let edges = edges.filter(|(from, to)| from != to).map(|ends| (ends, AXES.contains(&ends)));
         let (axes, others): (Vec<_>, Vec<_>) = edges.partition(|(_, is_axis)| *is_axis);
+        let theme = self.sheet.theme;
         let drawn = |((from, to), _): &((usize, usize), bool)| {
             line(view.place(self.corner(*from)), view.place(self.corner(*to)))
         };
         html! {
-            g stroke-width="0.8" { (Paint::GRID.group(&html! { @for edge in &others { (drawn(edge)) } })) }
-            (Paint::AXES.group(&html! { @for edge in &axes { (drawn(edge)) } }))
+            (grid(theme, &html! { @for edge in &others { (drawn(edge)) } }))
+            (Paint::AXES.group(theme, &html! { @for edge in &axes { (drawn(edge)) } }))
         }
     }
 
@@ -173,10 +178,10 @@ impl Space {
             }
             path
         };
-        let mark = cloud.mark;
-        Paint::curve(cloud.colour).group(&html! {
-            @if mark.has_line() { (stroked("line", &lines(), width_in(layer, LINE))) }
-            @if mark.has_dots() { (stroked("dots", &dots(&places(&here)), width_in(layer, mark.dot()))) }
+        let (mark, theme) = (cloud.mark, self.sheet.theme);
+        Paint::curve(cloud.colour).group(theme, &html! {
+            @if mark.has_line() { (stroked("line", &lines(), width_in(layer, theme.line(LINE)))) }
+            @if mark.has_dots() { (stroked("dots", &dots(&places(&here)), width_in(layer, theme.line(mark.dot())))) }
         })
     }
 
@@ -208,8 +213,8 @@ impl Space {
             text transform=(format!("translate({right} {up}) rotate(-90)")) text-anchor="middle" { (z) }
         };
         html! {
-            (ticks(&values))
-            (names_of_axes(&names))
+            (ticks(self.sheet.theme, &values))
+            (names_of_axes(self.sheet.theme, &names))
         }
     }
 }

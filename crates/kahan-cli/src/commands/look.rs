@@ -1,0 +1,84 @@
+//! How a picture is to look: the arguments that all commands share which draw one.
+
+use std::path::Path;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use kahan_draw::{Drawing, Format, NoFile, Sheet, Theme};
+
+use crate::printing::Refusal;
+
+/// How a picture is to look.
+#[derive(Args, Debug)]
+pub(super) struct Look {
+    /// Width and height in pixels; on paper 300 of them are an inch.
+    #[arg(long, value_name = "WxH", value_parser = pixels)]
+    size: Option<(u32, u32)>,
+
+    /// light, dark, or as the viewer has it.
+    #[arg(long, value_parser = theme(), default_value = "viewer", hide_possible_values = true)]
+    theme: Theme,
+
+    /// For print: black on white in thin lines, as wide as a column.
+    #[arg(long, conflicts_with = "theme")]
+    paper: bool,
+}
+
+/// Reads the name of a theme for screens.
+fn theme() -> impl TypedValueParser<Value = Theme> {
+    PossibleValuesParser::new(["viewer", "light", "dark"]).map(|name| match name.as_str() {
+        "light" => Theme::Light,
+        "dark" => Theme::Dark,
+        _ => Theme::Viewer,
+    })
+}
+
+/// Width and height, in the proportions that axes have room in.
+fn pixels(text: &str) -> Result<(u32, u32), String> {
+    let sides = text.split_once(['x', 'X', '×']);
+    let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=8192).contains(side));
+    let size: Option<(u32, u32)> = sides.and_then(|(width, height)| Some((side(width)?, side(height)?)));
+    size.filter(|(width, height)| width.max(height) <= &(4 * width.min(height))).ok_or_else(|| {
+        "write WIDTHxHEIGHT in pixels, as 960x720: each from 16 to 8192, the one at most four times the other".to_owned()
+    })
+}
+
+impl Look {
+    /// What the picture is drawn on, where it is usually drawn on this in colours for a screen.
+    pub(super) fn sheet(&self, mut usual: Sheet) -> Sheet {
+        let theme = if self.paper { Theme::Paper } else { self.theme };
+        match self.size {
+            None if self.paper => Sheet::new(Sheet::COLUMN, theme),
+            None => {
+                usual.theme = theme;
+                usual
+            }
+            Some(pixels) => Sheet::new(pixels, theme),
+        }
+    }
+}
+
+/// The usual size of a picture.
+pub(super) fn usual() -> Sheet {
+    Sheet::new((960, 720), Theme::Viewer)
+}
+
+/// The format of the picture that `--out` names; refused where this build cannot write it.
+pub(super) fn format(out: &Path) -> Result<Format, Refusal> {
+    Format::of(out).map_err(|why| match why {
+        NoFile::NotBuilt(format) => Refusal::new(format!(
+            "--out: this build of the command writes no {format}, whose renderer takes long to build; name a file that ends in .svg, or \
+             build it with `cargo build --release -p kahan-cli --features {}`",
+            format.feature()
+        )),
+        _ => Refusal::new(format!(
+            "--out: the name of the file, {}, tells its format: it ends in .svg, .png or .pdf",
+            out.display()
+        )),
+    })
+}
+
+/// The file of a drawing.
+pub(super) fn file(drawing: &Drawing, format: Format) -> Result<Vec<u8>, Refusal> {
+    drawing.file(format).map_err(|why| Refusal::new(format!("--out: {why}")))
+}
