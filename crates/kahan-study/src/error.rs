@@ -12,7 +12,10 @@ use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_runtime::Diagnostics;
 
 use crate::formula::NoFormula;
-use crate::study::MOST_VARIABLES;
+use crate::numbers::ScalarKind;
+use crate::question::NoOrbit;
+use crate::rows::MOST_CELLS;
+use crate::study::{MOST_VARIABLES, assigned};
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
 
@@ -142,8 +145,26 @@ pub enum StudyError {
     },
     /// A point or ε is beyond the range of doubles.
     OutOfRange,
+    /// A number is beyond the range of the scalar.
+    BeyondRange {
+        /// What it is of: `at`, `param` or `eps`.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// The scalar.
+        scalar: ScalarKind,
+    },
     /// There is no composition of this order.
     Order(u32),
+    /// An orbit cannot be all that it is asked to be.
+    Orbit(NoOrbit),
+    /// A question whose answer is no table, by its name, is asked for rows.
+    NoRows(&'static str),
+    /// An answer has more cells than [`MOST_CELLS`].
+    TooLong {
+        /// How many it has.
+        cells: u64,
+    },
     /// The question measures times, and the watch has no clock.
     NoClock,
     /// There is nothing to measure.
@@ -175,9 +196,6 @@ impl StudyError {
 
 impl fmt::Display for StudyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let assigned = |values: &[(String, Rational)]| {
-            values.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
-        };
         match self {
             Self::UnknownSystem { name, nearest, known } => {
                 write!(f, "there is no system `{name}`.")?;
@@ -241,13 +259,22 @@ impl fmt::Display for StudyError {
                 write!(f, "the grid has more than {most} points; take larger steps")
             }
             Self::OutOfRange => f.write_str("the point and eps must be in the range of f64"),
+            Self::BeyondRange { what, name, scalar } => {
+                write!(f, "{what}: {name} is beyond the range of {}; use scalar exact", scalar.name())
+            }
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
+            Self::Orbit(why) => why.fmt(f),
+            Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
+            Self::TooLong { cells } => write!(
+                f,
+                "the answer has {cells} cells, and at most {MOST_CELLS} are kept in memory; take its rows, or a larger `every`"
+            ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
             Self::Trade { system, why } => write!(f, "{system}: {why}"),
             Self::UndefinedField { system, parameters } => write!(
                 f,
                 "the field of {system} divides by zero at {}; choose other values",
-                assigned(parameters)
+                assigned(parameters.iter().map(|(name, value)| (name, value))).collect::<Vec<_>>().join(", ")
             ),
         }
     }

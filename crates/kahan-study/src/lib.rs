@@ -41,11 +41,11 @@ pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use named::Names;
 pub use question::{
-    Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, Observe, Observed,
-    Periodic, Plane, Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Side,
-    characteristic_polynomial, fifteen_digits,
+    Answer, Chain, ChainHead, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound,
+    Method, NoOrbit, Observe, Observed, Orbit, OrbitHead, Orbited, Periodic, Plane, Poles, PolesFound,
+    Question, Scan, ScanFound, Section, SectionFound, Side, characteristic_polynomial, fifteen_digits,
 };
 pub use range::{Axis, NoRange, Range, Spacing};
-pub use rows::{Column, End, Exact, Rows, Values};
+pub use rows::{Cell, Column, End, Exact, Kept, Last, MOST_CELLS, Rows, Table, Values, free_name};
 pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};

@@ -1,12 +1,13 @@
 //! A field that was read, about which questions are asked.
 
+use std::fmt::Display;
 use std::sync::{Arc, OnceLock};
 
 use kahan_algebra::interpret::Interpreter;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_runtime::{Field, FieldText, MapAt};
+use kahan_runtime::{Field, FieldText, Map, MapAt};
 
 use crate::error::StudyError;
 use crate::subject::{Catalog, Given, Named, Subject};
@@ -44,6 +45,8 @@ struct Parts {
     /// The mistakes of its claims, once they were proved.
     proved: OnceLock<Result<(), StudyError>>,
     interpreter: OnceLock<Interpreter>,
+    field: OnceLock<Field>,
+    map: OnceLock<Map>,
 }
 
 impl Subject {
@@ -77,6 +80,8 @@ impl Subject {
             system,
             proved: OnceLock::new(),
             interpreter: OnceLock::new(),
+            field: OnceLock::new(),
+            map: OnceLock::new(),
         })))
     }
 }
@@ -145,9 +150,9 @@ impl Study {
         &self.0.given
     }
 
-    /// The same with a value of one more parameter; what was planned is planned again.
+    /// The same with a value of one more parameter; what was planned of the field is shared.
     pub(crate) fn with(&self, place: usize, value: Rational) -> Self {
-        let Parts { name, named, text, sites, given, system, proved, .. } = &*self.0;
+        let Parts { name, named, text, sites, given, system, proved, field, .. } = &*self.0;
         let mut given = given.clone();
         given[place] = Some(value);
         Study(Arc::new(Parts {
@@ -159,6 +164,8 @@ impl Study {
             system: system.clone(),
             proved: proved.clone(),
             interpreter: OnceLock::new(),
+            field: field.clone(),
+            map: OnceLock::new(),
         }))
     }
 
@@ -190,21 +197,46 @@ impl Study {
         Err(StudyError::Coordinates { variables: self.variables().to_vec(), given: at.len() })
     }
 
+    /// The field with its plans, which are made when it is first asked for.
+    pub(crate) fn field(&self) -> &Field {
+        self.0.field.get_or_init(|| Field::of(self.system()))
+    }
+
+    /// The map at the values of the parameters, with what was planned and compiled for it.
+    pub(crate) fn map(&self) -> Result<&Map, StudyError> {
+        if let Some(map) = self.0.map.get() {
+            return Ok(map);
+        }
+        let values = self.values()?;
+        let map = self.field().with(self.parameters().iter().zip(&values));
+        let map = map.map_err(|_| self.undefined_field())?;
+        Ok(self.0.map.get_or_init(|| map))
+    }
+
     /// The map at ε, and a point, in doubles.
     pub(crate) fn in_floats(
         &self,
         at: &[Rational],
         eps: &Rational,
     ) -> Result<(MapAt<f64>, Vec<f64>), StudyError> {
-        let (point, values) = (self.point(at)?, self.values()?);
-        let field = Field::of(self.system());
-        let map = field.with(field.parameters().iter().zip(&values)).map_err(|_| self.undefined_field())?;
+        let (point, map) = (self.point(at)?, self.map()?);
         let mut start: Vec<f64> = point.iter().chain([eps]).map(Rational::to_f64).collect();
         if !start.iter().all(|number| number.is_finite()) {
             return Err(StudyError::OutOfRange);
         }
         let eps = start.pop().expect("eps stands last");
         Ok((map.at(eps), start))
+    }
+
+    /// A point with the parameters and ε, in words; long numbers are cut.
+    #[must_use]
+    pub fn place(&self, at: &[impl Display], eps: &Rational) -> String {
+        let parameters = self.parameters().iter().zip(self.given().iter().flatten());
+        assigned(self.variables().iter().zip(at))
+            .chain(assigned(parameters))
+            .chain(assigned([("eps", eps)]))
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 
     /// What a point where det A = 0 and that has no image is.
@@ -220,6 +252,20 @@ impl Study {
         let values = self.parameters().iter().cloned().zip(self.given().iter().flatten().cloned());
         StudyError::UndefinedField { system: self.name().to_owned(), parameters: values.collect() }
     }
+}
+
+/// `x = 1`, `y = 2`, of long numbers the first digits.
+pub(crate) fn assigned<N: Display, V: Display>(
+    values: impl IntoIterator<Item = (N, V)>,
+) -> impl Iterator<Item = String> {
+    const DIGITS: usize = 40;
+    values.into_iter().map(|(name, value)| {
+        let value = value.to_string();
+        match value.char_indices().nth(DIGITS) {
+            Some(_) => format!("{name} = {}…", &value[..DIGITS - 1]),
+            None => format!("{name} = {value}"),
+        }
+    })
 }
 
 /// The plain system of a chain of so many sites of the family in a text, its claims proved.

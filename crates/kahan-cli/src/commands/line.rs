@@ -7,8 +7,8 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
 use super::{
-    discover::Discover, dynamics::Dynamics, eval::Eval, heights::Heights, periodic::Periodic, poles::Poles,
-    scan::Scan, section::Section, trade::Trade,
+    discover::Discover, dynamics::Dynamics, eval::Eval, heights::Heights, orbit::Orbit, periodic::Periodic,
+    poles::Poles, scan::Scan, section::Section, trade::Trade,
 };
 use crate::printing::Refusal;
 
@@ -48,6 +48,7 @@ impl Line {
     pub(crate) fn asking(system: &[String], question: &Question) -> Self {
         match question {
             Question::Evaluate(asked) => Eval::call(system, asked),
+            Question::Orbit(asked) => Orbit::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
             Question::Periodic(asked) => Periodic::call(system, asked),
@@ -116,7 +117,7 @@ mod tests {
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Observe, Range, Side};
+    use kahan_study::{self as study, Axis, Evaluate, Method, Observe, Range, Side};
 
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
@@ -138,6 +139,13 @@ mod tests {
 
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
+        let plain = study::Orbit::new(eps.clone(), at.clone(), 99);
+        let (every, scalar, method) = (7, ScalarKind::F32, Method::Rk4);
+        reads_back::<Orbit>([
+            study::Orbit { every, scalar, method, ..plain.clone() },
+            study::Orbit { order: 4, projective: true, ..plain.clone() },
+            plain,
+        ]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         reads_back::<Dynamics>([Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");

@@ -18,12 +18,10 @@ mod study;
 mod values;
 
 pub(crate) use block::Block;
-pub(crate) use chain::Chain;
 pub(crate) use number_file::is_number_file;
 pub(crate) use points::{point, points};
 pub(crate) use range::{axis, over};
 pub(crate) use request::Request;
 pub(crate) use results::{columns, not_started, sweeper};
 pub(crate) use source::{Source, Start};
-pub(crate) use study::place;
 pub(crate) use values::{number, seconds, whole};

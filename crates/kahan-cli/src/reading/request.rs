@@ -1,16 +1,14 @@
 //! What an evaluation or an orbit begins with, read and checked.
 
-use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_runtime::{Field, MapAt};
 use kahan_study::{Axis, StudyError};
 
-use super::points::{only, points};
+use super::points::point;
 use super::source::Start;
-use crate::numbers::Printable;
-use crate::printing::{Refusal, shorten};
+use crate::printing::Refusal;
 
 /// A system with a point, parameters and ε, exactly.
 #[derive(Debug)]
@@ -25,14 +23,6 @@ impl Start {
     /// The system with its claims proved, and the numbers; parameters and ε that are gone through
     /// need no value besides.
     pub(crate) fn request_over(&self, axes: &[Axis]) -> Result<Request, Refusal> {
-        let (mut request, starts) = self.request_and_starts(axes)?;
-        request.point.state = only(starts, self.at.as_deref().unwrap_or_default())?;
-        Ok(request)
-    }
-
-    /// The same with all first points of `--at`, each of which may take the place of the request's,
-    /// which is the first of them.
-    pub(crate) fn request_and_starts(&self, axes: &[Axis]) -> Result<(Request, Vec<Vec<Rational>>), Refusal> {
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
@@ -43,14 +33,14 @@ impl Start {
                 source = source.with_parameter(&axis.name, &axis.range.value(0));
             }
         }
-        let starts = points(self.at.as_deref().unwrap_or_default(), &symbols.states)?;
+        let state = point(self.at.as_deref().unwrap_or_default(), &symbols.states)?;
         let of_axis = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let point = Point {
-            state: starts[0].clone(),
+            state,
             parameters: source.parameter_values(&system, &name)?,
             eps: self.half_step()?.or(of_axis).ok_or(StudyError::MissingStep)?,
         };
-        Ok((Request { name, system, point }, starts))
+        Ok(Request { name, system, point })
     }
 }
 
@@ -71,29 +61,8 @@ impl Request {
 
     /// The field divides by zero at the parameters.
     pub(crate) fn undefined_field(&self) -> Refusal {
-        let values = assignments::<Exact>(&self.system.field.symbols.parameters, &self.point.parameters);
-        Refusal::new(format!("the field of {} divides by zero at {values}; choose other values", self.name))
+        let names = self.system.field.symbols.parameters.iter().cloned();
+        let parameters = names.zip(self.point.parameters.iter().cloned()).collect();
+        StudyError::UndefinedField { system: self.name.clone(), parameters }.into()
     }
-
-    /// A state with the parameters and ε, in words.
-    pub(crate) fn place<A: Printable>(&self, state: &[A::Value]) -> String {
-        let symbols = &self.system.field.symbols;
-        let parts = [
-            assignments::<A>(&symbols.states, state),
-            assignments::<Exact>(&symbols.parameters, &self.point.parameters),
-            assignments::<Exact>(&["eps".to_owned()], std::slice::from_ref(&self.point.eps)),
-        ];
-        parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
-    }
-}
-
-/// `x = 1, y = 2`, long numbers cut.
-pub(super) fn assignments<A: Printable>(names: &[String], values: &[A::Value]) -> String {
-    const DIGITS: usize = 40;
-    let parts = names.iter().zip(values).map(|(name, value)| {
-        let mut text = String::new();
-        A::append(value, &mut text);
-        format!("{name} = {}", shorten(&text, DIGITS))
-    });
-    parts.collect::<Vec<_>>().join(", ")
 }

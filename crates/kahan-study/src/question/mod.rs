@@ -11,11 +11,13 @@ mod discover;
 mod evaluate;
 mod heights;
 mod observe;
+mod orbit;
 mod periodic;
 mod poles;
 mod scan;
 mod section;
 
+use std::ops::Range;
 use std::time::Duration;
 
 use kahan_discover::Watch;
@@ -24,6 +26,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
 use crate::error::StudyError;
+use crate::rows::{End, Rows};
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
@@ -31,6 +34,7 @@ pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observe, Observed};
+pub use orbit::{Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
@@ -62,6 +66,14 @@ macro_rules! questions {
                 })
             }
 
+            /// Its name, the value of `ask`.
+            #[must_use]
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$question(_) => $name,)*
+                }
+            }
+
             /// The question of this name; its own reader sees the rest. (Through serde's tagged
             /// enums exact numbers of JSON do not come.)
             fn read<E: Error>(name: &str, rest: Map<String, Value>) -> Result<Self, E> {
@@ -80,6 +92,8 @@ macro_rules! questions {
 questions! {
     /// Every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated;
+    /// The points of an orbit.
+    Orbit, asked as "orbit", answered by Orbited;
     /// What an orbit does.
     Observe, asked as "observe", answered by Observed;
     /// Where an orbit crosses a plane.
@@ -105,6 +119,25 @@ impl Study {
     /// Where the question does not fit the field, or has no answer: [`StudyError`].
     pub fn ask(&self, question: &Question, watch: &dyn Watch) -> Result<Answer, StudyError> {
         question.ask(self, watch)
+    }
+
+    /// Hands on rows of an answer that is a table, by their numbers from 0 on; how the table ended.
+    /// Rows that are not there are left out.
+    ///
+    /// # Errors
+    /// [`StudyError::NoRows`] where the answer is no table, and where there is no answer.
+    pub fn rows(
+        &self,
+        question: &Question,
+        range: Range<u64>,
+        rows: &mut dyn Rows,
+        watch: &dyn Watch,
+    ) -> Result<End, StudyError> {
+        match question {
+            Question::Orbit(asked) => asked.rows(self, range, rows, watch),
+            Question::Section(asked) => asked.rows(self, range, rows, watch),
+            other => Err(StudyError::NoRows(other.name())),
+        }
     }
 }
 
