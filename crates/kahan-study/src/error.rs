@@ -97,6 +97,15 @@ pub enum StudyError {
         /// The highest degree within reach, if there is one.
         most: Option<u32>,
     },
+    /// The field has no such variable.
+    UnknownVariable {
+        /// The field.
+        system: String,
+        /// What was asked for.
+        name: String,
+        /// Its variables.
+        known: Vec<String>,
+    },
     /// What goes through values is neither a parameter nor ε.
     UnknownAxis {
         /// The field.
@@ -229,6 +238,9 @@ impl fmt::Display for StudyError {
                     Some(most) => write!(f, "ask for at most {most}"),
                     None => f.write_str("ask for none"),
                 }
+            }
+            Self::UnknownVariable { system, name, known } => {
+                write!(f, "`{name}` is no variable of {system}: it has {}", known.join(", "))
             }
             Self::UnknownAxis { system, name, known } => {
                 write!(f, "`{name}` is no parameter of {system}; there is {}", known.join(", "))

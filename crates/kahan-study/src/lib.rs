@@ -33,6 +33,7 @@ pub mod random_fields;
 mod range;
 pub mod reference;
 mod rows;
+mod scene;
 mod study;
 mod subject;
 mod sympy;
@@ -44,13 +45,14 @@ pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::{
-    Answer, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated, Extremes, Form,
-    Heights, HeightsFound, Judged, Listing, Observe, Observed, Periodic, Plane, Planned, Poles, PolesFound,
-    Question, Scan, ScanFound, Section, SectionFound, Sheet, Show, Shown, Side, characteristic_polynomial,
-    fifteen_digits,
+    Answer, ClaimShown, Costs, CycleFound, Diagram, DiagramFound, Discover, Discovered, Evaluate, Evaluated,
+    Extremes, Form, Heights, HeightsFound, Judged, Listing, Observe, Observed, Periodic, Plane, Planned,
+    Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Sheet, Show, Shown, Side,
+    characteristic_polynomial, fifteen_digits,
 };
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rows::{Column, End, Exact, Rows, Values};
+pub use scene::Scene;
 pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};
 pub use sympy::SymPy;

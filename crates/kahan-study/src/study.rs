@@ -9,6 +9,7 @@ use kahan_algebra::system::System;
 use kahan_runtime::{Field, FieldText, MapAt};
 
 use crate::error::StudyError;
+use crate::range::Axis;
 use crate::subject::{Catalog, Given, Named, Subject};
 
 /// The most variables of a chain that is written out.
@@ -211,6 +212,29 @@ impl Study {
             let names = self.parameters().iter().zip(self.given());
             let missing = names.filter(|(_, value)| value.is_none()).map(|(name, _)| name.clone());
             StudyError::MissingParameters { system: self.name().to_owned(), names: missing.collect() }
+        })
+    }
+
+    /// The place among the parameters of what goes through values; `None` for ε.
+    pub(crate) fn axis(&self, axis: &Axis) -> Result<Option<usize>, StudyError> {
+        let place = self.parameters().iter().position(|name| *name == axis.name);
+        if place.is_some() || axis.name == "eps" {
+            return Ok(place);
+        }
+        Err(StudyError::UnknownAxis {
+            system: self.name().to_owned(),
+            name: axis.name.clone(),
+            known: self.parameters().iter().cloned().chain(["eps".to_owned()]).collect(),
+        })
+    }
+
+    /// The place of a variable of this name.
+    pub(crate) fn variable(&self, name: &str) -> Result<usize, StudyError> {
+        let place = self.variables().iter().position(|known| known == name);
+        place.ok_or_else(|| StudyError::UnknownVariable {
+            system: self.name().to_owned(),
+            name: name.to_owned(),
+            known: self.variables().to_vec(),
         })
     }
 

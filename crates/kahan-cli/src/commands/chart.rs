@@ -11,7 +11,7 @@ use kahan_draw::{Drawing, Grid, Mark, NumberLine, Plot, Series};
 use kahan_study::{Axis, Spacing};
 use serde_json::json;
 
-use super::look::{Look, file, format, usual};
+use super::look::{SheetOptions, file, format, usual};
 use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{self, Start, whole};
 
@@ -76,7 +76,7 @@ pub(crate) struct Chart {
     out: PathBuf,
 
     #[command(flatten)]
-    look: Look,
+    look: SheetOptions,
 
     /// Print one JSON object that says what the file shows.
     #[arg(long)]

@@ -7,8 +7,18 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
 use super::{
-    discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes, heights::Heights,
-    periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade,
+    discover::Discover,
+    dynamics::Dynamics,
+    eval::Eval,
+    extremes::Extremes,
+    heights::Heights,
+    periodic::Periodic,
+    picture::{Picture, shown::Shown},
+    poles::Poles,
+    scan::Scan,
+    section::Section,
+    show::Show,
+    trade::Trade,
 };
 use crate::printing::Refusal;
 
@@ -51,6 +61,7 @@ impl Line {
             Question::Evaluate(asked) => Eval::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
+            Question::Diagram(asked) => Picture::call(system, &Shown::of_diagram(asked)),
             Question::Periodic(asked) => Periodic::call(system, asked),
             Question::Heights(asked) => Heights::call(system, asked),
             Question::Poles(asked) => Poles::call(system, asked),
@@ -114,6 +125,8 @@ impl fmt::Display for Line {
 
 #[cfg(test)]
 mod tests {
+    use super::super::picture::shown::What;
+    use super::super::picture::starts::{At, Spread};
     use super::*;
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
@@ -159,8 +172,25 @@ mod tests {
         reads_back::<Periodic>([study::Periodic { eps: None, period: 3, over, ..plain.clone() }, plain]);
         let plain = study::Scan::new(vec![through("eps", "-2:2:+1/4")]);
         reads_back::<Scan>([study::Scan { degree: Some(3), seconds: 2.0, ..plain.clone() }, plain]);
+        let at2 = at.clone();
         let plain = trade::Trade::new(at, rational(25, 2));
         let (need, tolerance) = (Need::Integrals, rational(1, 1000));
         reads_back::<Trade>([trade::Trade { need, tolerance, seconds: 1.0, ..plain.clone() }, plain]);
+
+        let plain = Shown::portrait(rational(1, 10), vec![At::Point(at2.clone())], 9);
+        let spread = Spread { count: Some(3), radius: rational(1, 7), seed: 5 };
+        let line = vec![At::Line(at2.clone(), vec![rational(1, 1), rational(2, 1)]), At::Point(at2)];
+        let windows = vec![("y".to_owned(), [rational(-1, 2), rational(7, 1)])];
+        let axes = vec!["t".to_owned(), "y".to_owned()];
+        let section = Shown { what: What::Section("x - y".to_owned()), seconds: 2.5, ..plain.clone() };
+        let heights = Shown { what: What::Heights, ..plain.clone() };
+        let over = What::Over(through("eps", "1/10:1:+1/40"), 77);
+        let over = Shown { what: over, eps: None, ..plain.clone() };
+        let rich = Shown { at: line, spread, axes, windows, lines: true, ..plain.clone() };
+        for asked in [plain, section, heights, over, rich] {
+            let line = Picture::call(&["lv".to_owned()], &asked).with("--out", "f.svg");
+            let read: Picture = line.read().expect("a call");
+            assert!(read.asked().expect("a picture").1 == asked, "{line}");
+        }
     }
 }
