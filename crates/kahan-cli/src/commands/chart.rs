@@ -1,21 +1,23 @@
 //! `kahan chart`: what an observer says of orbits over one coordinate or parameter, as a curve, or
 //! over two, in colours.
 
-mod cells;
 mod rows;
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use kahan_algebra::syntax::ClaimKind;
 use kahan_draw::{Drawing, Grid, Mark, NumberLine, Plot, Series};
-use kahan_study::{Axis, Spacing};
+use kahan_study::{
+    Axis, Kept, Observable, Observe, Over, OverFound, Question, Spacing, Study, StudyError, Through, Varied,
+};
 use serde_json::json;
 
+use super::line::{Asking, Line};
 use super::look::{SheetOptions, file, format, usual};
-use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{self, Start, whole};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::reading::{self, Start, number, observable, whole};
 
-use cells::Cells;
 use rows::Rows;
 
 /// Charts what orbits do over one or two coordinates or parameters.
@@ -64,8 +66,8 @@ pub(crate) struct Chart {
     steps: u64,
 
     /// What is shown.
-    #[arg(long, value_enum, default_value = "sali")]
-    color: Colour,
+    #[arg(long, default_value = "sali", value_parser = observable(&COLOURS))]
+    color: Observable,
 
     /// The orbit has escaped where a variable is larger than R in size.
     #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true)]
@@ -83,22 +85,15 @@ pub(crate) struct Chart {
     json: bool,
 }
 
-/// What a cell shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Colour {
-    /// The smaller alignment index, as a logarithm.
-    Sali,
-    /// The fast Lyapunov indicator.
-    Fli,
-    /// The mean of MEGNO.
-    Megno,
-    /// The largest Lyapunov exponent.
-    Lyapunov,
-    /// The greatest drift of the claimed integrals, as a logarithm.
-    Drift,
-    /// The step of the escape.
-    Escape,
-}
+/// What a cell can show.
+const COLOURS: [Observable; 6] = [
+    Observable::Sali,
+    Observable::Fli,
+    Observable::Megno,
+    Observable::Lyapunov,
+    Observable::Drift,
+    Observable::Escape,
+];
 
 const EXAMPLES: &str = "\
 Examples:
@@ -115,26 +110,56 @@ fn steps(text: &str) -> Result<u64, String> {
     whole(text, 1, 1 << 40)
 }
 
-impl Colour {
-    /// Its word on the command line.
-    fn name(self) -> String {
-        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
+/// What is shown, in words.
+fn label(colour: Observable) -> &'static str {
+    match colour {
+        Observable::Sali => "log SALI, to base 10",
+        Observable::Fli => "FLI",
+        Observable::Megno => "mean MEGNO",
+        Observable::Lyapunov => "largest exponent, per unit of time",
+        Observable::Drift => "log of the greatest drift, to base 10",
+        _ => "step of the escape",
+    }
+}
+
+/// To base 10; what is smaller than a rounding of 1 counts as that.
+fn logarithm(value: f64) -> f64 {
+    if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
+}
+
+impl Asking for Chart {
+    const COMMAND: &str = "chart";
+    type Question = Over;
+
+    fn asked(&self) -> Result<(Study, Over), Refusal> {
+        let axes = self.over.iter().map(|over| reading::over(over, Spacing::Cells));
+        let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
+        let (study, at, eps) = self.start.study_without_values()?;
+        let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
+        let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
+        let escape = number(&self.escape, "--escape")?.to_f64();
+        let mut of = vec![self.color];
+        // Where there is an orbit, there is a last point.
+        of.extend((self.color == Observable::Escape).then_some(Observable::Last));
+        let observe = Observe { escape, of, ..Observe::new(eps, at, self.steps) };
+        // The first range of a chart runs fastest, and the last axis of a question.
+        let axes = axes.into_iter().rev().map(Into::into).collect();
+        Ok((study, Over::new(Question::Observe(observe), axes)))
     }
 
-    /// The column of a sweep that holds it.
-    fn column(self) -> String {
-        if self == Colour::Escape { "escaped".to_owned() } else { self.name() }
-    }
-
-    fn label(self) -> &'static str {
-        match self {
-            Colour::Sali => "log SALI, to base 10",
-            Colour::Fli => "FLI",
-            Colour::Megno => "mean MEGNO",
-            Colour::Lyapunov => "largest exponent, per unit of time",
-            Colour::Drift => "log of the greatest drift, to base 10",
-            Colour::Escape => "step of the escape",
-        }
+    fn options(asked: &Over, line: Line) -> Line {
+        let Question::Observe(Observe { eps, at, steps, escape, of, .. }) = &*asked.question else {
+            return line;
+        };
+        let line = line.with("--eps", eps).at(at);
+        let line = asked.axes.iter().rev().fold(line, |line, axis| match &axis.through {
+            Through::Range(range) => line.with("--over", format!("{}={range}", axis.name)),
+            Through::List(_) | Through::Drawn { .. } => line,
+        });
+        let line = line.unless(*steps == 1000, "--steps", steps);
+        let colour = of.first().filter(|of| **of != Observable::Sali);
+        let line = line.with_some("--color", colour.map(|of| of.name()));
+        line.unless(*escape == 1e6, "--escape", escape)
     }
 }
 
@@ -203,30 +228,61 @@ impl Chart {
     }
 
     fn of_orbits(&self) -> Result<Shown, Refusal> {
-        let axes = self.over.iter().map(|over| reading::over(over, Spacing::Cells));
-        let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
-        let request = self.start.request_over(&axes)?;
-        let values = Cells::new(&request, &axes, self.color, self.steps, &self.escape)?.values()?;
-        let label = self.color.label().to_owned();
-        let is_logarithm = matches!(self.color, Colour::Sali | Colour::Drift);
-        let description = format!("{}, {} steps each", over(&label, &request.name, &axes), self.steps);
-        Ok(Shown {
-            axes,
-            values,
-            name: request.name,
-            column: self.color.name(),
-            is_logarithm,
-            label,
-            description,
-        })
+        let (study, asked) = self.asked()?;
+        if self.color == Observable::Drift && study.system().accessors(ClaimKind::Integral).next().is_none() {
+            return Err(Refusal::new(format!("--color drift: {} claims no integral", study.name())));
+        }
+        let prompt = Prompt::new(asked.cells(&study)?, "orbits");
+        let found = asked.ask(&study, &prompt);
+        prompt.finish();
+        let values = self.values(&found?);
+        let axis = |axis: &Varied| match &axis.through {
+            Through::Range(range) => Axis { name: axis.name.clone(), range: range.clone() },
+            other => unreachable!("a chart goes through ranges, and not {other:?}"),
+        };
+        let axes: Vec<Axis> = asked.axes.iter().rev().map(axis).collect();
+        let label = label(self.color).to_owned();
+        let is_logarithm = matches!(self.color, Observable::Sali | Observable::Drift);
+        let description = format!("{}, {} steps each", over(&label, study.name(), &axes), self.steps);
+        let (name, column) = (study.name().to_owned(), self.color.name().to_owned());
+        Ok(Shown { axes, values, name, column, is_logarithm, label, description })
+    }
+
+    /// What each cell shows, row by row from below; not a number where it is empty.
+    fn values(&self, found: &OverFound) -> Vec<f64> {
+        let first = 1 + self.over.len();
+        let Kept::Integer(steps) = &found.rows.values[first] else { unreachable!("steps are counted") };
+        let numbers = |column: usize| match &found.rows.values[first + column] {
+            Kept::F64(numbers) => numbers,
+            other => unreachable!("what is observed is a number, and not {other:?}"),
+        };
+        let value = |(cell, steps): (usize, &i64)| {
+            let (own, leaves) = (numbers(1)[cell], *steps < self.steps as i64);
+            match self.color {
+                // What is beyond all numbers is beyond a size.
+                Observable::Escape if own.is_nan() && leaves && !numbers(2)[cell].is_nan() => {
+                    (steps + 1) as f64
+                }
+                Observable::Escape => own,
+                _ if leaves => f64::NAN,
+                Observable::Drift => {
+                    // Of each integral the greatest, and behind it the last.
+                    let count = found.rows.values.len() - first - 1;
+                    logarithm((1..=count).step_by(2).map(|k| numbers(k)[cell]).fold(0.0, f64::max))
+                }
+                Observable::Sali => logarithm(own),
+                _ => own,
+            }
+        };
+        steps.iter().enumerate().map(value).collect()
     }
 
     fn of_rows(&self, from: &Path) -> Result<Shown, Refusal> {
-        let column = self.column.clone().unwrap_or_else(|| self.color.column());
+        let escaped = if self.color == Observable::Escape { "escaped" } else { self.color.name() };
+        let column = self.column.clone().unwrap_or_else(|| escaped.to_owned());
         let rows = Rows { from, over: &self.over, column, chosen: &self.chosen };
         let is_logarithm = rows.column == "sali" || rows.column.starts_with("drift");
-        let (axes, values) =
-            rows.cells(|value| if is_logarithm { cells::logarithm(value) } else { value })?;
+        let (axes, values) = rows.cells(|value| if is_logarithm { logarithm(value) } else { value })?;
         let column = rows.column;
         let label = if is_logarithm { format!("log {column}, to base 10") } else { column.clone() };
         let name = from.display().to_string();

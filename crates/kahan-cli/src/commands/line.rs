@@ -7,6 +7,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
 use super::{
+    chart::Chart,
     discover::Discover,
     dynamics::Dynamics,
     eval::Eval,
@@ -19,6 +20,7 @@ use super::{
     section::Section,
     show::Show,
     trade::Trade,
+    verify::Verify,
 };
 use crate::printing::Refusal;
 
@@ -60,6 +62,7 @@ impl Line {
             Question::Show(asked) => Show::call(system, asked),
             Question::Evaluate(asked) => Eval::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
+            Question::Over(asked) => Chart::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
             Question::Diagram(asked) => Picture::call(system, &Shown::of_diagram(asked)),
             Question::Periodic(asked) => Periodic::call(system, asked),
@@ -69,6 +72,7 @@ impl Line {
             Question::Scan(asked) => Scan::call(system, asked),
             Question::Trade(asked) => Trade::call(system, asked),
             Question::Extremes(asked) => Extremes::call(system, asked),
+            Question::Verify(asked) => Verify::call(system, asked),
         }
     }
 
@@ -131,7 +135,7 @@ mod tests {
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Form, Observe, Range, Side};
+    use kahan_study::{self as study, Axis, Evaluate, Form, Observable, Observe, Range, Side};
 
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
@@ -156,9 +160,20 @@ mod tests {
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
-        reads_back::<Dynamics>([Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain]);
+        let of = vec![Observable::Last, Observable::Fli];
+        reads_back::<Dynamics>([
+            Observe { order: 8, every: 3, escape: 12.5, of, ..plain.clone() },
+            plain.clone(),
+        ]);
+        let of = vec![Observable::Escape, Observable::Last];
+        let asked = Observe { of, escape: 12.5, ..plain.clone() };
+        let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();
+        let two = study::Over::new(Question::Observe(asked), axes.clone());
+        let plain = Observe { of: vec![Observable::Sali], ..plain };
+        reads_back::<Chart>([two, study::Over::new(Question::Observe(plain), axes[..1].to_vec())]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);
+        reads_back::<Verify>([false, true].map(|mutate| study::Verify { mutate }));
         let other = study::Extremes { trials: 9, random_fields: 2, odd_fields: 3, odd_trials: 8, seed: 0 };
         reads_back::<Extremes>([other, study::Extremes::default()]);
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);

@@ -99,16 +99,11 @@ impl Periodic {
         };
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let prompt =
-            Prompt::new(asked.over.as_ref().map_or(1, |axis| axis.range.count() as u64 - 1), "cycles");
-        let found = asked.ask(&study, &prompt);
-        prompt.finish();
-        let found = match found {
+        let found = match asked.ask(&study, &Prompt::of("cycles")) {
             Err(why @ StudyError::NoCycle { .. }) => {
                 return Ok(Answer { complaint: Some(why.to_string()), ..Answer::text(String::new()) });
             }
-            Err(StudyError::LongCycle { .. }) => {
-                let why = found.expect_err("it is too long");
+            Err(why @ StudyError::LongCycle { .. }) => {
                 return Err(Refusal::new(format!("--period {}: {why}", self.period)));
             }
             found => Found(found?),

@@ -98,10 +98,7 @@ impl Section {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let prompt = Prompt::new(self.steps, "steps");
-        let found = asked.ask(&study, &prompt);
-        prompt.finish();
-        let found = found?;
+        let found = asked.ask(&study, &Prompt::of("steps"))?;
         let complaint = found.left_range.then(|| {
             format!(
                 "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings up to \

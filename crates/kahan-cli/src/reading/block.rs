@@ -71,14 +71,6 @@ impl Block {
         }
     }
 
-    /// The system, its claims read but not proved.
-    pub(crate) fn unproved_system(&self) -> Result<System, Refusal> {
-        match self.sites {
-            Some(sites) => Ok(chain(&self.text, sites)?),
-            None => self.text.unproved_system().map_err(refusal),
-        }
-    }
-
     /// The names that the block takes as parameters because nothing declares them. A block of Rust
     /// has none: such names are variables of the program.
     pub(super) fn undeclared(&self) -> Vec<String> {
@@ -97,11 +89,6 @@ impl Block {
     /// The text of the block, as it was given.
     pub(crate) fn text(&self) -> &str {
         self.text.text()
-    }
-
-    /// The seed of the macro's proof.
-    pub(crate) fn seed(&self) -> [u8; 32] {
-        self.text.seed()
     }
 
     /// The name of the system in answers: the catalog's, or the header's, or `field`.

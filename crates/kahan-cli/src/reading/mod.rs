@@ -26,4 +26,4 @@ pub(crate) use request::Request;
 pub(crate) use results::{columns, not_started, sweeper};
 pub(crate) use source::{Source, Start};
 pub(crate) use study::place;
-pub(crate) use values::{number, seconds, whole};
+pub(crate) use values::{number, observable, seconds, whole};

@@ -4,10 +4,9 @@ use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_runtime::{Field, MapAt};
 use kahan_study::{Axis, StudyError};
 
-use super::points::{only, points};
+use super::points::points;
 use super::source::Start;
 use crate::numbers::Printable;
 use crate::printing::{Refusal, shorten};
@@ -22,16 +21,8 @@ pub(crate) struct Request {
 }
 
 impl Start {
-    /// The system with its claims proved, and the numbers; parameters and ε that are gone through
-    /// need no value besides.
-    pub(crate) fn request_over(&self, axes: &[Axis]) -> Result<Request, Refusal> {
-        let (mut request, starts) = self.request_and_starts(axes)?;
-        request.point.state = only(starts, self.at.as_deref().unwrap_or_default())?;
-        Ok(request)
-    }
-
-    /// The same with all first points of `--at`, each of which may take the place of the request's,
-    /// which is the first of them.
+    /// The system with its claims proved, and the numbers, with all first points of `--at`, each of
+    /// which may take the place of the request's, which is the first of them.
     pub(crate) fn request_and_starts(&self, axes: &[Axis]) -> Result<(Request, Vec<Vec<Rational>>), Refusal> {
         let block = self.source.required_block()?;
         let system = block.system()?;
@@ -55,20 +46,6 @@ impl Start {
 }
 
 impl Request {
-    /// The map at ε, and the first point, in floats.
-    pub(crate) fn in_floats(&self) -> Result<(MapAt<f64>, Vec<f64>), Refusal> {
-        let field = Field::of(&self.system);
-        let values = field.parameters().iter().zip(&self.point.parameters);
-        let map = field.with(values).map_err(|_| self.undefined_field())?;
-        let numbers = self.point.state.iter().chain([&self.point.eps]).map(Rational::to_f64);
-        let mut start: Vec<f64> = numbers.collect();
-        if !start.iter().all(|number| number.is_finite()) {
-            return Err(Refusal::new("--at and --eps must be in the range of f64"));
-        }
-        let eps = start.pop().expect("eps stands last");
-        Ok((map.at(eps), start))
-    }
-
     /// The field divides by zero at the parameters.
     pub(crate) fn undefined_field(&self) -> Refusal {
         let values = assignments::<Exact>(&self.system.field.symbols.parameters, &self.point.parameters);

@@ -18,7 +18,7 @@ use super::file::{chosen, read_file};
 use super::values::{number, whole};
 
 /// The system that a command is about.
-#[derive(Args, Clone, Debug, Default)]
+#[derive(Args, Clone, Debug, Default, PartialEq)]
 pub(crate) struct Source {
     /// A system of the catalog, as `kahan list` names them: euler, lv, e1 to e9, …
     #[arg(value_name = "SYSTEM")]
@@ -75,28 +75,6 @@ impl Source {
     /// A system by its name.
     pub(crate) fn of_system(name: String) -> Self {
         Source { system: Some(name), ..Source::default() }
-    }
-
-    /// The block that was named, unless it is the catalog's as it stands: then the paper's claims
-    /// are meant.
-    pub(crate) fn block_outside_the_paper(&self) -> Result<Option<Block>, Refusal> {
-        let is_family = self.system.as_deref().is_some_and(|name| lattices::find(name).is_some());
-        let is_plain = self.parameters.is_empty() && self.sites.is_none() && !is_family;
-        if self.field.is_none() && self.file.is_none() && is_plain {
-            return Ok(None);
-        }
-        self.required_block().map(Some)
-    }
-
-    /// The command name of the system whose claims are meant; `None` for all.
-    pub(crate) fn system_of_the_paper(&self) -> Result<Option<&'static str>, Refusal> {
-        match self.system.as_deref() {
-            None => Ok(None),
-            Some("general") => Ok(Some("general")),
-            Some(name) => find(name)
-                .map(|entry| Some(entry.command))
-                .ok_or_else(|| StudyError::unknown_system(name, &Systems).into()),
-        }
     }
 
     /// The words by which a command line names this; standard input, which can be read once only,
@@ -252,19 +230,6 @@ impl Source {
     pub(crate) fn with_parameter(mut self, name: &str, value: &Rational) -> Self {
         self.parameters.push(format!("{name}={value}"));
         self
-    }
-
-    /// The system with the given parameters fixed, the others generic.
-    pub(crate) fn specialised(&self, system: System, name: &str) -> Result<System, Refusal> {
-        let values = self.known_parameters(&system, name)?;
-        let fixed: Vec<(usize, Rational)> =
-            values.into_iter().enumerate().filter_map(|(k, value)| Some((k, value?))).collect();
-        if fixed.is_empty() {
-            return Ok(system);
-        }
-        system.specialise(&fixed).ok_or_else(|| {
-            Refusal::new(format!("at {} the field of {name} divides by zero", self.parameters.join(", ")))
-        })
     }
 
     /// The block that was named, of a command that needs one.

@@ -89,13 +89,12 @@ impl From<StudyError> for Refusal {
                 let options: Vec<String> = names.iter().map(|name| format!("--param {name}=VALUE")).collect();
                 format!("{system} needs a value for each of its parameters: add {}", options.join(" "))
             }
-            StudyError::Coordinates { .. } => format!("--at: {error}"),
             StudyError::UndefinedField { system, parameters } => {
                 let (names, values): (Vec<String>, Vec<Rational>) = parameters.into_iter().unzip();
                 let values = assignments::<Exact>(&names, &values);
                 format!("the field of {system} divides by zero at {values}; choose other values")
             }
-            StudyError::UnknownAxis { .. } => format!("--over: {error}"),
+            StudyError::UnknownAxis { .. } | StudyError::AxisTwice { .. } => format!("--over: {error}"),
             StudyError::Formula { what, why } => return refused(&why, &format!("--{what}")),
             StudyError::ConstantPlane { text } => format!(
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
@@ -105,8 +104,9 @@ impl From<StudyError> for Refusal {
             StudyError::NoAxis => "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 \
                  or --eps 1/4:2:+1/4"
                 .to_owned(),
-            StudyError::OutOfRange => "--at and --eps must be in the range of f64".to_owned(),
-            StudyError::NotPositive { .. } => format!("--{error}"),
+            StudyError::Coordinates { .. } | StudyError::OutOfRange { .. } | StudyError::NotPositive { .. } => {
+                format!("--{error}")
+            }
             StudyError::Degree { .. } => {
                 format!("--degree: {error}").replace("ask for none", "leave --degree out")
             }

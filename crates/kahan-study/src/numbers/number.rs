@@ -24,6 +24,17 @@ pub enum Number {
 }
 
 impl Number {
+    /// The nearest double.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        match self {
+            Self::Exact(value) => value.to_f64(),
+            Self::F32(value) => (*value).into(),
+            Self::F64(value) => *value,
+            Self::Dd(value) => value.high(),
+        }
+    }
+
     /// Whether it is neither infinite nor undefined.
     #[must_use]
     pub fn is_finite(&self) -> bool {

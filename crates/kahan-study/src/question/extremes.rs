@@ -5,8 +5,9 @@ use std::slice;
 use kahan_discover::Watch;
 use serde::{Deserialize, Serialize, Serializer};
 
+use crate::count::Count;
 use crate::error::StudyError;
-use crate::extremes::{Broken, Cell, Count, Tally, Tried, survey, survey_odd, total, total_of_odd};
+use crate::extremes::{Broken, Cell, Tally, Tried, survey, survey_odd, total, total_of_odd};
 use crate::random_fields::{RandomField, numbered, odd};
 use crate::study::Study;
 
@@ -78,7 +79,7 @@ impl Extremes {
         let random_fields: Vec<RandomField> =
             (0..self.random_fields).map(|number| numbered(self.seed, number)).collect();
         tried.extend(random_fields.iter().map(|field| Tried::drawn(&field.name, field.block())));
-        let count = Count::new(self.total(), watch);
+        let count = Count::new("trials", self.total(), watch);
         let mut tally = survey(&tried, self.trials, self.seed, &count);
         tally.add(survey_odd(self.odd_fields, self.odd_trials, self.seed, &count));
         Ok(Judged {

@@ -12,11 +12,7 @@ pub(in super::super) struct Comparison(pub(in super::super) Traded);
 impl Comparison {
     /// Measures.
     pub(in super::super) fn of(study: &Study, asked: &Trade) -> Result<Self, Refusal> {
-        // How many there will be depends on what they show.
-        let prompt = Prompt::new(60, "settings");
-        let traded = asked.ask(study, &prompt);
-        prompt.finish();
-        Ok(Comparison(traded?))
+        Ok(Comparison(asked.ask(study, &Prompt::of("settings"))?))
     }
 
     pub(super) fn need_name(&self) -> &'static str {

@@ -3,7 +3,7 @@
 mod sobol;
 mod uniform;
 
-pub(crate) use sobol::{DIMENSIONS, Sobol};
+pub(crate) use sobol::Sobol;
 pub(crate) use uniform::Uniform;
 
 /// Where the numbers of an axis come from.

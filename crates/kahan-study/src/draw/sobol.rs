@@ -4,7 +4,7 @@
 const BITS: usize = 32;
 
 /// How many dimensions there are numbers for.
-pub(crate) const DIMENSIONS: usize = 512;
+const DIMENSIONS: usize = 512;
 
 /// For each dimension from the second on: the polynomial, and the first numbers m.
 const NUMBERS: &str = include_str!("joe_kuo.txt");
@@ -16,13 +16,16 @@ pub(crate) struct Sobol {
 }
 
 impl Sobol {
-    /// The dimension with this index; `None` beyond [`DIMENSIONS`].
-    pub(crate) fn dimension(index: usize) -> Option<Self> {
+    /// The dimension with this index; why not, beyond [`DIMENSIONS`].
+    pub(crate) fn dimension(index: usize) -> Result<Self, String> {
         let mut m = [1u32; BITS];
         if index > 0 {
-            let line = NUMBERS.lines().filter(|line| !line.starts_with('#')).nth(index - 1)?;
+            let line = NUMBERS.lines().filter(|line| !line.starts_with('#')).nth(index - 1);
+            let line = line.ok_or_else(|| {
+                format!("Sobol points have at most {DIMENSIONS} dimensions; draw it with \"uniform\"")
+            })?;
             let mut numbers = line.split(' ').filter_map(|number| number.parse::<u32>().ok());
-            let polynomial = numbers.next()?;
+            let polynomial = numbers.next().expect("a line has numbers");
             let degree = polynomial.ilog2() as usize;
             for (m, first) in m.iter_mut().zip(numbers) {
                 *m = first;
@@ -38,7 +41,7 @@ impl Sobol {
                 }
             }
         }
-        Some(Self { directions: std::array::from_fn(|i| m[i] << (BITS - 1 - i)) })
+        Ok(Self { directions: std::array::from_fn(|i| m[i] << (BITS - 1 - i)) })
     }
 
     /// The number of this index, below 2³².
@@ -87,6 +90,6 @@ mod tests {
             cells.sort_unstable();
             assert!(cells.into_iter().eq(0..1024), "{dimension}");
         }
-        assert!(Sobol::dimension(DIMENSIONS).is_none());
+        assert!(Sobol::dimension(DIMENSIONS).is_err());
     }
 }
