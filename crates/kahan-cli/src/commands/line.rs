@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use clap::{Args, Command, FromArgMatches};
+use clap::{Args, FromArgMatches};
 use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
@@ -102,14 +102,6 @@ impl Line {
         self.words.push(flag.to_owned());
         self
     }
-
-    /// What the command makes of these words.
-    pub(crate) fn read<A: Args + FromArgMatches>(&self) -> Result<A, Refusal> {
-        let command = A::augment_args(Command::new(self.command).no_binary_name(true));
-        let matches = command.try_get_matches_from(&self.words);
-        let read = matches.and_then(|matches| A::from_arg_matches(&matches));
-        read.map_err(|error| Refusal::new(error.to_string().trim_start_matches("error: ")))
-    }
 }
 
 impl fmt::Display for Line {
@@ -137,11 +129,18 @@ mod tests {
     use kahan_study::trade;
     use kahan_study::{self as study, Axis, Evaluate, Form, Observable, Observe, Range, Side};
 
+    /// What the command makes of a call.
+    fn read<A: Args + FromArgMatches>(line: &Line) -> A {
+        let command = A::augment_args(clap::Command::new(line.command).no_binary_name(true));
+        let matches = command.try_get_matches_from(&line.words);
+        matches.and_then(|matches| A::from_arg_matches(&matches)).expect("a call")
+    }
+
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
         for asked in questions {
             let line = C::call(&["lv".to_owned()], &asked);
-            let read: C = line.read().expect("a call");
+            let read: C = read(&line);
             assert!(read.asked().expect("a question").1 == asked, "{line}");
         }
     }
@@ -204,7 +203,7 @@ mod tests {
         let rich = Shown { at: line, spread, axes, windows, lines: true, ..plain.clone() };
         for asked in [plain, section, heights, over, rich] {
             let line = Picture::call(&["lv".to_owned()], &asked).with("--out", "f.svg");
-            let read: Picture = line.read().expect("a call");
+            let read: Picture = read(&line);
             assert!(read.asked().expect("a picture").1 == asked, "{line}");
         }
     }

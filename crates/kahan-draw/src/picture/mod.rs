@@ -3,11 +3,13 @@
 //! In: answers, or the rows of orbits as they come, and how the picture is to look. Out: a
 //! [`Picture`]. What was asked, and how long that may take, this module must not know.
 
+mod chart;
 mod heights;
 mod over;
 mod portrait;
 mod trade;
 
+pub use chart::{Chart, chart};
 pub use heights::heights;
 pub use over::{branch, diagram};
 pub use portrait::{Coordinate, Trace, Visits, portrait};

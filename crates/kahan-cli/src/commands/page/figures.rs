@@ -4,14 +4,14 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::Drawing;
 use kahan_draw::document::rows;
-use kahan_draw::picture::{Look, Visits, trade};
+use kahan_draw::picture::{Chart, Look, Visits, chart, trade};
 use kahan_study::trade::Trade;
-use kahan_study::{Observe, Poles, Question, Scene, Study};
+use kahan_study::{Axis, Observable, Observe, Over, Poles, Question, Range, Scene, Study};
 use maud::{Markup, html};
 
-use super::super::chart::Chart;
 use super::super::dynamics::{complaint, tables};
 use super::super::line::{Asking as _, Line};
+use super::super::look::usual as picture_sheet;
 use super::super::picture::Picture;
 use super::super::picture::shown::{Shown, What};
 use super::super::picture::starts::{At, Spread};
@@ -123,18 +123,25 @@ impl Subject<'_> {
     pub(super) fn chart(&self) -> Markup {
         let cells = self.cells();
         let Scene { eps, start, .. } = self.scene;
-        let line = Line::new("chart", &self.valued.words).with("--eps", eps).at(start);
-        let mut line = line.with("--over", self.range(0, cells));
-        line = match self.variables.len() {
-            1 => line.with("--over", format!("eps=0:{}:/{cells}", decimal(2.0 * self.scene.eps.to_f64()))),
-            _ => line.with("--over", self.range(1, cells)),
+        let second = match self.variables.len() {
+            1 => ("eps".to_owned(), format!("0:{}:/{cells}", decimal(2.0 * eps.to_f64()))),
+            _ => self.range(1, cells),
         };
-        let line = line.with("--steps", 1000).with("--color", "fli").with("--out", "chart.svg");
+        // The first range of a chart runs fastest, and the last axis of a question.
+        let axes = [second, self.range(0, cells)].map(|(name, range)| {
+            let range = Range::read(&range).expect("printed numbers make a range");
+            Axis { name, range }.into()
+        });
+        let observe = Observe::new(eps.clone(), start.clone(), 1000);
+        let observe = Question::Observe(Observe { of: vec![Observable::Fli], ..observe });
+        let asked = Over::new(observe, axes.into());
+        let found = asked.ask(&self.valued.study, &Prompt::new((cells * cells) as u64, "orbits"));
+        let drawn = found.map(|found| chart(&Chart::of(&asked, &found), &Look::on(picture_sheet())).drawing);
         figure(
             "chart",
             "A chart of stability",
-            &line,
-            line.read().and_then(|chart: Chart| Ok((chart.drawn()?, Vec::new()))),
+            &Line::asking(&self.valued.words, &Question::Over(asked)).with("--out", "chart.svg"),
+            drawn.map(|drawing| (drawing, Vec::new())).map_err(Refusal::from),
             &html! {
                 "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
                 "where it is chaotic; a cell is empty where its orbit leaves the range of doubles."
@@ -229,10 +236,10 @@ impl Subject<'_> {
     }
 
     /// A variable over what its orbit takes, and a tenth more on either side.
-    fn range(&self, k: usize, cells: usize) -> String {
+    fn range(&self, k: usize, cells: usize) -> (String, String) {
         let [low, high] = self.scene.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.scene.size);
-        format!("{}={}:{}:/{cells}", self.variables[k], decimal(low - room), decimal(high + room))
+        (self.variables[k].clone(), format!("{}:{}:/{cells}", decimal(low - room), decimal(high + room)))
     }
 }
 
