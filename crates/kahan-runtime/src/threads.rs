@@ -40,11 +40,8 @@ pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sy
 }
 
 /// The results of `work` for each index below `count`, in the order of the indices, on so many
-/// threads as [`for_each`] takes; one thread is the caller's.
+/// threads as [`for_each`] takes.
 pub fn map<R: Send>(count: usize, threads: Option<usize>, work: impl Fn(usize) -> R + Sync) -> Vec<R> {
-    if threads == Some(1) {
-        return (0..count).map(work).collect();
-    }
     let results = Mutex::new(Vec::with_capacity(count));
     for_each(count, threads, &|index| {
         let result = work(index);

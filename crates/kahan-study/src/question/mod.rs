@@ -77,13 +77,16 @@ macro_rules! questions {
             #[must_use]
             pub fn name(&self) -> &'static str {
                 match self {
-                    $(Self::$question(_) => $name,)*
+                    $($(#[cfg(feature = $feature)])? Self::$question(_) => $name,)*
                 }
             }
 
             fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
                 Ok(match self {
-                    $($(#[cfg(feature = $feature)])? Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),)*
+                    $(
+                        $(#[cfg(feature = $feature)])?
+                        Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),
+                    )*
                 })
             }
 
