@@ -7,6 +7,7 @@
 //! Each question has a file, with what is asked, what is answered, and `ask`. The list below makes
 //! of them what is common to all.
 
+mod diagram;
 mod discover;
 mod evaluate;
 mod extremes;
@@ -35,6 +36,7 @@ use crate::rows::{End, Rows};
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
+pub use diagram::{Diagram, DiagramFound};
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
 pub use extremes::{Extremes, Judged};
@@ -116,6 +118,8 @@ questions! {
     Observe, asked as "observe", answered by Observed;
     /// Where an orbit crosses a plane.
     Section, asked as "section", answered by SectionFound;
+    /// What orbits tend to over the values of a parameter.
+    Diagram, asked as "diagram", answered by DiagramFound;
     /// Another question at every value of some axes.
     Over, asked as "over", answered by OverFound;
     /// A cycle and its branch.
