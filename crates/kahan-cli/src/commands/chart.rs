@@ -159,7 +159,7 @@ impl Asking for Chart {
         let line = line.unless(*steps == 1000, "--steps", steps);
         let colour = of.first().filter(|of| **of != Observable::Sali);
         let line = line.with_some("--color", colour.map(|of| of.name()));
-        line.unless(*escape == 1e6, "--escape", escape)
+        line.unless(*escape == 1e6, "--escape", escape).with("--out", "chart.svg")
     }
 }
 

@@ -8,7 +8,8 @@ use kahan_study::{Question, Study};
 
 use super::{
     chart::Chart, discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes, heights::Heights,
-    periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade, verify::Verify,
+    orbit::Orbit, periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade,
+    verify::Verify,
 };
 use crate::printing::Refusal;
 
@@ -49,6 +50,7 @@ impl Line {
         match question {
             Question::Show(asked) => Show::call(system, asked),
             Question::Evaluate(asked) => Eval::call(system, asked),
+            Question::Orbit(asked) => Orbit::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
             Question::Over(asked) => Chart::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
@@ -120,7 +122,7 @@ mod tests {
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Form, Observable, Observe, Range, Side};
+    use kahan_study::{self as study, Axis, Evaluate, Form, Method, Observable, Observe, Range, Side};
 
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
@@ -144,6 +146,13 @@ mod tests {
         reads_back::<Show>(forms.map(|form| study::Show { form }));
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
+        let plain = study::Orbit::new(eps.clone(), at.clone(), 99);
+        let (every, scalar, method) = (7, ScalarKind::F32, Method::Rk4);
+        reads_back::<Orbit>([
+            study::Orbit { every, scalar, method, ..plain.clone() },
+            study::Orbit { order: 4, projective: true, ..plain.clone() },
+            plain,
+        ]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         let of = vec![Observable::Last, Observable::Fli];
         reads_back::<Dynamics>([

@@ -108,11 +108,6 @@ impl Source {
         !self.parameters.is_empty()
     }
 
-    /// Whether this parameter was given.
-    pub(super) fn has_parameter(&self, name: &str) -> bool {
-        self.parameters.iter().any(|given| given.split_once('=').is_some_and(|(own, _)| own.trim() == name))
-    }
-
     /// The values behind `--param NAME=V`, by name.
     pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, Refusal> {
         let value = |given: &String| {
