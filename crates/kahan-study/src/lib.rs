@@ -41,9 +41,10 @@ pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use named::Names;
 pub use question::{
-    Answer, Chain, ChainHead, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound,
-    Method, NoOrbit, Observe, Observed, Orbit, OrbitHead, Orbited, Periodic, Plane, Poles, PolesFound,
-    Question, Scan, ScanFound, Section, SectionFound, Side, characteristic_polynomial, fifteen_digits,
+    Answer, Begun, Chain, ChainHead, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights,
+    HeightsFound, Method, NoOrbit, Observe, Observed, Orbit, OrbitHead, Orbited, Periodic, Plane, Poles,
+    PolesFound, Question, Scan, ScanFound, Section, SectionFound, Side, characteristic_polynomial,
+    fifteen_digits,
 };
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rows::{Cell, Column, End, Exact, Kept, Last, MOST_CELLS, Rows, Table, Values, free_name};

@@ -34,7 +34,7 @@ pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observe, Observed};
-pub use orbit::{Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
+pub use orbit::{Begun, Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
@@ -134,8 +134,8 @@ impl Study {
         watch: &dyn Watch,
     ) -> Result<End, StudyError> {
         match question {
-            Question::Orbit(asked) => asked.rows(self, range, rows, watch),
-            Question::Section(asked) => asked.rows(self, range, rows, watch),
+            Question::Orbit(asked) => Ok(asked.begin(self)?.rows(range, rows, watch)),
+            Question::Section(asked) => Ok(asked.ask(self, watch)?.rows(range, rows)),
             other => Err(StudyError::NoRows(other.name())),
         }
     }
