@@ -202,22 +202,6 @@ impl Section {
     }
 }
 
-impl Section {
-    /// Hands on crossings by their numbers, from 0 on, once all of them are found.
-    ///
-    /// # Errors
-    /// Those of [`ask`](Self::ask).
-    pub fn rows(
-        &self,
-        study: &Study,
-        range: Range<u64>,
-        rows: &mut dyn Rows,
-        watch: &dyn Watch,
-    ) -> Result<End, StudyError> {
-        Ok(self.ask(study, watch)?.rows(range, rows))
-    }
-}
-
 impl SectionFound {
     /// The step before a crossing, its time, the variables.
     #[must_use]
