@@ -27,7 +27,7 @@ pub struct Section {
     #[serde(with = "exact")]
     pub eps: Rational,
     /// The first point, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The most steps of the orbit.
     pub steps: u64,
