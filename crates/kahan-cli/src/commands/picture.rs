@@ -173,6 +173,7 @@ impl Asking for Picture {
             lines: self.lines,
             seconds: self.seconds,
             look: self.look.clone(),
+            out: self.out.clone(),
         };
         let names = shown.names(&study)?;
         if let Some((name, _)) = shown.windows.iter().find(|(name, _)| !names.contains(name)) {
@@ -185,7 +186,7 @@ impl Asking for Picture {
     }
 
     fn options(asked: &Shown, line: Line) -> Line {
-        let Shown { what, eps, at, spread, steps, axes, windows, lines, seconds, look } = asked;
+        let Shown { what, eps, at, spread, steps, axes, windows, lines, seconds, look, out } = asked;
         let usual = Spread::default();
         let line = line.with_some("--eps", eps.as_ref());
         let line = at.iter().fold(line, |line, at| line.with("--at", at));
@@ -206,7 +207,8 @@ impl Asking for Picture {
             .iter()
             .fold(line, |line, (name, [low, high])| line.with("--window", format!("{name}={low}:{high}")));
         let line = if *lines { line.with_flag("--lines") } else { line };
-        look.options(line.unless(*seconds == 60.0, "--seconds", format!("{seconds:?}")))
+        let line = look.options(line.unless(*seconds == 60.0, "--seconds", format!("{seconds:?}")));
+        line.with("--out", out.display())
     }
 }
 

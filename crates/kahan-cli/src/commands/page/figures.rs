@@ -140,7 +140,7 @@ impl Subject<'_> {
         figure(
             "chart",
             "A chart of stability",
-            &Line::asking(&self.valued.words, &Question::Over(asked)).with("--out", "chart.svg"),
+            &Line::asking(&self.valued.words, &Question::Over(asked)),
             drawn.map(|drawing| (drawing, Vec::new())).map_err(Refusal::from),
             &html! {
                 "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
@@ -181,7 +181,8 @@ impl Subject<'_> {
             said = words(&drawn.picture.visits);
             Ok((drawn.picture.drawing, drawn.notes))
         });
-        let line = Picture::call(&self.valued.words, asked).with("--out", format!("{id}.svg"));
+        let asked = Shown { out: format!("{id}.svg").into(), ..asked.clone() };
+        let line = Picture::call(&self.valued.words, &asked);
         figure(id, title, &line, picture, &said)
     }
 

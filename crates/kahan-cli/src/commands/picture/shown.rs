@@ -4,6 +4,7 @@
 //! drawn by `kahan-draw`. How a picture is asked for in words, `super` knows.
 
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
@@ -34,6 +35,8 @@ pub(crate) struct Shown {
     /// The time that it may take.
     pub(crate) seconds: f64,
     pub(crate) look: SheetOptions,
+    /// The file.
+    pub(crate) out: PathBuf,
 }
 
 /// The kinds of pictures.
@@ -114,6 +117,7 @@ impl Shown {
             lines: false,
             seconds: 60.0,
             look: SheetOptions::default(),
+            out: PathBuf::from("portrait.svg"),
         }
     }
 
@@ -123,7 +127,8 @@ impl Shown {
         let what = What::Over(over, transient);
         let at = vec![At::Point(at)];
         let portrait = Shown::portrait(Rational::zero(), at, steps);
-        Shown { what, eps, axes: variable.into_iter().collect(), ..portrait }
+        let (axes, out) = (variable.into_iter().collect(), PathBuf::from("diagram.svg"));
+        Shown { what, eps, axes, out, ..portrait }
     }
 
     /// Draws it.
