@@ -38,6 +38,7 @@ pub mod random_fields;
 mod range;
 pub mod reference;
 mod rows;
+mod scene;
 mod study;
 mod subject;
 mod sympy;
@@ -52,16 +53,17 @@ pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::{
-    Answer, Chain, ChainHead, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated,
-    Extremes, Form, Heights, HeightsFound, Judged, Listing, Method, NoOrbit, Observable, Observe, Observed,
-    Orbit, OrbitHead, Orbited, Over, OverFound, Periodic, Plane, Planned, Poles, PolesFound, Question, Scan,
-    ScanFound, Section, SectionFound, Seen, Sheet, Show, Shown, Side, Source, Through, Varied,
-    characteristic_polynomial, fifteen_digits,
+    Answer, Begun, Chain, ChainHead, ClaimShown, Costs, CycleFound, Diagram, DiagramFound, Discover,
+    Discovered, Evaluate, Evaluated, Extremes, Form, Heights, HeightsFound, Judged, Listing, Method, NoOrbit,
+    Observable, Observe, Observed, Orbit, OrbitHead, Orbited, Over, OverFound, Periodic, Plane, Planned,
+    Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Seen, Sheet, Show, Shown, Side,
+    Source, Through, Varied, characteristic_polynomial, fifteen_digits,
 };
 #[cfg(feature = "paper")]
 pub use question::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rows::{Cell, Column, End, Exact, Kept, Last, MOST_CELLS, Rows, Table, Values, free_name};
-pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
+pub use scene::Scene;
+pub use study::{MOST_VARIABLES, NoStep, Study, chain};
 pub use subject::{Catalog, Named, Subject};
 pub use sympy::SymPy;

@@ -10,6 +10,7 @@ use kahan_algebra::system::System;
 use kahan_runtime::{Field, FieldText, Map, MapAt};
 
 use crate::error::StudyError;
+use crate::range::Axis;
 use crate::subject::{Catalog, Given, Named, Subject};
 
 /// The most variables of a chain that is written out.
@@ -238,6 +239,31 @@ impl Study {
         })
     }
 
+    /// The place among the parameters of what goes through values; `None` for ε.
+    pub(crate) fn axis(&self, axis: &Axis) -> Result<Option<usize>, StudyError> {
+        let place = self.parameters().iter().position(|name| *name == axis.name);
+        if place.is_some() || axis.name == "eps" {
+            return Ok(place);
+        }
+        Err(StudyError::UnknownAxis {
+            what: "no parameter",
+            system: self.name().to_owned(),
+            name: axis.name.clone(),
+            known: self.parameters().iter().cloned().chain(["eps".to_owned()]).collect(),
+        })
+    }
+
+    /// The place of a variable of this name.
+    pub(crate) fn variable(&self, name: &str) -> Result<usize, StudyError> {
+        let place = self.variables().iter().position(|known| known == name);
+        place.ok_or_else(|| StudyError::UnknownAxis {
+            what: "no variable",
+            system: self.name().to_owned(),
+            name: name.to_owned(),
+            known: self.variables().to_vec(),
+        })
+    }
+
     /// The coordinates of a point, if there is one for each variable.
     pub(crate) fn point(&self, at: &[Rational]) -> Result<Vec<Rational>, StudyError> {
         if at.len() == self.variables().len() {
@@ -342,7 +368,7 @@ pub fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
 ///
 /// # Errors
 /// A name that is none of them, or given twice.
-pub fn values_by_name(
+pub(crate) fn values_by_name(
     given: &[(String, Rational)],
     names: &[String],
     system: &str,

@@ -41,6 +41,10 @@ fn a_question_writes_itself_as_it_was_read() {
         }),
         json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "of": ["final", "fli"]}),
         json!({
+            "ask": "diagram", "eps": null, "at": ["1"], "over": {"name": "eps", "range": "1:0:/5"}, "variable": "x",
+            "transient": 7, "steps": 3,
+        }),
+        json!({
             "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
             "over": {"name": "eps", "range": "1:0:/5"},
         }),
@@ -478,6 +482,44 @@ fn a_catalog_lists_itself() {
 }
 
 #[test]
+fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
+    // A sink at a, whatever a is; with ε = 1/10 the distance from it falls to 9/11 in a step.
+    let sink = study(Subject::text("xdot = a - x; ydot = -y;"));
+    let asked = json!({
+        "ask": "diagram", "eps": "1/10", "at": [7, 1], "over": {"name": "a", "range": "0:2:3"},
+        "transient": 400, "steps": 2,
+    });
+    let found = answer(&sink, asked.clone());
+    assert_eq!(found["values"], json!(["0", "1", "2"]));
+    assert_eq!([&found["variable"], &found["axis"]], [&json!("x"), &json!("a")]);
+    assert_eq!(found["ended"], 0);
+    assert!(found["points"][2].as_array().is_some_and(|points| points.len() == 3), "{found}");
+    assert!((found["points"][2][0].as_f64().expect("a number") - 2.0).abs() < 1e-14, "{found}");
+    let of = |changed: &str, value: Value| {
+        let mut asked = asked.clone();
+        asked[changed] = value;
+        question(asked).map(|asked| sink.ask(&asked, &Unwatched).map(|answer| json!(answer)))
+    };
+    let short = of("transient", json!(0)).expect("a question").expect("an answer");
+    let exact = [7.0, 2.0 + 5.0 * 9.0 / 11.0, 2.0 + 5.0 * 81.0 / 121.0];
+    for (i, x) in exact.into_iter().enumerate() {
+        let shown = short["points"][2][i].as_f64().expect("a number");
+        assert!((shown - x).abs() < 1e-14, "{short}");
+    }
+    let y = of("variable", json!("y")).expect("a question").expect("an answer");
+    assert!(y["points"][0][0].as_f64().is_some_and(|y| y > 0.0 && y < 1e-30), "{y}");
+    for (changed, value, said) in [
+        ("variable", json!("q"), "`q` is no variable of field; there is x, y"),
+        ("over", json!({"name": "b", "range": "0:1:3"}), "`b` is no parameter of field; there is a, eps"),
+    ] {
+        let refused = of(changed, value).expect("a question").expect_err("a mistake");
+        assert_eq!(refused.to_string(), said);
+    }
+    let over_eps = of("over", json!({"name": "eps", "range": "1/10:1/5:2"})).expect("a question");
+    assert!(over_eps.is_err_and(|error| matches!(error, StudyError::MissingParameters { .. })));
+}
+
+#[test]
 fn claims_of_a_field_hold_or_not() {
     let field =
         "xdot = a*y; ydot = -a*x; integral H = x^2 + y^2; integral L = x when a = 0; integral Z = a*x*y;";
@@ -505,4 +547,16 @@ fn a_claim_that_is_changed_fails() {
     assert_eq!(mutated["survived"], 0);
     assert_eq!(mutated["mutations"][0]["id"], "field.H");
     assert!(matches!(mutate.ask(&swing("integral H = x;"), &Unwatched), Err(StudyError::Field(_))));
+}
+
+#[test]
+fn verdicts_at_the_extremes() {
+    let judged = answer(&study(Subject::named("e1")), json!({"ask": "extremes", "trials": 8, "seed": 3}));
+    let names: Vec<&str> = judged.as_object().expect("an object").keys().map(String::as_str).collect();
+    let of_question = ["system", "systems", "random_fields", "odd_fields", "trials", "seed", "seconds"];
+    assert_eq!(names, [&of_question[..], &["cells", "broken", "failures"]].concat());
+    let cell = judged["cells"][0].as_object().expect("an object");
+    let of_cell = ["regime", "tier", "scalar", "trials", "max_error_u", "flagged", "unjustified_flags"];
+    assert!(cell.keys().eq(of_cell.iter().chain(&["silently_wrong"])), "{cell:?}");
+    assert_eq!(json!([judged["system"], judged["broken"]]), json!(["e1", []]));
 }

@@ -7,14 +7,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_draw::{Drawing, Grid, Mark, NumberLine, Plot, Series};
-use kahan_study::{
-    Axis, Kept, Observable, Observe, Over, OverFound, Question, Spacing, Study, StudyError, Through, Varied,
-};
+use kahan_draw::picture::{Chart as Shown, Look, chart};
+use kahan_study::{Axis, Observable, Observe, Over, Question, Spacing, Study, StudyError, Through};
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use super::look::{Look, file, format, usual};
+use super::look::{SheetOptions, file, format, usual};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{self, Start, number, observable, whole};
 
@@ -78,7 +76,7 @@ pub(crate) struct Chart {
     out: PathBuf,
 
     #[command(flatten)]
-    look: Look,
+    look: SheetOptions,
 
     /// Print one JSON object that says what the file shows.
     #[arg(long)]
@@ -108,23 +106,6 @@ const OF_ORBITS: [&str; 9] =
 
 fn steps(text: &str) -> Result<u64, String> {
     whole(text, 1, 1 << 40)
-}
-
-/// What is shown, in words.
-fn label(colour: Observable) -> &'static str {
-    match colour {
-        Observable::Sali => "log SALI, to base 10",
-        Observable::Fli => "FLI",
-        Observable::Megno => "mean MEGNO",
-        Observable::Lyapunov => "largest exponent, per unit of time",
-        Observable::Drift => "log of the greatest drift, to base 10",
-        _ => "step of the escape",
-    }
-}
-
-/// To base 10; what is smaller than a rounding of 1 counts as that.
-fn logarithm(value: f64) -> f64 {
-    if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
 }
 
 impl Asking for Chart {
@@ -163,22 +144,6 @@ impl Asking for Chart {
     }
 }
 
-/// What a chart shows.
-struct Shown {
-    /// One or two.
-    axes: Vec<Axis>,
-    /// Row by row from below.
-    values: Vec<f64>,
-    /// Of what.
-    name: String,
-    /// What of it.
-    column: String,
-    /// Whether of that the logarithm to base 10.
-    is_logarithm: bool,
-    label: String,
-    description: String,
-}
-
 impl Chart {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
@@ -186,8 +151,9 @@ impl Chart {
         let format = if is_table { None } else { Some(format(&self.out)?) };
         let sink = Sink::file(&self.out, "--out")?;
         let shown = self.shown()?;
+        let picture = chart(&shown, &Look::on(self.look.sheet(usual())));
         let file = match format {
-            Some(format) => file(&self.drawing(&shown), format)?,
+            Some(format) => file(&picture.drawing, format)?,
             None => table(&shown).into_bytes(),
         };
         sink.put(file)?;
@@ -200,19 +166,14 @@ impl Chart {
             (self.out.display().to_string(), shown.values.len(), shown.values.len() - values.count());
         if self.json {
             return Ok(Answer::json(&json!({
-                "system": shown.name, "color": shown.column, "out": out, "shows": shown.description, "cells": cells,
+                "system": shown.name, "color": shown.column, "out": out, "shows": picture.drawing.description, "cells": cells,
                 "empty": empty, "least": extremes.map(|ends| ends.0), "greatest": extremes.map(|ends| ends.1),
             })));
         }
         let ends =
             extremes.map_or(String::new(), |(least, greatest)| format!(", from {least:.4} to {greatest:.4}"));
         let what = if self.from.is_some() { "cells" } else { "orbits" };
-        Ok(Answer::text(format!("{out} written: {} of {cells} {what}{ends}, {empty} empty\n", shown.label)))
-    }
-
-    /// The picture.
-    pub(super) fn drawn(&self) -> Result<Drawing, Refusal> {
-        Ok(self.drawing(&self.shown()?))
+        Ok(Answer::text(format!("{out} written: {} of {cells} {what}{ends}, {empty} empty\n", shown.label())))
     }
 
     fn shown(&self) -> Result<Shown, Refusal> {
@@ -232,106 +193,17 @@ impl Chart {
         if self.color == Observable::Drift && study.system().accessors(ClaimKind::Integral).next().is_none() {
             return Err(Refusal::new(format!("--color drift: {} claims no integral", study.name())));
         }
-        let prompt = Prompt::new(asked.cells(&study)?, "orbits");
-        let found = asked.ask(&study, &prompt);
-        prompt.finish();
-        let values = self.values(&found?);
-        let axis = |axis: &Varied| match &axis.through {
-            Through::Range(range) => Axis { name: axis.name.clone(), range: range.clone() },
-            other => unreachable!("a chart goes through ranges, and not {other:?}"),
-        };
-        let axes: Vec<Axis> = asked.axes.iter().rev().map(axis).collect();
-        let label = label(self.color).to_owned();
-        let is_logarithm = matches!(self.color, Observable::Sali | Observable::Drift);
-        let description = format!("{}, {} steps each", over(&label, study.name(), &axes), self.steps);
-        let (name, column) = (study.name().to_owned(), self.color.name().to_owned());
-        Ok(Shown { axes, values, name, column, is_logarithm, label, description })
-    }
-
-    /// What each cell shows, row by row from below; not a number where it is empty.
-    fn values(&self, found: &OverFound) -> Vec<f64> {
-        let first = 1 + self.over.len();
-        let Kept::Integer(steps) = &found.rows.values[first] else { unreachable!("steps are counted") };
-        let numbers = |column: usize| match &found.rows.values[first + column] {
-            Kept::F64(numbers) => numbers,
-            other => unreachable!("what is observed is a number, and not {other:?}"),
-        };
-        let value = |(cell, steps): (usize, &i64)| {
-            let (own, leaves) = (numbers(1)[cell], *steps < self.steps as i64);
-            match self.color {
-                // What is beyond all numbers is beyond a size.
-                Observable::Escape if own.is_nan() && leaves && !numbers(2)[cell].is_nan() => {
-                    (steps + 1) as f64
-                }
-                Observable::Escape => own,
-                _ if leaves => f64::NAN,
-                Observable::Drift => {
-                    // Of each integral the greatest, and behind it the last.
-                    let count = found.rows.values.len() - first - 1;
-                    logarithm((1..=count).step_by(2).map(|k| numbers(k)[cell]).fold(0.0, f64::max))
-                }
-                Observable::Sali => logarithm(own),
-                _ => own,
-            }
-        };
-        steps.iter().enumerate().map(value).collect()
+        let found = asked.ask(&study, &Prompt::new(asked.cells(&study)?, "orbits"))?;
+        Ok(Shown::of(&asked, &found))
     }
 
     fn of_rows(&self, from: &Path) -> Result<Shown, Refusal> {
         let escaped = if self.color == Observable::Escape { "escaped" } else { self.color.name() };
         let column = self.column.clone().unwrap_or_else(|| escaped.to_owned());
-        let rows = Rows { from, over: &self.over, column, chosen: &self.chosen };
-        let is_logarithm = rows.column == "sali" || rows.column.starts_with("drift");
-        let (axes, values) = rows.cells(|value| if is_logarithm { logarithm(value) } else { value })?;
-        let column = rows.column;
-        let label = if is_logarithm { format!("log {column}, to base 10") } else { column.clone() };
-        let name = from.display().to_string();
-        let description = over(&label, &name, &axes);
-        Ok(Shown { axes, values, name, column, is_logarithm, label, description })
+        let rows = Rows { from, over: &self.over, column: column.clone(), chosen: &self.chosen };
+        let (axes, values) = rows.cells(Shown::scale(&column))?;
+        Ok(Shown::of_column(from.display().to_string(), axes, column, values))
     }
-
-    fn drawing(&self, shown: &Shown) -> Drawing {
-        match &shown.axes[..] {
-            [axis] => self.curve(shown, axis).drawing(),
-            axes => self.grid(shown, axes).drawing(),
-        }
-    }
-
-    /// The values over one range.
-    fn curve(&self, shown: &Shown, axis: &Axis) -> Plot {
-        let places = axis.range.values().map(|value| value.to_f64());
-        let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();
-        // The dots show the values that no line leads to.
-        let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
-        let plot = Plot::around(&shown.description, [&axis.name, &shown.label], marked.into());
-        Plot { sheet: self.look.sheet(usual()), ..plot }
-    }
-
-    fn grid(&self, shown: &Shown, axes: &[Axis]) -> Grid {
-        let line = |axis: &Axis| {
-            let [low, high] = axis.range.edges().map(|edge| edge.to_f64());
-            NumberLine { label: axis.name.to_owned(), low, high }
-        };
-        Grid {
-            description: shown.description.clone(),
-            sheet: self.look.sheet(usual()),
-            x: line(&axes[0]),
-            y: line(&axes[1]),
-            scale: NumberLine::around_most(&shown.label, shown.values.iter().copied()),
-            columns: axes[0].range.count(),
-            values: shown.values.clone(),
-        }
-    }
-}
-
-/// What is shown, in words: the values of a curve, the cells of a grid.
-fn over(label: &str, name: &str, axes: &[Axis]) -> String {
-    let through = |axis: &Axis| {
-        let [from, to] = if axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
-        format!("{} from {from} to {to}", axis.name)
-    };
-    let axes: Vec<String> = axes.iter().map(through).collect();
-    format!("{label} of {name} over {}", axes.join(" and "))
 }
 
 /// A row an orbit, and the names of what is in it; the first range runs fastest.

@@ -8,9 +8,10 @@ use kahan_study::{Observable, Observe, Observed, Study};
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use crate::printing::layout::Rows;
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Start, observable, whole};
+use report::text;
+pub(super) use report::{complaint, tables};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
@@ -105,15 +106,8 @@ impl Dynamics {
     /// The answers; a complaint where the orbit ends early.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let observed = self.observed()?;
-        let answer =
-            if self.json { Answer::json(&json!(observed)) } else { Answer::text(report::text(&observed)) };
-        Ok(Answer { complaint: report::complaint(&observed), ..answer })
-    }
-
-    /// The answers as tables; a complaint where the orbit ends early.
-    pub(super) fn tables(&self) -> Result<(Vec<Rows>, Option<String>), Refusal> {
-        let observed = self.observed()?;
-        Ok((report::tables(&observed), report::complaint(&observed)))
+        let answer = if self.json { Answer::json(&json!(observed)) } else { Answer::text(text(&observed)) };
+        Ok(Answer { complaint: complaint(&observed), ..answer })
     }
 
     fn observed(&self) -> Result<Observed, Refusal> {

@@ -6,11 +6,12 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_draw::{Drawing, Format, NoFile, Sheet, Theme};
 
+use super::line::Line;
 use crate::printing::Refusal;
 
-/// How a picture is to look.
-#[derive(Args, Debug)]
-pub(super) struct Look {
+/// What a picture is drawn on.
+#[derive(Args, Clone, Debug, PartialEq)]
+pub(crate) struct SheetOptions {
     /// Width and height in pixels; on paper 300 of them are an inch.
     #[arg(long, value_name = "WxH", value_parser = pixels)]
     size: Option<(u32, u32)>,
@@ -43,7 +44,24 @@ fn pixels(text: &str) -> Result<(u32, u32), String> {
     })
 }
 
-impl Look {
+impl Default for SheetOptions {
+    fn default() -> Self {
+        SheetOptions { size: None, theme: Theme::Viewer, paper: false }
+    }
+}
+
+impl SheetOptions {
+    /// The line with the options that ask for this.
+    pub(super) fn options(&self, line: Line) -> Line {
+        let line = line.with_some("--size", self.size.map(|(width, height)| format!("{width}x{height}")));
+        let line = match self.theme {
+            Theme::Light => line.with("--theme", "light"),
+            Theme::Dark => line.with("--theme", "dark"),
+            Theme::Viewer | Theme::Paper => line,
+        };
+        if self.paper { line.with_flag("--paper") } else { line }
+    }
+
     /// What the picture is drawn on, where it is usually drawn on this in colours for a screen.
     pub(super) fn sheet(&self, mut usual: Sheet) -> Sheet {
         let theme = if self.paper { Theme::Paper } else { self.theme };

@@ -4,13 +4,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use kahan_core::periodic::{Branch, PeriodicPoint, Stability};
-use kahan_draw::{Mark, Plot, Series};
+use kahan_core::periodic::{Branch, PeriodicPoint};
+use kahan_draw::picture::{Look, branch};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use super::look::{Look, file, format, usual};
+use super::look::{SheetOptions, file, format, usual};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Start, over, whole};
@@ -50,7 +50,7 @@ pub(crate) struct Periodic {
     out: Option<PathBuf>,
 
     #[command(flatten)]
-    look: Look,
+    look: SheetOptions,
 
     /// Print one JSON object: period, points, residual, multipliers, stability, family, exact,
     /// branch.
@@ -110,10 +110,10 @@ impl Periodic {
         };
         if let Some(sink) = sink {
             match format {
-                Some(format) => sink.put(file(
-                    &Plot { sheet: self.look.sheet(usual()), ..found.plot() }.drawing(),
-                    format,
-                )?)?,
+                Some(format) => {
+                    let picture = branch(&found.0, &Look::on(self.look.sheet(usual())));
+                    sink.put(file(&picture.drawing, format)?)?;
+                }
                 None => sink.put(found.csv())?,
             }
         }
@@ -218,23 +218,6 @@ impl Found {
             }
         }
         text
-    }
-
-    /// The first variable of each point over what changes: stable cycles and others apart.
-    fn plot(&self) -> Plot {
-        let points = |wanted: &dyn Fn(Stability) -> bool| -> Vec<(f64, f64)> {
-            let points = self.branch().into_iter().flat_map(|branch| &branch.points);
-            let shown = points.filter(|point| wanted(point.cycle.stability()));
-            shown.flat_map(|point| point.cycle.points.iter().map(|x| (point.parameter, x[0]))).collect()
-        };
-        let is_stable = |stability| matches!(stability, Stability::Attracting | Stability::Neutral);
-        let name = self.name();
-        let series = vec![
-            Series::new("attracting or neutral", 1, Mark::Dots, points(&is_stable)),
-            Series::new("repelling or saddle", 2, Mark::Dots, points(&|stability| !is_stable(stability))),
-        ];
-        let description = format!("Cycles of {} over {name}", self.0.system);
-        Plot::around(&description, [name, &self.variables()[0]], series)
     }
 }
 

@@ -1,7 +1,6 @@
 //! `kahan trade`: speed against accuracy on one scene, and the cheapest setting that does.
 
 mod comparison;
-mod picture;
 mod table;
 
 use std::path::PathBuf;
@@ -9,13 +8,14 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use kahan_core::Need;
 use kahan_draw::Sheet;
+use kahan_draw::picture::{Look, trade};
 use kahan_study::Study;
 use kahan_study::trade::Trade as Question;
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use super::look::{Look, file, format};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use super::look::{SheetOptions, file, format};
+use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, point, seconds};
 pub(super) use comparison::Comparison;
 
@@ -86,7 +86,7 @@ pub(crate) struct Trade {
     out: Option<PathBuf>,
 
     #[command(flatten)]
-    look: Look,
+    look: SheetOptions,
 
     /// Print one JSON object: settings, choice, and what stands behind them.
     #[arg(long)]
@@ -149,20 +149,14 @@ impl Trade {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let sink = |path: &PathBuf| Ok::<_, Refusal>((Sink::file(path, "--out")?, format(path)?));
         let sink = self.out.as_ref().map(sink).transpose()?;
-        self.compared(|comparison| {
-            if let Some((sink, format)) = sink {
-                sink.put(file(&comparison.picture(self.look.sheet(usual())), format)?)?;
-            }
-            let answer =
-                if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
-            Ok(Answer { complaint: comparison.complaint(), ..answer })
-        })?
-    }
-
-    /// Measures, and hands on what was measured.
-    pub(super) fn compared<R>(&self, tell: impl FnOnce(&Comparison) -> R) -> Result<R, Refusal> {
         let (study, asked) = self.asked()?;
-        let traded = asked.ask(&study, &Prompt::of("settings"))?;
-        Ok(tell(&Comparison(traded)))
+        let comparison = Comparison::of(&study, &asked)?;
+        if let Some((sink, format)) = sink {
+            let picture = trade(&comparison.0, &Look::on(self.look.sheet(usual())));
+            sink.put(file(&picture.drawing, format)?)?;
+        }
+        let answer =
+            if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
+        Ok(Answer { complaint: comparison.complaint(), ..answer })
     }
 }

@@ -87,7 +87,7 @@ fn the_examples_of_the_help_run() {
         assert_eq!(output.status.code(), Some(0), "{example}: {}", text(&output.stderr));
         run += 1;
     }
-    assert!(run >= 5, "{run} examples");
+    assert!(run >= 4, "{run} examples");
     let files: Vec<_> = fs::read_dir(folder.path()).expect("the folder").flatten().collect();
     assert_eq!(files.len(), run);
     for file in files {
@@ -158,7 +158,8 @@ fn starts_lie_on_a_line_or_around_a_point_and_follow_the_seed() {
     };
     assert_eq!(random("1"), random("1"));
     assert_ne!(random("1"), random("2"));
-    assert_eq!(random("1").matches("h0").count(), 50);
+    let dots: usize = ["h0", "h.01"].map(|dot| random("1").matches(dot).count()).iter().sum();
+    assert_eq!(dots, 50);
 }
 
 #[test]

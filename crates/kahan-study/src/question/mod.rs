@@ -7,6 +7,7 @@
 //! Each question has a file, with what is asked, what is answered, and `ask`. The list below makes
 //! of them what is common to all.
 
+mod diagram;
 mod discover;
 mod evaluate;
 mod extremes;
@@ -35,12 +36,13 @@ use crate::rows::{End, Rows};
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
+pub use diagram::{Diagram, DiagramFound};
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
 pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observable, Observe, Observed, Seen};
-pub use orbit::{Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
+pub use orbit::{Begun, Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
 pub use over::{Over, OverFound, Source, Through, Varied};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
@@ -116,6 +118,8 @@ questions! {
     Observe, asked as "observe", answered by Observed;
     /// Where an orbit crosses a plane.
     Section, asked as "section", answered by SectionFound;
+    /// What orbits tend to over the values of a parameter.
+    Diagram, asked as "diagram", answered by DiagramFound;
     /// Another question at every value of some axes.
     Over, asked as "over", answered by OverFound;
     /// A cycle and its branch.
@@ -158,9 +162,9 @@ impl Study {
         watch: &dyn Watch,
     ) -> Result<End, StudyError> {
         match question {
-            Question::Orbit(asked) => asked.rows(self, range, rows, watch),
+            Question::Orbit(asked) => Ok(asked.begin(self)?.rows(range, rows, watch)),
             Question::Over(asked) => asked.rows(self, range, rows, watch),
-            Question::Section(asked) => asked.rows(self, range, rows, watch),
+            Question::Section(asked) => Ok(asked.ask(self, watch)?.rows(range, rows)),
             other => Err(StudyError::NoRows(other.name())),
         }
     }

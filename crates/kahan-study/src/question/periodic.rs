@@ -102,19 +102,7 @@ struct Family {
 impl Family {
     fn of(asked: &Periodic, study: &Study) -> Result<Self, StudyError> {
         let axis = asked.over.as_ref();
-        let names = study.parameters();
-        let parameter = match axis.filter(|axis| axis.name != "eps") {
-            None => None,
-            Some(axis) => {
-                let place = names.iter().position(|name| *name == axis.name);
-                Some(place.ok_or_else(|| StudyError::UnknownAxis {
-                    what: "no parameter",
-                    system: study.name().to_owned(),
-                    name: axis.name.clone(),
-                    known: names.iter().cloned().chain(["eps".to_owned()]).collect(),
-                })?)
-            }
-        };
+        let parameter = axis.map(|axis| study.axis(axis)).transpose()?.flatten();
         let of_axis = axis.filter(|_| parameter.is_none()).map(|axis| axis.range.value(0));
         let eps = asked.eps.clone().or(of_axis).ok_or(StudyError::MissingStep)?;
         let study = match (axis, parameter) {

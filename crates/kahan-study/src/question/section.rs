@@ -202,22 +202,6 @@ impl Section {
     }
 }
 
-impl Section {
-    /// Hands on crossings by their numbers, from 0 on, once all of them are found.
-    ///
-    /// # Errors
-    /// Those of [`ask`](Self::ask).
-    pub fn rows(
-        &self,
-        study: &Study,
-        range: Range<u64>,
-        rows: &mut dyn Rows,
-        watch: &dyn Watch,
-    ) -> Result<End, StudyError> {
-        Ok(self.ask(study, watch)?.rows(range, rows))
-    }
-}
-
 impl SectionFound {
     /// The step before a crossing, its time, the variables.
     #[must_use]
@@ -231,7 +215,7 @@ impl SectionFound {
 
         let columns = self.columns();
         let end = range.end.min(self.crossings.len() as u64) as usize;
-        let start = end.min(range.start as usize);
+        let start = range.start.min(end as u64) as usize;
         for block in self.crossings[start..end].chunks(BLOCK) {
             let steps: Vec<i64> = block.iter().map(|crossing| crossing.step as i64).collect();
             let times = block.iter().map(|crossing| crossing.time).collect();

@@ -18,7 +18,7 @@ pub(super) fn text(observed: &Observed) -> String {
 }
 
 /// The same as tables, each with its headings first; there is none of what was not asked for.
-pub(super) fn tables(observed: &Observed) -> Vec<Rows> {
+pub(in super::super) fn tables(observed: &Observed) -> Vec<Rows> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
     let mut exponents = vec![row(&["Lyapunov exponent", "value", "converged to"])];
     let mut indicators = vec![row(&["indicator", "value"])];
@@ -76,7 +76,7 @@ pub(super) fn tables(observed: &Observed) -> Vec<Rows> {
 }
 
 /// Why there are fewer steps than asked.
-pub(super) fn complaint(observed: &Observed) -> Option<String> {
+pub(in super::super) fn complaint(observed: &Observed) -> Option<String> {
     observed.left_range.then(|| {
         format!(
             "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; what is said is of the steps \

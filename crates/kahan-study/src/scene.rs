@@ -1,5 +1,4 @@
-//! The scene of a page: ε and a first point, chosen where they are not given, so that there is an
-//! orbit to see.
+//! ε and a first point, chosen where they are not given, so that there is an orbit to see.
 //!
 //! What is chosen is in units of the field's own: other units of length and time change a choice by
 //! powers of two, and so nothing of what is drawn.
@@ -11,19 +10,22 @@ use kahan_algebra::rational::Rational;
 use kahan_core::observe::{Escape, Visit};
 use kahan_runtime::{Ended, Field, Follow, MapAt};
 
-use crate::printing::Refusal;
+use crate::error::StudyError;
+use crate::study::Study;
 
-/// An orbit that the figures show.
+/// An orbit that figures show.
 #[derive(Clone, Debug)]
-pub(super) struct Scene {
-    pub(super) eps: Rational,
-    pub(super) start: Vec<Rational>,
+pub struct Scene {
+    /// ε, half the time step.
+    pub eps: Rational,
+    /// The first point.
+    pub start: Vec<Rational>,
     /// The least and the greatest value of each variable on the orbit.
-    pub(super) extremes: Vec<[f64; 2]>,
+    pub extremes: Vec<[f64; 2]>,
     /// The size of the first point, or a length of the field where all of its coordinates are 0.
-    pub(super) size: f64,
+    pub size: f64,
     /// Whether it stays within reach for as long as it was followed.
-    pub(super) stays: bool,
+    pub stays: bool,
 }
 
 /// Steps that an orbit is followed.
@@ -37,21 +39,30 @@ const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)
 /// tried.
 const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
 
-impl Scene {
-    /// The scene of a field at these values of its parameters.
+impl Study {
+    /// An orbit to see. What is not given is chosen: ε as a power of two, up to a fifth of what the
+    /// field's rates allow, and the first point as the first of some small fractions of the field's
+    /// length whose orbit stays and goes on moving. Costs some orbits of four thousand steps.
     ///
-    /// What is not given is chosen: ε as a power of two, up to a fifth of what the field's rates
-    /// allow, and the first point as the first of some small fractions of the field's length whose
-    /// orbit stays and goes on moving.
-    pub(super) fn of(
+    /// # Errors
+    /// [`StudyError`]: values that are missing, a point that does not fit, a field that is not
+    /// defined at its parameters.
+    pub fn scene(&self, eps: Option<&Rational>, start: Option<&[Rational]>) -> Result<Scene, StudyError> {
+        let start = start.map(|start| self.point(start)).transpose()?;
+        let (field, values) = (Field::of(self.system()), self.values()?);
+        Scene::of(&field, &values, eps, start.as_deref()).ok_or_else(|| self.undefined_field())
+    }
+}
+
+impl Scene {
+    /// The scene of a field at these values of its parameters; `None` where it divides by zero.
+    fn of(
         field: &Field,
         parameters: &[Rational],
         eps: Option<&Rational>,
         start: Option<&[Rational]>,
-    ) -> Result<Self, Refusal> {
-        let map = field.with(field.parameters().iter().zip(parameters)).map_err(|_| {
-            Refusal::new("the field divides by zero at these values of its parameters; choose other values")
-        })?;
+    ) -> Option<Self> {
+        let map = field.with(field.parameters().iter().zip(parameters)).ok()?;
         let length = length(field, parameters, eps);
         let starts =
             start.map_or_else(|| starts(field.variables().len(), length), |start| vec![start.to_vec()]);
@@ -71,7 +82,7 @@ impl Scene {
                 break;
             }
         }
-        best.map(|best| best.scene).ok_or_else(|| Refusal::new("the field has no variables"))
+        best.map(|best| best.scene)
     }
 }
 
