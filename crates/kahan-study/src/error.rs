@@ -13,8 +13,10 @@ use kahan_runtime::Diagnostics;
 
 use crate::formula::NoFormula;
 use crate::map::CannotRun;
+use crate::numbers::ScalarKind;
+use crate::question::NoOrbit;
 use crate::rows::MOST_CELLS;
-use crate::study::MOST_VARIABLES;
+use crate::study::{MOST_VARIABLES, assigned};
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
 
@@ -165,8 +167,19 @@ pub enum StudyError {
         /// Of a point the variable.
         variable: Option<String>,
     },
+    /// A number is beyond the range of the scalar.
+    BeyondRange {
+        /// What it is of: `at`, `param` or `eps`.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// The scalar.
+        scalar: ScalarKind,
+    },
     /// There is no composition of this order.
     Order(u32),
+    /// An orbit cannot be all that it is asked to be.
+    Orbit(NoOrbit),
     /// A question whose answer is no table, by its name, is asked for rows.
     NoRows(&'static str),
     /// An answer has more cells than [`MOST_CELLS`].
@@ -212,9 +225,6 @@ impl StudyError {
 
 impl fmt::Display for StudyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let assigned = |values: &[(String, Rational)]| {
-            values.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
-        };
         match self {
             Self::UnknownSystem { name, nearest, known } => {
                 write!(f, "there is no system `{name}`.")?;
@@ -264,10 +274,6 @@ impl fmt::Display for StudyError {
             }
             Self::AxisTwice { name } => write!(f, "`{name}` is gone through twice; name two"),
             Self::AxisValues { name, why } => write!(f, "{name}: {why}"),
-            Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
-            Self::TooLong { cells } => {
-                write!(f, "the answer has {cells} cells, and at most {MOST_CELLS} are kept in memory; take its rows")
-            }
             Self::Formula { what, why } => f.write_str(&why.report(what)),
             Self::ConstantPlane { text } => write!(
                 f,
@@ -287,14 +293,23 @@ impl fmt::Display for StudyError {
                 write!(f, "{what}: the coordinate {variable} is beyond the range of f64")
             }
             Self::OutOfRange { what, variable: None } => write!(f, "{what} is beyond the range of f64"),
+            Self::BeyondRange { what, name, scalar } => {
+                write!(f, "{what}: {name} is beyond the range of {}; use scalar exact", scalar.name())
+            }
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
+            Self::Orbit(why) => why.fmt(f),
+            Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
+            Self::TooLong { cells } => write!(
+                f,
+                "the answer has {cells} cells, and at most {MOST_CELLS} are kept in memory; take its rows, or a larger `every`"
+            ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
             Self::Judge { system, why } => write!(f, "{system} cannot be judged: {why}"),
             Self::Trade { system, why } => write!(f, "{system}: {why}"),
             Self::UndefinedField { system, parameters } => write!(
                 f,
                 "the field of {system} divides by zero at {}; choose other values",
-                assigned(parameters)
+                assigned(parameters.iter().map(|(name, value)| (name, value))).collect::<Vec<_>>().join(", ")
             ),
         }
     }

@@ -1,5 +1,6 @@
 //! A field that was read, about which questions are asked.
 
+use std::fmt::Display;
 use std::sync::{Arc, OnceLock};
 
 use kahan_algebra::interpret::Interpreter;
@@ -46,6 +47,7 @@ struct Parts {
     proved: OnceLock<Result<(), StudyError>>,
     field: OnceLock<Field>,
     interpreter: OnceLock<Interpreter>,
+    map: OnceLock<Map>,
 }
 
 impl Subject {
@@ -80,6 +82,7 @@ impl Subject {
             proved: OnceLock::new(),
             field: OnceLock::new(),
             interpreter: OnceLock::new(),
+            map: OnceLock::new(),
         })))
     }
 }
@@ -198,6 +201,7 @@ impl Study {
             proved: proved.clone(),
             field: field.clone(),
             interpreter: OnceLock::new(),
+            map: OnceLock::new(),
         }))
     }
 
@@ -268,11 +272,20 @@ impl Study {
         Err(StudyError::Coordinates { what: "at", variables: self.variables().to_vec(), given: at.len() })
     }
 
-    /// The map at the values of the parameters.
-    pub(crate) fn map(&self) -> Result<Map, StudyError> {
+    /// The field with its plans, which are made when it is first asked for.
+    pub(crate) fn field(&self) -> &Field {
+        self.0.field.get_or_init(|| Field::of(self.system()))
+    }
+
+    /// The map at the values of the parameters, with what was planned and compiled for it.
+    pub(crate) fn map(&self) -> Result<&Map, StudyError> {
+        if let Some(map) = self.0.map.get() {
+            return Ok(map);
+        }
         let values = self.values()?;
         let map = self.field().with(self.parameters().iter().zip(&values));
-        map.map_err(|_| self.undefined_field())
+        let map = map.map_err(|_| self.undefined_field())?;
+        Ok(self.0.map.get_or_init(|| map))
     }
 
     /// The map at ε, and a point, in doubles.
@@ -300,14 +313,20 @@ impl Study {
         }
     }
 
+    /// A point with the parameters and ε, in words; long numbers are cut.
+    #[must_use]
+    pub fn place(&self, at: &[impl Display], eps: &Rational) -> String {
+        let parameters = self.parameters().iter().zip(self.given().iter().flatten());
+        assigned(self.variables().iter().zip(at))
+            .chain(assigned(parameters))
+            .chain(assigned([("eps", eps)]))
+            .collect::<Vec<_>>()
+            .join(", ")
+    }
+
     /// What a point where det A = 0 and that has no image is.
     pub(crate) fn pole(&self) -> NoStep {
         if RationalMap::of(&self.system().field).is_some() { NoStep::Pole } else { NoStep::Unreduced }
-    }
-
-    /// The field with its plans, which are made when it is first asked for.
-    pub(crate) fn field(&self) -> &Field {
-        self.0.field.get_or_init(|| Field::of(self.system()))
     }
 
     pub(crate) fn interpreter(&self) -> &Interpreter {
@@ -319,11 +338,25 @@ impl Study {
     }
 }
 
+/// `x = 1`, `y = 2`, of long numbers the first digits.
+pub(crate) fn assigned<N: Display, V: Display>(
+    values: impl IntoIterator<Item = (N, V)>,
+) -> impl Iterator<Item = String> {
+    const DIGITS: usize = 40;
+    values.into_iter().map(|(name, value)| {
+        let value = value.to_string();
+        match value.char_indices().nth(DIGITS) {
+            Some(_) => format!("{name} = {}…", &value[..DIGITS - 1]),
+            None => format!("{name} = {value}"),
+        }
+    })
+}
+
 /// The plain system of a chain of so many sites of the family in a text, its claims proved.
 ///
 /// # Errors
 /// Mistakes of the text, a field that is no family, and more than [`MOST_VARIABLES`] variables.
-pub fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
+fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
     let family = text.family().map_err(StudyError::Field)?.ok_or(StudyError::NoFamily)?;
     if sites.saturating_mul(family.block()) > MOST_VARIABLES {
         return Err(StudyError::ManySites { sites });
@@ -335,7 +368,7 @@ pub fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
 ///
 /// # Errors
 /// A name that is none of them, or given twice.
-pub fn values_by_name(
+fn values_by_name(
     given: &[(String, Rational)],
     names: &[String],
     system: &str,

@@ -213,7 +213,6 @@ fn axes_that_do_not_fit_say_so() {
             "`w` is neither a variable nor a parameter of lv; there is x, y, eps",
         ),
         (json!([{"name": "x", "values": [1]}, {"name": "x", "values": [2]}]), "`x` is gone through twice"),
-        (json!([{"name": "x", "values": []}]), "x: there are no values"),
         (json!([{"name": "order", "values": [2, 3]}]), "order: 3 is none of 2, 4, 6, 8"),
         (json!([{"name": "bits", "values": [16]}]), "bits: 16 is none of 32, 64"),
         (json!([{"name": "x", "draw": "uniform", "low": 1, "high": 0}]), "x: low is below high"),

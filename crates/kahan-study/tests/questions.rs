@@ -35,6 +35,10 @@ fn a_question_writes_itself_as_it_was_read() {
         json!({"ask": "show", "as": "latex"}),
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
+        json!({
+            "ask": "orbit", "eps": "-1/10", "at": ["1"], "steps": 9, "every": 3, "scalar": "f32", "order": 2, "method": "rk4",
+            "projective": false,
+        }),
         json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "of": ["final", "fli"]}),
         json!({
             "ask": "diagram", "eps": null, "at": ["1"], "over": {"name": "eps", "range": "1:0:/5"}, "variable": "x",
@@ -404,6 +408,7 @@ fn a_question_that_was_stopped_asks_no_more() {
     let lv = study(Subject::named("lv"));
     let over = json!({"name": "eps", "range": "1/10:1:9"});
     for object in [
+        json!({"ask": "orbit", "eps": "1/10", "at": [1, 2], "steps": 100_000}),
         json!({"ask": "observe", "eps": "1/10", "at": [1, 2], "steps": 100_000}),
         json!({"ask": "section", "eps": "1/10", "at": [1, 2], "steps": 100_000, "plane": "x - y"}),
         json!({"ask": "periodic", "at": [1, 1], "over": over}),

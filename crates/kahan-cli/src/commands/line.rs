@@ -13,6 +13,7 @@ use super::{
     eval::Eval,
     extremes::Extremes,
     heights::Heights,
+    orbit::Orbit,
     periodic::Periodic,
     picture::{Picture, shown::Shown},
     poles::Poles,
@@ -61,6 +62,7 @@ impl Line {
         match question {
             Question::Show(asked) => Show::call(system, asked),
             Question::Evaluate(asked) => Eval::call(system, asked),
+            Question::Orbit(asked) => Orbit::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
             Question::Over(asked) => Chart::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
@@ -127,7 +129,7 @@ mod tests {
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Form, Observable, Observe, Range, Side};
+    use kahan_study::{self as study, Axis, Evaluate, Form, Method, Observable, Observe, Range, Side};
 
     /// What the command makes of a call.
     fn read<A: Args + FromArgMatches>(line: &Line) -> A {
@@ -158,6 +160,13 @@ mod tests {
         reads_back::<Show>(forms.map(|form| study::Show { form }));
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
+        let plain = study::Orbit::new(eps.clone(), at.clone(), 99);
+        let (every, scalar, method) = (7, ScalarKind::F32, Method::Rk4);
+        reads_back::<Orbit>([
+            study::Orbit { every, scalar, method, ..plain.clone() },
+            study::Orbit { order: 4, projective: true, ..plain.clone() },
+            plain,
+        ]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         let of = vec![Observable::Last, Observable::Fli];
         reads_back::<Dynamics>([

@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
-use kahan_study::{Catalog, StudyError, Subject, Systems, values_by_name};
+use kahan_study::{Catalog, StudyError, Subject, Systems};
 use kahan_systems::lattices;
 use kahan_systems::registry::find;
 
@@ -108,11 +107,6 @@ impl Source {
         !self.parameters.is_empty()
     }
 
-    /// Whether this parameter was given.
-    pub(super) fn has_parameter(&self, name: &str) -> bool {
-        self.parameters.iter().any(|given| given.split_once('=').is_some_and(|(own, _)| own.trim() == name))
-    }
-
     /// The values behind `--param NAME=V`, by name.
     pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, Refusal> {
         let value = |given: &String| {
@@ -125,20 +119,6 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// The values of a system's parameters, in their order; `None` for one not given.
-    pub(crate) fn known_parameters(
-        &self,
-        system: &System,
-        name: &str,
-    ) -> Result<Vec<Option<Rational>>, Refusal> {
-        Ok(values_by_name(&self.given()?, &system.field.symbols.parameters, name)?)
-    }
-
-    /// The block that was named; `None` if none was.
-    pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
-        Ok(self.named_block()?.map(|block| block.of_sites(self.sites)))
-    }
-
     /// The field that was named, without its parameters.
     pub(super) fn subject(&self) -> Result<Subject, Refusal> {
         match &self.system {
@@ -147,7 +127,8 @@ impl Source {
         }
     }
 
-    fn named_block(&self) -> Result<Option<Block>, Refusal> {
+    /// The block that was named; `None` if none was.
+    pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {
             (None, None, None) => Ok(None),
             (Some(name), None, None) => match (find(name), lattices::find(name)) {
@@ -178,7 +159,7 @@ impl Source {
     /// for them is neither given nor gone through in `ranges`, `NAME=…`. Standard input is not read
     /// for it: what comes from there is said when the command reads it.
     pub(crate) fn undeclared(&self, ranges: &[String]) -> Option<String> {
-        let block = if self.is_input() { None } else { self.named_block().ok().flatten() };
+        let block = if self.is_input() { None } else { self.block().ok().flatten() };
         self.undeclared_in(&block?, ranges)
     }
 
@@ -203,18 +184,6 @@ impl Source {
             names.join(", "),
             equations.join(", ")
         )))
-    }
-
-    /// The values of all parameters of a system, in their order.
-    pub(crate) fn parameter_values(&self, system: &System, name: &str) -> Result<Vec<Rational>, Refusal> {
-        let names = &system.field.symbols.parameters;
-        let values = self.known_parameters(system, name)?;
-        let missing = names.iter().zip(&values).filter(|(_, value)| value.is_none());
-        let missing: Vec<String> = missing.map(|(name, _)| name.clone()).collect();
-        if !missing.is_empty() {
-            return Err(StudyError::MissingParameters { system: name.to_owned(), names: missing }.into());
-        }
-        Ok(values.into_iter().flatten().collect())
     }
 
     /// This source with single values only, and the parameters that are given as ranges:

@@ -84,36 +84,6 @@ pub mod optional {
     }
 }
 
-/// A list of exact numbers that may be absent.
-pub mod optional_list {
-    use super::{Deserialize, Deserializer, Rational, Serializer, Value, read};
-
-    /// Writes a list of p/q, or null.
-    ///
-    /// # Errors
-    /// Those of the serializer.
-    pub fn serialize<S: Serializer>(
-        values: &Option<Vec<Rational>>,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        match values {
-            Some(values) => super::list::serialize(values, serializer),
-            None => serializer.serialize_none(),
-        }
-    }
-
-    /// Reads a list of exact numbers, or null.
-    ///
-    /// # Errors
-    /// Where one of them is none.
-    pub fn deserialize<'de, D: Deserializer<'de>>(
-        deserializer: D,
-    ) -> Result<Option<Vec<Rational>>, D::Error> {
-        let values = Option::<Vec<Value>>::deserialize(deserializer)?;
-        values.map(|values| values.iter().map(read::<D::Error>).collect()).transpose()
-    }
-}
-
 /// Lists of lists of exact numbers: points.
 pub mod lists {
     use super::{Deserialize, Deserializer, Rational, Serializer, Value, read};

@@ -45,6 +45,17 @@ impl Number {
             Self::Dd(value) => value.is_finite(),
         }
     }
+
+    /// Whether it is no number, as 0/0 in floats.
+    #[must_use]
+    pub fn is_nan(&self) -> bool {
+        match self {
+            Self::Exact(_) => false,
+            Self::F32(value) => value.is_nan(),
+            Self::F64(value) => value.is_nan(),
+            Self::Dd(value) => value.is_nan(),
+        }
+    }
 }
 
 impl fmt::Display for Number {

@@ -13,6 +13,7 @@ mod evaluate;
 mod extremes;
 mod heights;
 mod observe;
+mod orbit;
 mod over;
 mod periodic;
 mod poles;
@@ -41,6 +42,7 @@ pub use evaluate::{Evaluate, Evaluated};
 pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observable, Observe, Observed, Seen};
+pub use orbit::{Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
 pub use over::{Over, OverFound, Source, Through, Varied};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
@@ -110,6 +112,8 @@ questions! {
     Show, asked as "show", answered by Shown;
     /// Every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated;
+    /// The points of an orbit.
+    Orbit, asked as "orbit", answered by Orbited;
     /// What an orbit does.
     Observe, asked as "observe", answered by Observed;
     /// Where an orbit crosses a plane.
@@ -158,7 +162,9 @@ impl Study {
         watch: &dyn Watch,
     ) -> Result<End, StudyError> {
         match question {
+            Question::Orbit(asked) => asked.rows(self, range, rows, watch),
             Question::Over(asked) => asked.rows(self, range, rows, watch),
+            Question::Section(asked) => asked.rows(self, range, rows, watch),
             other => Err(StudyError::NoRows(other.name())),
         }
     }

@@ -113,7 +113,7 @@ impl Family {
         };
         // A mistake in what is given is told before the search.
         let (_, start) = study.in_floats(&asked.at, &eps)?;
-        let field = Field::of(study.system());
+        let field = study.field().clone();
         Ok(Family { field, parameters: study.values()?, eps, start, parameter, changes: axis.is_some() })
     }
 

@@ -23,19 +23,18 @@ const MOST_PARTS: u64 = 32_767;
 
 pub(super) fn plan(source: &str, origin: &str) -> Result<Plan, Mistakes> {
     let mut mistakes = Collector::new(source);
-    let root = match DeTable::parse(source) {
-        Ok(root) => root,
+    let read = match DeTable::parse(source) {
+        Ok(root) => {
+            let root = Table::new("the plan", root.span(), root.get_ref());
+            Reader { mistakes: &mut mistakes, places: Vec::new() }.plan(root)
+        }
         Err(error) => {
             mistakes.note(&error.span().unwrap_or_default(), error.message());
-            mistakes.finish(origin)?;
-            return Err(Mistakes { origin: origin.to_owned(), mistakes: Vec::new() });
+            None
         }
     };
-    let root = Table::new("the plan", root.span(), root.get_ref());
-    let read = Reader { mistakes: &mut mistakes, places: Vec::new() }.plan(root);
     mistakes.finish(origin)?;
-    // Where nothing was noted, nothing is missing.
-    read.ok_or_else(|| Mistakes { origin: origin.to_owned(), mistakes: Vec::new() })
+    Ok(read.expect("where nothing is missing nothing was noted"))
 }
 
 struct Reader<'m, 's> {
@@ -286,8 +285,9 @@ impl Reader<'_, '_> {
         let (order, scalar) = (table.take("order"), table.take("scalar"));
         let (every, escape, observe) = (table.take("every"), table.take("escape"), table.take("observe"));
         if let Some(value) = order {
-            let orders = each(value).into_iter().filter_map(|value| self.order(value)).collect();
-            scheme.push(Varied { name: "order".to_owned(), through: Through::List(orders) });
+            self.places.push(("order".to_owned(), value.span()));
+            let orders = each(value).into_iter().filter_map(|value| number(value, "order", self.mistakes));
+            scheme.push(Varied { name: "order".to_owned(), through: Through::List(orders.collect()) });
         }
         if let Some(value) = scalar {
             let bits = each(value).into_iter().filter_map(|value| self.bits(value)).collect();
@@ -300,14 +300,6 @@ impl Reader<'_, '_> {
         let plain = Observe::new(Rational::zero(), Vec::new(), steps?);
         let asked = Observe { every: every?, escape: escape?, of, ..plain };
         Some(Observe { of: asked.observables().collect(), ..asked })
-    }
-
-    fn order(&mut self, value: &Value<'_>) -> Option<Rational> {
-        let order = whole(value, "order", (2, 8), self.mistakes)?;
-        if order % 2 == 1 {
-            self.mistakes.note(&value.span(), "order is 2, 4, 6 or 8");
-        }
-        Some(Rational::from(order as i64))
     }
 
     fn bits(&mut self, value: &Value<'_>) -> Option<Rational> {

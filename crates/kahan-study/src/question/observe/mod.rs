@@ -12,11 +12,11 @@ use std::cell::Cell;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_core::Composition;
-use kahan_core::observe::{Drifted, Exponent, Extremes, Turns};
 use kahan_discover::{Progress, Watch};
 use kahan_runtime::{Ended, Followed};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value, json};
 
 use crate::error::StudyError;
 use crate::numbers::exact;
@@ -157,25 +157,28 @@ impl Observed {
     }
 }
 
-#[derive(Serialize)]
-struct Pair {
-    value: f64,
-    error: f64,
-}
-
-#[derive(Serialize)]
-struct Drift {
-    max: f64,
-    #[serde(rename = "final")]
-    last: f64,
-}
-
-/// An object that has values by name.
-struct Object<'a, T>(&'a [String], Vec<T>);
-
-impl<T: Serialize> Serialize for Object<'_, T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().zip(&self.1))
+impl Seen {
+    /// With a value for each variable or integral by name.
+    fn json(&self, variables: &[String], integrals: &[String]) -> Value {
+        fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
+            names.iter().cloned().zip(values.iter().map(value)).collect::<Map<_, _>>().into()
+        }
+        match self {
+            Self::Point(point) => named(variables, point, |value| json!(value)),
+            Self::Drift(drifts) => {
+                named(integrals, drifts, |drift| json!({"max": drift.max, "final": drift.last}))
+            }
+            Self::Extrema(extrema) => {
+                named(variables, extrema, |of| json!(of.map(|of| [of.least, of.greatest])))
+            }
+            Self::Exponent(one) => json!({"value": one.value, "error": one.error}),
+            Self::Spectrum(all) => json!(all.iter().map(|one| one.value).collect::<Vec<_>>()),
+            Self::Number(number) => json!(number),
+            Self::Turns(turns) => {
+                named(variables, turns, |turns| json!({"value": turns.value, "error": turns.error}))
+            }
+            Self::Step(step) => json!(step),
+        }
     }
 }
 
@@ -184,40 +187,18 @@ impl Serialize for Observed {
         let mut object = serializer.serialize_map(None)?;
         object.serialize_entry("system", &self.system)?;
         object.serialize_entry("steps", &self.steps)?;
-        let pair = |value: f64, error: f64| Pair { value, error };
         for (observable, seen) in &self.seen {
-            let name = observable.name();
-            match seen {
-                Seen::Point(point) => {
-                    object.serialize_entry(name, &Object(&self.variables, point.clone()))?;
-                }
-                Seen::Drift(drifts) => {
-                    let drift = |drifted: &Drifted| Drift { max: drifted.max, last: drifted.last };
-                    let drifts = drifts.iter().map(drift).collect();
-                    object.serialize_entry(name, &Object(&self.integrals, drifts))?;
-                }
-                Seen::Extrema(extrema) => {
-                    let ends = |of: &Option<Extremes<f64>>| of.map(|of| [of.least, of.greatest]);
-                    let extrema = extrema.iter().map(ends).collect();
-                    object.serialize_entry(name, &Object(&self.variables, extrema))?;
-                }
-                Seen::Exponent(exponent) => {
-                    object.serialize_entry("largest_lyapunov", &pair(exponent.value, exponent.error))?;
-                }
-                Seen::Spectrum(exponents) => {
-                    let of = |part: fn(&Exponent) -> f64| exponents.iter().map(part).collect::<Vec<_>>();
-                    object.serialize_entry("lyapunov", &of(|exponent| exponent.value))?;
-                    object.serialize_entry("lyapunov_errors", &of(|exponent| exponent.error))?;
-                }
-                Seen::Number(number) => {
-                    let name = if *observable == Observable::LogDet { "mean_log_det" } else { name };
-                    object.serialize_entry(name, number)?;
-                }
-                Seen::Turns(turns) => {
-                    let turns = turns.iter().map(|turns: &Turns| pair(turns.value, turns.error)).collect();
-                    object.serialize_entry(name, &Object(&self.variables, turns))?;
-                }
-                Seen::Step(step) => object.serialize_entry("escaped", step)?,
+            let name = match observable {
+                Observable::Lyapunov => "largest_lyapunov",
+                Observable::Spectrum => "lyapunov",
+                Observable::LogDet => "mean_log_det",
+                Observable::Escape => "escaped",
+                other => other.name(),
+            };
+            object.serialize_entry(name, &seen.json(&self.variables, &self.integrals))?;
+            if let Seen::Spectrum(all) = seen {
+                let errors: Vec<f64> = all.iter().map(|one| one.error).collect();
+                object.serialize_entry("lyapunov_errors", &errors)?;
             }
         }
         object.end()

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::rows::Column;
 
 macro_rules! observables {
-    ($($name:ident, called $text:literal: $meaning:literal;)*) => {
+    ($($name:ident, called $text:literal, $meaning:literal, $of:ident: $($column:literal = $what:literal),*;)*) => {
         /// What can be observed of an orbit.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
         pub enum Observable {
@@ -28,29 +28,55 @@ macro_rules! observables {
                 }
             }
 
-            /// What it is.
+            /// What it is, as a sentence.
             #[must_use]
             pub fn meaning(self) -> &'static str {
                 match self {
                     $(Self::$name => $meaning,)*
                 }
             }
+
+            /// Of what it has columns, and these, with their meanings.
+            fn written(self) -> (Of, &'static [(&'static str, &'static str)]) {
+                match self {
+                    $(Self::$name => (Of::$of, &[$(($column, $what)),*]),)*
+                }
+            }
         }
     };
 }
 
+/// Of what an observable has columns.
+enum Of {
+    Orbit,
+    Variables,
+    Integrals,
+    /// The numbers from 1 up to that of the variables.
+    Numbers,
+}
+
 observables! {
-    Last, called "final": "The last point.";
-    Drift, called "drift": "The drift of the claimed integrals, relative to their first values.";
-    Extrema, called "extrema": "The least and the greatest value of each variable.";
-    Lyapunov, called "lyapunov": "The largest Lyapunov exponent, per unit of time.";
-    Spectrum, called "spectrum": "All Lyapunov exponents, per unit of time.";
-    LogDet, called "log_det": "The mean of log |det ∂x̃/∂x|, the sum of all exponents.";
-    Fli, called "fli": "The fast Lyapunov indicator.";
-    Megno, called "megno": "The mean of MEGNO.";
-    Sali, called "sali": "The smaller alignment index.";
-    Rotation, called "rotation": "Turns a step of each variable about the middle of its extremes.";
-    Escape, called "escape": "The step after which a variable is beyond a size.";
+    Last, called "final", "The last point.", Variables: "final_{}" = "value after the last step";
+    Drift, called "drift", "The drift of the claimed integrals, relative to their first values.", Integrals:
+        "drift_{}" = "largest change of the integral, relative to its first value",
+        "drift_{}_final" = "change of the integral after the last step, relative to its first value";
+    Extrema, called "extrema", "The least and the greatest value of each variable.", Variables:
+        "least_{}" = "least value", "greatest_{}" = "greatest value";
+    Lyapunov, called "lyapunov", "The largest Lyapunov exponent, per unit of time.", Orbit:
+        "lyapunov" = "largest Lyapunov exponent, per unit of time",
+        "lyapunov_error" = "how far the exponent has converged, per unit of time";
+    Spectrum, called "spectrum", "All Lyapunov exponents, per unit of time.", Numbers:
+        "lyapunov_{}" = "Lyapunov exponent, per unit of time";
+    LogDet, called "log_det", "The mean of log |det ∂x̃/∂x|, the sum of all exponents.", Orbit:
+        "mean_log_det" = "sum of all Lyapunov exponents, per unit of time";
+    Fli, called "fli", "The fast Lyapunov indicator.", Orbit: "fli" = "fast Lyapunov indicator";
+    Megno, called "megno", "The mean of MEGNO.", Orbit:
+        "megno" = "mean exponential growth factor of nearby orbits";
+    Sali, called "sali", "The smaller alignment index.", Orbit: "sali" = "smaller alignment index";
+    Rotation, called "rotation", "Turns a step of each variable about the middle of its extremes.", Variables:
+        "rotation_{}" = "turns a step, modulo 1", "rotation_{}_error" = "turns a step that may be wrong";
+    Escape, called "escape", "The step after which a variable is beyond a size.", Orbit:
+        "escaped" = "step after which a variable is beyond `escape`; not a number where none is";
 }
 
 /// What was seen.
@@ -77,58 +103,19 @@ pub enum Seen {
 impl Observable {
     /// The columns that hold it, of a field with these variables and integrals.
     pub(in crate::question) fn columns(self, variables: &[String], integrals: &[String]) -> Vec<Column> {
-        let one =
-            |name: &str, meaning: &str| vec![Column { name: name.to_owned(), meaning: meaning.to_owned() }];
-        let each = |names: &[String], parts: &[(&str, &str, &str)]| {
-            let of = |name: &String| {
-                let column = |(before, after, meaning): &(&str, &str, &str)| Column {
-                    name: format!("{before}{name}{after}"),
-                    meaning: (*meaning).to_owned(),
-                };
-                parts.iter().map(column).collect::<Vec<_>>()
-            };
-            names.iter().flat_map(of).collect()
+        let (of, columns) = self.written();
+        let names = match of {
+            Of::Orbit => vec![String::new()],
+            Of::Variables => variables.to_vec(),
+            Of::Integrals => integrals.to_vec(),
+            Of::Numbers => (1..=variables.len()).map(|k| k.to_string()).collect(),
         };
-        match self {
-            Self::Last => each(variables, &[("final_", "", "value after the last step")]),
-            Self::Drift => each(
-                integrals,
-                &[
-                    ("drift_", "", "largest change of the integral, relative to its first value"),
-                    (
-                        "drift_",
-                        "_final",
-                        "change of the integral after the last step, relative to its first value",
-                    ),
-                ],
-            ),
-            Self::Extrema => {
-                each(variables, &[("least_", "", "least value"), ("greatest_", "", "greatest value")])
-            }
-            Self::Lyapunov => [
-                one("lyapunov", "largest Lyapunov exponent, per unit of time"),
-                one("lyapunov_error", "how far the exponent has converged, per unit of time"),
-            ]
-            .concat(),
-            Self::Spectrum => {
-                let of = |k: usize| one(&format!("lyapunov_{k}"), "Lyapunov exponent, per unit of time");
-                (1..=variables.len()).flat_map(of).collect()
-            }
-            Self::LogDet => one("mean_log_det", "sum of all Lyapunov exponents, per unit of time"),
-            Self::Fli => one("fli", "fast Lyapunov indicator"),
-            Self::Megno => one("megno", "mean exponential growth factor of nearby orbits"),
-            Self::Sali => one("sali", "smaller alignment index"),
-            Self::Rotation => each(
-                variables,
-                &[
-                    ("rotation_", "", "turns a step, modulo 1"),
-                    ("rotation_", "_error", "turns a step that may be wrong"),
-                ],
-            ),
-            Self::Escape => {
-                one("escaped", "step after which a variable is beyond `escape`; not a number where none is")
-            }
-        }
+        let column = |name: &str, (column, meaning): &(&str, &str)| Column {
+            name: column.replace("{}", name),
+            meaning: (*meaning).to_owned(),
+        };
+        let each = |name: &String| columns.iter().map(|one| column(name, one)).collect::<Vec<_>>();
+        names.iter().flat_map(each).collect()
     }
 }
 

@@ -5,9 +5,10 @@
 
 use std::ops::ControlFlow;
 
+use kahan_core::Step;
 use kahan_core::observe::{
-    Burst, Escape, Extrema, Extremes, Fli, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers, Sali,
-    Spectrum,
+    Burst, Escape, Extrema, Extremes, Fli, GROUP, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers,
+    Sali, Spectrum,
 };
 use kahan_runtime::{Ended, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
 
@@ -24,19 +25,85 @@ type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 /// A condition on a point.
 type Condition<T> = Box<dyn Fn(&[T]) -> bool>;
 
-/// An observer of one thing; `M` sees what the rotation turns about.
-enum Running<'a, T: MachineFloat, M> {
-    Last(Last<T>),
-    Drift(IntegralDrift<'a, T>),
-    Extrema(Vec<Extrema<Quantity<T>, T>>),
-    Lyapunov(Lyapunov<&'a MapAt<T>>),
-    Spectrum(Spectrum<&'a MapAt<T>>),
-    LogDet(MeanLogDet<&'a MapAt<T>>),
-    Fli(Fli<&'a MapAt<T>>),
-    Megno(Megno<&'a MapAt<T>>),
-    Sali(Sali<&'a MapAt<T>>),
-    Rotation(M),
-    Escape(Escape<Condition<T>>),
+macro_rules! observers {
+    ($at:ident, $asked:ident, $middles:ident: $($name:ident($type:ty) = $new:expr, $one:ident => $seen:expr;)*) => {
+        /// An observer of one thing; `M` sees what the rotation turns about.
+        enum Running<'a, T: MachineFloat, M> {
+            $($name($type),)*
+        }
+
+        fn running<'a, T: MachineFloat + PartialOrd>(
+            observable: Observable,
+            $at: &'a MapAt<T>,
+            $asked: &Observe,
+        ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>> {
+            match observable {
+                $(Observable::$name => Running::$name($new),)*
+            }
+        }
+
+        impl<T, M> Running<'_, T, M>
+        where
+            T: MachineFloat + PartialOrd,
+            M: Observer<T, Report = Middles<T>>,
+        {
+            fn observe(&mut self, step: u64, x: &[T]) {
+                match self {
+                    $(Running::$name(one) => one.observe(step, x),)*
+                }
+            }
+
+            /// The observers at one place of all orbits, which are of one variant.
+            fn observe_burst<P: Grouped<T>>(mut own: [Option<&mut Self>; GROUP], burst: &Burst<'_, P>) {
+                match &own[0] {
+                    $(Some(Running::$name(_)) => {
+                        let mut own = own.each_mut().map(|running| match running {
+                            Some(Running::$name(one)) => Some(one),
+                            _ => None,
+                        });
+                        Observer::observe_burst(&mut own, burst);
+                    })*
+                    None => {}
+                }
+            }
+
+            fn report(self, $middles: &mut Option<Middles<T>>) -> Seen {
+                match self {
+                    $(Running::$name($one) => $seen,)*
+                }
+            }
+        }
+    };
+}
+
+observers! {
+    at, asked, middles:
+    Last(Last<T>) = Last(Vec::new()), one => Seen::Point(one.report().iter().map(T::approximate).collect());
+    Drift(IntegralDrift<'a, T>) = IntegralDrift::of(at), one => Seen::Drift(one.report());
+    Extrema(Vec<Extrema<Quantity<T>, T>>) =
+        (0..at.dimension()).map(|k| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>)).collect(),
+        one => Seen::Extrema(one.report().into_iter().map(|of| of.map(in_doubles)).collect());
+    Lyapunov(Lyapunov<&'a MapAt<T>>) = Lyapunov::new(at), one => Seen::Exponent(one.report());
+    Spectrum(Spectrum<&'a MapAt<T>>) = Spectrum::new(at, at.dimension(), asked.every),
+        one => Seen::Spectrum(one.report());
+    LogDet(MeanLogDet<&'a MapAt<T>>) = MeanLogDet::new(at), one => Seen::Number(one.report());
+    Fli(Fli<&'a MapAt<T>>) = Fli::new(at), one => Seen::Number(one.report());
+    Megno(Megno<&'a MapAt<T>>) = Megno::new(at), one => Seen::Number(one.report().mean);
+    Sali(Sali<&'a MapAt<T>>) = Sali::new(at), one => Seen::Number(one.report());
+    Rotation(M) = at.extremes(), one => {
+        *middles = Some(one.report());
+        // The second run finds them.
+        Seen::Turns(Vec::new())
+    };
+    Escape(Escape<Condition<T>>) = {
+        let size = asked.escape;
+        let is_beyond = move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size);
+        Escape::when(Box::new(is_beyond) as Condition<T>)
+    }, one => Seen::Step(Observer::<T>::report(one));
+}
+
+fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
+    Extremes { least: of.least.approximate(), greatest: of.greatest.approximate() }
 }
 
 /// The last point.
@@ -64,34 +131,6 @@ impl<T: MachineFloat> Observer<T> for Last<T> {
     }
 }
 
-fn running<'a, T: MachineFloat + PartialOrd>(
-    observable: Observable,
-    at: &'a MapAt<T>,
-    asked: &Observe,
-) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>> {
-    let variables = at.map().field().variables().len();
-    match observable {
-        Observable::Last => Running::Last(Last(Vec::new())),
-        Observable::Drift => Running::Drift(IntegralDrift::of(at)),
-        Observable::Extrema => {
-            let of = |k: usize| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>);
-            Running::Extrema((0..variables).map(of).collect())
-        }
-        Observable::Lyapunov => Running::Lyapunov(Lyapunov::new(at)),
-        Observable::Spectrum => Running::Spectrum(Spectrum::new(at, variables, asked.every)),
-        Observable::LogDet => Running::LogDet(MeanLogDet::new(at)),
-        Observable::Fli => Running::Fli(Fli::new(at)),
-        Observable::Megno => Running::Megno(Megno::new(at)),
-        Observable::Sali => Running::Sali(Sali::new(at)),
-        Observable::Rotation => Running::Rotation(at.extremes()),
-        Observable::Escape => {
-            let size = asked.escape;
-            let is_beyond = move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size);
-            Running::Escape(Escape::when(Box::new(is_beyond) as Condition<T>))
-        }
-    }
-}
-
 /// All that is asked of an orbit. Its report is what was seen, and what a second run turns about.
 struct All<'a, T: MachineFloat, M>(Vec<Running<'a, T, M>>);
 
@@ -100,13 +139,6 @@ fn all<'a, T: MachineFloat + PartialOrd>(
     asked: &Observe,
 ) -> All<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>> {
     All(asked.observables().map(|observable| running(observable, at, asked)).collect())
-}
-
-/// Does the same with the observer of each variant.
-macro_rules! for_each_variant {
-    ($macro:ident) => {
-        $macro!(Last, Drift, Extrema, Lyapunov, Spectrum, LogDet, Fli, Megno, Sali, Rotation, Escape)
-    };
 }
 
 impl<T, M> Observer<T> for All<'_, T, M>
@@ -119,64 +151,22 @@ where
     const MAY_END: bool = false;
 
     fn observe(&mut self, step: u64, x: &[T]) {
-        for running in &mut self.0 {
-            macro_rules! show {
-                ($($variant:ident),*) => {
-                    match running { $(Running::$variant(one) => one.observe(step, x),)* }
-                };
-            }
-            for_each_variant!(show);
-        }
+        self.0.iter_mut().for_each(|running| running.observe(step, x));
     }
 
     /// Each observable of all orbits at once, so that their tangent vectors and integrals go side
     /// by side.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
         for place in 0..group[0].as_ref().map_or(0, |all| all.0.len()) {
-            macro_rules! show {
-                ($($variant:ident),*) => {
-                    match group[0].as_ref().map(|all| &all.0[place]) {
-                        $(Some(Running::$variant(_)) => {
-                            let mut own = group.each_mut().map(|all| match &mut all.as_mut()?.0[place] {
-                                Running::$variant(one) => Some(one),
-                                _ => None,
-                            });
-                            Observer::observe_burst(&mut own, burst);
-                        })*
-                        None => {}
-                    }
-                };
-            }
-            for_each_variant!(show);
+            let own = group.each_mut().map(|all| Some(&mut all.as_mut()?.0[place]));
+            Running::observe_burst(own, burst);
         }
     }
 
     fn report(self) -> Self::Report {
-        let floats = |point: Vec<T>| point.iter().map(T::approximate).collect();
         let mut middles = None;
-        let seen = self.0.into_iter().map(|running| match running {
-            Running::Last(one) => Seen::Point(floats(one.report())),
-            Running::Drift(one) => Seen::Drift(one.report()),
-            Running::Extrema(one) => {
-                let ends = |of: Extremes<T>| Extremes {
-                    least: of.least.approximate(),
-                    greatest: of.greatest.approximate(),
-                };
-                Seen::Extrema(one.report().into_iter().map(|of| of.map(ends)).collect())
-            }
-            Running::Lyapunov(one) => Seen::Exponent(one.report()),
-            Running::Spectrum(one) => Seen::Spectrum(one.report()),
-            Running::LogDet(one) => Seen::Number(one.report()),
-            Running::Fli(one) => Seen::Number(one.report()),
-            Running::Megno(one) => Seen::Number(one.report().mean),
-            Running::Sali(one) => Seen::Number(one.report()),
-            Running::Rotation(one) => {
-                middles = Some(one.report());
-                Seen::Turns(Vec::new())
-            }
-            Running::Escape(one) => Seen::Step(Observer::<T>::report(one)),
-        });
-        (seen.collect(), middles)
+        let seen = self.0.into_iter().map(|running| running.report(&mut middles)).collect();
+        (seen, middles)
     }
 }
 

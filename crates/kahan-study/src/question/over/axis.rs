@@ -4,16 +4,16 @@
 //! stands for in a field, its neighbour `cells` knows.
 
 use kahan_algebra::rational::Rational;
-use serde::de::Error;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
-use crate::draw::{Draw, Sobol, Uniform};
+use crate::draw::{Sobol, Uniform};
 use crate::numbers::exact;
 use crate::range::{Axis, Range};
 
 /// A name with the values that it goes through: a variable, whose first value it is, a parameter,
 /// `eps`, and of orbits the `order` of the method and the `bits` of the floats.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(into = "Written", try_from = "Written")]
 pub struct Varied {
     /// What goes through them.
     pub name: String,
@@ -56,59 +56,62 @@ impl From<Axis> for Varied {
 }
 
 /// As it stands in JSON.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 struct Written {
     name: String,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<Range>,
-    #[serde(default, skip_serializing_if = "Option::is_none", with = "exact::optional_list")]
-    values: Option<Vec<Rational>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Vec::is_empty", with = "exact::list")]
+    values: Vec<Rational>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     draw: Option<Source>,
-    #[serde(default, skip_serializing_if = "Option::is_none", with = "exact::optional")]
+    #[serde(skip_serializing_if = "Option::is_none", with = "exact::optional")]
     low: Option<Rational>,
-    #[serde(default, skip_serializing_if = "Option::is_none", with = "exact::optional")]
+    #[serde(skip_serializing_if = "Option::is_none", with = "exact::optional")]
     high: Option<Rational>,
 }
 
-impl Serialize for Varied {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let name = self.name.clone();
-        let mut written = Written { name, range: None, values: None, draw: None, low: None, high: None };
-        match self.through.clone() {
+impl From<Varied> for Written {
+    fn from(Varied { name, through }: Varied) -> Self {
+        let mut written = Written { name, ..Written::default() };
+        match through {
             Through::Range(range) => written.range = Some(range),
-            Through::List(values) => written.values = Some(values),
+            Through::List(values) => written.values = values,
             Through::Drawn { source, low, high } => {
                 (written.draw, written.low, written.high) = (Some(source), Some(low), Some(high));
             }
         }
-        written.serialize(serializer)
+        written
     }
 }
 
-impl<'de> Deserialize<'de> for Varied {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Written { name, range, values, draw, low, high } = Written::deserialize(deserializer)?;
-        let through = match (range, values, draw, low, high) {
-            (Some(range), None, None, None, None) => Through::Range(range),
-            (None, Some(values), None, None, None) => Through::List(values),
-            (None, None, Some(source), Some(low), Some(high)) => Through::Drawn { source, low, high },
+impl TryFrom<Written> for Varied {
+    type Error = String;
+
+    fn try_from(Written { name, range, values, draw, low, high }: Written) -> Result<Self, String> {
+        let through = match (range, values.is_empty(), draw, low, high) {
+            (Some(range), true, None, None, None) => Through::Range(range),
+            (None, false, None, None, None) => Through::List(values),
+            (None, true, Some(source), Some(low), Some(high)) => Through::Drawn { source, low, high },
             _ => {
-                return Err(D::Error::custom(format!(
+                return Err(format!(
                     "the axis `{name}` has either a `range`, as \"0:1:/9\", or a list of `values`, or `draw`, `low` and `high`"
-                )));
+                ));
             }
         };
         Ok(Varied { name, through })
     }
 }
 
+/// The number 0 ≤ u < 1 that has an index.
+type Draw = dyn Fn(u64) -> f64 + Sync;
+
 /// The values of an axis, found by their indices.
 pub(super) enum Values<'a> {
     List(&'a [Rational]),
     Spaced { first: Rational, step: Rational, count: u64 },
-    Drawn { from: Draw, low: f64, high: f64 },
+    Drawn { draw: Box<Draw>, low: f64, high: f64 },
 }
 
 impl<'a> Values<'a> {
@@ -124,18 +127,21 @@ impl<'a> Values<'a> {
                 Ok(Values::Spaced { first: range.value(0), step: range.step(), count: range.count() as u64 })
             }
             Through::Drawn { source, low, high } => {
-                let from = match source {
-                    Source::Uniform => Draw::Uniform(Uniform::new(seed, place)),
+                let draw: Box<Draw> = match source {
+                    Source::Uniform => {
+                        let uniform = Uniform::new(seed, place);
+                        Box::new(move |index| uniform.at(index))
+                    }
                     Source::Sobol => {
-                        let dimension = axes[..place].iter().filter(is_sobol).count();
-                        Draw::Sobol(Sobol::dimension(dimension)?)
+                        let sobol = Sobol::dimension(axes[..place].iter().filter(is_sobol).count())?;
+                        Box::new(move |index| sobol.at(index))
                     }
                 };
                 let [first, last] = [low, high].map(Rational::to_f64);
                 if low >= high || !(first.is_finite() && last.is_finite()) {
                     return Err("low is below high, both within the range of doubles".into());
                 }
-                Ok(Values::Drawn { from, low: first, high: last })
+                Ok(Values::Drawn { draw, low: first, high: last })
             }
         }
     }
@@ -165,7 +171,7 @@ impl<'a> Values<'a> {
         match self {
             Values::List(values) => values[index as usize].to_f64(),
             Values::Spaced { .. } => self.exactly(index).to_f64(),
-            Values::Drawn { from, low, high } => low + (high - low) * from.at(index),
+            Values::Drawn { draw, low, high } => low + (high - low) * draw(index),
         }
     }
 }

@@ -194,19 +194,14 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
     let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
     let values = Values::of(&over.axes, place, over.seed).map_err(wrong)?;
     let named = |names: &[String]| names.iter().position(|name| *name == axis.name);
-    let target = match &*axis.name {
-        name if named(study.variables()).is_some() => {
-            if matches!(*over.question, Question::Discover(_)) {
-                return Err(wrong(format!("`{name}` is a start, and a search has none; leave it out")));
-            }
-            named(study.variables()).map(Target::Variable)
-        }
-        _ if named(study.parameters()).is_some() => named(study.parameters()).map(Target::Parameter),
+    let target = named(study.variables()).map(Target::Variable);
+    let target = target.or_else(|| named(study.parameters()).map(Target::Parameter));
+    let target = target.or(match &*axis.name {
         "eps" => Some(Target::Epsilon),
         "order" if observes => Some(Target::Order),
         "bits" if observes => Some(Target::Bits),
         _ => None,
-    };
+    });
     let Some(target) = target else {
         let known = study.variables().iter().chain(study.parameters()).map(String::as_str);
         return Err(StudyError::UnknownAxis {
@@ -217,11 +212,18 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
         });
     };
     let known: &[f64] = match target {
+        Target::Variable(_) if matches!(*over.question, Question::Discover(_)) => {
+            return Err(wrong("is a start, and a search has none; leave it out".to_owned()));
+        }
         Target::Order => &[2.0, 4.0, 6.0, 8.0],
         Target::Bits => &[32.0, 64.0],
         _ => return Ok(Along { axis, target, values }),
     };
-    let mut own = (0..values.count().unwrap_or(1)).map(|index| values.double(index));
+    let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
+        Some(_) => values.double(index),
+        // What is drawn may be anything.
+        None => f64::NAN,
+    });
     match own.find(|value| !known.contains(value)) {
         Some(value) => {
             let known: Vec<String> = known.iter().map(f64::to_string).collect();

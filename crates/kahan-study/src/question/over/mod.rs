@@ -9,13 +9,12 @@ mod axis;
 mod cells;
 mod exactly;
 mod orbits;
+mod waves;
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use kahan_algebra::rational::Rational;
-use kahan_discover::{Progress, Watch};
-use kahan_runtime::threads;
+use kahan_discover::Watch;
 use serde::{Deserialize, Serialize};
 
 use super::Question;
@@ -26,6 +25,7 @@ use crate::study::Study;
 
 use cells::{Cells, Entry};
 use orbits::Orbits;
+use waves::in_waves;
 
 pub use axis::{Source, Through, Varied};
 
@@ -67,9 +67,6 @@ pub struct OverFound {
     pub rows: Table,
 }
 
-/// Blocks that are computed before their rows are handed on, for each thread.
-const WAVE: u64 = 64;
-
 impl Over {
     /// Of one draw.
     #[must_use]
@@ -101,16 +98,8 @@ impl Over {
         Ok(Cells::of(self, study)?.count)
     }
 
-    /// Whether the orbits of neighbours gain much by being followed side by side.
-    ///
-    /// # Errors
-    /// As [`cells`](Self::cells).
-    pub fn neighbours_share_a_map(&self, study: &Study) -> Result<bool, StudyError> {
-        Ok(Cells::of(self, study)?.neighbours_share_a_map())
-    }
-
-    /// The rows of these cells, a block after the other; at least one block comes, which may have no
-    /// rows, so that who takes them knows the columns.
+    /// The rows of these cells, a block after the other. Of no cells there is one block without
+    /// rows, which says what the columns are.
     pub(super) fn rows(
         &self,
         study: &Study,
@@ -138,57 +127,25 @@ impl Over {
             let _ = empty.hand_to(rows);
             return Ok(End::Complete);
         }
-        let (threads, most) = (watch.threads() as u64, orbits.as_ref().map_or(256, Orbits::at_once));
-        let count = range.end - range.start;
-        let block = match threads {
-            1 => most,
-            // Several for each thread, so that none is left with much where others are done.
-            _ => (count / (8 * threads)).next_multiple_of(orbits::LANES).clamp(orbits::LANES, most),
-        };
-        let (done, is_over) = (AtomicU64::new(0), AtomicBool::new(false));
-        let goes_on = |more: u64| {
-            let done = done.fetch_add(more, Ordering::Relaxed) + more;
-            let progress = Progress { what: "cells", done, of: Some(count) };
-            if !is_over.load(Ordering::Relaxed) && watch.look(&progress).is_break() {
-                is_over.store(true, Ordering::Relaxed);
-            }
-            !is_over.load(Ordering::Relaxed)
-        };
-        let blocks = count.div_ceil(block);
-        for first in (0..blocks).step_by((WAVE * threads) as usize) {
-            let own = |place: usize| {
-                let start = range.start + (first + place as u64) * block;
-                start..range.end.min(start + block)
-            };
-            let wave = blocks.min(first + WAVE * threads) - first;
-            let tables = threads::map(wave as usize, Some(threads as usize), |place| {
-                let mut table = empty.clone();
-                match &orbits {
-                    Some(orbits) if goes_on(0) => {
-                        orbits.rows(own(place)).into_iter().for_each(|row| push(&mut table, row));
-                        goes_on(table.count() as u64);
-                    }
-                    Some(_) => {}
-                    None => {
-                        let mut field: Option<Study> = None;
-                        for index in own(place).take_while(|_| goes_on(0)) {
-                            let row = self.row(study, &cells, index, &mut field);
-                            push(&mut table, row);
-                            goes_on(1);
-                        }
+        let make = |own: Range<u64>, goes_on: &dyn Fn(u64) -> bool| {
+            let (mut table, mut field) = (empty.clone(), None);
+            match &orbits {
+                Some(orbits) if goes_on(0) => {
+                    orbits.rows(own).into_iter().for_each(|row| push(&mut table, row));
+                    goes_on(table.count() as u64);
+                }
+                Some(_) => {}
+                None => {
+                    for index in own.take_while(|_| goes_on(0)) {
+                        push(&mut table, self.row(study, &cells, index, &mut field));
+                        goes_on(1);
                     }
                 }
-                table
-            });
-            for (place, table) in tables.iter().enumerate() {
-                let own = own(place);
-                let is_stopped = table.count() > 0 && table.hand_to(rows).is_break();
-                if is_stopped || (table.count() as u64) < own.end - own.start {
-                    return Ok(End::Stopped);
-                }
             }
-        }
-        Ok(End::Complete)
+            table
+        };
+        let block = orbits.as_ref().map_or([1, 256], Orbits::at_once);
+        Ok(in_waves(range, block, &make, rows, watch))
     }
 
     /// What is found at a cell; `field` is the one at the parameters before.

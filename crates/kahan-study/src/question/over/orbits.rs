@@ -15,7 +15,7 @@ use crate::rows::{Column, Kept};
 use crate::study::Study;
 
 /// Orbits that fill registers.
-pub(super) const LANES: u64 = 16;
+const LANES: u64 = 16;
 /// Steps of all orbits that are followed at once.
 const AT_ONCE: u64 = 1 << 24;
 
@@ -64,9 +64,10 @@ impl<'a> Orbits<'a> {
         [(steps, Kept::Integer(Vec::new()))].into_iter().chain(seen).collect()
     }
 
-    /// How many cells are done at once, at most: what they take is over in a moment.
-    pub(super) fn at_once(&self) -> u64 {
-        (AT_ONCE / self.asked.steps.max(1)).clamp(LANES, 256)
+    /// How many cells should be done at once, at least and at most: enough to fill registers, and
+    /// few enough that they are done in a moment.
+    pub(super) fn at_once(&self) -> [u64; 2] {
+        [LANES, (AT_ONCE / self.asked.steps.max(1)).clamp(LANES, 256)]
     }
 
     /// The rows of cells that follow each other.
