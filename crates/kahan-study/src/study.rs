@@ -368,7 +368,7 @@ fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
 ///
 /// # Errors
 /// A name that is none of them, or given twice.
-fn values_by_name(
+pub(crate) fn values_by_name(
     given: &[(String, Rational)],
     names: &[String],
     system: &str,

@@ -106,11 +106,11 @@ impl Rows for Blocks {
 fn rows_of_floats_come_some_thousand_at_once_as_long_as_they_are_wanted() {
     let mut all = Blocks { most: usize::MAX, blocks: Vec::new() };
     let orbit = asked(10_000);
-    assert_eq!(orbit.rows(&lv(), 0..u64::MAX, &mut all, &Unwatched).expect("rows"), End::Complete);
+    assert_eq!(orbit.begin(&lv()).expect("an orbit").rows(0..u64::MAX, &mut all, &Unwatched), End::Complete);
     assert_eq!(all.blocks.iter().sum::<usize>(), 10_001);
     assert!(all.blocks.len() < 20 && all.blocks.iter().all(|rows| *rows <= 4096), "{:?}", all.blocks);
     let mut two = Blocks { most: 2, blocks: Vec::new() };
-    assert_eq!(orbit.rows(&lv(), 0..u64::MAX, &mut two, &Unwatched).expect("rows"), End::Stopped);
+    assert_eq!(orbit.begin(&lv()).expect("an orbit").rows(0..u64::MAX, &mut two, &Unwatched), End::Stopped);
     assert_eq!(two.blocks.len(), 2);
 }
 
@@ -150,7 +150,7 @@ fn a_watch_that_breaks_leaves_what_is_known() {
         let watch = Impatient(AtomicU32::new(0));
         let mut table = Table::default();
         assert_eq!(
-            orbit.rows(&lv(), 0..u64::MAX, &mut table, &watch).expect("rows"),
+            orbit.begin(&lv()).expect("an orbit").rows(0..u64::MAX, &mut table, &watch),
             End::Stopped,
             "{orbit:?}"
         );

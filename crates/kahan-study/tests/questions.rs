@@ -548,3 +548,15 @@ fn a_claim_that_is_changed_fails() {
     assert_eq!(mutated["mutations"][0]["id"], "field.H");
     assert!(matches!(mutate.ask(&swing("integral H = x;"), &Unwatched), Err(StudyError::Field(_))));
 }
+
+#[test]
+fn verdicts_at_the_extremes() {
+    let judged = answer(&study(Subject::named("e1")), json!({"ask": "extremes", "trials": 8, "seed": 3}));
+    let names: Vec<&str> = judged.as_object().expect("an object").keys().map(String::as_str).collect();
+    let of_question = ["system", "systems", "random_fields", "odd_fields", "trials", "seed", "seconds"];
+    assert_eq!(names, [&of_question[..], &["cells", "broken", "failures"]].concat());
+    let cell = judged["cells"][0].as_object().expect("an object");
+    let of_cell = ["regime", "tier", "scalar", "trials", "max_error_u", "flagged", "unjustified_flags"];
+    assert!(cell.keys().eq(of_cell.iter().chain(&["silently_wrong"])), "{cell:?}");
+    assert_eq!(json!([judged["system"], judged["broken"]]), json!(["e1", []]));
+}

@@ -16,7 +16,7 @@ use serde_json::json;
 
 use super::line::{Asking, Line};
 use crate::numbers::{ScalarKind, scalar};
-use crate::printing::{Answer, Broken, Refusal};
+use crate::printing::{Answer, Refusal};
 use crate::reading::{Start, whole};
 use chain::is_array;
 
@@ -176,11 +176,9 @@ impl Orbit {
         }
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
-        // Nothing is written before every orbit can begin.
-        let heads = asked.iter().map(|asked| asked.head(&study)).collect::<Result<Vec<_>, _>>()?;
-        self.write(json!(heads[0]), asked.len(), |orbit, table, watch| {
-            let end = asked[orbit].rows(&study, 0..u64::MAX, table, watch);
-            end.map_err(|error| Broken::Failed(error.to_string()))
-        })
+        // Nothing is written before all of them have begun.
+        let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
+        let head = json!(begun[0].head);
+        self.write(head, begun, |orbit, table, watch| Ok(orbit.rows(0..u64::MAX, table, watch)))
     }
 }

@@ -10,7 +10,7 @@ use kahan_algebra::symbols::Symbol;
 
 use crate::dimension::Argument;
 use crate::fraction::Fractions;
-use crate::heights::HeightsOrbit;
+use crate::heights::{HeightsOrbit, ProjectiveMap};
 use crate::{DimensionError, Fraction, Map};
 
 /// An orbit in exact numbers that is at some point; begun by [`Map::exact_orbit`].
@@ -31,8 +31,14 @@ impl Map {
     /// [`DimensionError`] if the point has not an entry a variable.
     pub fn exact_orbit(&self, eps: &Rational, start: &[Rational]) -> Result<ExactOrbit, DimensionError> {
         DimensionError::check(Argument::State, start.len(), self.field().variables().len())?;
-        let orbit = HeightsOrbit::new(self.field().system(), self.parameters(), eps, start);
-        let mut orbit = orbit.expect("a map is at parameters where its field is defined");
+        let (system, parameters) = (self.field().system(), self.parameters());
+        let map = match &self.field().derived().map {
+            map @ Some(_) => ProjectiveMap::of(system, map.as_ref(), parameters, eps),
+            // In many variables what is derived has none.
+            None => ProjectiveMap::new(system, parameters, eps),
+        };
+        let map = map.expect("a map is at parameters where its field is defined");
+        let mut orbit = HeightsOrbit::begin(map, start);
         // The first item is the first point itself.
         orbit.next();
         let mut exact = ExactOrbit { map: self.clone(), eps: eps.clone(), orbit, first: Vec::new() };

@@ -42,7 +42,7 @@ pub use evaluate::{Evaluate, Evaluated};
 pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observable, Observe, Observed, Seen};
-pub use orbit::{Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
+pub use orbit::{Begun, Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
 pub use over::{Over, OverFound, Source, Through, Varied};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
@@ -162,9 +162,9 @@ impl Study {
         watch: &dyn Watch,
     ) -> Result<End, StudyError> {
         match question {
-            Question::Orbit(asked) => asked.rows(self, range, rows, watch),
+            Question::Orbit(asked) => Ok(asked.begin(self)?.rows(range, rows, watch)),
             Question::Over(asked) => asked.rows(self, range, rows, watch),
-            Question::Section(asked) => asked.rows(self, range, rows, watch),
+            Question::Section(asked) => Ok(asked.ask(self, watch)?.rows(range, rows)),
             other => Err(StudyError::NoRows(other.name())),
         }
     }

@@ -38,7 +38,7 @@ pub struct Orbit {
     #[serde(with = "exact")]
     pub eps: Rational,
     /// The first point, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The number of steps.
     pub steps: u64,
@@ -217,6 +217,23 @@ fn why<S: Serializer>(end: &End, serializer: S) -> Result<S::Ok, S::Error> {
     end.last().map(|last| &last.why).serialize(serializer)
 }
 
+/// An orbit at its first point.
+pub struct Begun<'a> {
+    /// What is known of it.
+    pub head: OrbitHead,
+    go_on: GoOn<'a>,
+}
+
+type GoOn<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> End + 'a>;
+
+impl Begun<'_> {
+    /// Hands on rows by their numbers: row k is the point after k times `every` steps. Costs the
+    /// steps to the last of them, from the first point on; integrals are computed in rows only.
+    pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> End {
+        (self.go_on)(&self.head.columns, range, rows, watch)
+    }
+}
+
 impl Orbit {
     /// Every step of Kahan's map, in doubles.
     #[must_use]
@@ -233,81 +250,43 @@ impl Orbit {
         }
     }
 
-    /// What is known before the first step of the orbit of a system whose claims hold.
+    /// Begins the orbit of a system whose claims hold.
     ///
     /// # Errors
-    /// Those of [`ask`](Self::ask), but that it is too long.
-    pub fn head(&self, study: &Study) -> Result<OrbitHead, StudyError> {
+    /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of the
+    /// scalar, a field that is not defined at its parameters, an order that there is not, methods,
+    /// orders and scalars that do not go together.
+    pub fn begin<'a>(&'a self, study: &'a Study) -> Result<Begun<'a>, StudyError> {
         match self.scalar {
-            ScalarKind::Exact => self.begin(&Exact, study).map(|(head, _)| head),
-            ScalarKind::F64 => self.begin(&Float64, study).map(|(head, _)| head),
-            ScalarKind::F32 => self.begin(&Float32, study).map(|(head, _)| head),
-            ScalarKind::Dd => self.begin(&DoubleDouble, study).map(|(head, _)| head),
-        }
-    }
-
-    /// Hands on rows by their numbers: row k is the point after k times `every` steps. Costs the
-    /// steps to the last of them, from the first point on; integrals are computed in rows only.
-    ///
-    /// # Errors
-    /// Those of [`head`](Self::head).
-    pub fn rows(
-        &self,
-        study: &Study,
-        range: Range<u64>,
-        rows: &mut dyn Rows,
-        watch: &dyn Watch,
-    ) -> Result<End, StudyError> {
-        match self.scalar {
-            ScalarKind::Exact => self.rows_in(&Exact, study, range, rows, watch),
-            ScalarKind::F64 => self.rows_in(&Float64, study, range, rows, watch),
-            ScalarKind::F32 => self.rows_in(&Float32, study, range, rows, watch),
-            ScalarKind::Dd => self.rows_in(&DoubleDouble, study, range, rows, watch),
+            ScalarKind::Exact => self.begin_in(&Exact, study),
+            ScalarKind::F64 => self.begin_in(&Float64, study),
+            ScalarKind::F32 => self.begin_in(&Float32, study),
+            ScalarKind::Dd => self.begin_in(&DoubleDouble, study),
         }
     }
 
     /// All rows in memory.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of the
-    /// scalar, a field that is not defined at its parameters, an order that there is not, methods,
-    /// orders and scalars that do not go together, more than [`MOST_CELLS`].
+    /// Those of [`begin`](Self::begin), and more than [`MOST_CELLS`].
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Orbited, StudyError> {
-        let head = self.head(study)?;
+        let begun = self.begin(study)?;
+        let head = begun.head.clone();
         let count = (self.steps / self.every).saturating_add(1);
         let cells = count.saturating_mul(head.columns.len() as u64);
         if cells > MOST_CELLS {
             return Err(StudyError::TooLong { cells });
         }
         let mut rows = Table::default();
-        let end = self.rows(study, 0..count, &mut rows, watch)?;
+        let end = begun.rows(0..count, &mut rows, watch);
         Ok(Orbited { head, rows, end })
     }
 
-    fn rows_in<A: Moving>(
-        &self,
-        arithmetic: &A,
-        study: &Study,
-        range: Range<u64>,
-        rows: &mut dyn Rows,
-        watch: &dyn Watch,
-    ) -> Result<End, StudyError> {
-        let (head, mut points) = self.begin(arithmetic, study)?;
-        let Orbit { steps, every, .. } = *self;
-        let course = Course { arithmetic, columns: &head.columns, eps: A::round(&self.eps), steps, every };
-        Ok(match course.hand_on(&mut *points, range, rows, watch) {
-            Ok(()) => End::Complete,
-            Err(Halt::Stopped) => End::Stopped,
-            Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
-        })
-    }
-
-    /// The orbit at its first point, and what is known of it.
-    fn begin<'a, A: Moving>(
-        &self,
+    fn begin_in<'a, A: Moving>(
+        &'a self,
         arithmetic: &'a A,
         study: &'a Study,
-    ) -> Result<(OrbitHead, Box<dyn Points<A> + 'a>), StudyError> {
+    ) -> Result<Begun<'a>, StudyError> {
         study.proved()?;
         if self.every == 0 {
             return Err(StudyError::NotPositive { what: "every", value: Rational::zero() });
@@ -334,7 +313,7 @@ impl Orbit {
         }
         let named = study.parameters().iter().cloned();
         let numbers: Names<Number> = named.zip(parameters.iter().map(A::number)).collect();
-        let points: Box<dyn Points<A> + 'a> = match self.method {
+        let mut points: Box<dyn Points<A> + 'a> = match self.method {
             Method::Kahan if self.projective => maps::projective(map, &self.eps, &start)?,
             Method::Kahan => A::kahan(map, composition, &self.eps, &start),
             Method::Euler | Method::Rk4 => {
@@ -356,7 +335,15 @@ impl Orbit {
             runs_as: points.is_code().map(|is_code| if is_code { "machine code" } else { "interpreted" }),
             projective: self.projective,
         };
-        Ok((head, points))
+        let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
+            let course = Course { arithmetic, columns, eps, steps: self.steps, every: self.every };
+            match course.hand_on(&mut *points, range, rows, watch) {
+                Ok(()) => End::Complete,
+                Err(Halt::Stopped) => End::Stopped,
+                Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
+            }
+        };
+        Ok(Begun { head, go_on: Box::new(go_on) })
     }
 
     /// Whether method, order and scalar go together.

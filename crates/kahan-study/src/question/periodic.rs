@@ -23,10 +23,10 @@ const MOST_UNKNOWNS: usize = 600;
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
     /// ε, half the time step; the first value of `over` where that is of ε.
-    #[serde(with = "exact::optional", default)]
+    #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// A point near the cycle, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// A multiple of the period.
     #[serde(default = "one")]

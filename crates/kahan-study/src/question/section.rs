@@ -27,7 +27,7 @@ pub struct Section {
     #[serde(with = "exact")]
     pub eps: Rational,
     /// The first point, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The most steps of the orbit.
     pub steps: u64,
@@ -199,22 +199,6 @@ impl Section {
             left_range: ended == Ended::Range,
             crossings,
         })
-    }
-}
-
-impl Section {
-    /// Hands on crossings by their numbers, from 0 on, once all of them are found.
-    ///
-    /// # Errors
-    /// Those of [`ask`](Self::ask).
-    pub fn rows(
-        &self,
-        study: &Study,
-        range: Range<u64>,
-        rows: &mut dyn Rows,
-        watch: &dyn Watch,
-    ) -> Result<End, StudyError> {
-        Ok(self.ask(study, watch)?.rows(range, rows))
     }
 }
 

@@ -43,7 +43,7 @@ use search::SHARE;
 #[serde(deny_unknown_fields)]
 pub struct Trade {
     /// The first point, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The time to be simulated, above 0.
     #[serde(with = "exact")]

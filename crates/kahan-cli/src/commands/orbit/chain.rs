@@ -37,7 +37,7 @@ impl Orbit {
         let array = array.map(|path| Npy::new(Sink::file(path, "--out")?, sizes).map_err(Refusal::from));
         let mut array = array.transpose()?;
         let head = chain.head(self.steps, self.every);
-        self.write(json!(head), 1, |_, table, watch| {
+        self.write(json!(head), vec![&mut chain], |chain, table, watch| {
             // The file is wanted even where nobody reads the table.
             table.outlive_reader(array.is_some());
             let mut written = Ok(());

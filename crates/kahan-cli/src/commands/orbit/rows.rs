@@ -32,21 +32,21 @@ impl Watch for OneOrbit<'_> {
 
 impl Orbit {
     /// Opens the table, lets it be filled orbit by orbit, closes it.
-    pub(super) fn write(
+    pub(super) fn write<O>(
         &self,
         head: Value,
-        orbits: usize,
-        fill: impl FnMut(usize, &mut Table, &dyn Watch) -> Result<End, Broken>,
+        orbits: Vec<O>,
+        fill: impl FnMut(O, &mut Table, &dyn Watch) -> Result<End, Broken>,
     ) -> Result<Answer, Refusal> {
         let Value::Object(mut head) = head else { unreachable!("a head is an object") };
-        if orbits > 1 {
+        if orbits.len() > 1 {
             let columns = head["columns"].as_array_mut().expect("columns have names");
             let names: Vec<&str> = columns.iter().filter_map(Value::as_str).collect();
             columns.insert(0, json!(kahan_study::free_name(&names, "orbit")));
         }
         let file = self.out.as_deref().filter(|path| !is_array(path));
         let sink = file.map_or_else(|| Ok(Sink::standard()), |path| Sink::file(path, "--out"))?;
-        let steps = self.steps.saturating_mul(orbits as u64);
+        let steps = self.steps.saturating_mul(orbits.len() as u64);
         let prompt = has_room_for_progress(file.is_some()).then(|| Prompt::new(steps, "steps"));
         let written = self.write_into(sink, &head, orbits, prompt.as_ref(), fill);
         prompt.iter().for_each(Prompt::finish);
@@ -71,22 +71,24 @@ impl Orbit {
     }
 
     /// Why orbits ended early.
-    fn write_into(
+    fn write_into<O>(
         &self,
         sink: Sink,
         head: &Map<String, Value>,
-        orbits: usize,
+        orbits: Vec<O>,
         prompt: Option<&Prompt>,
-        mut fill: impl FnMut(usize, &mut Table, &dyn Watch) -> Result<End, Broken>,
+        mut fill: impl FnMut(O, &mut Table, &dyn Watch) -> Result<End, Broken>,
     ) -> Result<Vec<Option<String>>, Broken> {
         let format = if self.json && sink.is_standard() { Format::Json } else { Format::Csv };
         let mut table = Table::begin(sink, format, head)?;
         let mut stops = Vec::new();
-        for orbit in 0..orbits {
-            if orbits > 1 {
-                table.begin_orbit(orbit);
+        let are_several = orbits.len() > 1;
+        for (index, orbit) in orbits.into_iter().enumerate() {
+            if are_several {
+                table.begin_orbit(index);
             }
-            let watch = prompt.map(|prompt| OneOrbit { prompt, before: self.steps * orbit as u64 });
+            let before = self.steps.saturating_mul(index as u64);
+            let watch = prompt.map(|prompt| OneOrbit { prompt, before });
             let end = match &watch {
                 Some(watch) => fill(orbit, &mut table, watch),
                 None => fill(orbit, &mut table, &Unwatched),

@@ -62,13 +62,13 @@ struct Written {
     name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<Range>,
-    #[serde(skip_serializing_if = "Vec::is_empty", with = "exact::list")]
+    #[serde(skip_serializing_if = "Vec::is_empty", with = "exact")]
     values: Vec<Rational>,
     #[serde(skip_serializing_if = "Option::is_none")]
     draw: Option<Source>,
-    #[serde(skip_serializing_if = "Option::is_none", with = "exact::optional")]
+    #[serde(skip_serializing_if = "Option::is_none", with = "exact")]
     low: Option<Rational>,
-    #[serde(skip_serializing_if = "Option::is_none", with = "exact::optional")]
+    #[serde(skip_serializing_if = "Option::is_none", with = "exact")]
     high: Option<Rational>,
 }
 

@@ -42,7 +42,7 @@ pub struct Over {
     pub axes: Vec<Varied>,
     /// First points that are gone through, a coordinate for each variable; none where the
     /// question's is the only one.
-    #[serde(default, with = "exact::lists")]
+    #[serde(default, with = "exact")]
     pub starts: Vec<Vec<Rational>>,
     /// How many values each drawn axis has.
     #[serde(default = "one")]
