@@ -6,10 +6,10 @@
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, Precision, Scalar};
+use kahan_core::{Dd, Scalar};
 
 use super::number::Number;
-use super::scalar::{Printable, Rounded, ScalarKind};
+use super::scalar::{Printable, ScalarKind};
 
 /// [`Dd`].
 #[derive(Clone, Copy, Debug)]
@@ -60,14 +60,6 @@ impl Arithmetic for DoubleDouble {
 
     fn is_better_pivot(&self, a: &Dd, than: &Dd) -> bool {
         Scalar::is_better_pivot(a, than)
-    }
-}
-
-impl Rounded for DoubleDouble {
-    const PRECISION: Precision = Precision::DoubleDouble;
-
-    fn narrow(value: Dd) -> Dd {
-        value
     }
 }
 

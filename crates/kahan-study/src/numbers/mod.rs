@@ -8,5 +8,5 @@ mod typed;
 
 pub use double_double::DoubleDouble;
 pub use number::Number;
-pub use scalar::{Printable, Rounded, ScalarKind};
+pub use scalar::{Printable, ScalarKind};
 pub use typed::{number, whole};

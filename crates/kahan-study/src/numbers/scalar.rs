@@ -1,12 +1,8 @@
 //! The scalars that a question may be answered in.
 
-use std::fmt::Write;
-
 use kahan_algebra::arithmetic::{Arithmetic, Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
-use kahan_core::{Dd, Precision};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 
 use super::number::Number;
 
@@ -63,44 +59,9 @@ pub trait Printable: Arithmetic {
     /// The value as a number that knows its scalar.
     fn number(value: &Self::Value) -> Number;
 
-    /// The number as JSON: see [`Number`].
-    fn json(value: &Self::Value) -> Value {
-        serde_json::to_value(Self::number(value)).unwrap_or_default()
-    }
-
-    /// Appends the number as [`Number`] displays it.
-    fn append(value: &Self::Value, text: &mut String) {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{}", Self::number(value));
-    }
-
     /// Whether it is a number.
     fn is_finite(value: &Self::Value) -> bool {
         Self::number(value).is_finite()
-    }
-}
-
-/// An arithmetic whose values are rounded.
-pub trait Rounded: Printable {
-    /// Which one, for schemes.
-    const PRECISION: Precision;
-    /// The value that a double-double is, which holds all of them.
-    fn narrow(value: Dd) -> Self::Value;
-}
-
-impl Rounded for Float64 {
-    const PRECISION: Precision = Precision::Double;
-
-    fn narrow(value: Dd) -> f64 {
-        value.high()
-    }
-}
-
-impl Rounded for Float32 {
-    const PRECISION: Precision = Precision::Single;
-
-    fn narrow(value: Dd) -> f32 {
-        value.high() as f32
     }
 }
 
@@ -113,11 +74,6 @@ impl Printable for Exact {
 
     fn number(value: &Rational) -> Number {
         Number::Exact(value.clone())
-    }
-
-    /// Without a copy, which may have a million digits.
-    fn append(value: &Rational, text: &mut String) {
-        let _ = write!(text, "{value}");
     }
 }
 

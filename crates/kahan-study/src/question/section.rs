@@ -215,7 +215,7 @@ impl SectionFound {
 
         let columns = self.columns();
         let end = range.end.min(self.crossings.len() as u64) as usize;
-        let start = end.min(range.start as usize);
+        let start = range.start.min(end as u64) as usize;
         for block in self.crossings[start..end].chunks(BLOCK) {
             let steps: Vec<i64> = block.iter().map(|crossing| crossing.step as i64).collect();
             let times = block.iter().map(|crossing| crossing.time).collect();

@@ -154,10 +154,13 @@ impl Points<Float64> for Seen<'_> {
             return Err(Halt::Stopped);
         }
         let Chain { map, state, .. } = &mut *self.chain;
-        in_parts(steps, 1, told, |_| {
-            map.step(state).expect("the state is of the chain");
-            let is_finite = state.iter().all(|x| x.is_finite());
-            if is_finite { Ok(()) } else { Err(Halt::Ended(0, Why::Range)) }
+        let at_once = moment(state.len(), 1) as u64;
+        in_parts(steps, at_once, told, |steps| {
+            (0..steps).try_for_each(|made| {
+                map.step(state).expect("the state is of the chain");
+                let is_finite = state.iter().all(|x| x.is_finite());
+                if is_finite { Ok(()) } else { Err(Halt::Ended(made, Why::Range)) }
+            })
         })
     }
 

@@ -6,13 +6,13 @@ use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::Zero;
-use kahan_core::{Composition, Dd, Scheme};
+use kahan_core::{Composition, Dd, Precision, Scheme};
 use kahan_runtime::interpreted::round;
 use kahan_runtime::orbit::{End, ExactOrbit, ProjectiveOrbit, ProjectiveScalar, SchemeOrbit};
 use kahan_runtime::{Ended, Follow, Followed, Fraction, MachineFloat, Map, MapAt};
 
 use crate::error::StudyError;
-use crate::numbers::{DoubleDouble, Number, Printable, Rounded};
+use crate::numbers::{DoubleDouble, Number, Printable};
 use crate::rows::{self, Values};
 
 use super::NoOrbit;
@@ -46,7 +46,7 @@ pub(super) trait Moving: Tabular {
 
 /// The arithmetics whose values are the scalar's, and cells.
 macro_rules! of_float {
-    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $points:ident) => {
+    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $points:ident in $precision:ident) => {
         impl Tabular for $arithmetic {
             type Cell = $float;
 
@@ -70,7 +70,7 @@ macro_rules! of_float {
             }
 
             fn narrow(number: Dd) -> Option<$float> {
-                Some(<Self as Rounded>::narrow(number))
+                Some($narrow(number))
             }
 
             fn kahan(
@@ -79,15 +79,22 @@ macro_rules! of_float {
                 eps: &Rational,
                 start: &[Rational],
             ) -> Box<dyn Points<Self>> {
-                Box::new($points::new(map, Scheme::of(Self::PRECISION).composed(composition), eps, start))
+                let scheme = Scheme::of(Precision::$precision).composed(composition);
+                Box::new($points::new(map, scheme, eps, start))
             }
         }
     };
 }
 
-of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Floats);
-of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], Floats);
-of_float!(DoubleDouble, Dd as Dd, [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)], Wide);
+of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Dd::high, Floats in Double);
+of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], |x: Dd| x.high() as f32, Floats in Single);
+of_float!(
+    DoubleDouble,
+    Dd as Dd,
+    [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)],
+    std::convert::identity,
+    Wide in DoubleDouble
+);
 
 impl Tabular for Exact {
     type Cell = rows::Exact;
