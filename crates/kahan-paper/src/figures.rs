@@ -1,13 +1,16 @@
 //! The orbits of the paper's figures, and what is measured on them.
 
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 use kahan_algebra::rational::Rational;
 
+use kahan_core::prelude::*;
 use kahan_runtime::heights::{Growth, HeightsOrbit, Survey};
 
 use super::formula::Formula;
 use super::model::Model;
+use kahan_systems::E4;
 use kahan_systems::registry::find;
 
 /// An exact orbit of the paper.
@@ -205,6 +208,28 @@ fn class(name: &str) -> Option<i64> {
         .iter()
         .position(|known| *known == name)
         .and_then(|index| i64::try_from(index).ok())
+}
+
+/// A component of the level curve of H(ε) and K(ε) of dE4 through a point with xy > 0 and |εz| < 1,
+/// in so many parts; its first point comes once more at the end.
+///
+/// It follows from the integrals alone: with s = x + y, d = x − y, h = 2ε²H, g = 2ε²K it is
+/// (1−h)s² − (1+h)d² = 4H, (1−g)(s² + d²) + 2z² = 4K. Eliminating s leaves an ellipse in d and z.
+#[must_use]
+pub fn level_curve(point: &SVector<f64, 3>, eps: f64, parts: usize) -> Vec<SVector<f64, 3>> {
+    let integrals = E4.integrals(point, eps);
+    let (big_h, big_k) = (integrals[0], integrals[1]);
+    let (h, g) = (2.0 * eps * eps * big_h, 2.0 * eps * eps * big_k);
+    // 2z² = a − b d²
+    let a = 4.0 * big_k - (1.0 - g) * 4.0 * big_h / (1.0 - h);
+    let b = (1.0 - g) * (1.0 + (1.0 + h) / (1.0 - h));
+    let sign = point[0].signum();
+    let at = |phase: f64| {
+        let d = (a / b).sqrt() * phase.cos();
+        let s = sign * ((4.0 * big_h + (1.0 + h) * d * d) / (1.0 - h)).sqrt();
+        SVector::<f64, 3>::new((s + d) / 2.0, (s - d) / 2.0, (a / 2.0).sqrt() * phase.sin())
+    };
+    (0..=parts).map(|i| at(TAU * i as f64 / parts as f64)).collect()
 }
 
 /// The least squares slope through points.

@@ -64,6 +64,6 @@ pub use question::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rows::{Cell, Column, End, Exact, Kept, Last, MOST_CELLS, Rows, Table, Values, free_name};
 pub use scene::Scene;
-pub use study::{MOST_VARIABLES, NoStep, Study, chain};
+pub use study::{MOST_VARIABLES, NoStep, Study};
 pub use subject::{Catalog, Named, Subject};
 pub use sympy::SymPy;

@@ -356,7 +356,7 @@ pub(crate) fn assigned<N: Display, V: Display>(
 ///
 /// # Errors
 /// Mistakes of the text, a field that is no family, and more than [`MOST_VARIABLES`] variables.
-pub fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
+fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
     let family = text.family().map_err(StudyError::Field)?.ok_or(StudyError::NoFamily)?;
     if sites.saturating_mul(family.block()) > MOST_VARIABLES {
         return Err(StudyError::ManySites { sites });

@@ -1,10 +1,10 @@
-//! A text with a block in it, as a checked system; everything that is wrong with it becomes a
+//! A text with a block in it; everything that is wrong with it becomes a
 //! [`Refusal`].
 
 use std::ops::Range;
 
 use kahan_algebra::family::Family;
-use kahan_runtime::{Diagnostics, FieldText};
+use kahan_runtime::FieldText;
 use kahan_study::Subject;
 use kahan_systems::entry::Entry;
 use kahan_systems::lattices;
@@ -63,7 +63,7 @@ impl Block {
 
     /// The family that the block has; `option` is what a block of equations is refused for.
     pub(crate) fn family(&self, option: &str) -> Result<Family, Refusal> {
-        self.text.family().map_err(refusal)?.ok_or_else(|| {
+        self.text.family().map_err(|mistakes| Refusal::reports(mistakes.to_string()))?.ok_or_else(|| {
             Refusal::new(format!(
                 "{option} is for a family, `for i in periodic {{ x[i]dot = …; }}`, and this field has its equations written out"
             ))
@@ -74,8 +74,4 @@ impl Block {
     pub(crate) fn text(&self) -> &str {
         self.text.text()
     }
-}
-
-fn refusal(diagnostics: Diagnostics) -> Refusal {
-    Refusal::reports(diagnostics.to_string())
 }

@@ -1,7 +1,5 @@
 //! The orbit of dE4 in space, on the curve where its two integrals keep their values.
 
-use std::f64::consts::TAU;
-
 use kahan_core::prelude::*;
 use maud::{Markup, html};
 
@@ -9,32 +7,12 @@ use super::super::words::scientific;
 use super::Plate;
 use kahan_draw::decimal;
 use kahan_draw::{Cloud, Mark, NumberLine, Plot, Series, Sheet, Space};
-use kahan_paper::figures::DE4;
+use kahan_paper::figures::{DE4, level_curve};
 use kahan_systems::{E4, e4};
 
 const POINTS: usize = 1000;
-const CURVE: usize = 720;
 
 type Point = SVector<f64, 3>;
-
-/// A component of the level curve of H(ε) and K(ε) through a point with xy > 0 and |εz| < 1, from
-/// the integrals alone: with s = x + y, d = x − y, h = 2ε²H, g = 2ε²K it is (1−h)s² − (1+h)d² = 4H,
-/// (1−g)(s² + d²) + 2z² = 4K. Eliminating s leaves an ellipse in d and z.
-fn level_curve(point: &Point, eps: f64) -> Vec<Point> {
-    let integrals = E4.integrals(point, eps);
-    let (big_h, big_k) = (integrals[0], integrals[1]);
-    let (h, g) = (2.0 * eps * eps * big_h, 2.0 * eps * eps * big_k);
-    // 2z² = a − b d²
-    let a = 4.0 * big_k - (1.0 - g) * 4.0 * big_h / (1.0 - h);
-    let b = (1.0 - g) * (1.0 + (1.0 + h) / (1.0 - h));
-    let sign = point[0].signum();
-    let at = |phase: f64| {
-        let d = (a / b).sqrt() * phase.cos();
-        let s = sign * ((4.0 * big_h + (1.0 + h) * d * d) / (1.0 - h)).sqrt();
-        Point::new((s + d) / 2.0, (s - d) / 2.0, (a / 2.0).sqrt() * phase.sin())
-    };
-    (0..=CURVE).map(|i| at(TAU * i as f64 / CURVE as f64)).collect()
-}
 
 /// The figure; `None` if the data are outside of the domain of the elliptic solution.
 pub(super) fn plate() -> Option<Plate> {
@@ -44,7 +22,7 @@ pub(super) fn plate() -> Option<Plate> {
     let eps = number(&DE4.eps);
     let solution = e4::Solution::through(&start, &eps).ok()?;
     let orbit: Vec<Point> = E4.orbit(start, eps).take(POINTS).collect();
-    let curve = level_curve(&start, eps);
+    let curve = level_curve(&start, eps, 720);
     let farthest =
         (0_i64..).zip(&orbit).map(|(n, point)| (solution.at(n) - point).norm()).fold(0.0, f64::max);
     let integrals = E4.integrals(&start, eps);

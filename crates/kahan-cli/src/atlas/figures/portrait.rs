@@ -1,13 +1,14 @@
 //! Closed orbits of Kahan's Lotka–Volterra map beside the spirals of Euler's explicit method.
 
+use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
+use kahan_study::{Kept, Method, Orbit, Study, Subject, Systems, Unwatched};
 use maud::{Markup, html};
 
 use super::super::words::scientific;
 use super::Plate;
 use kahan_draw::decimal;
 use kahan_draw::{Mark, NumberLine, Plot, Series, Sheet};
-use kahan_systems::LotkaVolterra;
 
 /// Half the time step: about twenty steps a cycle.
 const EPS: f64 = 0.147;
@@ -25,11 +26,24 @@ fn integral(point: &Point) -> f64 {
     (point[0] * point[1]).ln() - (point[0] + point[1])
 }
 
-/// x + 2ε f(x), again and again, while it stays in the picture and off the axes.
-fn euler(start: Point) -> Vec<Point> {
-    let step = |point: &Point| Some(point + 2.0 * EPS * LotkaVolterra.field(point));
-    let inside = |point: &Point| point.iter().all(|value| (0.05..=SHOWN).contains(value));
-    std::iter::successors(Some(start), step).take_while(inside).take(STEPS).collect()
+/// The orbits from these points, by a method.
+fn orbits(study: &Study, method: Method) -> Vec<Vec<Point>> {
+    let steps = STEPS as u64 - 1;
+    let orbit = |radius: &f64| {
+        let at = vec![Rational::from_f64(1.0 - radius).expect("a number"), Rational::one()];
+        let eps = Rational::from_f64(EPS).expect("a number");
+        let orbit = Orbit { method, ..Orbit::new(eps, at, steps) }.ask(study, &Unwatched);
+        let rows = orbit.expect("the map is defined").rows.values;
+        let [Kept::F64(x), Kept::F64(y)] = &rows[2..4] else { unreachable!("an orbit in doubles") };
+        x.iter().zip(y).map(|(x, y)| vector![*x, *y]).collect()
+    };
+    RADII.iter().map(orbit).collect()
+}
+
+/// The same as far as they stay in the picture and off the axes.
+fn inside(orbits: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
+    let is_inside = |point: &Point| point.iter().all(|value| (0.05..=SHOWN).contains(value));
+    orbits.into_iter().map(|orbit| orbit.into_iter().take_while(is_inside).collect()).collect()
 }
 
 /// The largest change of the flow's integral along an orbit.
@@ -39,9 +53,8 @@ fn change(orbit: &[Point]) -> f64 {
 }
 
 pub(super) fn plate() -> Plate {
-    let starts = RADII.map(|radius| vector![1.0 - radius, 1.0]);
-    let kahan = starts.map(|start| LotkaVolterra.orbit(start, EPS).take(STEPS).collect::<Vec<_>>());
-    let euler = starts.map(euler);
+    let study = Subject::named("lv").study(&Systems).expect("it is in the catalog");
+    let (kahan, euler) = (orbits(&study, Method::Kahan), inside(orbits(&study, Method::Euler)));
     let (inner_kahan, inner_euler) = (change(&kahan[0]), change(&euler[0]));
     Plate {
         id: "figure-portrait",
@@ -98,9 +111,9 @@ mod tests {
 
     #[test]
     fn kahans_orbits_stay_and_eulers_leave() {
-        let start = vector![0.85, 1.0];
-        let kahan: Vec<Point> = LotkaVolterra.orbit(start, EPS).take(STEPS).collect();
-        let euler = euler(start);
+        let study = Subject::named("lv").study(&Systems).expect("a system");
+        let [kahan, euler] =
+            [Method::Kahan, Method::Euler].map(|method| inside(orbits(&study, method)).remove(0));
         assert!(change(&kahan) < 0.01 && euler.len() < STEPS && change(&euler) > 1.0);
     }
 }

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use kahan_algebra::rational::Rational;
 use kahan_draw::picture::{self, Coordinate, Look, Picture, Trace};
 use kahan_runtime::heights::Stop;
-use kahan_study::{Axis, Diagram, Heights, Plane, Progress, Section, Study, Watch};
+use kahan_study::{Axis, Diagram, End, Heights, Orbit, Plane, Progress, Question, Section, Study, Watch};
 
 use super::super::look::{SheetOptions, usual};
 use super::starts::{At, Spread};
@@ -223,8 +223,9 @@ impl Shown {
             let (trace, is_complete) = match plane {
                 None => {
                     let mut trace = Trace::new(&axes);
-                    let is_complete = follow(study, &eps, &at, self.steps, &mut trace, &pace)?;
-                    (trace, is_complete)
+                    let asked = Question::Orbit(Orbit::new(eps.clone(), at, self.steps));
+                    let end = study.rows(&asked, 0..u64::MAX, &mut trace, &pace)?;
+                    (trace, end == End::Complete)
                 }
                 Some(plane) => {
                     let asked = Section::new(eps.clone(), at, self.steps, plane);
@@ -315,39 +316,4 @@ fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
         notes.push(format!("{ended} of {orbits} orbits end early, at a pole or beyond the range of doubles"));
     }
     notes
-}
-
-/// Takes the points of an orbit; whether it goes as far as was asked.
-fn follow(
-    study: &Study,
-    eps: &Rational,
-    at: &[Rational],
-    steps: u64,
-    trace: &mut Trace,
-    pace: &Pace,
-) -> Result<bool, Refusal> {
-    use kahan_core::observe::Visit;
-    use kahan_runtime::Follow;
-    use kahan_study::{Rows, Values};
-    let values = study.values()?;
-    let field = kahan_runtime::Field::of(study.system());
-    let map = field
-        .with(field.parameters().iter().zip(&values))
-        .map_err(|_| Refusal::new("the field divides by zero"))?;
-    let at_eps = map.at(eps.to_f64());
-    let mut x: Vec<f64> = at.iter().map(Rational::to_f64).collect();
-    let dt = 2.0 * eps.to_f64();
-    let done = std::cell::Cell::new(0);
-    let tell = |steps| {
-        done.set(done.get() + steps);
-        pace.look(&Progress { what: "steps", done: done.get(), of: Some(0) })
-    };
-    let visit = Visit::by(|n, x: &[f64]| {
-        let t = [n as f64 * dt];
-        let mut all = vec![Values::F64(&t), Values::F64(&t)];
-        all.extend(x.iter().map(|x| Values::F64(std::slice::from_ref(x))));
-        let _ = trace.block(&[], &all);
-    });
-    let followed = at_eps.observe(&mut x, steps, visit, tell).expect("fits");
-    Ok(followed.ended == kahan_runtime::Ended::Complete)
 }
