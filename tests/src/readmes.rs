@@ -44,3 +44,6 @@ struct Paper;
 
 #[doc = include_str!("../../crates/kahan-study/README.md")]
 struct Measure;
+
+#[doc = include_str!("../../crates/kahan-draw/README.md")]
+struct Draw;

@@ -18,10 +18,6 @@ mod printing;
 
 mod reading;
 
-mod plot;
-
-mod document;
-
 pub mod atlas;
 
 mod commands;

@@ -1,4 +1,4 @@
-//! Numbers on the command line and on pages.
+//! Numbers on the command line.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 pub(crate) use kahan_study::numbers::{DoubleDouble, Printable, Rounded, ScalarKind};
@@ -10,19 +10,4 @@ pub(crate) fn scalar() -> impl TypedValueParser<Value = ScalarKind> {
         let kind = ScalarKind::ALL.into_iter().find(|kind| kind.name() == name);
         kind.expect("clap takes no other names")
     })
-}
-
-/// A number with this many decimals and a typographic minus sign, for pages and pictures.
-pub(crate) fn decimal(value: f64, decimals: usize) -> String {
-    format!("{value:.decimals$}").replace('-', "−")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::decimal;
-
-    #[test]
-    fn numbers_are_rounded_with_a_minus_sign() {
-        assert_eq!(decimal(-1.005, 1), "−1.0");
-    }
 }

@@ -12,6 +12,7 @@ use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_runtime::Diagnostics;
 
 use crate::formula::NoFormula;
+use crate::map::CannotRun;
 use crate::study::MOST_VARIABLES;
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
@@ -146,6 +147,13 @@ pub enum StudyError {
     Order(u32),
     /// The question measures times, and the watch has no clock.
     NoClock,
+    /// The steps of a field cannot be tried.
+    Judge {
+        /// The field.
+        system: String,
+        /// Why.
+        why: CannotRun,
+    },
     /// There is nothing to measure.
     Trade {
         /// The field.
@@ -243,6 +251,7 @@ impl fmt::Display for StudyError {
             Self::OutOfRange => f.write_str("the point and eps must be in the range of f64"),
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
+            Self::Judge { system, why } => write!(f, "{system} cannot be judged: {why}"),
             Self::Trade { system, why } => write!(f, "{system}: {why}"),
             Self::UndefinedField { system, parameters } => write!(
                 f,

@@ -24,6 +24,7 @@ mod catalog;
 mod error;
 pub mod extremes;
 pub mod formula;
+mod list;
 mod map;
 mod named;
 pub mod numbers;
@@ -34,18 +35,22 @@ pub mod reference;
 mod rows;
 mod study;
 mod subject;
+mod sympy;
 pub mod trade;
 
 pub use catalog::Systems;
 pub use error::StudyError;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
+pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::{
-    Answer, CycleFound, Discover, Discovered, Evaluate, Evaluated, Heights, HeightsFound, Observe, Observed,
-    Periodic, Plane, Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Side,
-    characteristic_polynomial, fifteen_digits,
+    Answer, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated, Extremes, Form,
+    Heights, HeightsFound, Judged, Listing, Observe, Observed, Periodic, Plane, Planned, Poles, PolesFound,
+    Question, Scan, ScanFound, Section, SectionFound, Sheet, Show, Shown, Side, characteristic_polynomial,
+    fifteen_digits,
 };
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rows::{Column, End, Exact, Rows, Values};
 pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
 pub use subject::{Catalog, Named, Subject};
+pub use sympy::SymPy;

@@ -94,10 +94,28 @@ impl Study {
         self.0.named.as_ref().map(|named| named.name)
     }
 
+    /// What the catalog says it is, in one line, where it is a system of the catalog.
+    #[must_use]
+    pub fn title(&self) -> Option<&'static str> {
+        self.entry().map(|named| named.title)
+    }
+
+    /// Where the catalog has the claim with this name from.
+    #[must_use]
+    pub fn source(&self, claim: &str) -> Option<&'static str> {
+        let sources = self.entry()?.sources;
+        sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
+    }
+
+    /// The catalog's, unless it is a chain, which goes by the name of its family's type.
+    fn entry(&self) -> Option<&Named> {
+        self.0.named.as_ref().filter(|named| named.type_name.is_some())
+    }
+
     /// The name of its type in Rust: the catalog's, or that of its header.
     #[must_use]
     pub fn type_name(&self) -> Option<&str> {
-        let of_catalog = self.0.named.as_ref().and_then(|named| named.type_name);
+        let of_catalog = self.entry().and_then(|named| named.type_name);
         of_catalog.or_else(|| self.system().header.as_ref().map(|header| header.name.text.as_str()))
     }
 
@@ -169,6 +187,20 @@ impl Study {
         values.filter_map(|(name, value)| Some((name.clone(), value.clone()?))).collect()
     }
 
+    /// The system with the given parameters put in, the others generic; claims that do not fit
+    /// these values are gone.
+    ///
+    /// # Errors
+    /// Where the field then divides by zero.
+    pub fn specialised(&self) -> Result<System, StudyError> {
+        let given = self.given().iter().cloned().enumerate();
+        let fixed: Vec<(usize, Rational)> = given.filter_map(|(k, value)| Some((k, value?))).collect();
+        if fixed.is_empty() {
+            return Ok(self.system().clone());
+        }
+        self.system().specialise(&fixed).ok_or_else(|| self.undefined_field())
+    }
+
     /// The values of all parameters, in their order.
     ///
     /// # Errors
@@ -217,8 +249,7 @@ impl Study {
     }
 
     pub(crate) fn undefined_field(&self) -> StudyError {
-        let values = self.parameters().iter().cloned().zip(self.given().iter().flatten().cloned());
-        StudyError::UndefinedField { system: self.name().to_owned(), parameters: values.collect() }
+        StudyError::UndefinedField { system: self.name().to_owned(), parameters: self.fixed() }
     }
 }
 

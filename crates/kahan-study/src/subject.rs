@@ -45,8 +45,12 @@ pub struct Named {
     pub name: &'static str,
     /// The name of its type in Rust; `None` for a family.
     pub type_name: Option<&'static str>,
+    /// What it is, in one line.
+    pub title: &'static str,
     /// Its block in the language of `kahan!`.
     pub text: &'static str,
+    /// Where each claim is from, by the claim's name.
+    pub sources: &'static [(&'static str, &'static str)],
 }
 
 impl Subject {

@@ -5,40 +5,40 @@
 //! there is no flag where the condition number is below 1e12 (f32: 1e4) and the format holds the
 //! result.
 
+use std::ops::ControlFlow;
+
 use kahan_algebra::lexer::lex;
 use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
 use kahan_core::prelude::*;
-use kahan_study::extremes::{
-    Cell, Compiled, Number, Place, Regime, Subject, Tally, standard, survey, survey_each, total_of_each,
-};
+use kahan_runtime::threads::available;
+use kahan_study::extremes::{Cell, Compiled, Number, Place, Regime, Tally};
 use kahan_study::random_fields::{OddField, odd, odd_chain, odd_of_many};
+use kahan_study::{Extremes, Progress, Study, Subject, Systems, Watch};
 use kahan_systems::E2;
-use kahan_systems::entry::Entry;
-use kahan_systems::registry::SYSTEMS;
-use kahan_systems::volterra;
 
 const TRIALS: u64 = 2000;
 
-fn subject(entry: &Entry) -> Subject {
-    let system = read_unproved(&lex(entry.text()).tokens).system().expect("the catalog has no mistake");
-    let parameters = vec![None; system.field.symbols.parameters.len()];
-    Subject::new(entry.command, &system, parameters).expect("the catalog is defined everywhere, and small")
+/// As many threads as there are.
+struct Threads(usize);
+
+impl Watch for Threads {
+    fn threads(&self) -> usize {
+        self.0
+    }
+}
+
+fn studies(subjects: impl IntoIterator<Item = Subject>) -> Vec<Study> {
+    subjects.into_iter().map(|subject| subject.study(&Systems).expect("a system of the catalog")).collect()
+}
+
+fn judged(trials: u64, seed: u64) -> Tally {
+    let asked = Extremes { trials, seed, ..Extremes::default() };
+    asked.of(&studies(Systems::at_the_extremes()), &Threads(available())).expect("an answer").tally
 }
 
 fn drawn(field: &OddField) -> System {
     read_unproved(&lex(&field.block()).tokens).system().unwrap_or_else(|_| panic!("{}", field.block()))
-}
-
-fn odd_subject(number: usize) -> Subject {
-    let field = odd(1, number);
-    let system = drawn(&field);
-    let parameters = vec![None; system.field.symbols.parameters.len()];
-    Subject::new(&field.name, &system, parameters).expect("up to eight variables").of_odd_temper()
-}
-
-fn everything() -> Vec<Subject> {
-    standard().map(subject).collect()
 }
 
 fn sum(tally: &Tally, belongs: impl Fn(&Place) -> bool, of: impl Fn(&Cell) -> u64) -> u64 {
@@ -47,7 +47,7 @@ fn sum(tally: &Tally, belongs: impl Fn(&Place) -> bool, of: impl Fn(&Cell) -> u6
 
 #[test]
 fn the_stable_tier_keeps_its_promise_at_the_extremes() {
-    let tally = survey(&everything(), TRIALS, 20, None, &|_| ());
+    let tally = judged(TRIALS, 20);
     let is_stable = |place: &Place| place.1 == "stable";
     assert!(sum(&tally, is_stable, |cell| cell.trials) >= 3 * TRIALS);
     let wrong = sum(&tally, is_stable, |cell| cell.silently_wrong);
@@ -70,7 +70,7 @@ fn a_result_beyond_the_largest_float_is_flagged() {
 /// fault, everywhere but at ordinary points.
 #[test]
 fn the_fast_tier_is_caught_near_poles_and_not_at_ordinary_points() {
-    let tally = survey(&everything(), TRIALS, 21, None, &|_| ());
+    let tally = judged(TRIALS, 21);
     for scalar in ["f32", "f64"] {
         let of = |regime| tally.cells.get(&(regime, "fast", scalar)).expect("every regime is drawn");
         for regime in [Regime::NearPole, Regime::NearRemovablePole, Regime::MixedMagnitudes] {
@@ -84,7 +84,7 @@ fn the_fast_tier_is_caught_near_poles_and_not_at_ordinary_points() {
 
 #[test]
 fn each_regime_has_its_quarter() {
-    let tally = survey(&everything(), TRIALS, 22, None, &|_| ());
+    let tally = judged(TRIALS, 22);
     for scalar in ["f32", "f64"] {
         for regime in [Regime::NearPole, Regime::NearRemovablePole, Regime::MixedMagnitudes, Regime::Ordinary]
         {
@@ -100,10 +100,14 @@ fn each_regime_has_its_quarter() {
 
 #[test]
 fn the_number_of_threads_changes_nothing() {
-    let subjects = [subject(&SYSTEMS[0]), subject(&volterra::ENTRY)];
-    let one = survey(&subjects, 400, 5, Some(1), &|_| ());
-    assert_eq!(one, survey(&subjects, 400, 5, Some(3), &|_| ()));
-    assert_ne!(one, survey(&subjects, 400, 6, Some(1), &|_| ()));
+    let studies = studies(["euler", "volterra"].map(Subject::named));
+    let judged = |seed, threads| {
+        let asked = Extremes { trials: 400, seed, odd_fields: 2, odd_trials: 4, ..Extremes::default() };
+        asked.of(&studies, &Threads(threads)).expect("an answer").tally
+    };
+    let one = judged(5, 1);
+    assert_eq!(one, judged(5, 3));
+    assert_ne!(one, judged(6, 1));
 }
 
 /// Dense ones with divisors among them.
@@ -120,9 +124,22 @@ fn fields_of_odd_tempers_are_in_the_language() {
 /// Fields of every number of variables, closed forms beyond the budget among them.
 #[test]
 fn what_is_drawn_is_judged() {
-    let tally = survey_each(24, &odd_subject, 16, 3, None, &|_| ());
-    let stable = sum(&tally, |place| place.1 == "stable", |cell| cell.trials);
-    assert_eq!(stable, total_of_each(24, 16));
+    let asked = Extremes { trials: 1, seed: 3, odd_fields: 24, odd_trials: 16, ..Extremes::default() };
+    let judged = asked.of(&studies([Subject::named("e1")]), &Threads(available())).expect("an answer");
+    let stable = sum(&judged.tally, |place| place.1 == "stable", |cell| cell.trials);
+    assert_eq!(stable, asked.total());
+}
+
+#[test]
+fn who_stops_the_trials_has_those_that_were_made() {
+    struct Impatient;
+    impl Watch for Impatient {
+        fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
+            ControlFlow::Break(())
+        }
+    }
+    let judged = Extremes::default().of(&studies([Subject::named("e1")]), &Impatient).expect("an answer");
+    assert_eq!(sum(&judged.tally, |place| place.1 == "stable", |cell| cell.trials), 64);
 }
 
 #[test]

@@ -7,9 +7,13 @@ use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Answer, Finding, Progress, Question, Study, StudyError, Subject, Systems, Unwatched, Watch,
+    Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Watch, list,
 };
 use serde_json::{Value, json};
+
+fn one() -> Rational {
+    Rational::from(1)
+}
 
 fn study(subject: Subject) -> Study {
     subject.study(&Systems).expect("a subject")
@@ -27,6 +31,7 @@ fn answer(study: &Study, object: Value) -> Value {
 #[test]
 fn a_question_writes_itself_as_it_was_read() {
     for object in [
+        json!({"ask": "show", "as": "latex"}),
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
         json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5}),
@@ -44,6 +49,7 @@ fn a_question_writes_itself_as_it_was_read() {
             "degree": 3, "seconds": 1.0,
         }),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
+        json!({"ask": "extremes", "trials": 9, "random_fields": 1, "odd_fields": 2, "odd_trials": 3, "seed": 4}),
     ] {
         let read = question(object.clone()).expect("a question");
         assert_eq!(json!(read), object);
@@ -71,7 +77,7 @@ fn what_a_question_does_not_have_is_a_mistake() {
             json!({"ask": "scan", "axes": [{"name": "xi", "range": "0:1"}]}),
             "`0:1` is no range; write FROM:TO:COUNT",
         ),
-        (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `evaluate`"),
+        (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `show`"),
         (json!({"eps": 1, "at": [1]}), "missing field `ask`"),
     ] {
         let mistake = question(object.clone()).expect_err("a mistake");
@@ -82,7 +88,6 @@ fn what_a_question_does_not_have_is_a_mistake() {
 #[test]
 fn subjects_that_are_wrong_say_so() {
     let error = |subject: Subject| subject.study(&Systems).expect_err("a mistake");
-    let one = || Rational::from(1);
     assert!(matches!(
         error(Subject::named("lorentz")),
         StudyError::UnknownSystem { nearest: Some("lorenz"), .. }
@@ -98,7 +103,6 @@ fn subjects_that_are_wrong_say_so() {
 
 #[test]
 fn questions_that_do_not_fit_say_so() {
-    let one = || Rational::from(1);
     let error = |subject: Subject, object: Value| {
         let question = question(object).expect("a question");
         study(subject).ask(&question, &Unwatched).expect_err("a mistake")
@@ -349,4 +353,51 @@ fn what_is_found_can_be_claimed() {
     };
     let claimed = found.claimed().expect("a field with its claims");
     assert_eq!(claimed.claims.len(), found.claims(None).len());
+}
+
+#[test]
+fn formulas_come_one_by_one_in_every_notation() {
+    let swing = study(Subject::text("struct Swing { lambda } xdot = lambda*y; ydot = -x^2/2;"));
+    let shown = |form: &str| answer(&swing, json!({"ask": "show", "as": form}));
+    assert_eq!(shown("text")["A"], json!([["1", "-eps*lambda"], ["eps*x", "1"]]));
+    assert_eq!(shown("latex")["A"][0][1], "-\\varepsilon \\lambda");
+    let sympy = shown("sympy");
+    assert_eq!(sympy["field"], json!(["lambda_*y", "-1/2*x**2"]));
+    assert_eq!(sympy["bilinear"][1], "-1/2*x*x_prime");
+    assert_eq!(sympy["map"][0], "x + 2*eps*(lambda_*y - 1/2*eps*lambda_*x**2)/(1 + eps**2*lambda_*x)");
+    assert_eq!(shown("kahan")["macro"], shown("text")["macro"]);
+    assert_eq!(shown("plan")["objects"][0]["object"], "field f");
+    assert_eq!(shown("plan")["derive_ms"], Value::Null);
+
+    let claimed = "xdot = lambda*y; ydot = -x/2; integral H = x^2 + 2*lambda*y^2 when lambda = 1;";
+    let claimed = study(Subject::text(claimed));
+    let claim = |form: &str| answer(&claimed, json!({"ask": "show", "as": form}))["claims"][0].clone();
+    assert_eq!([&claim("text")["when"], &claim("text")["equations"]], [&json!("lambda = 1"), &Value::Null]);
+    assert_eq!(claim("sympy")["equations"], json!([["H", "x**2 + 2*lambda_*y**2"]]));
+    assert_eq!(claim("latex")["condition"], "\\lambda = 1");
+}
+
+#[test]
+fn parameters_are_put_in_before_the_map_is_reduced() {
+    let shown = |subject: Subject| answer(&study(subject), json!({"ask": "show"}));
+    let put_in = shown(Subject::named("e9").with("xi", Rational::from(1)));
+    assert_eq!(put_in["parameters"], json!([]));
+    assert_eq!(put_in["map"], shown(Subject::named("e3"))["map"]);
+    let nowhere = study(Subject::text("xdot = x/(a - b);").with("a", one()).with("b", one()));
+    let error = nowhere.ask(&Question::Show(Show::default()), &Unwatched).expect_err("a mistake");
+    assert!(error.to_string().contains("divides by zero at a = 1, b = 1"), "{error}");
+}
+
+#[test]
+fn a_catalog_lists_itself() {
+    let listed = json!(list(&Systems).expect("the catalog has no mistake"));
+    let of = |key: &str, name: &str| {
+        let all = listed[key].as_array().expect("a list").iter();
+        all.clone().find(|one| one["name"] == name).cloned().expect("it is there")
+    };
+    let e9 = of("systems", "e9");
+    assert_eq!([&e9["type"], &e9["variables"]], [&json!("E9"), &json!(["x", "y", "z"])]);
+    assert_eq!([&e9["parameters"], &e9["claims"][0]], [&json!(["xi"]), &json!("rho")]);
+    let species = of("families", "species");
+    assert_eq!([&species["arrays"], &species["parameters"]], [&json!(["n"]), &json!(["mu", "r[i]"])]);
 }

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::found::Found;
 use super::{errata, figures, solutions, structures, systems, verification};
-use crate::document::{Making, colophon, document};
+use kahan_draw::document::{Making, colophon, document};
 
 const TITLE: &str = "An atlas of Kahan’s maps";
 

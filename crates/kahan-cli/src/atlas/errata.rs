@@ -5,9 +5,9 @@ use maud::{Markup, html};
 
 use super::found::{Checked, Found};
 use super::words::{badge, link};
-use crate::document::readable;
-use crate::document::{COLUMN, displays};
-use crate::numbers::decimal;
+use kahan_draw::decimal;
+use kahan_draw::document::readable;
+use kahan_draw::document::{COLUMN, displays};
 use kahan_paper::figures::{DE1, DE2, DE7, DE7_1_5, DE7_2_9, Figure, slope};
 use kahan_paper::formula::latex_of;
 use kahan_paper::{Erratum, OPEN, Outcome};

@@ -20,4 +20,4 @@ mod words;
 pub use contents::page;
 pub use found::{Checked, Found, Orbits};
 
-pub use crate::document::Making;
+pub use kahan_draw::document::Making;

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 
 use super::found::Found;
 use super::words::{anchor, badge};
-use crate::document::{cell, inline};
+use kahan_draw::document::{cell, inline};
 use kahan_paper::formula::{LatexItem, latex_of};
 use kahan_paper::{Id, Outcome};
 use kahan_systems::entry::Entry;

@@ -4,8 +4,8 @@ use maud::{Markup, html};
 
 use super::found::{Checked, Found};
 use super::words::{anchor, badge};
-use crate::document::cell;
-use crate::document::readable;
+use kahan_draw::document::cell;
+use kahan_draw::document::readable;
 use kahan_paper::formula::latex_of;
 use kahan_paper::{Outcome, Structure, structure};
 use kahan_systems::registry::SYSTEMS;

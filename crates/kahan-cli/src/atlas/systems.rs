@@ -9,7 +9,7 @@ use maud::{Markup, html};
 
 use super::found::Found;
 use super::words::{badge, link};
-use crate::document::{derived, inline, readable, statements};
+use kahan_draw::document::{derived, inline, readable, statements};
 use kahan_paper::Id;
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS};

@@ -4,8 +4,8 @@ use maud::{Markup, html};
 
 use super::found::{Checked, Found};
 use super::words::{anchor, badge};
-use crate::document::readable;
-use crate::document::{COLUMN, displays};
+use kahan_draw::document::readable;
+use kahan_draw::document::{COLUMN, displays};
 use kahan_paper::{Outcome, Section};
 
 /// The section.

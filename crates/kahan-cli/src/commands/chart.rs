@@ -7,10 +7,11 @@ mod rows;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use kahan_draw::{Drawing, Grid, Mark, NumberLine, Plot, Series};
 use kahan_study::{Axis, Spacing};
 use serde_json::json;
 
-use crate::plot::{Drawing, Format, Grid, Mark, NumberLine, Plot, Series, Sheet, Theme};
+use super::look::{Look, file, format};
 use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{self, Start, whole};
 
@@ -74,13 +75,8 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
-    /// Width and height in pixels.
-    #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = super::picture::pixels)]
-    size: (u32, u32),
-
-    /// Around the chart: light, dark, or as the viewer has it.
-    #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
-    theme: Theme,
+    #[command(flatten)]
+    look: Look,
 
     /// Print one JSON object that says what the file shows.
     #[arg(long)]
@@ -162,11 +158,11 @@ impl Chart {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let is_table = self.out.extension().is_some_and(|ending| ending == "csv");
-        let format = if is_table { None } else { Some(Format::of(&self.out)?) };
+        let format = if is_table { None } else { Some(format(&self.out)?) };
         let sink = Sink::file(&self.out, "--out")?;
         let shown = self.shown()?;
         let file = match format {
-            Some(format) => self.drawing(&shown)?.file(format, &self.sheet())?,
+            Some(format) => file(&self.drawing(&shown), format, &self.look.sheet())?,
             None => table(&shown).into_bytes(),
         };
         sink.put(file)?;
@@ -191,7 +187,7 @@ impl Chart {
 
     /// The picture.
     pub(super) fn drawn(&self) -> Result<Drawing, Refusal> {
-        self.drawing(&self.shown()?)
+        Ok(self.drawing(&self.shown()?))
     }
 
     fn shown(&self) -> Result<Shown, Refusal> {
@@ -238,13 +234,9 @@ impl Chart {
         Ok(Shown { axes, values, name, column, is_logarithm, label, description })
     }
 
-    fn sheet(&self) -> Sheet {
-        Sheet { pixels: self.size, theme: self.theme }
-    }
-
-    fn drawing(&self, shown: &Shown) -> Result<Drawing, Refusal> {
+    fn drawing(&self, shown: &Shown) -> Drawing {
         match &shown.axes[..] {
-            [axis] => Ok(self.curve(shown, axis).drawing()),
+            [axis] => self.curve(shown, axis).drawing(),
             axes => self.grid(shown, axes).drawing(),
         }
     }
@@ -256,7 +248,7 @@ impl Chart {
         // The dots show the values that no line leads to.
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
         let plot = Plot::around(&shown.description, [&axis.name, &shown.label], marked.into());
-        Plot { size: self.sheet().view_box(), ..plot }
+        Plot { size: self.look.sheet().view_box(), ..plot }
     }
 
     fn grid(&self, shown: &Shown, axes: &[Axis]) -> Grid {
@@ -266,7 +258,7 @@ impl Chart {
         };
         Grid {
             description: shown.description.clone(),
-            size: self.sheet().view_box(),
+            size: self.look.sheet().view_box(),
             x: line(&axes[0]),
             y: line(&axes[1]),
             scale: NumberLine::around_most(&shown.label, shown.values.iter().copied()),

@@ -2,15 +2,13 @@
 
 mod report;
 
-use std::time::Instant;
-
 use clap::Args;
-use kahan_study::extremes::{CannotRun, Subject, standard, survey, survey_each, total, total_of_each};
-use kahan_study::random_fields::{OddField, RandomField, numbered, odd};
+use kahan_study::{Extremes as Question, Study, Subject, Systems};
+use serde_json::json;
 
+use super::line::{Asking, Line};
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{Block, Source, whole};
-use report::Report;
+use crate::reading::{Source, whole};
 
 /// Tries steps at the extremes and judges each by exact arithmetic.
 ///
@@ -109,75 +107,50 @@ fn fields(text: &str) -> Result<usize, String> {
     whole(text, 0, usize::MAX)
 }
 
-impl Extremes {
-    /// The table of all cells; a complaint if the stable tier breaks its promise.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let mut subjects = self.subjects()?;
-        let fields = self.random_fields(&mut subjects)?;
-        let clock = Instant::now();
-        let trials = total(self.trials) + total_of_each(self.odd_fields, self.odd_trials);
-        let progress = Prompt::new(trials, "trials");
-        let advance = |done| progress.advance(done);
-        let mut tally = survey(&subjects, self.trials, self.seed, None, &advance);
-        let of_number = |number| odd_subject(&odd(self.seed, number));
-        tally.add(survey_each(self.odd_fields, &of_number, self.odd_trials, self.seed, None, &advance));
-        progress.finish();
-        let report = Report {
-            subjects: &subjects,
-            fields: &fields,
-            odd_fields: self.odd_fields,
-            tally: &tally,
-            trials: self.trials,
-            seed: self.seed,
-            seconds: clock.elapsed().as_secs_f64(),
-        };
-        let answer = if self.json { Answer::json(&report.object()) } else { Answer::text(report.text()) };
-        Ok(Answer { complaint: report.complaint(), ..answer })
+impl Asking for Extremes {
+    const COMMAND: &str = "extremes";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
+        Ok((self.source.study()?, self.question()))
     }
 
-    fn subjects(&self) -> Result<Vec<Subject>, Refusal> {
-        let blocks = if let Some(block) = self.source.block()? {
-            vec![block]
-        } else if self.source.has_parameters() {
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { trials, random_fields, odd_fields, odd_trials, seed } = asked;
+        let usual = Question::default();
+        let line = line.unless(*trials == usual.trials, "--trials", trials);
+        let line = line.unless(*random_fields == usual.random_fields, "--random-fields", random_fields);
+        let line = line.unless(*odd_fields == usual.odd_fields, "--odd-fields", odd_fields);
+        let line = line.unless(*odd_trials == usual.odd_trials, "--odd-trials", odd_trials);
+        line.unless(*seed == usual.seed, "--seed", seed)
+    }
+}
+
+impl Extremes {
+    fn question(&self) -> Question {
+        let Extremes { trials, random_fields, odd_fields, odd_trials, seed, .. } = *self;
+        Question { trials, random_fields, odd_fields, odd_trials, seed }
+    }
+
+    /// The table of all cells; a complaint if the stable tier breaks its promise.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let (asked, studies) = (self.question(), self.studies()?);
+        let judged = asked.of(&studies, &Prompt::new(asked.total(), "trials"))?;
+        let answer =
+            if self.json { Answer::json(&json!(judged)) } else { Answer::text(report::text(&judged)) };
+        Ok(Answer { complaint: report::complaint(&judged), ..answer })
+    }
+
+    fn studies(&self) -> Result<Vec<Study>, Refusal> {
+        if self.source.is_named() {
+            return Ok(vec![self.source.study()?]);
+        }
+        if self.source.has_parameters() {
             return Err(Refusal::new(
                 "--param: of which system? name one before its parameters, as in e9 --param xi=1/2",
             ));
-        } else {
-            standard().map(Block::of_catalog).collect()
-        };
-        blocks.iter().map(|block| self.subject(block)).collect()
-    }
-
-    /// Adds the random fields to the subjects.
-    fn random_fields(&self, subjects: &mut Vec<Subject>) -> Result<Vec<RandomField>, Refusal> {
-        let fields: Vec<RandomField> =
-            (0..self.random_fields).map(|number| numbered(self.seed, number)).collect();
-        for field in &fields {
-            subjects.push(drawn(&field.name, field.block())?);
         }
-        Ok(fields)
+        let study = |subject: Subject| Ok(subject.study(&Systems)?);
+        Systems::at_the_extremes().map(study).collect()
     }
-
-    fn subject(&self, block: &Block) -> Result<Subject, Refusal> {
-        let system = block.unproved_system()?;
-        let name = block.name(&system);
-        let parameters = self.source.known_parameters(&system, &name)?;
-        Subject::new(&name, &system, parameters).map_err(|why| cannot_judge(&name, &why))
-    }
-}
-
-/// A field that was drawn, all of its parameters to be drawn for each trial.
-fn drawn(name: &str, block: String) -> Result<Subject, Refusal> {
-    let system = Block::of_text(block, name.to_owned()).unproved_system()?;
-    let parameters = vec![None; system.field.symbols.parameters.len()];
-    Subject::new(name, &system, parameters).map_err(|why| cannot_judge(name, &why))
-}
-
-fn odd_subject(field: &OddField) -> Subject {
-    let subject = drawn(&field.name, field.block()).expect("the generator writes fields that can be read");
-    subject.of_odd_temper()
-}
-
-fn cannot_judge(name: &str, why: &CannotRun) -> Refusal {
-    Refusal::new(format!("{name} cannot be judged: {why}"))
 }

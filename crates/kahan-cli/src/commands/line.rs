@@ -7,8 +7,8 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
 use super::{
-    discover::Discover, dynamics::Dynamics, eval::Eval, heights::Heights, periodic::Periodic, poles::Poles,
-    scan::Scan, section::Section, trade::Trade,
+    discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes, heights::Heights,
+    periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade,
 };
 use crate::printing::Refusal;
 
@@ -47,6 +47,7 @@ impl Line {
     /// The call that asks a question about the system that these words name.
     pub(crate) fn asking(system: &[String], question: &Question) -> Self {
         match question {
+            Question::Show(asked) => Show::call(system, asked),
             Question::Evaluate(asked) => Eval::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
@@ -56,6 +57,7 @@ impl Line {
             Question::Discover(asked) => Discover::call(system, asked),
             Question::Scan(asked) => Scan::call(system, asked),
             Question::Trade(asked) => Trade::call(system, asked),
+            Question::Extremes(asked) => Extremes::call(system, asked),
         }
     }
 
@@ -116,7 +118,7 @@ mod tests {
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Observe, Range, Side};
+    use kahan_study::{self as study, Axis, Evaluate, Form, Observe, Range, Side};
 
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
@@ -136,12 +138,16 @@ mod tests {
             range: Range::read(range).expect("a range"),
         };
 
+        let forms = [Form::Text, Form::Latex, Form::Sympy, Form::Kahan, Form::Plan];
+        reads_back::<Show>(forms.map(|form| study::Show { form }));
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         reads_back::<Dynamics>([Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);
+        let other = study::Extremes { trials: 9, random_fields: 2, odd_fields: 3, odd_trials: 8, seed: 0 };
+        reads_back::<Extremes>([other, study::Extremes::default()]);
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);
         reads_back::<Heights>([study::Heights { max_digits: 99, seconds: 0.5, ..plain.clone() }, plain]);
         let other = study::Poles { eps: Some(eps.clone()), steps: 6, seconds: 5.0 };

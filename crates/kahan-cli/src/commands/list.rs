@@ -1,13 +1,11 @@
 //! `kahan list`: the catalog in one table.
 
 use clap::Args;
-use kahan_systems::lattices::ALL;
-use kahan_systems::registry::all;
-use serde_json::{Value, json};
+use kahan_study::{Systems, list};
+use serde_json::json;
 
-use crate::printing::layout::table;
+use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Refusal};
-use crate::reading::Block;
 
 /// Lists the systems of the catalog.
 ///
@@ -21,59 +19,25 @@ pub(crate) struct List {
 }
 
 impl List {
-    /// The table, or `systems`: [{`name`, `type`, `title`, `variables`, `parameters`, `claims`}],
-    /// and `families` likewise, with `arrays` in the place of `variables`.
+    /// The table, or the catalog as one object.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let mut rows =
-            vec![["name", "variables", "parameters", "claims", "title"].map(str::to_owned).to_vec()];
-        let mut objects: Vec<Value> = Vec::new();
-        for entry in all() {
-            let system = Block::of_catalog(entry).unproved_system()?;
-            let symbols = &system.field.symbols;
-            let claims: Vec<&str> = system.claims.iter().map(|claim| claim.name.text.as_str()).collect();
-            rows.push(vec![
-                entry.command.to_owned(),
-                symbols.states.join(","),
-                symbols.parameters.join(","),
-                claims.len().to_string(),
-                entry.title.to_owned(),
-            ]);
-            objects.push(json!({
-                "name": entry.command,
-                "type": entry.type_name,
-                "title": entry.title,
-                "variables": symbols.states,
-                "parameters": symbols.parameters,
-                "claims": claims,
-            }));
-        }
-        let mut families: Vec<Value> = Vec::new();
-        for entry in &ALL {
-            let family = Block::of_family(entry).family(entry.command)?;
-            let sums = family.integrals.iter().chain(&family.hamiltonian);
-            let claims: Vec<&str> = sums.map(|sum| sum.name.text.as_str()).collect();
-            let at_site = |names: &[String]| names.iter().map(|name| format!("{name}[i]")).collect();
-            let arrays: Vec<String> = at_site(&family.arrays);
-            let parameters = [family.parameters.clone(), at_site(&family.site_parameters)].concat();
-            rows.push(vec![
-                entry.command.to_owned(),
-                arrays.join(","),
-                parameters.join(","),
-                claims.len().to_string(),
-                entry.title.to_owned(),
-            ]);
-            families.push(json!({
-                "name": entry.command,
-                "type": family.name(),
-                "title": entry.title,
-                "arrays": family.arrays,
-                "parameters": parameters,
-                "claims": claims,
-            }));
-        }
+        let listed = list(&Systems)?;
         if self.json {
-            return Ok(Answer::json(&json!({ "systems": objects, "families": families })));
+            return Ok(Answer::json(&json!(listed)));
         }
+        let row = |name: &str, variables: String, parameters: &[String], claims: &[String], title: &str| {
+            vec![name.to_owned(), variables, parameters.join(","), claims.len().to_string(), title.to_owned()]
+        };
+        let systems = listed
+            .systems
+            .iter()
+            .map(|one| row(one.name, one.variables.join(","), &one.parameters, &one.claims, one.title));
+        let families = listed.families.iter().map(|one| {
+            let arrays: Vec<String> = one.arrays.iter().map(|array| format!("{array}[i]")).collect();
+            row(one.name, arrays.join(","), &one.parameters, &one.claims, one.title)
+        });
+        let headings = ["name", "variables", "parameters", "claims", "title"].map(str::to_owned);
+        let rows: Rows = [headings.to_vec()].into_iter().chain(systems).chain(families).collect();
         Ok(Answer::text(table(&rows, 1).join("\n") + "\n"))
     }
 }

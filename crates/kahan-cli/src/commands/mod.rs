@@ -11,6 +11,7 @@ pub(crate) mod extremes;
 pub(crate) mod heights;
 mod line;
 pub(crate) mod list;
+mod look;
 pub(crate) mod orbit;
 pub(crate) mod page;
 pub(crate) mod periodic;

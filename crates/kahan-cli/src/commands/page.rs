@@ -17,9 +17,9 @@ use kahan_runtime::Field;
 use maud::{Markup, html};
 
 use super::atlas::{index_in, today};
-use crate::document::{Making, colophon, document, readable};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Block, Source, number, point, seconds};
+use kahan_draw::document::{Making, colophon, document, readable};
 
 use super::line::Line;
 use figures::{Subject, command};

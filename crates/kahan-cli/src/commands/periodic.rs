@@ -5,11 +5,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_core::periodic::{Branch, PeriodicPoint, Stability};
+use kahan_draw::{Mark, Plot, Series, Sheet, Theme};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use crate::plot::{Format, Mark, Plot, Series, Sheet, Theme};
+use super::look::{file, format};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Start, over, whole};
@@ -90,7 +91,7 @@ impl Periodic {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let format = match &self.out {
             Some(out) if out.extension().is_some_and(|ending| ending == "csv") => None,
-            Some(out) => Some(Format::of(out)?),
+            Some(out) => Some(format(out)?),
             None => None,
         };
         let (study, asked) = self.asked()?;
@@ -112,7 +113,7 @@ impl Periodic {
         if let Some(sink) = sink {
             let sheet = Sheet { pixels: (960, 720), theme: Theme::Viewer };
             match format {
-                Some(format) => sink.put(found.plot().drawing().file(format, &sheet)?)?,
+                Some(format) => sink.put(file(&found.plot().drawing(), format, &sheet)?)?,
                 None => sink.put(found.csv())?,
             }
         }

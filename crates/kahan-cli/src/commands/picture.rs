@@ -13,9 +13,10 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
+use kahan_draw::{Drawing, Mark, Sheet};
 use serde_json::json;
 
-use crate::plot::{Drawing, Format, Mark, Sheet, Theme};
+use super::look::{Look, file, format};
 use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, seconds, whole};
 use orbits::Pace;
@@ -100,13 +101,8 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     window: Vec<String>,
 
-    /// Width and height in pixels.
-    #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = pixels)]
-    size: (u32, u32),
-
-    /// light, dark, or as the viewer has it.
-    #[arg(long, value_enum, default_value = "viewer", hide_possible_values = true)]
-    theme: Theme,
+    #[command(flatten)]
+    look: Look,
 
     /// The time that it may take; then it shows what there is.
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds)]
@@ -151,16 +147,6 @@ fn steps(text: &str) -> Result<u64, String> {
     whole(text, 0, u64::MAX)
 }
 
-/// Width and height, in the proportions that axes have room in.
-pub(super) fn pixels(text: &str) -> Result<(u32, u32), String> {
-    let sides = text.split_once(['x', 'X', '×']);
-    let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=8192).contains(side));
-    let size: Option<(u32, u32)> = sides.and_then(|(width, height)| Some((side(width)?, side(height)?)));
-    size.filter(|(width, height)| width.max(height) <= &(4 * width.min(height))).ok_or_else(|| {
-        "write WIDTHxHEIGHT in pixels, as 960x720: each from 16 to 8192, the one at most four times the other".to_owned()
-    })
-}
-
 /// What a picture is about, and how it is to look.
 struct Subject<'a> {
     asked: &'a Picture,
@@ -195,10 +181,10 @@ impl Picture {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let kind = self.kind()?;
-        let format = Format::of(&self.out)?;
+        let format = format(&self.out)?;
         let sink = Sink::file(&self.out, "--out")?;
         let (name, drawn) = self.drawn()?;
-        let file = drawn.drawing.file(format, &self.sheet())?;
+        let file = file(&drawn.drawing, format, &self.look.sheet())?;
         let bytes = file.len();
         sink.put(file)?;
         Ok(self.answer(&name, kind, &drawn, bytes))
@@ -210,17 +196,14 @@ impl Picture {
         let block = self.source.required_block()?;
         let system = block.system()?;
         let name = block.name(&system);
-        let subject = Subject { asked: self, name, system, source: self.source.clone(), sheet: self.sheet() };
+        let subject =
+            Subject { asked: self, name, system, source: self.source.clone(), sheet: self.look.sheet() };
         let drawn = match kind {
             Kind::Portrait | Kind::Section => subject.portrait()?,
             Kind::OrbitsOver => subject.orbits_over()?,
             Kind::Heights => subject.heights()?,
         };
         Ok((subject.name, drawn))
-    }
-
-    fn sheet(&self) -> Sheet {
-        Sheet { pixels: self.size, theme: self.theme }
     }
 
     fn kind(&self) -> Result<Kind, Refusal> {

@@ -5,16 +5,14 @@ mod plan;
 mod sheet;
 
 use clap::Args;
-use kahan_algebra::render::{Notation, Text, macro_block};
-use kahan_algebra::system::System;
+use kahan_algebra::render::macro_block;
 use kahan_emit::rust;
-use kahan_latex::Latex;
+use kahan_study::{Form, Show as Question, Shown, Study};
 use serde_json::json;
 
-use crate::printing::{Answer, Refusal};
+use super::line::{Asking, Line};
+use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Block, Source};
-use plan::PlanSheet;
-use sheet::Sheet;
 
 /// Shows the formulas of a system: field, f', A, b, bilinear form, det A, map, Jacobian, claims.
 ///
@@ -32,18 +30,22 @@ pub(crate) struct Show {
     #[arg(long, conflicts_with = "as_macro")]
     latex: bool,
 
+    /// Write the formulas for SymPy, whose `sympify` reads them.
+    #[arg(long, conflicts_with_all = ["latex", "as_macro"])]
+    sympy: bool,
+
     /// Print the block of `kahan!`, ready to paste.
     #[arg(long = "macro")]
     as_macro: bool,
 
     /// Show the operations, the machine code and the compile time of everything that is generated,
     /// and the step's plan.
-    #[arg(long, conflicts_with_all = ["as_macro", "latex"])]
+    #[arg(long, conflicts_with_all = ["as_macro", "latex", "sympy"])]
     plan: bool,
 
     /// Print the Rust that the macro makes of the block; without a header, as the value of a
     /// variable.
-    #[arg(long, conflicts_with_all = ["as_macro", "latex", "plan"])]
+    #[arg(long, conflicts_with_all = ["as_macro", "latex", "sympy", "plan"])]
     expand: bool,
 
     /// Print one JSON object.
@@ -62,51 +64,71 @@ Examples:
   kahan show e3 --plan                        operations, bytes and the step in straight lines
   kahan show --field 'xdot = y; ydot = x^2 - a;' --param a=1 --plan";
 
-impl Show {
-    /// The formulas of the system.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let block = self.source.required_block()?;
-        let system = block.system()?;
-        let name = block.name(&system);
-        let system = self.source.specialised(system, &name)?;
-        if self.plan {
-            let sheet = PlanSheet::of(name, &system);
-            return Ok(if self.json { Answer::json(&sheet.json()) } else { Answer::text(sheet.text()) });
+impl Asking for Show {
+    const COMMAND: &str = "show";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
+        let flags = [
+            (self.latex, Form::Latex),
+            (self.sympy, Form::Sympy),
+            (self.plan, Form::Plan),
+            // As JSON the block stands among the formulas.
+            (self.as_macro && !self.json, Form::Kahan),
+        ];
+        let form = flags.into_iter().find(|(is_set, _)| *is_set).map(|(_, form)| form).unwrap_or_default();
+        Ok((self.source.study()?, Question { form }))
+    }
+
+    fn options(asked: &Question, line: Line) -> Line {
+        match asked.form {
+            Form::Text => line,
+            Form::Latex => line.with_flag("--latex"),
+            Form::Sympy => line.with_flag("--sympy"),
+            Form::Kahan => line.with_flag("--macro"),
+            Form::Plan => line.with_flag("--plan"),
         }
-        if self.expand {
-            let expansion = self.expansion(&block, &system)?;
-            return Ok(match self.json {
-                true => Answer::json(&json!({ "system": name, "expansion": expansion })),
-                false => Answer::verbatim(expansion),
-            });
-        }
-        if self.as_macro && !self.json {
-            return Ok(Answer::text(macro_block(&system) + "\n"));
-        }
-        let notation: &dyn Notation = if self.latex { &Latex } else { &Text };
-        let sheet = Sheet::of(&block, &system, notation);
-        Ok(match (self.json, self.latex) {
-            (true, _) => Answer::json(&sheet.json()),
-            (false, true) => Answer::verbatim(sheet.latex()),
-            (false, false) => Answer::text(sheet.text()),
-        })
     }
 }
 
 impl Show {
+    /// The formulas of the system.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        if self.expand {
+            return self.expanded();
+        }
+        let (study, asked) = self.asked()?;
+        let shown = asked.ask(&study, &Prompt::stages())?;
+        Ok(match &shown {
+            _ if self.json => Answer::json(&json!(shown)),
+            Shown::Formulas(sheet) if self.latex => Answer::verbatim(sheet::latex(sheet)),
+            Shown::Formulas(sheet) => Answer::text(sheet::text(sheet)),
+            Shown::Block { block, .. } => Answer::text(format!("{block}\n")),
+            Shown::Plan(planned) => Answer::text(plan::text(planned)),
+        })
+    }
+
     /// The block as the macro expands it; with values of parameters, the block that `--macro`
     /// prints.
-    fn expansion(&self, block: &Block, system: &System) -> Result<String, Refusal> {
+    fn expanded(&self) -> Result<Answer, Refusal> {
+        let study = self.source.study()?;
+        study.proved()?;
         let core = "::kahan_core".parse().expect("a path");
-        let expanded = if self.source.has_parameters() {
-            rust::text(&core, Block::of_text(macro_block(system), "--macro".to_owned()).text())
-        } else {
-            rust::text(&core, block.text())
+        let block = match study.fixed().as_slice() {
+            [] => study.text().to_owned(),
+            _ => {
+                let block = macro_block(&study.specialised()?);
+                Block::of_text(block, "--macro".to_owned()).text().to_owned()
+            }
         };
-        expanded.map_err(|why| {
+        let expansion = rust::text(&core, &block).map_err(|why| {
             Refusal::new(format!(
                 "--expand: the text is not made of Rust's tokens, so no macro can read it: {why}"
             ))
+        })?;
+        Ok(match self.json {
+            true => Answer::json(&json!({ "system": study.name(), "expansion": expansion })),
+            false => Answer::verbatim(expansion),
         })
     }
 }

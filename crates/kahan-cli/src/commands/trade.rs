@@ -13,10 +13,10 @@ use kahan_study::trade::Trade as Question;
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use crate::plot::{Sheet, Theme};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Source, number, point, seconds};
 pub(super) use comparison::Comparison;
+use kahan_draw::{Sheet, Theme};
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
 ///

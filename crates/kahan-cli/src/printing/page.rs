@@ -1,13 +1,11 @@
 //! What pages of formulas are put together from: sections of plain text, displays of LaTeX,
 //! matrices.
 
-use kahan_algebra::render::{
-    MatrixText, Notation, claim_statement, condition_statement, condition_text, lines,
-};
+use kahan_algebra::render::{MatrixText, Notation, lines};
 use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::{Claim, System};
 use kahan_latex::Latex;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
+use kahan_study::ClaimShown;
 
 use super::layout::{matrix_within, screen_width};
 
@@ -42,23 +40,21 @@ impl Page {
         self.line(&format!("\\[\n{formula}\n\\]"));
     }
 
-    /// A claim in LaTeX, with a comment that says which, and perhaps where it is from.
-    pub(crate) fn claim(&mut self, system: &System, claim: &Claim, source: Option<&str>) {
-        let name = &claim.name.text;
-        let source = source.map_or_else(String::new, |source| format!(": {source}"));
-        let condition = condition_text(system, claim);
-        let when = if condition.is_empty() { String::new() } else { format!(", when {condition}") };
-        self.line(&format!("% {} {name}{when}{source}", claim.kind.keyword()));
-        let index = match claim.kind {
-            ClaimKind::Bracket => format!("_{{{}}}", Latex.name(name)),
-            _ => String::new(),
-        };
-        let statements = claim_statement(claim, &Latex).into_iter();
-        let mut rows: Vec<String> = statements
-            .map(|(left, right)| breaking::equation(&format!("{left}{index}"), &right, PAGE_WIDTH))
+    /// A claim whose formulas are in LaTeX, with a comment that says which, and perhaps where it is
+    /// from.
+    pub(crate) fn claim(&mut self, claim: &ClaimShown) {
+        let ClaimShown { name, kind, when, condition, .. } = claim;
+        let source = claim.source.map_or_else(String::new, |source| format!(": {source}"));
+        let when = if when.is_empty() { String::new() } else { format!(", when {when}") };
+        self.line(&format!("% {kind} {name}{when}{source}"));
+        let is_bracket = *kind == ClaimKind::Bracket.keyword();
+        let index = if is_bracket { format!("_{{{}}}", Latex.name(name)) } else { String::new() };
+        let equations = claim.equations.iter();
+        let mut rows: Vec<String> = equations
+            .map(|(left, right)| breaking::equation(&format!("{left}{index}"), right, PAGE_WIDTH))
             .collect();
-        if !claim.is_unconditional() {
-            rows.push(format!("&\\text{{where }} {}", condition_statement(system, claim, &Latex)));
+        if !condition.is_empty() {
+            rows.push(format!("&\\text{{where }} {condition}"));
         }
         self.display(&aligned(rows));
     }

@@ -9,7 +9,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use kahan_discover::{Progress, Watch};
 use kahan_runtime::threads;
 
-/// The user, who sees how far long work is, and what it found once it is done.
+/// The user, who sees how far long work is, and what it found once it is done. The bar is removed
+/// when this ends.
 pub(crate) struct Prompt {
     bar: ProgressBar,
     since: Instant,
@@ -50,8 +51,14 @@ impl Prompt {
         self.bar.inc(steps);
     }
 
-    /// Removes the bar.
+    /// Removes the bar before this ends.
     pub(crate) fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Drop for Prompt {
+    fn drop(&mut self) {
         self.bar.finish_and_clear();
     }
 }

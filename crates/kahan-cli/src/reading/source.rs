@@ -120,6 +120,11 @@ impl Source {
             .collect()
     }
 
+    /// Whether a field was named.
+    pub(crate) fn is_named(&self) -> bool {
+        self.system.is_some() || self.field.is_some() || self.file.is_some()
+    }
+
     /// Whether a parameter was given.
     pub(crate) fn has_parameters(&self) -> bool {
         !self.parameters.is_empty()

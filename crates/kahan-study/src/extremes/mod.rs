@@ -21,20 +21,19 @@ mod steps;
 mod tally;
 mod trial;
 
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
+use kahan_discover::{Progress, Watch};
 use kahan_runtime::interpreted::{LARGEST_DIMENSION, UnsupportedDimension};
 use kahan_runtime::threads::for_each;
-use kahan_runtime::{Field, Map};
+use kahan_runtime::{Field, FieldText, Map};
 
-use kahan_systems::entry::Entry;
-use kahan_systems::registry::SYSTEMS;
-use kahan_systems::volterra;
-
+use crate::random_fields::odd;
 use judge::Judge;
 use trial::Ready;
 
@@ -45,7 +44,7 @@ pub use tally::{Broken, Cell, Failure, Place, Tally};
 
 /// A system whose steps are judged.
 #[derive(Debug)]
-pub struct Subject {
+pub(crate) struct Tried {
     target: Target,
     map: Map,
 }
@@ -61,18 +60,13 @@ struct Target {
     judge: Judge,
 }
 
-/// What is judged where no system is named: the paper's systems, and the lattice of three sites,
-/// whose det A cancels in long steps.
-pub fn standard() -> impl Iterator<Item = &'static Entry> {
-    SYSTEMS.iter().chain([&volterra::ENTRY])
-}
-
-impl Subject {
+impl Tried {
     /// A system under a name, with a value or none for each parameter.
-    ///
-    /// # Errors
-    /// Where the map has too many variables to be run, or divides by zero at the given parameters.
-    pub fn new(name: &str, system: &System, parameters: Vec<Option<Rational>>) -> Result<Self, CannotRun> {
+    pub(crate) fn new(
+        name: &str,
+        system: &System,
+        parameters: Vec<Option<Rational>>,
+    ) -> Result<Self, CannotRun> {
         let variables = system.field.dimension();
         if variables > LARGEST_DIMENSION {
             return Err(CannotRun::Dimension(UnsupportedDimension(variables)));
@@ -83,23 +77,27 @@ impl Subject {
         Ok(Self { target: Target::new(name, parameters, Judge::of(system)), map })
     }
 
+    /// A field that was drawn, all of its parameters to be drawn for each trial.
+    pub(crate) fn drawn(name: &str, block: String) -> Self {
+        let system = FieldText::new(block, name.to_owned()).unproved_system();
+        let system = system.expect("the generator writes fields that can be read");
+        let parameters = vec![None; system.field.symbols.parameters.len()];
+        Self::new(name, &system, parameters).expect("the generator writes fields that can be run")
+    }
+
     /// The same, its parameters drawn from the whole range, and its ε, for many points, so that
     /// ‖εf′‖∞ is of ordinary size.
-    #[must_use]
-    pub fn of_odd_temper(mut self) -> Self {
+    pub(crate) fn of_odd_temper(mut self) -> Self {
         self.target.is_odd = true;
         self
     }
 
-    /// Its name.
-    #[must_use]
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         &self.target.name
     }
 
     /// Whether det A vanishes somewhere that the reduced map has a value.
-    #[must_use]
-    pub fn has_removable_poles(&self) -> bool {
+    pub(crate) fn has_removable_poles(&self) -> bool {
         self.target.judge.has_removable_poles()
     }
 }
@@ -119,84 +117,94 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     }
 }
 
+/// The trials that are made, counted from all threads.
+pub(crate) struct Count<'a> {
+    watch: &'a dyn Watch,
+    of: u64,
+    done: AtomicU64,
+    is_stopped: AtomicBool,
+}
+
+impl<'a> Count<'a> {
+    /// So many trials are to be made.
+    pub(crate) fn new(of: u64, watch: &'a dyn Watch) -> Self {
+        Count { watch, of, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
+    }
+
+    /// So many more are made.
+    fn add(&self, trials: u64) {
+        let done = self.done.fetch_add(trials, Ordering::Relaxed) + trials;
+        let progress = Progress { what: "trials", done, of: Some(self.of) };
+        if self.watch.look(&progress).is_break() {
+            self.is_stopped.store(true, Ordering::Relaxed);
+        }
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.is_stopped.load(Ordering::Relaxed)
+    }
+}
+
 /// `trials` trials of `f32`, `f64` and `Dd` each, a quarter each near poles, near removable poles,
 /// of mixed magnitudes and ordinary, and a thirty-second part (at least eight) with subnormal
 /// inputs, as many with inputs that are not finite, and as many large steps, for which elimination
-/// is judged besides, over all subjects in turn. Where none of them has a removable pole, that
-/// quarter goes to the poles.
-///
-/// `threads` is the number of threads, by default as many as the machine runs at once; `progress`
-/// is told how many trials were made since it was last called, from any of them.
-///
-/// # Panics
-/// Without a subject.
-#[must_use]
-pub fn survey(
-    subjects: &[Subject],
-    trials: u64,
-    seed: u64,
-    threads: Option<usize>,
-    progress: &(dyn Fn(u64) + Sync),
-) -> Tally {
-    assert!(!subjects.is_empty(), "a survey has at least one subject");
+/// is judged besides, over all systems in turn, of which there is at least one. Where none of them
+/// has a removable pole, that quarter goes to the poles.
+pub(crate) fn survey(tried: &[Tried], trials: u64, seed: u64, count: &Count<'_>) -> Tally {
+    on_threads(tried, trials, seed, count.watch.threads(), count)
+}
+
+fn on_threads(tried: &[Tried], trials: u64, seed: u64, threads: usize, count: &Count<'_>) -> Tally {
     let mut tally = Tally::default();
-    tally.add(of_scalar(&Ready::<f32>::new(subjects, trials, seed), threads, progress));
-    tally.add(of_scalar(&Ready::<f64>::new(subjects, trials, seed), threads, progress));
-    tally.add(of_scalar(&Ready::<Dd>::new(subjects, trials, seed), threads, progress));
+    tally.add(of_scalar(&Ready::<f32>::new(tried, trials, seed), threads, count));
+    tally.add(of_scalar(&Ready::<f64>::new(tried, trials, seed), threads, count));
+    tally.add(of_scalar(&Ready::<Dd>::new(tried, trials, seed), threads, count));
     tally
 }
 
 /// The number of trials that [`survey`] makes in all.
-#[must_use]
-pub fn total(trials: u64) -> u64 {
+pub(crate) fn total(trials: u64) -> u64 {
     3 * trial::with_special_inputs(trials)
 }
 
-/// So many trials of `f32`, `f64` and `Dd` of each of `count` subjects alone, with ten times as
-/// many of every twentieth; the k-th is made when it is its turn.
-///
-/// `threads` and `progress` as for [`survey`].
-pub fn survey_each(
-    count: usize,
-    subject: &(dyn Fn(usize) -> Subject + Sync),
-    trials: u64,
-    seed: u64,
-    threads: Option<usize>,
-    progress: &(dyn Fn(u64) + Sync),
-) -> Tally {
+/// So many trials of `f32`, `f64` and `Dd` of each of `fields` fields of odd tempers alone, with
+/// ten times as many of every twentieth; each is drawn when it is its turn.
+pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &Count<'_>) -> Tally {
     let all = Mutex::new(Tally::default());
-    for_each(count, threads, &|k| {
-        let subject = [subject(k)];
+    for_each(fields, Some(count.watch.threads()), &|k| {
+        if count.is_stopped() {
+            return;
+        }
+        let field = odd(seed, k);
+        let tried = [Tried::drawn(&field.name, field.block()).of_odd_temper()];
         let own = if k % 20 == 19 { 10 * trials } else { trials };
         // Streams of fields have nothing in common.
         let seed = seed.wrapping_add((k as u64 + 1) << 32);
-        let tally = survey(&subject, own, seed, Some(1), progress);
+        let tally = on_threads(&tried, own, seed, 1, count);
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
     });
     all.into_inner().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The number of trials that [`survey_each`] makes in all.
-#[must_use]
-pub fn total_of_each(count: usize, trials: u64) -> u64 {
-    let more = (count / 20) as u64;
-    (count as u64 - more) * total(trials) + more * total(10 * trials)
+/// The number of trials that [`survey_odd`] makes in all.
+pub(crate) fn total_of_odd(fields: usize, trials: u64) -> u64 {
+    let more = (fields / 20) as u64;
+    (fields as u64 - more) * total(trials) + more * total(10 * trials)
 }
 
 /// All trials of one scalar, in blocks that threads take as they come free.
-fn of_scalar<T: float::Float>(
-    ready: &Ready<'_, T>,
-    threads: Option<usize>,
-    progress: &(dyn Fn(u64) + Sync),
-) -> Tally {
+fn of_scalar<T: float::Float>(ready: &Ready<'_, T>, threads: usize, count: &Count<'_>) -> Tally {
     const BLOCK: usize = 64;
     let trials = usize::try_from(ready.count()).expect("no more trials than a machine makes");
     let all = Mutex::new(Tally::default());
-    for_each(trials.div_ceil(BLOCK), threads, &|block| {
+    for_each(trials.div_ceil(BLOCK), Some(threads), &|block| {
+        if count.is_stopped() {
+            return;
+        }
         let (start, mut tally) = (block * BLOCK, Tally::default());
         let end = (start + BLOCK).min(trials);
         (start..end).for_each(|index| ready.run(index as u64, &mut tally));
-        progress((end - start) as u64);
+        count.add((end - start) as u64);
         // A thread that panics does so outside of the lock; what is in it is whole.
         all.lock().unwrap_or_else(PoisonError::into_inner).add(tally);
     });

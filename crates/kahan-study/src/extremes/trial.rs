@@ -9,7 +9,7 @@ use super::points::{Inputs, Points};
 use super::regime::Regime;
 use super::steps::{Steps, steps};
 use super::tally::{Cell, Failure, Tally};
-use super::{Subject, Target};
+use super::{Target, Tried};
 
 /// The trials of one scalar, ready to be drawn in any order.
 pub(super) struct Trials<'a, T> {
@@ -58,11 +58,11 @@ fn special(trials: u64) -> u64 {
 }
 
 impl<'a, T: Float> Ready<'a, T> {
-    pub(super) fn new(subjects: &'a [Subject], trials: u64, seed: u64) -> Self {
-        let steps = |subject: &Subject| steps(&subject.map).expect("a subject has no more variables");
+    pub(super) fn new(tried: &'a [Tried], trials: u64, seed: u64) -> Self {
+        let steps = |tried: &Tried| steps(&tried.map).expect("what is tried has no more variables");
         Self {
-            steps: subjects.iter().map(steps).collect(),
-            trials: Trials::new(subjects.iter().map(|subject| &subject.target).collect(), trials, seed),
+            steps: tried.iter().map(steps).collect(),
+            trials: Trials::new(tried.iter().map(|tried| &tried.target).collect(), trials, seed),
         }
     }
 

@@ -9,12 +9,14 @@
 
 mod discover;
 mod evaluate;
+mod extremes;
 mod heights;
 mod observe;
 mod periodic;
 mod poles;
 mod scan;
 mod section;
+mod show;
 
 use std::time::Duration;
 
@@ -29,12 +31,14 @@ use crate::trade::{Trade, Traded};
 
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
+pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observe, Observed};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
 pub use section::{Plane, Section, SectionFound, Side};
+pub use show::{ClaimShown, Costs, Form, Listing, Planned, Sheet, Show, Shown};
 
 macro_rules! questions {
     ($($(#[$about:meta])* $question:ident, asked as $name:literal, answered by $answer:ident;)*) => {
@@ -78,6 +82,8 @@ macro_rules! questions {
 }
 
 questions! {
+    /// Formulas.
+    Show, asked as "show", answered by Shown;
     /// Every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated;
     /// What an orbit does.
@@ -96,6 +102,8 @@ questions! {
     Scan, asked as "scan", answered by ScanFound;
     /// Speed against accuracy on a scene.
     Trade, asked as "trade", answered by Traded;
+    /// Steps at the extremes.
+    Extremes, asked as "extremes", answered by Judged;
 }
 
 impl Study {

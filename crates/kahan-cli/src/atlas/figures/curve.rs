@@ -7,8 +7,8 @@ use maud::{Markup, html};
 
 use super::super::words::scientific;
 use super::Plate;
-use crate::numbers::decimal;
-use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
+use kahan_draw::decimal;
+use kahan_draw::{Cloud, Mark, NumberLine, Plot, Series, Space};
 use kahan_paper::figures::DE4;
 use kahan_systems::{E4, e4};
 

@@ -6,8 +6,8 @@ use super::super::found::Orbits;
 use super::super::words::grouped;
 use super::Plate;
 use super::orbit::{Heights, Orbit, h};
-use crate::numbers::decimal;
-use crate::plot::{Mark, NumberLine, Plot, Series, Side};
+use kahan_draw::decimal;
+use kahan_draw::{Mark, NumberLine, Plot, Series, Side};
 use kahan_paper::figures::{DE1, DE3, DE4, DE7, DE9, LV};
 
 fn drawing(description: &str, [x, y]: [&str; 2], levels: Vec<(f64, String)>, series: Vec<Series>) -> Markup {

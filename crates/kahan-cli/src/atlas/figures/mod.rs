@@ -11,7 +11,7 @@ use maud::{Markup, html};
 
 use super::found::Found;
 use super::words::{badge, link};
-use crate::document::readable;
+use kahan_draw::document::readable;
 
 /// One figure.
 pub(super) struct Plate {

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::super::found::Orbits;
 use super::super::systems;
-use crate::document::readable;
+use kahan_draw::document::readable;
 use kahan_paper::figures::{Figure, Measurement, slope};
 use kahan_paper::structure;
 use kahan_systems::registry::find;

@@ -5,8 +5,8 @@ use maud::{Markup, html};
 
 use super::super::words::scientific;
 use super::Plate;
-use crate::numbers::decimal;
-use crate::plot::{Mark, NumberLine, Plot, Series};
+use kahan_draw::decimal;
+use kahan_draw::{Mark, NumberLine, Plot, Series};
 use kahan_systems::LotkaVolterra;
 
 /// Half the time step: about twenty steps a cycle.

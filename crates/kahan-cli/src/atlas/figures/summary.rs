@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::super::found::Orbits;
 use super::super::words::grouped;
 use super::orbit::{Heights, Orbit};
-use crate::numbers::decimal;
+use kahan_draw::decimal;
 use kahan_paper::figures::Figure;
 
 /// Every orbit in a table.

@@ -5,7 +5,7 @@ use kahan_discover::basis::Basis;
 use kahan_discover::report::HamiltonianReport;
 use kahan_latex::Latex;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
-use kahan_study::Discovered;
+use kahan_study::{ClaimShown, Discovered};
 
 use crate::printing::Refusal;
 use crate::printing::layout::{labelled, matrix};
@@ -105,7 +105,7 @@ impl Discovery {
             states.zip(&values).map(|(left, right)| breaking::equation(&left, right, PAGE_WIDTH)).collect(),
         ));
         for claim in &system.claims {
-            page.claim(&system, claim, None);
+            page.claim(&ClaimShown::of(&system, claim, Some(notation)));
         }
         if let Some(hamiltonian) = self.0.report.compact() {
             page.line(&format!("% modified Hamiltonian{}", self.condition()));

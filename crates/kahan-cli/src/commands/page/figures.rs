@@ -13,9 +13,9 @@ use super::super::picture::{Picture, Visits};
 use super::super::poles::{patterns, rows as table_of};
 use super::super::trade::Trade;
 use super::scene::Scene;
-use crate::document::rows;
-use crate::plot::Drawing;
 use crate::printing::Refusal;
+use kahan_draw::Drawing;
+use kahan_draw::document::rows;
 
 /// What the figures are of.
 pub(super) struct Subject<'a> {

@@ -13,9 +13,9 @@ use maud::{Markup, html};
 use super::super::discover::{Discovery, discovery, evaluation};
 use super::super::line::Line;
 use super::figures::{Subject, command};
-use crate::document::{LINE, derived, display, readable, rows, statements};
 use crate::printing::Refusal;
 use crate::reading::Block;
+use kahan_draw::document::{LINE, derived, display, readable, rows, statements};
 
 /// The share of the time that the search has.
 const SHARE: f64 = 0.35;

@@ -3,9 +3,9 @@
 use super::Subject;
 use kahan_study::Plane;
 
-use crate::plot::NumberLine;
 use crate::printing::Refusal;
 use crate::reading::number;
+use kahan_draw::NumberLine;
 
 /// What an axis shows of the point n.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

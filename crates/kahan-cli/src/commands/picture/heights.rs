@@ -4,8 +4,8 @@ use kahan_discover::{Progress, Watch};
 use kahan_runtime::heights::{Growth, HeightsOrbit, Stop, Survey};
 
 use super::{Drawn, Subject};
-use crate::plot::{Mark, Plot, Series};
 use crate::printing::{Prompt, Refusal};
+use kahan_draw::{Mark, Plot, Series};
 
 /// The most digits of a numerator or denominator.
 const MOST_DIGITS: u64 = 1_000_000;

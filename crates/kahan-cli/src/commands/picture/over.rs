@@ -8,9 +8,9 @@ use super::axes::Coordinate;
 use super::orbits::notes;
 use super::starts::rounded;
 use super::{Drawn, Subject};
-use crate::plot::{Mark, NumberLine, Plot, Series};
 use crate::printing::Refusal;
 use crate::reading::over;
+use kahan_draw::{Mark, NumberLine, Plot, Series};
 
 impl Subject<'_> {
     pub(super) fn orbits_over(&self) -> Result<Drawn, Refusal> {

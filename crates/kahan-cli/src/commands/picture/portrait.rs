@@ -11,8 +11,8 @@ use super::axes::Coordinate;
 use super::orbits::notes;
 use super::starts::rounded;
 use super::{Drawn, Subject, Visits};
-use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
 use crate::printing::Refusal;
+use kahan_draw::{Cloud, Mark, NumberLine, Plot, Series, Space};
 
 /// Colours that orbits have in turn; the sixth is grey, for what they are compared with.
 const COLOURS: usize = 5;

@@ -1,14 +1,9 @@
 //! `kahan show --plan`: what each generated function costs, and the step in straight lines.
 
-use std::time::{Duration, Instant};
-
-use kahan_algebra::derive;
-use kahan_algebra::derived::{Derived, StepListing};
 use kahan_algebra::kahan::TERM_BUDGET;
-use kahan_algebra::plan::{Cost, LARGEST_SIZE, Node, Operation, Plan, StepPlan};
+use kahan_algebra::plan::{Cost, LARGEST_SIZE, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
-use kahan_algebra::system::System;
-use serde_json::{Value, json};
+use kahan_study::{Costs, Listing, Planned};
 
 use crate::printing::page::{Page, paragraph};
 
@@ -18,132 +13,66 @@ const NAMES: usize = 23;
 const COLUMNS: [(&str, usize); 6] =
     [("add", 5), ("mul", 6), ("fma", 6), ("div", 5), ("all", 6), ("chain", 7)];
 
-/// The plans of a system, and how long it took to make them.
-pub(super) struct PlanSheet {
-    name: String,
-    derived: Derived,
-    /// Each function of the generated code with what it costs; `None` where it eliminates in a
-    /// loop.
-    functions: Vec<(String, Option<Cost>)>,
-    step: Option<StepListing>,
-    /// The step that serves every scalar, where the step is divided by the time step.
-    general: Option<StepListing>,
-    derive_time: Duration,
-    plan_time: Duration,
+pub(super) fn text(planned: &Planned) -> String {
+    let mut page = Page::default();
+    page.line(&format!("{}: the plans of the generated code", planned.system));
+    page.line("");
+    let titles = COLUMNS.map(|(title, _)| title.to_owned());
+    page.line(&row("object", &titles));
+    for Costs { object, cost } in &planned.objects {
+        let label = label(planned, object);
+        // A long name stands above its numbers.
+        if label.chars().count() < NAMES {
+            page.line(&row(&label, &cells(*cost)));
+        } else {
+            page.line(&label);
+            page.line(&row("", &cells(*cost)));
+        }
+    }
+    page.line("");
+    for note in notes() {
+        page.prose(&note);
+    }
+    page.prose(&format!(
+        "In this run the map was derived in {:.2} ms and the step was planned in {:.2} ms.",
+        planned.derive_ms.unwrap_or_default(),
+        planned.plan_ms.unwrap_or_default()
+    ));
+    let along_couplings = planned.derived.couplings.is_some();
+    if along_couplings {
+        page.line("");
+        page.prose(
+            "Systems of more than eight variables have no closed form here: det A and (N, D) are computed on the numeric matrix.",
+        );
+    } else if planned.derived.map.is_none() {
+        page.line("");
+        page.prose(&format!(
+            "N and D are beyond the budget ({TERM_BUDGET} terms, and the work that derives them), so det A and (N, D) are \
+             computed on the numeric matrix."
+        ));
+    }
+    match &planned.step {
+        Some(step) => step_section(&mut page, "step", step),
+        None if along_couplings => page.section("step", paragraph(ALONG_COUPLINGS)),
+        None => page.section("step", paragraph(ELIMINATION)),
+    }
+    if let Some(general) = &planned.general_step {
+        page.line("");
+        page.prose(GENERAL);
+        step_section(&mut page, "general step", general);
+    }
+    page.text
 }
 
-impl PlanSheet {
-    /// Derives the map and plans the code of a system.
-    pub(super) fn of(name: String, system: &System) -> Self {
-        let start = Instant::now();
-        let derived = derive(system);
-        let derive_time = start.elapsed();
-        let start = Instant::now();
-        let listing = |step: &StepPlan| StepListing::of(step, &system.field.symbols);
-        let step = derived.step().map(listing);
-        let plan_time = start.elapsed();
-        let inverse = derived.step().filter(|step| step.has_inverse_step);
-        let general = inverse.map(|step| listing(step.for_any_step()));
-        let cost = |(name, plan): (String, Option<Plan>)| (name, plan.as_ref().map(Plan::cost));
-        let functions = derived.functions().into_iter().map(cost).collect();
-        PlanSheet { name, derived, functions, step, general, derive_time, plan_time }
-    }
-
-    pub(super) fn json(&self) -> Value {
-        let objects = self.functions.iter().map(|(name, cost)| {
-            json!({
-                "object": name,
-                "additions": cost.map(|cost| cost.additions),
-                "multiplications": cost.map(|cost| cost.multiplications),
-                "multiply_adds": cost.map(|cost| cost.fused),
-                "divisions": cost.map(|cost| cost.divisions),
-                "operations": cost.map(|cost| cost.operations()),
-                "chain_cycles": cost.map(|cost| cost.critical_path),
-            })
-        });
-        let listing = |step: &StepListing| {
-            json!({
-                "constants": step.constants,
-                "kernel": step.kernel,
-                "reciprocals": step.reciprocals,
-                "next": step.next,
-                "holds_to": step.holds_to,
-            })
-        };
-        json!({
-            "system": self.name,
-            "objects": objects.collect::<Vec<_>>(),
-            "step": self.step.as_ref().map(listing),
-            "general_step": self.general.as_ref().map(listing),
-            "derive_ms": milliseconds(self.derive_time),
-            "plan_ms": milliseconds(self.plan_time),
-        })
-    }
-
-    pub(super) fn text(&self) -> String {
-        let mut page = Page::default();
-        page.line(&format!("{}: the plans of the generated code", self.name));
-        page.line("");
-        let titles = COLUMNS.map(|(title, _)| title.to_owned());
-        page.line(&row("object", &titles));
-        for (name, cost) in &self.functions {
-            let label = self.label(name);
-            // A long name stands above its numbers.
-            if label.chars().count() < NAMES {
-                page.line(&row(&label, &cells(*cost)));
-            } else {
-                page.line(&label);
-                page.line(&row("", &cells(*cost)));
-            }
-        }
-        page.line("");
-        for note in notes() {
-            page.prose(&note);
-        }
-        page.prose(&format!(
-            "In this run the map was derived in {:.2} ms and the step was planned in {:.2} ms.",
-            milliseconds(self.derive_time),
-            milliseconds(self.plan_time)
-        ));
-        if self.derived.couplings.is_some() {
-            page.line("");
-            page.prose(
-                "Systems of more than eight variables have no closed form here: det A and (N, D) are computed on the numeric matrix.",
-            );
-        } else if self.derived.map.is_none() {
-            page.line("");
-            page.prose(&format!(
-                "N and D are beyond the budget ({TERM_BUDGET} terms, and the work that derives them), so det A and (N, D) are \
-                 computed on the numeric matrix."
-            ));
-        }
-        match &self.step {
-            Some(step) => self.step_sections(&mut page, step),
-            None if self.derived.couplings.is_some() => page.section("step", paragraph(ALONG_COUPLINGS)),
-            None => page.section("step", paragraph(ELIMINATION)),
-        }
-        page.text
-    }
-
-    fn step_sections(&self, page: &mut Page, step: &StepListing) {
-        step_section(page, "step", step);
-        if let Some(general) = &self.general {
-            page.line("");
-            page.prose(GENERAL);
-            step_section(page, "general step", general);
-        }
-    }
-
-    /// Constants with their number.
-    fn label(&self, name: &str) -> String {
-        let step = self.derived.step();
-        let counted = match name {
-            "prepared constants" => step,
-            "general constants" => step.and_then(|step| step.general.as_deref()),
-            _ => None,
-        };
-        counted.map_or_else(|| name.to_owned(), |step| format!("{name} ({})", step.constants.outputs.len()))
-    }
+/// Constants with their number.
+fn label(planned: &Planned, name: &str) -> String {
+    let step = planned.derived.step();
+    let counted = match name {
+        "prepared constants" => step,
+        "general constants" => step.and_then(|step| step.general.as_deref()),
+        _ => None,
+    };
+    counted.map_or_else(|| name.to_owned(), |step| format!("{name} ({})", step.constants.outputs.len()))
 }
 
 /// Which step is taken when.
@@ -152,7 +81,7 @@ const GENERAL: &str = "This step is divided by the time step, which shortens the
     exact and wider numbers, the lanes of ensembles, Jacobians, and floats at any other eps.";
 
 /// A step in three parts.
-fn step_section(page: &mut Page, name: &str, step: &StepListing) {
+fn step_section(page: &mut Page, name: &str, Listing(step): &Listing) {
     if step.constants.is_empty() {
         page.section(&format!("constants of the {name}"), vec!["none".to_owned()]);
     } else {
@@ -224,8 +153,4 @@ fn row(name: &str, cells: &[String; 6]) -> String {
         line.push_str(&format!("{cell:>width$}"));
     }
     line
-}
-
-fn milliseconds(duration: Duration) -> f64 {
-    duration.as_secs_f64() * 1e3
 }

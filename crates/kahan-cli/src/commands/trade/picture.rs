@@ -2,7 +2,7 @@
 //! for other scalars and for compensation, the front above all.
 
 use super::comparison::Comparison;
-use crate::plot::{Drawing, Mark, NumberLine, Plot, Series, Side};
+use kahan_draw::{Drawing, Mark, NumberLine, Plot, Series, Side};
 
 use kahan_core::Precision;
 use kahan_study::trade::Measured;

@@ -6,31 +6,31 @@ use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Event, Parser, ParserError, Storage, push_mathml};
 
 /// A formula in running text.
-pub(crate) fn inline(latex: &str) -> Markup {
+pub fn inline(latex: &str) -> Markup {
     mathml(latex, DisplayMode::Inline)
 }
 
 /// The characters of a line in the width of the page.
-pub(crate) const LINE: usize = 84;
+pub const LINE: usize = 84;
 /// Those of a line in the column of statements.
-pub(crate) const COLUMN: usize = 56;
+pub const COLUMN: usize = 56;
 /// Those of a line in a cell of a table of formulas.
 const CELL: usize = 44;
 
 /// A formula of at most so many characters a line. It scrolls in its box only where the window
 /// itself is narrower.
-pub(crate) fn display(latex: &str, width: usize) -> Markup {
+pub fn display(latex: &str, width: usize) -> Markup {
     let latex = breaking::display(latex, width);
     html! { div.formula tabindex="0" { (mathml(&latex, DisplayMode::Block)) } }
 }
 
 /// A formula in a cell of a table: in display style, without a box.
-pub(crate) fn cell(latex: &str) -> Markup {
+pub fn cell(latex: &str) -> Markup {
     inline(&format!("\\displaystyle {}", breaking::boxed(latex, CELL)))
 }
 
 /// Several formulas, each on lines of its own.
-pub(crate) fn displays(formulas: &[String], width: usize) -> Markup {
+pub fn displays(formulas: &[String], width: usize) -> Markup {
     html! { @for formula in formulas { (display(formula, width)) } }
 }
 

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 /// A table whose first row are headings, and whose first column says what a row is about.
-pub(crate) fn rows(caption: &str, rows: &[Vec<String>]) -> Markup {
+pub fn rows(caption: &str, rows: &[Vec<String>]) -> Markup {
     let Some((headings, body)) = rows.split_first() else { return html! {} };
     html! {
         div.scroll tabindex="0" {

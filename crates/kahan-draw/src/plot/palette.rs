@@ -5,7 +5,6 @@
 
 use std::fmt::Write as _;
 
-use clap::ValueEnum;
 use maud::{Markup, html};
 
 /// A colour on light paper and on dark.
@@ -135,14 +134,29 @@ impl Paint {
 }
 
 /// Which colours a drawing has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Theme {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Theme {
     /// Light or dark, as the viewer has it.
     Viewer,
     /// Light everywhere.
     Light,
     /// Dark everywhere.
     Dark,
+}
+
+impl Theme {
+    /// All of them.
+    pub const ALL: [Theme; 3] = [Theme::Viewer, Theme::Light, Theme::Dark];
+
+    /// Its name in questions of how a drawing looks.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Theme::Viewer => "viewer",
+            Theme::Light => "light",
+            Theme::Dark => "dark",
+        }
+    }
 }
 
 /// Larger words on narrow windows, as on telephones.

@@ -9,27 +9,26 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Options, Tree};
 
-use crate::printing::Refusal;
+use super::NoFile;
 
 /// The part of DejaVu Sans that names and numbers need.
 const FONT: &[u8] = include_bytes!("DejaVuSans.ttf");
 
 /// The PNG of a drawing that fills so many pixels.
-pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, Refusal> {
-    let failed = |why: String| Refusal::new(format!("--out: the picture cannot be drawn as PNG: {why}"));
+pub(super) fn png(svg: &str, (width, height): (u32, u32)) -> Result<Vec<u8>, NoFile> {
     let mut fonts = Database::new();
     fonts.load_font_data(FONT.to_vec());
     fonts.set_sans_serif_family("DejaVu Sans");
     let options =
         Options { font_family: "DejaVu Sans".to_owned(), fontdb: Arc::new(fonts), ..Options::default() };
-    let tree = Tree::from_str(svg, &options).map_err(|error| failed(error.to_string()))?;
+    let tree = Tree::from_str(svg, &options).map_err(|error| NoFile::Renderer(error.to_string()))?;
     let mut pixels =
-        Pixmap::new(width, height).ok_or_else(|| failed(format!("{width}x{height} is no size")))?;
+        Pixmap::new(width, height).ok_or_else(|| NoFile::Renderer(format!("{width}x{height} is no size")))?;
     let scale = |pixels: u32, units: f32| pixels as f32 / units;
     let transform =
         Transform::from_scale(scale(width, tree.size().width()), scale(height, tree.size().height()));
     resvg::render(&tree, transform, &mut pixels.as_mut());
-    pixels.encode_png().map_err(|error| failed(error.to_string()))
+    pixels.encode_png().map_err(|error| NoFile::Renderer(error.to_string()))
 }
 
 #[cfg(test)]

@@ -8,26 +8,25 @@ use super::palette::Paint;
 use super::path::{line, tenths, text};
 use super::ramp::{Rgb, colour};
 use super::{Drawing, Frame, NumberLine, placed};
-use crate::printing::Refusal;
 
 /// Numbers over a rectangle, cell by cell.
 #[derive(Clone, Debug)]
-pub(crate) struct Grid {
+pub struct Grid {
     /// What is seen, for those who do not see it.
-    pub(crate) description: String,
+    pub description: String,
     /// Width and height of the view box.
-    pub(crate) size: (f64, f64),
+    pub size: (f64, f64),
     /// From the left edge of the first cell to the right edge of the last.
-    pub(crate) x: NumberLine,
+    pub x: NumberLine,
     /// From the lower edge of the lowest cells to the upper edge of the highest.
-    pub(crate) y: NumberLine,
+    pub y: NumberLine,
     /// What the numbers are, and those at the ends of the colours; beyond, colours are those of the
     /// ends.
-    pub(crate) scale: NumberLine,
+    pub scale: NumberLine,
     /// How many cells a row has.
-    pub(crate) columns: usize,
+    pub columns: usize,
     /// Row by row from below, each from the left; a cell stays empty where this is not a number.
-    pub(crate) values: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
 /// Colours of the image; one more is that of empty cells.
@@ -36,27 +35,25 @@ const COLOURS: usize = 255;
 const LEGEND: f64 = 92.0;
 
 impl Grid {
-    /// The drawing; refused if the numbers are no rows of that length.
-    pub(crate) fn drawing(&self) -> Result<Drawing, Refusal> {
+    /// The drawing.
+    ///
+    /// # Panics
+    /// If the numbers are no rows of that length.
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
         let (width, height) = self.size;
         let frame = Frame { left: 66.0, right: width - LEGEND, top: 16.0, bottom: height - 50.0 };
         let rows = self.values.len().checked_div(self.columns).unwrap_or(0);
-        if rows == 0 || rows * self.columns != self.values.len() {
-            return Err(Refusal::new(format!(
-                "{} numbers are no rows of {} cells",
-                self.values.len(),
-                self.columns
-            )));
-        }
+        let (numbers, columns) = (self.values.len(), self.columns);
+        assert!(rows > 0 && rows * columns == numbers, "{numbers} numbers are no rows of {columns} cells");
         // Images begin at the upper left.
-        let cells: Vec<u8> =
-            self.values.chunks(self.columns).rev().flatten().map(|v| self.index(*v)).collect();
+        let cells: Vec<u8> = self.values.chunks(columns).rev().flatten().map(|v| self.index(*v)).collect();
         let body = html! {
             (frame.axes(&self.x, &self.y))
-            (image([frame.left, frame.top, frame.right, frame.bottom], (self.columns, rows), &cells)?)
-            (self.legend(&frame)?)
+            (image([frame.left, frame.top, frame.right, frame.bottom], (columns, rows), &cells))
+            (self.legend(&frame))
         };
-        Ok(Drawing { description: self.description.clone(), size: self.size, body })
+        Drawing { description: self.description.clone(), size: self.size, body }
     }
 
     /// The place of a number among the colours.
@@ -69,7 +66,7 @@ impl Grid {
     }
 
     /// A column of all colours, the numbers that they mean, and the name of these.
-    fn legend(&self, frame: &Frame) -> Result<Markup, Refusal> {
+    fn legend(&self, frame: &Frame) -> Markup {
         let (left, right) = (frame.right + 14.0, frame.right + 28.0);
         let colours: Vec<u8> = (0..COLOURS as u8).rev().collect();
         let ticks = placed(&self.scale, |value| (right, self.scale.place(value, frame.bottom, frame.top)));
@@ -82,29 +79,24 @@ impl Grid {
                 (self.scale.name())
             }
         };
-        Ok(html! {
-            (image([left, frame.top, right, frame.bottom], (1, COLOURS), &colours)?)
+        html! {
+            (image([left, frame.top, right, frame.bottom], (1, COLOURS), &colours))
             (Paint::AXES.group(&marks))
             (super::ticks(&values))
             (super::names_of_axes(&name))
-        })
+        }
     }
 }
 
 /// Cells from the upper left as an image between left, top, right and bottom.
-fn image(
-    [left, top, right, bottom]: [f64; 4],
-    (columns, rows): (usize, usize),
-    cells: &[u8],
-) -> Result<Markup, Refusal> {
-    let png =
-        png(columns, rows, cells).map_err(|error| Refusal::new(format!("no image of the grid: {error}")))?;
+fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), cells: &[u8]) -> Markup {
+    let png = png(columns, rows, cells).expect("there are cells, and memory takes what is written");
     // The old name of `href`, as Inkscape knows no other.
-    Ok(html! {
+    html! {
         image x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(bottom - top))
             preserveAspectRatio="none" style="image-rendering:pixelated"
             xlink:href=(format!("data:image/png;base64,{}", STANDARD.encode(png))) {}
-    })
+    }
 }
 
 /// A byte a cell, and what colour it means: far smaller than a rectangle a cell.
@@ -145,7 +137,7 @@ mod tests {
     #[test]
     fn cells_become_pixels_from_below_and_what_is_no_number_stays_empty() {
         let values = vec![0.0, 0.5, 1.0, f64::NAN, 7.0, -7.0];
-        let drawing = grid(3, values).drawing().expect("two rows");
+        let drawing = grid(3, values).drawing();
         let svg = drawing.inline().into_string();
         let (_, image) = svg.split_once("base64,").expect("an image");
         let bytes = STANDARD.decode(image.split('"').next().expect("a quote")).expect("base64");
@@ -162,14 +154,15 @@ mod tests {
     fn half_a_thousand_cells_a_side_stay_below_a_megabyte_even_as_noise() {
         let mut random = SplitMix64::new(7);
         let noise = (0..512 * 512).map(|_| random.below(1000) as f64 / 1000.0).collect();
-        let svg = grid(512, noise).drawing().expect("rows").inline().into_string();
+        let svg = grid(512, noise).drawing().inline().into_string();
         assert!(svg.len() < 1_000_000, "{} bytes", svg.len());
     }
 
     #[test]
     fn numbers_that_are_no_rows_are_refused() {
         for (columns, count) in [(0, 4), (3, 4), (2, 0)] {
-            assert!(grid(columns, vec![0.0; count]).drawing().is_err());
+            let grid = grid(columns, vec![0.0; count]);
+            assert!(std::panic::catch_unwind(|| grid.drawing()).is_err());
         }
     }
 }

@@ -12,10 +12,10 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::plot::{Theme, style, variables};
 
-pub(crate) use formulas::{derived, statements};
-pub(crate) use math::{COLUMN, LINE, cell, display, displays, inline};
-pub(crate) use readable::readable;
-pub(crate) use tables::rows;
+pub use formulas::{derived, statements};
+pub use math::{COLUMN, LINE, cell, display, displays, inline};
+pub use readable::readable;
+pub use tables::rows;
 
 /// When a page is made, for its foot.
 #[derive(Clone, Debug)]
@@ -31,7 +31,7 @@ pub struct Making {
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
 /// A whole document; `main` is the anchor to which one can skip, and what it is.
-pub(crate) fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
+pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
     let document = html! {
         (DOCTYPE)
         html lang="en" {
@@ -53,7 +53,7 @@ pub(crate) fn document(title: &str, (anchor, main): (&str, &str), body: &Markup)
 }
 
 /// Who wrote the page, when, and `again`: how to write it once more.
-pub(crate) fn colophon(making: &Making, again: &Markup) -> Markup {
+pub fn colophon(making: &Making, again: &Markup) -> Markup {
     html! {
         footer {
             p {

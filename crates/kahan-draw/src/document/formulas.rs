@@ -10,7 +10,7 @@ use maud::{Markup, html};
 use super::math::{LINE, display, displays, inline};
 
 /// The field, A and b, the determinant and the map, in lowest terms.
-pub(crate) fn derived(system: &System) -> Markup {
+pub fn derived(system: &System) -> Markup {
     let map = RationalMap::of(&system.field);
     let formulas = Formulas { field: &system.field, map: map.as_ref(), notation: &Latex };
     let states: Vec<String> = system.field.symbols.states.iter().map(|state| Latex.name(state)).collect();
@@ -45,7 +45,7 @@ fn is_homogeneous(system: &System) -> bool {
 }
 
 /// What a claim says, a formula each.
-pub(crate) fn statements(claim: &Claim) -> Markup {
+pub fn statements(claim: &Claim) -> Markup {
     let index = match claim.kind {
         ClaimKind::Bracket => format!("_{{{}}}", Latex.name(&claim.name.text)),
         _ => String::new(),

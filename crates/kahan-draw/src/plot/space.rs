@@ -9,24 +9,26 @@ use super::{Drawing, Mark, NumberLine, names_of_axes, placed, ticks};
 
 /// Points in space that belong together.
 #[derive(Clone, Debug)]
-pub(crate) struct Cloud {
+pub struct Cloud {
     /// The colour, 1 to 6.
-    pub(crate) colour: usize,
+    pub colour: usize,
     /// How it is drawn.
-    pub(crate) mark: Mark,
+    pub mark: Mark,
     /// In the units of the axes; what these do not show is left out, and no line leads there.
-    pub(crate) points: Vec<[f64; 3]>,
+    pub points: Vec<[f64; 3]>,
 }
 
 /// A drawing in space.
 #[derive(Clone, Debug)]
-pub(crate) struct Space {
+pub struct Space {
     /// What is seen, for those who do not see it.
-    pub(crate) description: String,
+    pub description: String,
     /// Width and height of the view box.
-    pub(crate) size: (f64, f64),
-    pub(crate) axes: [NumberLine; 3],
-    pub(crate) clouds: Vec<Cloud>,
+    pub size: (f64, f64),
+    /// To the right, to the back, upwards.
+    pub axes: [NumberLine; 3],
+    /// What is drawn.
+    pub clouds: Vec<Cloud>,
 }
 
 /// Room that is left around the box: on the left and below for words.
@@ -114,7 +116,8 @@ fn half(bits: usize, lengths: [f64; 3], stretch: [f64; 3]) -> [f64; 3] {
 
 impl Space {
     /// The drawing.
-    pub(crate) fn drawing(&self) -> Drawing {
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
         let view = View::of(&self.axes, self.size);
         let body = html! {
             (self.edges(&view))
@@ -127,7 +130,8 @@ impl Space {
     }
 
     /// How many points there are that the axes do not show.
-    pub(crate) fn outside(&self) -> usize {
+    #[must_use]
+    pub fn outside(&self) -> usize {
         self.clouds.iter().flat_map(|cloud| &cloud.points).filter(|point| !self.shows(point)).count()
     }
 

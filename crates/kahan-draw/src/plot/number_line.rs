@@ -1,16 +1,14 @@
 //! A number line with round ticks.
 
-use crate::numbers::decimal;
-
 /// A number line.
 #[derive(Clone, Debug)]
-pub(crate) struct NumberLine {
+pub struct NumberLine {
     /// What it shows: `log n`, `t, in units of time`.
-    pub(crate) label: String,
+    pub label: String,
     /// The least value shown.
-    pub(crate) low: f64,
+    pub low: f64,
     /// The greatest value shown.
-    pub(crate) high: f64,
+    pub high: f64,
 }
 
 /// A round value, and how it is written.
@@ -22,7 +20,8 @@ pub(super) struct Tick {
 
 impl NumberLine {
     /// One that shows all these values, with a little room.
-    pub(crate) fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
+    #[must_use]
+    pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = values
             .filter(|value| value.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
@@ -34,7 +33,8 @@ impl NumberLine {
 
     /// One that shows nearly all of these values: a few that lie far away, as beside a pole, do not
     /// make the rest a dot.
-    pub(crate) fn around_most(label: &str, values: impl Iterator<Item = f64>) -> Self {
+    #[must_use]
+    pub fn around_most(label: &str, values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
         values.sort_unstable_by(f64::total_cmp);
         let (Some(&least), Some(&greatest)) = (values.first(), values.last()) else {
@@ -95,13 +95,23 @@ impl NumberLine {
         ticks.map(round).map(|value| Tick { value, text: decimal(value * scale, decimals) }).collect()
     }
 
-    pub(crate) fn place(&self, value: f64, from: f64, to: f64) -> f64 {
+    /// Where a value lies, if the least one lies at `from` and the greatest at `to`.
+    #[must_use]
+    pub fn place(&self, value: f64, from: f64, to: f64) -> f64 {
         from + (value - self.low) / (self.high - self.low) * (to - from)
     }
 
-    pub(crate) fn shows(&self, value: f64) -> bool {
+    /// Whether a value lies on it.
+    #[must_use]
+    pub fn shows(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
     }
+}
+
+/// A number with this many decimals and a typographic minus sign.
+#[must_use]
+pub fn decimal(value: f64, decimals: usize) -> String {
+    format!("{value:.decimals$}").replace('-', "−")
 }
 
 /// A whole number as an exponent.
@@ -115,11 +125,16 @@ fn superscript(power: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::NumberLine;
+    use super::{NumberLine, decimal};
     use kahan_algebra::prime_field::SplitMix64;
 
     fn line(low: f64, high: f64) -> NumberLine {
         NumberLine { label: "x".to_owned(), low, high }
+    }
+
+    #[test]
+    fn numbers_are_rounded_with_a_minus_sign() {
+        assert_eq!(decimal(-1.005, 1), "−1.0");
     }
 
     #[test]

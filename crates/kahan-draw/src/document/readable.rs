@@ -20,7 +20,7 @@ const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', 
 
 /// The text with letters, indices, powers and signs: `eps` is ε, `alpha1` is α₁, `x~` is x̃,
 /// `2^-100` is 2⁻¹⁰⁰, `K_9` is K₉, `1e-70` is 10⁻⁷⁰, `2.500000` is 2.5.
-pub(crate) fn readable(text: &str) -> String {
+pub fn readable(text: &str) -> String {
     let mut readable = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(first) = rest.chars().next() {

@@ -21,18 +21,19 @@ mod tests;
 
 use maud::{Markup, html};
 
-pub(crate) use drawing::{Drawing, Format, Sheet};
-pub(crate) use grid::Grid;
-pub(crate) use number_line::NumberLine;
+pub use drawing::{Drawing, Format, NoFile, Sheet};
+pub use grid::Grid;
 use number_line::Tick;
+pub use number_line::{NumberLine, decimal};
 use palette::Paint;
-pub(crate) use palette::{Theme, style, variables};
+pub use palette::Theme;
+pub(crate) use palette::{style, variables};
 use path::{Place, dots, line, polyline, stroked, tenths, text};
-pub(crate) use space::{Cloud, Space};
+pub use space::{Cloud, Space};
 
 /// How the points of a series are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mark {
+pub enum Mark {
     /// A line through them.
     Line,
     /// A dot each.
@@ -47,7 +48,7 @@ pub(crate) enum Mark {
 
 /// Where the label of a series stands, seen from its last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
+pub enum Side {
     /// Above, to the right or to the left, where there is room.
     Above,
     /// Above, to the left.
@@ -86,43 +87,47 @@ impl Mark {
 
 /// Points that belong together.
 #[derive(Clone, Debug)]
-pub(crate) struct Series {
+pub struct Series {
     /// What stands where it ends; may be empty.
-    pub(crate) label: String,
+    pub label: String,
     /// Where its label stands.
-    pub(crate) side: Side,
+    pub side: Side,
     /// The colour, 1 to 6.
-    pub(crate) colour: usize,
+    pub colour: usize,
     /// How it is drawn.
-    pub(crate) mark: Mark,
+    pub mark: Mark,
     /// (x, y) in the units of the axes; what these do not show is left out, and no line leads
     /// there.
-    pub(crate) points: Vec<(f64, f64)>,
+    pub points: Vec<(f64, f64)>,
 }
 
 impl Series {
     /// A series with its label above its end.
-    pub(crate) fn new(label: &str, colour: usize, mark: Mark, points: Vec<(f64, f64)>) -> Self {
+    #[must_use]
+    pub fn new(label: &str, colour: usize, mark: Mark, points: Vec<(f64, f64)>) -> Self {
         Series { label: label.to_owned(), side: Side::Above, colour, mark, points }
     }
 }
 
 /// A drawing in the plane.
 #[derive(Clone, Debug)]
-pub(crate) struct Plot {
+pub struct Plot {
     /// What is seen, for those who do not see it.
-    pub(crate) description: String,
+    pub description: String,
     /// Width and height of the view box.
-    pub(crate) size: (f64, f64),
-    pub(crate) x: NumberLine,
-    pub(crate) y: NumberLine,
+    pub size: (f64, f64),
+    /// To the right.
+    pub x: NumberLine,
+    /// Upwards.
+    pub y: NumberLine,
     /// Horizontal lines for comparison: height and label.
-    pub(crate) levels: Vec<(f64, String)>,
-    pub(crate) series: Vec<Series>,
+    pub levels: Vec<(f64, String)>,
+    /// What is drawn, each over those before.
+    pub series: Vec<Series>,
 }
 
 /// The usual size.
-pub(crate) const SIZE: (f64, f64) = (480.0, 320.0);
+const SIZE: (f64, f64) = (480.0, 320.0);
 const LEFT: f64 = 66.0;
 const RIGHT: f64 = 18.0;
 const TOP: f64 = 16.0;
@@ -130,7 +135,8 @@ const BOTTOM: f64 = 50.0;
 
 impl Plot {
     /// A drawing without levels, whose axes show all points.
-    pub(crate) fn around(description: &str, [x, y]: [&str; 2], series: Vec<Series>) -> Self {
+    #[must_use]
+    pub fn around(description: &str, [x, y]: [&str; 2], series: Vec<Series>) -> Self {
         let points = || series.iter().flat_map(|series| &series.points);
         Plot {
             description: description.to_owned(),
@@ -157,12 +163,14 @@ impl Plot {
     }
 
     /// How many points there are that the axes do not show.
-    pub(crate) fn outside(&self) -> usize {
+    #[must_use]
+    pub fn outside(&self) -> usize {
         self.series.iter().flat_map(|series| &series.points).filter(|point| !self.shows(point)).count()
     }
 
     /// The drawing.
-    pub(crate) fn drawing(&self) -> Drawing {
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
         let body = html! {
             (self.frame().axes(&self.x, &self.y))
             @for (level, label) in &self.levels { (self.level(*level, label)) }

@@ -1,0 +1,187 @@
+//! The formulas of a field, one by one, in the notation that is asked for; or what its code costs.
+
+mod plan;
+
+use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::render::{
+    Formulas, MatrixText, Notation, Text, claim_statement, claim_text, condition_note, condition_statement,
+    condition_text, macro_block,
+};
+use kahan_algebra::system::{Claim, System};
+use kahan_discover::Watch;
+use kahan_latex::Latex;
+use serde::{Deserialize, Serialize};
+
+use crate::error::StudyError;
+use crate::study::Study;
+use crate::sympy::SymPy;
+
+pub use plan::{Costs, Listing, Planned};
+
+/// Asks for the formulas of a field, its given parameters put in, or for the plan of its code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Show {
+    /// As what they are shown.
+    #[serde(rename = "as", default)]
+    pub form: Form,
+}
+
+/// As what a field is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Form {
+    /// Formulas in the language of `kahan!`.
+    #[default]
+    Text,
+    /// Formulas in LaTeX.
+    Latex,
+    /// Formulas for Python's [`SymPy`].
+    Sympy,
+    /// The block of `kahan!` alone, ready to paste.
+    Kahan,
+    /// What the generated code computes, and what that costs.
+    Plan,
+}
+
+/// A field as it is shown.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum Shown {
+    /// All formulas.
+    Formulas(Box<Sheet>),
+    /// The block of `kahan!`.
+    Block {
+        /// The name of the system.
+        system: String,
+        /// The block.
+        #[serde(rename = "macro")]
+        block: String,
+    },
+    /// The plans of the code.
+    Plan(Box<Planned>),
+}
+
+/// The formulas of a field, each as a text of its own. One that is beyond the budget of terms is
+/// `None`, and null in JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct Sheet {
+    /// The name of the system.
+    pub system: String,
+    /// What the catalog says it is, in one line.
+    pub title: Option<&'static str>,
+    /// The state variables.
+    pub variables: Vec<String>,
+    /// The parameters that are not put in.
+    pub parameters: Vec<String>,
+    /// f(x)
+    pub field: Vec<String>,
+    /// f′(x), row by row.
+    pub field_jacobian: MatrixText,
+    /// A(x,ε), row by row; A(x,ε) x̃ = b(x,ε).
+    #[serde(rename = "A")]
+    pub matrix: MatrixText,
+    /// b(x,ε)
+    #[serde(rename = "b")]
+    pub rhs: Vec<String>,
+    /// Q(x,x′), the second point with primes.
+    pub bilinear: Vec<String>,
+    /// det A(x,ε)
+    #[serde(rename = "det_A")]
+    pub determinant: Option<String>,
+    /// The reduced map, x̃ = x + 2ε n/d in lowest terms.
+    pub map: Option<Vec<String>>,
+    /// What was divided out of the map; `None` if nothing was.
+    pub removed_factor: Option<String>,
+    /// The claims, which are proved.
+    pub claims: Vec<ClaimShown>,
+    /// The block of `kahan!`.
+    #[serde(rename = "macro")]
+    pub block: String,
+}
+
+/// A claim as it is shown.
+#[derive(Clone, Debug, Serialize)]
+pub struct ClaimShown {
+    /// Its name.
+    pub name: String,
+    /// `integral`, `density` or `bracket`.
+    pub kind: &'static str,
+    /// The claim in the language of `kahan!`, ready to paste.
+    pub statement: String,
+    /// The relations under which it is made, in that language; empty where it always holds.
+    pub when: String,
+    /// What is not 0 where it is made, `a2 != 0`; empty where that is numbers alone.
+    pub nonzero: String,
+    /// Where the catalog has it from.
+    pub source: Option<&'static str>,
+    /// In another notation its formulas, left and right side; none in the language of `kahan!`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub equations: Vec<(String, String)>,
+    /// In another notation the relations under which it is made.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub condition: String,
+}
+
+impl Show {
+    /// Derives the formulas of a system whose claims hold, the given parameters put in before the
+    /// map is reduced. Costs milliseconds up to a second, as the budget of terms bounds it.
+    ///
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, a field that is not defined at its parameters.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Shown, StudyError> {
+        study.proved()?;
+        let system = study.specialised()?;
+        let notation: &dyn Notation = match self.form {
+            Form::Text => &Text,
+            Form::Latex => &Latex,
+            Form::Sympy => &SymPy,
+            Form::Kahan => {
+                return Ok(Shown::Block { system: study.name().to_owned(), block: macro_block(&system) });
+            }
+            Form::Plan => return Ok(Shown::Plan(Box::new(Planned::of(study.name(), &system, watch)))),
+        };
+        let map = RationalMap::of(&system.field);
+        let formulas = Formulas { field: &system.field, map: map.as_ref(), notation };
+        let of_claims = Some(notation).filter(|_| self.form != Form::Text);
+        let claims = system.claims.iter().map(|claim| ClaimShown {
+            source: study.source(&claim.name.text),
+            ..ClaimShown::of(&system, claim, of_claims)
+        });
+        Ok(Shown::Formulas(Box::new(Sheet {
+            system: study.name().to_owned(),
+            title: study.title(),
+            variables: system.field.symbols.states.clone(),
+            parameters: system.field.symbols.parameters.clone(),
+            field: formulas.field(),
+            field_jacobian: formulas.field_jacobian(),
+            matrix: formulas.matrix(),
+            rhs: formulas.rhs(),
+            bilinear: formulas.bilinear(),
+            determinant: formulas.determinant(),
+            map: formulas.map(),
+            removed_factor: formulas.removed_factor(),
+            claims: claims.collect(),
+            block: macro_block(&system),
+        })))
+    }
+}
+
+impl ClaimShown {
+    /// A claim of a system, its formulas in another notation than the language of `kahan!`, too.
+    #[must_use]
+    pub fn of(system: &System, claim: &Claim, notation: Option<&dyn Notation>) -> Self {
+        ClaimShown {
+            name: claim.name.text.clone(),
+            kind: claim.kind.keyword(),
+            statement: claim_text(system, claim),
+            when: condition_text(system, claim),
+            nonzero: condition_note(system, claim),
+            source: None,
+            equations: notation.map(|notation| claim_statement(claim, notation)).unwrap_or_default(),
+            condition: notation
+                .map(|notation| condition_statement(system, claim, notation))
+                .unwrap_or_default(),
+        }
+    }
+}
