@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from ._answer import Answer
 from ._exact import Number, answer, exact, point
 from ._kahan import Field
+from ._formula import Formula
 from ._orbit import Array, Orbit, Section
 
 __all__ = ["System"]
@@ -89,7 +91,97 @@ class System(Field):
 
         return {name: None if value is None else _number(value) for name, value in self.given}
 
+    # Formulas.
+
+    def _sheet(self, form: str) -> dict[str, Any]:
+        """All formulas of a notation, read once."""
+        sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
+        if form not in sheets:
+            sheets[form] = json.loads(super().ask(json.dumps({"ask": "show", "as": form})))
+        return sheets[form]
+
+    def _formula(self, key: str) -> Formula:
+        if self._sheet("text")[key] is None:
+            raise ValueError(f"{self.name} has no {key} as a formula: it is beyond the budget of terms")
+        return Formula(lambda form: self._sheet(form)[key])
+
+    @property
+    def field(self) -> Formula:
+        """f(x), a vector."""
+        return self._formula("field")
+
+    @property
+    def field_jacobian(self) -> Formula:
+        """f'(x), a matrix."""
+        return self._formula("field_jacobian")
+
+    @property
+    def A(self) -> Formula:
+        """The matrix A(x, eps): the map is the solution of A(x, eps) x~ = b(x, eps)."""
+        return self._formula("A")
+
+    @property
+    def b(self) -> Formula:
+        """The right side b(x, eps), a vector."""
+        return self._formula("b")
+
+    @property
+    def det_A(self) -> Formula:
+        """det A(x, eps), whose zeros are the poles of the map, but for factors that cancel."""
+        return self._formula("det_A")
+
+    @property
+    def map(self) -> Formula:
+        """Kahan's map x -> x~ in lowest terms, a vector."""
+        return self._formula("map")
+
+    def _claims(self, kind: str) -> dict[str, tuple[dict[str, Any], Callable[[str], Any]]]:
+        """The claims of a kind by name, each with the right sides of its equations in a notation."""
+        def sides(place: int) -> Callable[[str], Any]:
+            return lambda form: [right for _, right in self._sheet(form)["claims"][place]["equations"]]
+
+        claims = enumerate(self._sheet("text")["claims"])
+        return {claim["name"]: (claim, sides(k)) for k, claim in claims if claim["kind"] == kind}
+
+    def _single(self, kind: str) -> dict[str, Formula]:
+        def formula(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
+            text = claim["statement"].partition(" = ")[2].rstrip(";")
+            text = text.partition(" when ")[0]
+            return Formula(lambda form: text if form == "text" else sides(form)[0], claim["name"], claim["when"])
+
+        return {name: formula(*found) for name, found in self._claims(kind).items()}
+
+    @property
+    def integrals(self) -> dict[str, Formula]:
+        """The claimed integrals, by name; each was proved when the field was read."""
+        return self._single("integral")
+
+    @property
+    def densities(self) -> dict[str, Formula]:
+        """The claimed invariant densities, by name: the map keeps the volume form density dx."""
+        return self._single("density")
+
+    def _repr_latex_(self) -> str:
+        """The field, its map where that is short, and the integrals that are known."""
+        def lines(accent: str, formula: Formula) -> list[str]:
+            return [rf"\{accent}{{{name}}} &= {right.latex}" for name, right in zip(self.variables, formula)]
+
+        rows = lines("dot", self.field)
+        if self._sheet("text")["map"] is not None and len(str(self.map)) < 400:
+            rows += lines("widetilde", self.map)
+        known = self.__dict__.get("_found", self)
+        rows += [f"{formula.name} &= {formula.latex}" for formula in known.integrals.values()]
+        return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
+
     # What is called in loops: arrays in, arrays out.
+
+    def integral_values(self, x: Any, eps: float) -> dict[str, Array]:
+        """The claimed integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
+
+        Those of the map depend on eps. What is claimed ``when`` a condition holds is left out.
+        """
+        names, values = self.integrals_at(x, eps)
+        return {name: values[..., k] for k, name in enumerate(names)}
 
     def orbit(
         self,
@@ -218,7 +310,10 @@ class System(Field):
         Parameters without a value and ``eps`` are generic. Where integrals may be missing, the
         search goes on to higher degrees until ``seconds`` are over, 60 by default.
         """
-        return Answer(self._ask("discover", progress, eps=_exact(eps, "eps"), degree=degree, seconds=seconds))
+        found = self._ask("discover", progress, eps=_exact(eps, "eps"), degree=degree, seconds=seconds)
+        discovery = Discovery(found, self)
+        self.__dict__["_found"] = discovery
+        return discovery
 
     def scan(self, over: Mapping[str, Range], *, eps: Number | None = None, degree: int | None = None,
              seconds: float | None = None, progress: bool = False) -> Answer:
@@ -230,6 +325,35 @@ class System(Field):
         """The cheapest setting (scalar, order, eps) that follows the flow, or keeps the integrals, to a tolerance."""
         return Answer(self._ask("trade", progress, at=point(x), horizon=_exact(horizon, "horizon"), need=need,
                                 tolerance=_exact(tolerance, "tolerance"), seconds=float(seconds)))
+
+
+class Discovery(Answer):
+    """What a map preserves, as it was found: by the names of ``kahan discover --json``, and as formulas."""
+
+    def __init__(self, found: Mapping[str, Any], of: System) -> None:
+        super().__init__(found)
+        self.__dict__["_of"] = of
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name in super().__iter__() if not name.startswith("_"))
+
+    @cached_property
+    def _claimed(self) -> System:
+        """The field with what was found as its claims, which are proved once more."""
+        sheet = self._of._sheet("text")
+        equations = [f"{name}dot = {right};" for name, right in zip(self.variables, sheet["field"])]
+        claims = [*self["integrals"], *self["densities"], *self["brackets"]]
+        return System("\n".join([*equations, *claims]))
+
+    @property
+    def integrals(self) -> dict[str, Formula]:
+        """The integrals, by name; each is proved."""
+        return self._claimed.integrals
+
+    @property
+    def densities(self) -> dict[str, Formula]:
+        """The invariant densities, by name."""
+        return self._claimed.densities
 
 
 def _exact(value: Number | None, name: str) -> str | None:

@@ -9,7 +9,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntyp
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
-use crate::arrays::{Floats, floats, out as writable};
+use crate::arrays::{Floats, doubles, floats, out as writable};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, singular_step};
 use crate::field::{Field, Float};
@@ -67,6 +67,29 @@ impl Field {
             Floats::Double(x) => self.rows(&x, &asked, out),
             Floats::Single(x) => self.rows(&x, &asked, out),
         }
+    }
+
+    /// The names of the claimed integrals, and their values at points: an axis more than the points
+    /// have, in the place of their last.
+    fn integrals_at<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+    ) -> PyResult<(Vec<String>, Bound<'py, PyAny>)> {
+        let py = x.py();
+        let (x, at) = (doubles(x, "x")?, self.at::<f64>(py, eps)?);
+        let (n, names) = (at.dimension().max(1), at.map().field().integrals());
+        let mut sizes = x.shape().to_vec();
+        if sizes.pop() != Some(at.dimension()) {
+            return Err(points_of(at.dimension(), x.shape()));
+        }
+        let points = x.as_slice()?;
+        let mut values = vec![0.0; points.len() / n * names.len()];
+        for (x, values) in points.chunks_exact(n).zip(values.chunks_exact_mut(names.len().max(1))) {
+            at.integrals(x, values).map_err(|error| of_dimension(&error))?;
+        }
+        sizes.push(names.len());
+        Ok((names.to_vec(), PyArray1::from_vec(py, values).reshape(sizes)?.into_any()))
     }
 }
 
