@@ -13,7 +13,21 @@ step 2 eps, runs forwards and backwards, and often keeps integrals and volume fo
 from . import catalog
 from ._answer import Answer
 from ._errors import FieldError, Mistake, SingularStep
+from ._formula import Formula
+from ._lattice import Lattice
 from ._orbit import Orbit, Section
-from ._system import System
+from ._system import Discovery, System
 
-__all__ = ["Answer", "FieldError", "Mistake", "Orbit", "Section", "SingularStep", "System", "catalog"]
+__all__ = [
+    "Answer",
+    "Discovery",
+    "FieldError",
+    "Formula",
+    "Lattice",
+    "Mistake",
+    "Orbit",
+    "Section",
+    "SingularStep",
+    "System",
+    "catalog",
+]

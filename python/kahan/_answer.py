@@ -12,9 +12,9 @@ class Answer(Mapping[str, Any]):
     """The answer to a question. Each name is an attribute and a key; exact numbers are fractions.
 
     >>> import kahan
-    >>> poles = kahan.catalog.lv.poles(eps=1)
-    >>> poles.system, poles["growth"]
-    ('lv', 'bounded')
+    >>> values = kahan.catalog.lv.evaluate([1, "1/2"], eps="1/3", exact=True)
+    >>> values.system, values["det_A"]
+    ('lv', Fraction(5, 6))
     """
 
     def __init__(self, found: Mapping[str, Any]) -> None:

@@ -11,6 +11,9 @@ if TYPE_CHECKING:
 
 __all__ = ["orbit", "section"]
 
+_DOTS: dict[str, Any] = {"marker": ".", "markersize": 2, "linestyle": ""}
+_LINE: dict[str, Any] = {"linewidth": 0.7}
+
 
 def _axes(ax: Axes | None, dimensions: int) -> Any:
     if ax is not None:
@@ -41,8 +44,7 @@ def orbit(found: Orbit, names: tuple[str, ...], ax: Axes | None, style: dict[str
     names = names or (found.system.variables[:3] if len(found.system.variables) > 1 else ("t", *found.system.variables))
     columns = _columns(found, names, (2, 3))
     ax = _axes(ax, len(names))
-    style = {"linewidth": 0.7} | style if "t" in names else {"marker": ".", "markersize": 2, "linestyle": ""} | style
-    ax.plot(*columns, **style)
+    ax.plot(*columns, **((_LINE if "t" in names else _DOTS) | style))
     _label(ax, names)
     return ax
 
@@ -53,7 +55,7 @@ def section(found: Section, names: tuple[str, ...], ax: Axes | None, style: dict
     names = names or tuple((others if len(others) > 1 else list(found.system.variables))[:2])
     columns = _columns(found, names, (2, 3))
     ax = _axes(ax, len(names))
-    ax.plot(*columns, **({"marker": ".", "markersize": 2, "linestyle": ""} | style))
+    ax.plot(*columns, **(_DOTS | style))
     _label(ax, names)
     ax.set_title(f"{found.plane} = 0")
     return ax

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._answer import Answer
-from ._exact import Number, answer, exact, point
+from ._exact import Number, _number, answer, exact, point
 from ._kahan import Field
 from ._formula import Formula
 from ._orbit import Array, Orbit, Section
 
-__all__ = ["System"]
+if TYPE_CHECKING:
+    from ._lattice import Lattice
+
+__all__ = ["Discovery", "System"]
 
 Range = str | tuple[Number, Number, int]
 """Values with both ends: (low, high, count), or text in the grammar of the command, as "0:1:/20"."""
@@ -53,7 +56,7 @@ class System(Field):
 
     @classmethod
     def _of(cls, text: str, is_name: bool, sites: int | None, parameters: dict[str, str]) -> System:
-        system = Field.__new__(cls, text, is_name=is_name, sites=sites, parameters=list(parameters.items()))
+        system: System = Field.__new__(cls, text, is_name=is_name, sites=sites, parameters=list(parameters.items()))
         system._call = (text, is_name, sites, parameters)
         return system
 
@@ -87,8 +90,6 @@ class System(Field):
     @property
     def parameters(self) -> dict[str, Any]:
         """The parameters with their values as fractions; ``None`` for one that has none."""
-        from ._exact import _number
-
         return {name: None if value is None else _number(value) for name, value in self.given}
 
     # Formulas.
@@ -97,11 +98,11 @@ class System(Field):
         """All formulas of a notation, read once."""
         sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
         if form not in sheets:
-            sheets[form] = json.loads(super().ask(json.dumps({"ask": "show", "as": form})))
+            sheets[form] = json.loads(super().ask(json.dumps({"ask": "show", "as": form, "jacobian": True})))
         return sheets[form]
 
     def _formula(self, key: str) -> Formula:
-        if self._sheet("text")[key] is None:
+        if self._sheet("text").get(key) is None:
             raise ValueError(f"{self.name} has no {key} as a formula: it is beyond the budget of terms")
         return Formula(lambda form: self._sheet(form)[key])
 
@@ -134,6 +135,11 @@ class System(Field):
     def map(self) -> Formula:
         """Kahan's map x -> x~ in lowest terms, a vector."""
         return self._formula("map")
+
+    @property
+    def jacobian(self) -> Formula:
+        """The Jacobian of the map, dx~/dx, a matrix of fractions in lowest terms."""
+        return self._formula("jacobian")
 
     def _claims(self, kind: str) -> dict[str, tuple[dict[str, Any], Callable[[str], Any]]]:
         """The claims of a kind by name, each with the right sides of its equations in a notation."""
@@ -327,6 +333,21 @@ class System(Field):
                                 tolerance=_exact(tolerance, "tolerance"), seconds=float(seconds)))
 
 
+    def extremes(self, *, trials: int = 4000, seed: int = 1, progress: bool = False) -> Answer:
+        """How far floats can be trusted near poles, of mixed magnitudes, with subnormal and infinite numbers.
+
+        Steps are judged by exact arithmetic; ``trials`` of each scalar.
+        """
+        return Answer(self._ask("extremes", progress, trials=_count(trials, "trials"), seed=_count(seed, "seed")))
+
+    def lattice(self, sites: int, eps: float, **values: float | Array) -> Lattice:
+        """The chain of so many sites of a family, stepped as an array; see ``Lattice``."""
+        from ._lattice import Lattice
+
+        text, is_name, _, own = self._call
+        return Lattice._of(text, sites, float(eps), {name: float(_number(value)) for name, value in own.items()} | values, is_name)
+
+
 class Discovery(Answer):
     """What a map preserves, as it was found: by the names of ``kahan discover --json``, and as formulas."""
 
@@ -373,8 +394,8 @@ def _axes(over: Mapping[str, Range] | None) -> list[dict[str, str]]:
     def text(name: str, values: Range) -> str:
         if isinstance(values, str):
             return values
-        if not isinstance(values, Sequence) or len(values) != 3:
-            raise TypeError(f"over: {name} is (low, high, count), or text as \"0:1:+1/10\"")
+        if not isinstance(values, tuple) or len(values) != 3:
+            raise TypeError(f'over: {name} is (low, high, count), or text as "0:1:+1/10"')
         low, high, count = values
         return f"{exact(low, name)}:{exact(high, name)}:{_count(count, name)}"
 

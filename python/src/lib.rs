@@ -11,6 +11,7 @@ mod beside;
 mod ensemble;
 mod errors;
 mod field;
+mod lattice;
 mod orbit;
 
 use std::ffi::OsString;
@@ -22,7 +23,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _kahan {
     #[pymodule_export]
-    use super::{catalog, command, field::Field};
+    use super::{catalog, command, field::Field, lattice::Chain};
 }
 
 /// Runs the command `kahan` with these arguments, the program's name first, and gives its exit

@@ -27,10 +27,7 @@ impl Field {
         eps: f64,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        match floats(x, "x")? {
-            Floats::Double(x) => self.next(&x, eps, out, false),
-            Floats::Single(x) => self.next(&x, eps, out, false),
-        }
+        self.stepped(x, eps, out, false)
     }
 
     /// The same; refused where a point has no next one.
@@ -41,10 +38,7 @@ impl Field {
         eps: f64,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        match floats(x, "x")? {
-            Floats::Double(x) => self.next(&x, eps, out, true),
-            Floats::Single(x) => self.next(&x, eps, out, true),
-        }
+        self.stepped(x, eps, out, true)
     }
 
     /// The rows of an orbit as far as it goes, how many steps it made, and how it ended: complete,
@@ -104,6 +98,21 @@ struct Asked<'py> {
 }
 
 impl Field {
+    fn stepped<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+        out: Option<&Bound<'py, PyAny>>,
+        checked: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        // The next points may replace these.
+        let copied = out.filter(|out| out.is(x)).map(|x| x.call_method0("copy")).transpose()?;
+        match floats(copied.as_ref().unwrap_or(x), "x")? {
+            Floats::Double(x) => self.next(&x, eps, out, checked),
+            Floats::Single(x) => self.next(&x, eps, out, checked),
+        }
+    }
+
     fn next<'py, T: Float>(
         &self,
         x: &Bound<'py, PyArrayDyn<T>>,
