@@ -14,7 +14,7 @@ class Answer(Mapping[str, Any]):
     >>> import kahan
     >>> values = kahan.catalog.lv.evaluate([1, "1/2"], eps="1/3", exact=True)
     >>> values.system, values["det_A"]
-    ('lv', Fraction(5, 6))
+    ('lv', Fraction(8, 9))
     """
 
     def __init__(self, found: Mapping[str, Any]) -> None:
