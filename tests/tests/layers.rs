@@ -76,7 +76,7 @@ const COMMAND: Layered = Layered {
 };
 
 const DRAW: Layered =
-    Layered { folder: "crates/kahan-draw", name: "kahan_draw", layers: &["plot", "document"] };
+    Layered { folder: "crates/kahan-draw", name: "kahan_draw", layers: &["plot", "picture", "document"] };
 
 impl Layered {
     fn source(&self) -> PathBuf {

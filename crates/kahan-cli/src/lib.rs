@@ -28,12 +28,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use commands::{
-    atlas::Atlas, chart::Chart, completions::Completions, discover::Discover, dynamics::Dynamics, eval::Eval,
-    extremes::Extremes, heights::Heights, list::List, orbit::Orbit, page::Page, periodic::Periodic,
-    picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show, sweep::Sweep, trade::Trade,
-    verify::Verify,
-};
+use commands::verify::Verify;
 use printing::{Answer, Refusal, finish, warn};
 use reading::Source;
 
@@ -60,44 +55,42 @@ Examples:
 
 `kahan COMMAND --help` shows examples, `kahan help COMMAND` says all of it.";
 
-/// The commands by what they are for, as `kahan --help` lists them.
-const GROUPS: [(&str, &[&str]); 7] = [
-    ("A field", &["list", "show", "eval"]),
-    ("Orbits", &["orbit", "dynamics", "section", "periodic", "chart", "picture", "sweep"]),
-    ("What is preserved", &["discover", "scan", "poles", "heights"]),
-    ("Accuracy", &["trade", "extremes"]),
-    ("Pages", &["page"]),
-    ("The paper", &["verify", "atlas"]),
-    ("The shell", &["completions"]),
-];
-
 /// What `kahan chart` was called before: Kahan's map is the map.
 const BEFORE_CHART: &str = "map";
 
-#[derive(Debug, Subcommand)]
-enum Command {
-    Verify(Verify),
-    List(List),
-    Show(Show),
-    Eval(Eval),
-    Orbit(Orbit),
-    Dynamics(Dynamics),
-    Heights(Heights),
-    Section(Section),
-    Periodic(Periodic),
-    // Under its name before, too, for those who have it in scripts.
-    #[command(alias = BEFORE_CHART)]
-    Chart(Chart),
-    Extremes(Extremes),
-    Trade(Trade),
-    Discover(Discover),
-    Scan(Scan),
-    Picture(Picture),
-    Poles(Poles),
-    Page(Page),
-    Sweep(Sweep),
-    Atlas(Atlas),
-    Completions(Completions),
+/// Makes of the commands, each in a module of its name, what is common to all: `GROUPS`, the
+/// commands by what they are for, as `kahan --help` lists them; what clap reads; and what runs.
+macro_rules! commands {
+    ($($heading:literal: $(
+        $(#[$attribute:meta])* $module:ident::$command:ident $(with $argument:expr)?
+    ),*;)*) => {
+        const GROUPS: &[(&str, &[&str])] = &[$(($heading, &[$(stringify!($module)),*])),*];
+
+        #[derive(Debug, Subcommand)]
+        enum Command {
+            $($($(#[$attribute])* $command(commands::$module::$command),)*)*
+        }
+
+        impl Command {
+            fn run(&self) -> Result<Answer, Refusal> {
+                match self {
+                    $($(Self::$command(command) => command.run($($argument)?),)*)*
+                }
+            }
+        }
+    };
+}
+
+commands! {
+    "A field": list::List, show::Show, eval::Eval;
+    // A chart under its name before, too, for those who have it in scripts.
+    "Orbits": orbit::Orbit, dynamics::Dynamics, section::Section, periodic::Periodic,
+        #[command(alias = BEFORE_CHART)] chart::Chart, picture::Picture, sweep::Sweep;
+    "What is preserved": discover::Discover, scan::Scan, poles::Poles, heights::Heights;
+    "Accuracy": trade::Trade, extremes::Extremes;
+    "Pages": page::Page;
+    "The paper": verify::Verify, atlas::Atlas;
+    "The shell": completions::Completions with self::command();
 }
 
 /// Runs the command with these arguments, the program's name first; what it prints goes to standard
@@ -116,7 +109,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let note = matches.as_ref().ok().and_then(undeclared);
     let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
     let result = match read {
-        Ok(cli) => answer(&cli),
+        Ok(cli) => cli.command.map_or_else(|| Verify::default().run(), |command| command.run()),
         Err(error) => usage(&error),
     };
     // Of refusals, those of a term may be about a name that was to be a variable.
@@ -141,16 +134,15 @@ fn grouped(command: &clap::Command) -> String {
         let about = command.find_subcommand(name)?.get_about()?.to_string();
         Some(format!("  {name:<11}  {}\n", about.split(':').next()?))
     };
-    let group = |(heading, names): (&str, &[&str])| {
+    let group = |(heading, names): &(&str, &[&str])| {
         format!("{heading}:\n{}", names.iter().filter_map(line).collect::<String>())
     };
-    GROUPS.map(group).concat()
+    GROUPS.iter().map(group).collect()
 }
 
 /// The command line. `--help` fits a screen everywhere; `kahan help COMMAND` says all.
 fn command() -> clap::Command {
     let cli = Cli::command();
-    let names: Vec<String> = cli.get_subcommands().map(|one| one.get_name().to_owned()).collect();
     let template = format!(
         "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\nOptions:\n{{options}}{{after-help}}",
         grouped(&cli)
@@ -161,39 +153,14 @@ fn command() -> clap::Command {
     };
     // Who reads the help of a command has found it.
     let found = |one: clap::Command| on_a_screen(one).mut_arg("help", |help| help.hide(true));
-    names.iter().fold(on_a_screen(cli.help_template(template)), |command, name| {
+    let names = GROUPS.iter().flat_map(|(_, names)| *names);
+    names.fold(on_a_screen(cli.help_template(template)), |command, name| {
         command.mut_subcommand(name, |one| {
             let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();
             let more = format!("{examples}\n\n`kahan help {name}` says more.");
             found(one).after_help(more).after_long_help(examples)
         })
     })
-}
-
-fn answer(cli: &Cli) -> Result<Answer, Refusal> {
-    match &cli.command {
-        None => Verify::default().run(),
-        Some(Command::Verify(command)) => command.run(),
-        Some(Command::List(command)) => command.run(),
-        Some(Command::Show(command)) => command.run(),
-        Some(Command::Eval(command)) => command.run(),
-        Some(Command::Orbit(command)) => command.run(),
-        Some(Command::Dynamics(command)) => command.run(),
-        Some(Command::Heights(command)) => command.run(),
-        Some(Command::Section(command)) => command.run(),
-        Some(Command::Periodic(command)) => command.run(),
-        Some(Command::Chart(command)) => command.run(),
-        Some(Command::Extremes(command)) => command.run(),
-        Some(Command::Trade(command)) => command.run(),
-        Some(Command::Discover(command)) => command.run(),
-        Some(Command::Scan(command)) => command.run(),
-        Some(Command::Picture(command)) => command.run(),
-        Some(Command::Poles(command)) => command.run(),
-        Some(Command::Page(command)) => command.run(),
-        Some(Command::Sweep(command)) => command.run(),
-        Some(Command::Atlas(command)) => command.run(),
-        Some(Command::Completions(command)) => command.run(self::command()),
-    }
 }
 
 /// Help and version are answers; everything else that clap has to say becomes one paragraph.
@@ -214,19 +181,4 @@ fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
         "{}; `kahan COMMAND --help` shows examples",
         said.trim_start_matches("error: ")
     )))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{GROUPS, command};
-
-    #[test]
-    fn the_help_lists_every_command_once() {
-        let mut listed: Vec<&str> = GROUPS.iter().flat_map(|(_, names)| names.iter().copied()).collect();
-        let command = command();
-        let mut all: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        listed.sort_unstable();
-        all.sort_unstable();
-        assert_eq!(listed, all);
-    }
 }

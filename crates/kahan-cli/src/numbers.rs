@@ -1,7 +1,7 @@
 //! Numbers on the command line.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-pub(crate) use kahan_study::numbers::{DoubleDouble, Printable, Rounded, ScalarKind};
+pub(crate) use kahan_study::numbers::ScalarKind;
 
 /// Reads the name of a scalar.
 pub(crate) fn scalar() -> impl TypedValueParser<Value = ScalarKind> {

@@ -7,7 +7,6 @@
 mod painting;
 
 use std::collections::BTreeSet;
-use std::time::Duration;
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::syntax::{ClaimBody, ClaimKind};
@@ -36,11 +35,8 @@ fn making() -> Making {
 fn page_with(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
     let measured = short_orbits();
     let orbits: Orbits<'_> = measured.iter().map(|(name, measurement)| (*name, measurement)).collect();
-    let established = |claim: &Claim| Established {
-        outcome: outcome(claim),
-        detail: "as < given".to_owned(),
-        elapsed: Duration::ZERO,
-    };
+    let established =
+        |claim: &Claim| Established { outcome: outcome(claim), detail: "as < given".to_owned() };
     let claims = paper.claims().iter().map(|claim| Checked { claim, established: established(claim) });
     page(&Found { paper, claims: claims.collect(), orbits }, &making())
 }

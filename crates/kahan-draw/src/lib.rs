@@ -1,14 +1,17 @@
 //! Answers as pictures and pages.
 //!
-//! In: points, numbers and formulas, and how they are to look. Out: drawings, as SVG within a page
-//! or as files of their own, and pages of HTML. It must not know the command, nor any file.
+//! In: answers of `kahan-study`, or points, numbers and formulas, and how they are to look. Out:
+//! drawings, as SVG within a page or as files of their own, and pages of HTML. It must not know the
+//! command, nor any file.
 //!
-//! `plot` draws: a [`Plot`], a [`Space`] or a [`Grid`] becomes a [`Drawing`]. [`document`] sets
-//! formulas, tables and whole pages, which show such drawings.
+//! `plot` draws: a [`Plot`], a [`Space`] or a [`Grid`] becomes a [`Drawing`]. [`picture`] makes such
+//! of answers. [`document`] sets formulas, tables and whole pages, which show drawings.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod plot;
+
+pub mod picture;
 
 pub mod document;
 

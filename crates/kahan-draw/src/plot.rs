@@ -11,8 +11,8 @@ mod number_line;
 mod palette;
 mod path;
 mod ramp;
-#[cfg(feature = "png")]
-mod raster;
+#[cfg(any(feature = "png", feature = "pdf"))]
+mod render;
 #[cfg(test)]
 mod sight;
 mod space;
@@ -114,8 +114,8 @@ impl Series {
 pub struct Plot {
     /// What is seen, for those who do not see it.
     pub description: String,
-    /// Width and height of the view box.
-    pub size: (f64, f64),
+    /// What it is drawn on.
+    pub sheet: Sheet,
     /// To the right.
     pub x: NumberLine,
     /// Upwards.
@@ -126,8 +126,6 @@ pub struct Plot {
     pub series: Vec<Series>,
 }
 
-/// The usual size.
-const SIZE: (f64, f64) = (480.0, 320.0);
 const LEFT: f64 = 66.0;
 const RIGHT: f64 = 18.0;
 const TOP: f64 = 16.0;
@@ -140,7 +138,7 @@ impl Plot {
         let points = || series.iter().flat_map(|series| &series.points);
         Plot {
             description: description.to_owned(),
-            size: SIZE,
+            sheet: Sheet::page(480, 320),
             x: NumberLine::around(x, points().map(|point| point.0)),
             y: NumberLine::around(y, points().map(|point| point.1)),
             levels: Vec::new(),
@@ -149,8 +147,9 @@ impl Plot {
     }
 
     fn frame(&self) -> Frame {
-        let (width, height) = self.size;
-        Frame { left: LEFT, right: width - RIGHT, top: TOP, bottom: height - BOTTOM }
+        let (width, height) = self.sheet.view_box;
+        let (right, bottom) = (width - RIGHT, height - BOTTOM);
+        Frame { left: LEFT, right, top: TOP, bottom, theme: self.sheet.theme }
     }
 
     /// The place of a point in the view box.
@@ -177,10 +176,10 @@ impl Plot {
             @for series in &self.series { (self.series(series)) }
             // Labels last, so that no curve runs through them.
             @for (colour, place, anchor, words) in self.labels() {
-                (haloed(Paint::label(colour), 600, &text(place, anchor, words)))
+                (haloed(self.sheet.theme, Paint::label(colour), 600, &text(place, anchor, words)))
             }
         };
-        Drawing { description: self.description.clone(), size: self.size, body }
+        Drawing { description: self.description.clone(), sheet: self.sheet, body }
     }
 
     fn level(&self, level: f64, label: &str) -> Markup {
@@ -190,44 +189,52 @@ impl Plot {
         let (right, y) = self.place((self.x.high, level));
         let rule = html! { g stroke-dasharray="5 4" { (line((LEFT, y), (right, y))) } };
         html! {
-            (Paint::LEVEL.group(&rule))
-            (haloed(Paint::LEVEL_NAME, 400, &text((right - 4.0, y - 5.0), "end", label)))
+            (Paint::LEVEL.group(self.sheet.theme, &rule))
+            (haloed(self.sheet.theme, Paint::LEVEL_NAME, 400, &text(self.level_name(level), "end", label)))
         }
+    }
+
+    /// Where the name of a level ends.
+    fn level_name(&self, level: f64) -> Place {
+        let (right, y) = self.place((self.x.high, level));
+        (right - 4.0, y - 5.0)
     }
 
     fn series(&self, series: &Series) -> Markup {
         let parts = series.points.split(|point| !self.shows(point));
         let parts: Vec<Vec<(f64, f64)>> =
             parts.map(|part| part.iter().map(|&point| self.place(point)).collect()).collect();
-        let (mark, colour) = (series.mark, series.colour);
-        Paint::curve(colour).group(&html! {
+        let (mark, colour, theme) = (series.mark, series.colour, self.sheet.theme);
+        Paint::curve(colour).group(theme, &html! {
             @if mark.has_line() {
-                (stroked("line", &parts.iter().map(|part| polyline(part)).collect::<String>(), mark.line(colour)))
+                (stroked("line", &parts.iter().map(|part| polyline(part)).collect::<String>(), theme.line(mark.line(colour))))
             }
-            @if mark.has_dots() { (stroked("dots", &dots(&parts.concat()), mark.dot())) }
+            @if mark.has_dots() { (stroked("dots", &dots(&parts.concat()), theme.line(mark.dot()))) }
         })
     }
 
     /// The colour, place, anchor and words of each label: beside the last point, on the side where
-    /// there is room, and below another one that would be in its way.
+    /// there is room, and below another one that would be in its way, or above it where the drawing
+    /// ends.
     fn labels(&self) -> Vec<(usize, Place, &'static str, &str)> {
         const LINE: f64 = 16.0;
 
         let mut labels: Vec<(usize, Place, &'static str, &str)> = Vec::new();
+        let levels: Vec<Place> = self.levels.iter().map(|(level, _)| self.level_name(*level)).collect();
         for series in self.series.iter().filter(|series| !series.label.is_empty()) {
             let last = series.points.iter().rev().find(|point| self.shows(point));
             let Some(&last) = last else { continue };
             let (x, y) = self.place(last);
-            let anchor = if series.side == Side::Left || x > 0.7 * self.size.0 { "end" } else { "start" };
-            let mut y = if series.side == Side::Below || y < TOP + 10.0 { y + 24.0 } else { y - 10.0 };
+            let anchor =
+                if series.side == Side::Left || x > 0.7 * self.sheet.view_box.0 { "end" } else { "start" };
+            let y = if series.side == Side::Below || y < TOP + 10.0 { y + 24.0 } else { y - 10.0 };
             let is_taken = |y: f64| {
-                labels
-                    .iter()
-                    .any(|(_, (at, height), ..)| (at - x).abs() < 2.0 * LINE && (height - y).abs() < LINE)
+                let mut others = labels.iter().map(|label| &label.1).chain(&levels);
+                others.any(|(at, height)| (at - x).abs() < 2.0 * LINE && (height - y).abs() < LINE)
             };
-            while is_taken(y) {
-                y += LINE;
-            }
+            let below = (0..).map(|i| y + f64::from(i) * LINE).take_while(|y| *y < self.frame().bottom);
+            let above = (1..self.series.len() + 2).map(|i| y - i as f64 * LINE);
+            let y = below.chain(above).find(|y| !is_taken(*y)).unwrap_or(y);
             labels.push((series.colour, (x, y), anchor, &series.label));
         }
         labels
@@ -241,6 +248,7 @@ struct Frame {
     right: f64,
     top: f64,
     bottom: f64,
+    theme: Theme,
 }
 
 impl Frame {
@@ -250,7 +258,7 @@ impl Frame {
 
     /// Both axes with their names, round values and lines across.
     fn axes(&self, x: &NumberLine, y: &NumberLine) -> Markup {
-        let Frame { left, right, top, bottom } = *self;
+        let Frame { left, right, top, bottom, theme } = *self;
         let xs = placed(x, |value| (x.place(value, left, right), bottom));
         let ys = placed(y, |value| (left, y.place(value, bottom, top)));
         let across = html! {
@@ -272,10 +280,10 @@ impl Frame {
             }
         };
         html! {
-            g stroke-width="0.8" { (Paint::GRID.group(&across)) }
-            (Paint::AXES.group(&axes))
-            (ticks(&values))
-            (names_of_axes(&names))
+            (grid(theme, &across))
+            (Paint::AXES.group(theme, &axes))
+            (ticks(theme, &values))
+            (names_of_axes(theme, &names))
         }
     }
 }
@@ -297,23 +305,28 @@ fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> 
     axis.ticks(fits).into_iter().map(|tick| (at(tick.value), tick.text)).collect()
 }
 
+/// Lines behind what is drawn.
+fn grid(theme: Theme, lines: &Markup) -> Markup {
+    html! { g stroke-width=(theme.line(0.8)) { (Paint::GRID.group(theme, lines)) } }
+}
+
 /// The values at the ticks of axes.
-fn ticks(values: &Markup) -> Markup {
-    html! { g font-size="12" { (Paint::TICKS.group(values)) } }
+fn ticks(theme: Theme, values: &Markup) -> Markup {
+    html! { g font-size="12" { (Paint::TICKS.group(theme, values)) } }
 }
 
 /// What axes are called.
-fn names_of_axes(names: &Markup) -> Markup {
-    html! { g font-size="13" font-style="italic" { (Paint::NAMES.group(names)) } }
+fn names_of_axes(theme: Theme, names: &Markup) -> Markup {
+    html! { g font-size="13" font-style="italic" { (Paint::NAMES.group(theme, names)) } }
 }
 
 /// Words on top of what is drawn there, with paper around them; they are written twice, as not
 /// every program that reads SVG can paint the outline of a letter below it.
-fn haloed(paint: Paint, weight: u32, words: &Markup) -> Markup {
+fn haloed(theme: Theme, paint: Paint, weight: u32, words: &Markup) -> Markup {
     html! {
         g font-size="12.5" font-weight=(weight) {
-            g stroke-width="3" stroke-linejoin="round" aria-hidden="true" { (Paint::HALO.group(words)) }
-            (paint.group(words))
+            g stroke-width="3" stroke-linejoin="round" aria-hidden="true" { (Paint::HALO.group(theme, words)) }
+            (paint.group(theme, words))
         }
     }
 }

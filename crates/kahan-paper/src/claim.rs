@@ -1,7 +1,5 @@
 //! A formula of the paper: where it stands, what it says, and how it can be checked.
 
-use std::time::Duration;
-
 use kahan_algebra::rational::Rational;
 
 use super::erratum::Erratum;
@@ -84,8 +82,6 @@ pub struct Established {
     pub outcome: Outcome,
     /// What that rests on, or what is wrong.
     pub detail: String,
-    /// The time it took.
-    pub elapsed: Duration,
 }
 
 impl Outcome {

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
-use std::time::Instant;
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::prove::ERROR_EXPONENT;
@@ -81,24 +80,19 @@ impl Paper {
         self.establish_as(claim, &claim.statement)
     }
 
-    /// Establishes many claims, on as many threads as the machine has cores; `each` hears of every
-    /// one as it is done.
-    #[must_use]
-    pub fn establish_all(&self, claims: &[&Claim], each: &(dyn Fn() + Sync)) -> Vec<Established> {
-        self.for_all(claims, |claim| {
-            let established = self.establish(claim);
-            each();
-            established
-        })
-    }
-
-    /// `work` on every claim, in parallel; the results in the order of the claims.
-    pub fn for_all<R: Send>(&self, claims: &[&Claim], work: impl Fn(&Claim) -> R + Sync) -> Vec<R> {
+    /// `work` on every claim, on so many threads, by default as many as the machine runs at once;
+    /// the results in the order of the claims.
+    pub fn for_all<R: Send>(
+        &self,
+        claims: &[&Claim],
+        threads: Option<usize>,
+        work: impl Fn(&Claim) -> R + Sync,
+    ) -> Vec<R> {
         // What is measured on a long orbit comes first, so that no thread is left alone with it at
         // the end.
         let mut order: Vec<usize> = (0..claims.len()).collect();
         order.sort_by_key(|&index| !claims[index].is_measured());
-        let mut results = threads::map(order.len(), |turn| (order[turn], work(claims[order[turn]])));
+        let mut results = threads::map(order.len(), threads, |turn| (order[turn], work(claims[order[turn]])));
         results.sort_by_key(|(index, _)| *index);
         results.into_iter().map(|(_, result)| result).collect()
     }
@@ -106,8 +100,6 @@ impl Paper {
     /// Establishes a claim with another statement in the place of its own: a mutation of it.
     #[must_use]
     pub fn establish_as(&self, claim: &Claim, statement: &str) -> Established {
-        #[expect(clippy::disallowed_methods, reason = "what a claim takes stands beside it")]
-        let start = Instant::now();
         let (outcome, detail) = match &claim.basis {
             Basis::Block { .. } => {
                 let block = find(claim.system).map_or("", kahan_systems::entry::Entry::text);
@@ -122,7 +114,7 @@ impl Paper {
                 },
             },
         };
-        Established { outcome, detail, elapsed: start.elapsed() }
+        Established { outcome, detail }
     }
 
     /// The definitions that are in force in a claim: those of every statement, those given, its

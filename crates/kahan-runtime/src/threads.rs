@@ -14,14 +14,18 @@ pub fn available() -> usize {
 /// Runs `work` for each index below `count`, in about this order, each on whichever thread comes
 /// free.
 ///
-/// `threads` is the number of threads, by default as many as the machine runs at once. A thread
-/// that panics ends the call with its panic.
+/// `threads` is the number of threads, by default as many as the machine runs at once; one is the
+/// caller's own, so that a machine without threads works, too. A thread that panics ends the call
+/// with its panic.
 #[expect(clippy::disallowed_methods, reason = "work is shared out here")]
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.unwrap_or_else(available);
+    if threads.min(count) <= 1 {
+        return (0..count).for_each(work);
+    }
     let next = AtomicUsize::new(0);
     scope(|scope| {
-        for _ in 0..threads.clamp(1, count.max(1)) {
+        for _ in 0..threads.min(count) {
             scope.spawn(|| {
                 loop {
                     let index = next.fetch_add(1, Ordering::Relaxed);
@@ -35,10 +39,11 @@ pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sy
     });
 }
 
-/// The results of `work` for each index below `count`, in the order of the indices.
-pub fn map<R: Send>(count: usize, work: impl Fn(usize) -> R + Sync) -> Vec<R> {
+/// The results of `work` for each index below `count`, in the order of the indices, on so many
+/// threads as [`for_each`] takes.
+pub fn map<R: Send>(count: usize, threads: Option<usize>, work: impl Fn(usize) -> R + Sync) -> Vec<R> {
     let results = Mutex::new(Vec::with_capacity(count));
-    for_each(count, None, &|index| {
+    for_each(count, threads, &|index| {
         let result = work(index);
         // A thread that panics does so outside of the lock.
         results.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, result));
@@ -68,6 +73,9 @@ mod tests {
 
     #[test]
     fn results_come_in_the_order_of_their_indices() {
-        assert_eq!(map(300, |index| 2 * index), (0..300).map(|index| 2 * index).collect::<Vec<_>>());
+        for threads in [None, Some(1), Some(3)] {
+            let doubled = map(300, threads, |index| 2 * index);
+            assert_eq!(doubled, (0..300).map(|index| 2 * index).collect::<Vec<_>>());
+        }
     }
 }

@@ -13,7 +13,10 @@ use kahan_runtime::Diagnostics;
 
 use crate::formula::NoFormula;
 use crate::map::CannotRun;
-use crate::study::MOST_VARIABLES;
+use crate::numbers::ScalarKind;
+use crate::question::NoOrbit;
+use crate::rows::MOST_CELLS;
+use crate::study::{MOST_VARIABLES, assigned};
 use crate::subject::Catalog;
 use crate::trade::CannotTrade;
 
@@ -62,6 +65,8 @@ pub enum StudyError {
     },
     /// A point has not one coordinate for each variable.
     Coordinates {
+        /// Which point, by its name in the question.
+        what: &'static str,
         /// The variables.
         variables: Vec<String>,
         /// How many coordinates were given.
@@ -97,14 +102,28 @@ pub enum StudyError {
         /// The highest degree within reach, if there is one.
         most: Option<u32>,
     },
-    /// What goes through values is neither a parameter nor ε.
+    /// What goes through values is nothing that could.
     UnknownAxis {
+        /// What it would have to be: `no parameter`.
+        what: &'static str,
         /// The field.
         system: String,
         /// What was given.
         name: String,
         /// What there is.
         known: Vec<String>,
+    },
+    /// Something goes through values twice.
+    AxisTwice {
+        /// Which one.
+        name: String,
+    },
+    /// Something cannot go through these values.
+    AxisValues {
+        /// What.
+        name: String,
+        /// Why not.
+        why: String,
     },
     /// A text is no formula.
     Formula {
@@ -141,10 +160,33 @@ pub enum StudyError {
         /// The most.
         most: usize,
     },
-    /// A point or ε is beyond the range of doubles.
-    OutOfRange,
+    /// A number is beyond the range of doubles.
+    OutOfRange {
+        /// Which one, by its name in the question.
+        what: &'static str,
+        /// Of a point the variable.
+        variable: Option<String>,
+    },
+    /// A number is beyond the range of the scalar.
+    BeyondRange {
+        /// What it is of: `at`, `param` or `eps`.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// The scalar.
+        scalar: ScalarKind,
+    },
     /// There is no composition of this order.
     Order(u32),
+    /// An orbit cannot be all that it is asked to be.
+    Orbit(NoOrbit),
+    /// A question whose answer is no table, by its name, is asked for rows.
+    NoRows(&'static str),
+    /// An answer has more cells than [`MOST_CELLS`].
+    TooLong {
+        /// How many it has.
+        cells: u64,
+    },
     /// The question measures times, and the watch has no clock.
     NoClock,
     /// The steps of a field cannot be tried.
@@ -183,9 +225,6 @@ impl StudyError {
 
 impl fmt::Display for StudyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let assigned = |values: &[(String, Rational)]| {
-            values.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
-        };
         match self {
             Self::UnknownSystem { name, nearest, known } => {
                 write!(f, "there is no system `{name}`.")?;
@@ -212,9 +251,9 @@ impl fmt::Display for StudyError {
             Self::MissingParameters { system, names } => {
                 write!(f, "{system} needs a value for each of its parameters: {} is missing", names.join(", "))
             }
-            Self::Coordinates { variables, given } => {
+            Self::Coordinates { what, variables, given } => {
                 let (expected, plural) = (variables.len(), if variables.len() == 1 { "" } else { "s" });
-                write!(f, "{expected} coordinate{plural} {} expected, {given} given", variables.join(","))
+                write!(f, "{what}: {expected} coordinate{plural} {} expected, {given} given", variables.join(","))
             }
             Self::NotPositive { what, value } => {
                 write!(f, "{what}: `{value}` is not a number above 0 within the range of f64")
@@ -230,9 +269,11 @@ impl fmt::Display for StudyError {
                     None => f.write_str("ask for none"),
                 }
             }
-            Self::UnknownAxis { system, name, known } => {
-                write!(f, "`{name}` is no parameter of {system}; there is {}", known.join(", "))
+            Self::UnknownAxis { what, system, name, known } => {
+                write!(f, "`{name}` is {what} of {system}; there is {}", known.join(", "))
             }
+            Self::AxisTwice { name } => write!(f, "`{name}` is gone through twice; name two"),
+            Self::AxisValues { name, why } => write!(f, "{name}: {why}"),
             Self::Formula { what, why } => f.write_str(&why.report(what)),
             Self::ConstantPlane { text } => write!(
                 f,
@@ -248,15 +289,27 @@ impl fmt::Display for StudyError {
             Self::ManyPoints { most } => {
                 write!(f, "the grid has more than {most} points; take larger steps")
             }
-            Self::OutOfRange => f.write_str("the point and eps must be in the range of f64"),
+            Self::OutOfRange { what, variable: Some(variable) } => {
+                write!(f, "{what}: the coordinate {variable} is beyond the range of f64")
+            }
+            Self::OutOfRange { what, variable: None } => write!(f, "{what} is beyond the range of f64"),
+            Self::BeyondRange { what, name, scalar } => {
+                write!(f, "{what}: {name} is beyond the range of {}; use scalar exact", scalar.name())
+            }
             Self::Order(order) => write!(f, "there is no method of order {order}; there are 2, 4, 6 and 8"),
+            Self::Orbit(why) => why.fmt(f),
+            Self::NoRows(asked) => write!(f, "`{asked}` has no rows; ask for its answer"),
+            Self::TooLong { cells } => write!(
+                f,
+                "the answer has {cells} cells, and at most {MOST_CELLS} are kept in memory; take its rows, or a larger `every`"
+            ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
             Self::Judge { system, why } => write!(f, "{system} cannot be judged: {why}"),
             Self::Trade { system, why } => write!(f, "{system}: {why}"),
             Self::UndefinedField { system, parameters } => write!(
                 f,
                 "the field of {system} divides by zero at {}; choose other values",
-                assigned(parameters)
+                assigned(parameters.iter().map(|(name, value)| (name, value))).collect::<Vec<_>>().join(", ")
             ),
         }
     }

@@ -20,10 +20,15 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+#[cfg(feature = "catalog")]
 mod catalog;
+mod count;
+mod draw;
 mod error;
 pub mod extremes;
 pub mod formula;
+#[cfg(feature = "toml")]
+mod from_toml;
 mod list;
 mod map;
 mod named;
@@ -33,24 +38,32 @@ pub mod random_fields;
 mod range;
 pub mod reference;
 mod rows;
+mod scene;
 mod study;
 mod subject;
 mod sympy;
 pub mod trade;
 
+#[cfg(feature = "catalog")]
 pub use catalog::Systems;
 pub use error::StudyError;
+#[cfg(feature = "toml")]
+pub use from_toml::from_toml;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::{
-    Answer, ClaimShown, Costs, CycleFound, Discover, Discovered, Evaluate, Evaluated, Extremes, Form,
-    Heights, HeightsFound, Judged, Listing, Observe, Observed, Periodic, Plane, Planned, Poles, PolesFound,
-    Question, Scan, ScanFound, Section, SectionFound, Sheet, Show, Shown, Side, characteristic_polynomial,
-    fifteen_digits,
+    Answer, Begun, Chain, ChainHead, ClaimShown, Costs, CycleFound, Diagram, DiagramFound, Discover,
+    Discovered, Evaluate, Evaluated, Extremes, Form, Heights, HeightsFound, Judged, Listing, Method, NoOrbit,
+    Observable, Observe, Observed, Orbit, OrbitHead, Orbited, Over, OverFound, Periodic, Plane, Planned,
+    Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Seen, Sheet, Show, Shown, Side,
+    Source, Through, Varied, characteristic_polynomial, fifteen_digits,
 };
+#[cfg(feature = "paper")]
+pub use question::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 pub use range::{Axis, NoRange, Range, Spacing};
-pub use rows::{Column, End, Exact, Rows, Values};
-pub use study::{MOST_VARIABLES, NoStep, Study, chain, values_by_name};
+pub use rows::{Cell, Column, End, Exact, Kept, Last, MOST_CELLS, Rows, Table, Values, free_name};
+pub use scene::Scene;
+pub use study::{MOST_VARIABLES, NoStep, Study, chain};
 pub use subject::{Catalog, Named, Subject};
 pub use sympy::SymPy;

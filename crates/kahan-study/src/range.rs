@@ -52,8 +52,10 @@ pub enum Spacing {
     Cells(usize),
 }
 
-/// The most values of a range.
+/// The most values of a range that a text gives.
 const MOST: usize = 100_000;
+/// The most of one that no text gives.
+const MANY: u64 = 1 << 40;
 
 impl Range {
     /// Reads FROM:TO:COUNT, FROM:TO:+STEP or FROM:TO:/CELLS.
@@ -80,7 +82,17 @@ impl Range {
         };
         let [from, to] = [from, to].map(|end| number(end).map_err(NoRange));
         let range = Range { from: from?, to: to?, spacing };
-        range.check().map_err(refused)?;
+        range.check(MOST as u64).map_err(refused)?;
+        Ok(range)
+    }
+
+    /// So spaced values between two ends, more of them than a text may ask for: up to 2^40.
+    ///
+    /// # Errors
+    /// [`NoRange`] says what is wrong with them.
+    pub fn between(from: Rational, to: Rational, spacing: Spacing) -> Result<Self, NoRange> {
+        let range = Range { from, to, spacing };
+        range.check(MANY).map_err(NoRange)?;
         Ok(range)
     }
 
@@ -94,7 +106,7 @@ impl Range {
     #[must_use]
     pub fn spaced(&self, spacing: Spacing) -> Option<Self> {
         let range = Range { spacing, ..self.clone() };
-        range.check().is_ok().then_some(range)
+        range.check(MOST as u64).is_ok().then_some(range)
     }
 
     /// Cells with these values in their middles; `None` where they are not equally spaced, or fewer
@@ -108,7 +120,7 @@ impl Range {
         let exactly = |value: &f64| Rational::typed(&format!("{value:?}"));
         let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
         let range = Range { from, to, spacing: Spacing::Count(found.len()) };
-        range.check().ok()?;
+        range.check(MANY).ok()?;
         // A thousandth of a step is far more than what roundings move a value by.
         let near = 1e-3 * range.step().to_f64();
         let is_near = |(found, value): (&f64, Rational)| (found - value.to_f64()).abs() < near;
@@ -116,8 +128,8 @@ impl Range {
         is_spaced.then_some(range)
     }
 
-    /// What is wrong with it, and what to write.
-    fn check(&self) -> Result<(), String> {
+    /// What is wrong with it, and what to write; it may have so many values.
+    fn check(&self, most: u64) -> Result<(), String> {
         let Range { from, to, .. } = self;
         let way = to - from;
         let part = |parts: i64| way.checked_div(&Rational::from(parts)).expect("there are parts");
@@ -135,12 +147,15 @@ impl Range {
                     "the first step of {step} passes {to}, and one value is no range; write a smaller one, as {from}:{to}:+{}",
                     part(10)
                 ),
-                Some(steps) if steps >= Rational::from(MOST as i64) => format!(
-                    "steps of {step} make more than {MOST} values; write larger ones, as {from}:{to}:+{}",
+                Some(steps) if steps >= Rational::from(most as i64) => format!(
+                    "steps of {step} make more than {most} values; write larger ones, as {from}:{to}:+{}",
                     part(100)
                 ),
                 _ => return Ok(()),
             },
+            Spacing::Count(count) | Spacing::Cells(count) if !(2..=most).contains(&(*count as u64)) => {
+                format!("{count} values are no range; it has 2 or more, up to {most}")
+            }
             Spacing::Count(_) | Spacing::Cells(_) => return Ok(()),
         })
     }
@@ -160,7 +175,8 @@ impl Range {
     }
 
     /// How far each value is from the one before; below 0 in a range that goes downwards.
-    fn step(&self) -> Rational {
+    #[must_use]
+    pub fn step(&self) -> Rational {
         let parts = match &self.spacing {
             Spacing::Count(count) => count - 1,
             Spacing::Cells(count) => *count,
@@ -254,7 +270,7 @@ mod tests {
     use kahan_algebra::prime_field::SplitMix64;
     use kahan_algebra::rational::Rational;
 
-    use super::{Range, Spacing};
+    use super::{MOST, Range, Spacing};
 
     fn read(text: &str) -> Result<Range, String> {
         Range::read(text).map_err(|why| why.to_string())
@@ -290,8 +306,8 @@ mod tests {
             for spacing in [Spacing::Count(7), Spacing::Cells(7), Spacing::Step(step)] {
                 let range = Range { from: from.clone(), to: to.clone(), spacing };
                 let text = format!("{range}");
-                assert_eq!(read(&text).ok(), range.check().ok().map(|()| range.clone()), "{text}");
-                read_back += usize::from(range.check().is_ok());
+                assert_eq!(read(&text).ok(), range.check(MOST as u64).ok().map(|()| range.clone()), "{text}");
+                read_back += usize::from(range.check(MOST as u64).is_ok());
             }
         }
     }

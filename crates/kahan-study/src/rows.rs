@@ -1,10 +1,17 @@
 //! Answers that are tables, handed on in blocks while they are made, so that the length of a table
 //! costs no memory.
 
+use std::fmt;
 use std::ops::ControlFlow;
 
-use kahan_algebra::rational::Rational;
 use kahan_core::Dd;
+use kahan_runtime::Fraction;
+use serde::{Serialize, Serializer};
+
+use crate::numbers::Number;
+
+/// The most cells that an answer keeps in memory.
+pub const MOST_CELLS: u64 = 1 << 24;
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,32 +22,144 @@ pub struct Column {
     pub meaning: String,
 }
 
-/// Consecutive values of a column. Of floats, what has no value is not a number.
-#[derive(Clone, Copy, Debug)]
-pub enum Values<'a> {
+/// The name, with as many `_` behind it as it takes to be none of the others.
+#[must_use]
+pub fn free_name(others: &[impl AsRef<str>], name: &str) -> String {
+    let mut name = name.to_owned();
+    while others.iter().any(|other| other.as_ref() == name) {
+        name.push('_');
+    }
+    name
+}
+
+macro_rules! kinds {
+    ($($(#[$about:meta])* $kind:ident($value:ident: $of:ty) => $cell:expr;)*) => {
+        /// Consecutive values of a column. Of floats, what has no value is not a number, and a
+        /// coordinate of a point at infinity is infinite.
+        #[derive(Clone, Copy, Debug)]
+        pub enum Values<'a> {
+            $($(#[$about])* $kind(&'a [$of]),)*
+        }
+
+        /// The values of a column in memory.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Kept {
+            $($(#[$about])* $kind(Vec<$of>),)*
+        }
+
+        impl<'a> Values<'a> {
+            /// How many there are.
+            #[must_use]
+            pub fn count(&self) -> usize {
+                match self {
+                    $(Self::$kind(list) => list.len(),)*
+                }
+            }
+
+            /// The one of a row.
+            ///
+            /// # Panics
+            /// Where there are not so many.
+            #[must_use]
+            pub fn cell(&self, row: usize) -> Cell<'a> {
+                match self {
+                    $(Self::$kind(list) => {
+                        let $value = &list[row];
+                        $cell
+                    })*
+                }
+            }
+
+            fn to_kept(self) -> Kept {
+                match self {
+                    $(Self::$kind(list) => Kept::$kind(list.to_vec()),)*
+                }
+            }
+        }
+
+        impl Kept {
+            /// The values.
+            #[must_use]
+            pub fn values(&self) -> Values<'_> {
+                match self {
+                    $(Self::$kind(list) => Values::$kind(list),)*
+                }
+            }
+
+            fn extend(&mut self, more: &Values<'_>) {
+                match (self, more) {
+                    $((Self::$kind(list), Values::$kind(more)) => list.extend_from_slice(more),)*
+                    _ => unreachable!("the blocks of a column are of one kind"),
+                }
+            }
+        }
+    };
+}
+
+kinds! {
     /// In double precision.
-    F64(&'a [f64]),
+    F64(value: f64) => Cell::Float(Number::F64(*value));
     /// In single precision.
-    F32(&'a [f32]),
+    F32(value: f32) => Cell::Float(Number::F32(*value));
     /// In double-double.
-    Dd(&'a [Dd]),
+    Dd(value: Dd) => Cell::Float(Number::Dd(*value));
     /// Exact numbers.
-    Exact(&'a [Exact]),
+    Exact(value: Exact) => Cell::Exact(value);
     /// Counts.
-    Integer(&'a [i64]),
+    Integer(value: i64) => Cell::Integer(*value);
     /// Words and formulas.
-    Text(&'a [String]),
+    Text(value: String) => Cell::Text(value);
 }
 
 /// An exact value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Exact {
-    /// A number.
-    Number(Rational),
+    /// A number, in lowest terms.
+    Number(Fraction),
     /// A coordinate of a point at infinity, which has no sign.
     Infinite,
     /// There is no value.
     Undefined,
+}
+
+/// A cell of a table. It is displayed as in CSV: nothing where there is no value, `inf` at
+/// infinity, and numbers as [`Number`] says. In JSON both are `null`, and exact numbers strings.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell<'a> {
+    /// A float.
+    Float(Number),
+    /// An exact value.
+    Exact(&'a Exact),
+    /// A count.
+    Integer(i64),
+    /// A word or a formula.
+    Text(&'a str),
+}
+
+impl fmt::Display for Cell<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Float(number) if number.is_finite() => number.fmt(f),
+            Self::Float(number) if !number.is_nan() => f.write_str("inf"),
+            Self::Float(_) | Self::Exact(Exact::Undefined) => Ok(()),
+            Self::Exact(Exact::Number(number)) => number.fmt(f),
+            Self::Exact(Exact::Infinite) => f.write_str("inf"),
+            Self::Integer(count) => count.fmt(f),
+            Self::Text(text) => f.write_str(text),
+        }
+    }
+}
+
+impl Serialize for Cell<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Float(number) => number.serialize(serializer),
+            Self::Exact(Exact::Number(number)) => serializer.collect_str(number),
+            Self::Exact(_) => serializer.serialize_none(),
+            Self::Integer(count) => count.serialize(serializer),
+            Self::Text(text) => text.serialize(serializer),
+        }
+    }
 }
 
 /// Takes the rows of a table, a block after the other.
@@ -50,17 +169,78 @@ pub trait Rows {
     fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()>;
 }
 
+/// A table in memory, which takes all rows that come. It serializes as a list of rows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// The columns; none before the first rows.
+    pub columns: Vec<Column>,
+    /// For each column its values.
+    pub values: Vec<Kept>,
+}
+
+impl Table {
+    /// How many rows it has.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.values.first().map_or(0, |first| first.values().count())
+    }
+
+    /// Hands all of it on as one block.
+    pub fn hand_to(&self, rows: &mut dyn Rows) -> ControlFlow<()> {
+        rows.block(&self.columns, &self.values.iter().map(Kept::values).collect::<Vec<_>>())
+    }
+}
+
+impl Rows for Table {
+    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        if self.columns.is_empty() {
+            self.columns = columns.to_vec();
+            self.values = values.iter().map(|values| values.to_kept()).collect();
+        } else {
+            self.values.iter_mut().zip(values).for_each(|(kept, more)| kept.extend(more));
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl Serialize for Table {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let row = |row| self.values.iter().map(|kept| kept.values().cell(row)).collect::<Vec<_>>();
+        serializer.collect_seq((0..self.count()).map(row))
+    }
+}
+
 /// How a table ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum End {
     /// All rows that were asked for are there.
     Complete,
-    /// The map has a pole after so many steps.
-    Pole(u64),
-    /// Numbers left the range of the scalar after so many steps.
-    Range(u64),
+    /// The map has a pole at the last point.
+    Pole(Last),
+    /// The step from the last point leaves the range of the scalar.
+    Range(Last),
     /// The time was up.
     Time,
     /// The watch, or who took the rows, stopped the work.
     Stopped,
+}
+
+/// The last point of an orbit, from where no step leads on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Last {
+    /// How many steps lead there.
+    pub step: u64,
+    /// What ends there, where that is, and what else could be tried, in a sentence.
+    pub why: String,
+}
+
+impl End {
+    /// The point at which a table ends before all of its rows.
+    #[must_use]
+    pub fn last(&self) -> Option<&Last> {
+        match self {
+            Self::Pole(last) | Self::Range(last) => Some(last),
+            Self::Complete | Self::Time | Self::Stopped => None,
+        }
+    }
 }

@@ -1,14 +1,16 @@
 //! A field that was read, about which questions are asked.
 
+use std::fmt::Display;
 use std::sync::{Arc, OnceLock};
 
 use kahan_algebra::interpret::Interpreter;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_runtime::{Field, FieldText, MapAt};
+use kahan_runtime::{Field, FieldText, Map, MapAt};
 
 use crate::error::StudyError;
+use crate::range::Axis;
 use crate::subject::{Catalog, Given, Named, Subject};
 
 /// The most variables of a chain that is written out.
@@ -43,7 +45,9 @@ struct Parts {
     system: System,
     /// The mistakes of its claims, once they were proved.
     proved: OnceLock<Result<(), StudyError>>,
+    field: OnceLock<Field>,
     interpreter: OnceLock<Interpreter>,
+    map: OnceLock<Map>,
 }
 
 impl Subject {
@@ -76,7 +80,9 @@ impl Subject {
             given,
             system,
             proved: OnceLock::new(),
+            field: OnceLock::new(),
             interpreter: OnceLock::new(),
+            map: OnceLock::new(),
         })))
     }
 }
@@ -105,6 +111,18 @@ impl Study {
     pub fn source(&self, claim: &str) -> Option<&'static str> {
         let sources = self.entry()?.sources;
         sources.iter().find(|(name, _)| *name == claim).map(|(_, source)| *source)
+    }
+
+    /// The name of the catalog's system that this is, without values of parameters.
+    #[must_use]
+    pub fn as_it_stands(&self) -> Option<&'static str> {
+        self.entry().filter(|_| self.given().iter().all(Option::is_none)).map(|named| named.name)
+    }
+
+    /// The seed of the macro's proof.
+    #[must_use]
+    pub fn seed(&self) -> [u8; 32] {
+        self.0.text.seed()
     }
 
     /// The catalog's, unless it is a chain, which goes by the name of its family's type.
@@ -163,11 +181,16 @@ impl Study {
         &self.0.given
     }
 
-    /// The same with a value of one more parameter; what was planned is planned again.
+    /// The same with a value of one more parameter.
     pub(crate) fn with(&self, place: usize, value: Rational) -> Self {
-        let Parts { name, named, text, sites, given, system, proved, .. } = &*self.0;
-        let mut given = given.clone();
+        let mut given = self.given().to_vec();
         given[place] = Some(value);
+        self.at(given)
+    }
+
+    /// The same at other values of the parameters; what was planned of the field is shared.
+    pub(crate) fn at(&self, given: Vec<Option<Rational>>) -> Self {
+        let Parts { name, named, text, sites, system, proved, field, .. } = &*self.0;
         Study(Arc::new(Parts {
             name: name.clone(),
             named: named.clone(),
@@ -176,7 +199,9 @@ impl Study {
             given,
             system: system.clone(),
             proved: proved.clone(),
+            field: field.clone(),
             interpreter: OnceLock::new(),
+            map: OnceLock::new(),
         }))
     }
 
@@ -214,12 +239,53 @@ impl Study {
         })
     }
 
+    /// The place among the parameters of what goes through values; `None` for ε.
+    pub(crate) fn axis(&self, axis: &Axis) -> Result<Option<usize>, StudyError> {
+        let place = self.parameters().iter().position(|name| *name == axis.name);
+        if place.is_some() || axis.name == "eps" {
+            return Ok(place);
+        }
+        Err(StudyError::UnknownAxis {
+            what: "no parameter",
+            system: self.name().to_owned(),
+            name: axis.name.clone(),
+            known: self.parameters().iter().cloned().chain(["eps".to_owned()]).collect(),
+        })
+    }
+
+    /// The place of a variable of this name.
+    pub(crate) fn variable(&self, name: &str) -> Result<usize, StudyError> {
+        let place = self.variables().iter().position(|known| known == name);
+        place.ok_or_else(|| StudyError::UnknownAxis {
+            what: "no variable",
+            system: self.name().to_owned(),
+            name: name.to_owned(),
+            known: self.variables().to_vec(),
+        })
+    }
+
     /// The coordinates of a point, if there is one for each variable.
     pub(crate) fn point(&self, at: &[Rational]) -> Result<Vec<Rational>, StudyError> {
         if at.len() == self.variables().len() {
             return Ok(at.to_vec());
         }
-        Err(StudyError::Coordinates { variables: self.variables().to_vec(), given: at.len() })
+        Err(StudyError::Coordinates { what: "at", variables: self.variables().to_vec(), given: at.len() })
+    }
+
+    /// The field with its plans, which are made when it is first asked for.
+    pub(crate) fn field(&self) -> &Field {
+        self.0.field.get_or_init(|| Field::of(self.system()))
+    }
+
+    /// The map at the values of the parameters, with what was planned and compiled for it.
+    pub(crate) fn map(&self) -> Result<&Map, StudyError> {
+        if let Some(map) = self.0.map.get() {
+            return Ok(map);
+        }
+        let values = self.values()?;
+        let map = self.field().with(self.parameters().iter().zip(&values));
+        let map = map.map_err(|_| self.undefined_field())?;
+        Ok(self.0.map.get_or_init(|| map))
     }
 
     /// The map at ε, and a point, in doubles.
@@ -228,15 +294,34 @@ impl Study {
         at: &[Rational],
         eps: &Rational,
     ) -> Result<(MapAt<f64>, Vec<f64>), StudyError> {
-        let (point, values) = (self.point(at)?, self.values()?);
-        let field = Field::of(self.system());
-        let map = field.with(field.parameters().iter().zip(&values)).map_err(|_| self.undefined_field())?;
-        let mut start: Vec<f64> = point.iter().chain([eps]).map(Rational::to_f64).collect();
-        if !start.iter().all(|number| number.is_finite()) {
-            return Err(StudyError::OutOfRange);
-        }
-        let eps = start.pop().expect("eps stands last");
+        let (point, map) = (self.point(at)?, self.map()?);
+        let start: Vec<f64> = point.iter().map(Rational::to_f64).collect();
+        let eps = eps.to_f64();
+        self.within_range(&start, eps)?;
         Ok((map.at(eps), start))
+    }
+
+    /// That a point and ε are within the range of doubles.
+    pub(crate) fn within_range(&self, at: &[f64], eps: f64) -> Result<(), StudyError> {
+        let beyond = at.iter().zip(self.variables()).find(|(value, _)| !value.is_finite());
+        match beyond {
+            Some((_, variable)) => {
+                Err(StudyError::OutOfRange { what: "at", variable: Some(variable.clone()) })
+            }
+            None if eps.is_finite() => Ok(()),
+            None => Err(StudyError::OutOfRange { what: "eps", variable: None }),
+        }
+    }
+
+    /// A point with the parameters and ε, in words; long numbers are cut.
+    #[must_use]
+    pub fn place(&self, at: &[impl Display], eps: &Rational) -> String {
+        let parameters = self.parameters().iter().zip(self.given().iter().flatten());
+        assigned(self.variables().iter().zip(at))
+            .chain(assigned(parameters))
+            .chain(assigned([("eps", eps)]))
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 
     /// What a point where det A = 0 and that has no image is.
@@ -251,6 +336,20 @@ impl Study {
     pub(crate) fn undefined_field(&self) -> StudyError {
         StudyError::UndefinedField { system: self.name().to_owned(), parameters: self.fixed() }
     }
+}
+
+/// `x = 1`, `y = 2`, of long numbers the first digits.
+pub(crate) fn assigned<N: Display, V: Display>(
+    values: impl IntoIterator<Item = (N, V)>,
+) -> impl Iterator<Item = String> {
+    const DIGITS: usize = 40;
+    values.into_iter().map(|(name, value)| {
+        let value = value.to_string();
+        match value.char_indices().nth(DIGITS) {
+            Some(_) => format!("{name} = {}…", &value[..DIGITS - 1]),
+            None => format!("{name} = {value}"),
+        }
+    })
 }
 
 /// The plain system of a chain of so many sites of the family in a text, its claims proved.
@@ -269,7 +368,7 @@ pub fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
 ///
 /// # Errors
 /// A name that is none of them, or given twice.
-pub fn values_by_name(
+pub(crate) fn values_by_name(
     given: &[(String, Rational)],
     names: &[String],
     system: &str,

@@ -1,9 +1,18 @@
 //! What a question is about: a field, the values of its parameters, of a family its sites.
 
+use std::collections::BTreeMap;
+
 use kahan_algebra::rational::Rational;
 use kahan_runtime::FieldText;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+
+use crate::numbers::exact;
 
 /// A field as its user names it.
+///
+/// In JSON it has a `name` in the catalog or a text, `field`, perhaps values of parameters,
+/// `params`, and `sites`: `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -87,5 +96,32 @@ impl Subject {
     #[must_use]
     pub fn sites(self, sites: usize) -> Self {
         Subject { sites: Some(sites), ..self }
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Object {
+    name: Option<String>,
+    field: Option<String>,
+    #[serde(default)]
+    params: BTreeMap<String, Value>,
+    sites: Option<usize>,
+}
+
+#[derive(Deserialize)]
+struct Value(#[serde(with = "exact")] Rational);
+
+impl<'de> Deserialize<'de> for Subject {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let Object { name, field, params, sites } = Object::deserialize(deserializer)?;
+        let subject = match (name, field) {
+            (Some(name), None) => Subject::named(name),
+            (None, Some(text)) => Subject::text(text),
+            _ => return Err(D::Error::custom("a subject has either `name` or `field`")),
+        };
+        let subject =
+            params.into_iter().fold(subject, |subject, (name, Value(value))| subject.with(name, value));
+        Ok(Subject { sites, ..subject })
     }
 }

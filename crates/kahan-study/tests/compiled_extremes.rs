@@ -247,7 +247,7 @@ fn try_all(fields: &[Tried]) -> Tally {
     for_each(fields.len(), None, &|k| {
         let (field, tally) = (&fields[k].field, fields[k].tally(&program));
         println!("{} is judged", field.name);
-        for Broken { silently_wrong, unjustified, first } in tally.broken.values() {
+        for Broken { silently_wrong, unjustified, first, .. } in tally.broken.values() {
             println!(
                 "  {silently_wrong} silently wrong, {unjustified} flagged without right: {}",
                 field.block()

@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
-    Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Watch, list,
+    Answer, Finding, Progress, Question, Show, Study, StudyError, Subject, Systems, Unwatched, Verify, Watch,
+    from_toml, list,
 };
 use serde_json::{Value, json};
 
@@ -34,13 +35,29 @@ fn a_question_writes_itself_as_it_was_read() {
         json!({"ask": "show", "as": "latex"}),
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
-        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5}),
+        json!({
+            "ask": "orbit", "eps": "-1/10", "at": ["1"], "steps": 9, "every": 3, "scalar": "f32", "order": 2, "method": "rk4",
+            "projective": false,
+        }),
+        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "of": ["final", "fli"]}),
+        json!({
+            "ask": "diagram", "eps": null, "at": ["1"], "over": {"name": "eps", "range": "1:0:/5"}, "variable": "x",
+            "transient": 7, "steps": 3,
+        }),
         json!({
             "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
             "over": {"name": "eps", "range": "1:0:/5"},
         }),
         json!({
             "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "side": "both", "points": 3,
+        }),
+        json!({
+            "ask": "over", "axes": [
+                {"name": "x", "range": "0:1:/9"}, {"name": "eps", "values": ["1/10", "1/20"]},
+                {"name": "y", "draw": "sobol", "low": "-1/2", "high": "1/2"},
+            ],
+            "question": {"ask": "heights", "eps": "0", "at": ["0", "0"], "steps": 5, "max_digits": 99, "seconds": 1.0},
+            "starts": [["1", "2/3"], ["0", "1"]], "draws": 7, "seed": 3,
         }),
         json!({"ask": "poles", "eps": null, "steps": 6, "seconds": 10.0}),
         json!({"ask": "discover", "eps": "1", "degree": 4, "seconds": 2.5}),
@@ -49,6 +66,7 @@ fn a_question_writes_itself_as_it_was_read() {
             "degree": 3, "seconds": 1.0,
         }),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
+        json!({"ask": "verify", "mutate": true}),
         json!({"ask": "extremes", "trials": 9, "random_fields": 1, "odd_fields": 2, "odd_trials": 3, "seed": 4}),
     ] {
         let read = question(object.clone()).expect("a question");
@@ -66,6 +84,54 @@ fn numbers_of_questions_are_exact() {
 }
 
 #[test]
+fn toml_says_what_json_says() {
+    for (text, object) in [
+        (
+            "ask = 'evaluate'\neps = 0.1\nat = [+1, '2/3', -0.3333333333333333333333333333, 1e-400]",
+            r#"{"ask": "evaluate", "eps": 0.1, "at": [1, "2/3", -0.3333333333333333333333333333, 1e-400]}"#,
+        ),
+        (
+            "ask = 'scan'\ndegree = 0x3\n[[axes]]\nname = 'xi'\nrange = '-2:2:+1/12'",
+            r#"{"ask": "scan", "degree": 3, "axes": [{"name": "xi", "range": "-2:2:+1/12"}]}"#,
+        ),
+        ("ask = 'verify'\nmutate = true", r#"{"ask": "verify", "mutate": true}"#),
+    ] {
+        let read: Question = from_toml(text).expect("a question");
+        assert_eq!(read, serde_json::from_str(object).expect("a question"));
+    }
+    for (text, said) in [
+        ("ask = 'evaluate'\neps = 1\nat = [1]\nepsilon = 1", "unknown field `epsilon`"),
+        ("ask = 'poles'\nsteps = 'two'", "expected usize"),
+        ("ask = 'poles'\nseconds = inf", "`inf` is no finite number"),
+        ("ask = 'poles'\neps = 1979-05-27", "is a date"),
+        ("ask = 'poles'\nsteps =", "line 2"),
+    ] {
+        let mistake = from_toml::<Question>(text).expect_err("a mistake");
+        assert!(mistake.contains(said), "{text}: {mistake}");
+    }
+}
+
+#[test]
+fn subjects_read_themselves() {
+    let read: Subject = from_toml("name = 'e7'\nparams = { xi = 0.1 }").expect("a subject");
+    assert_eq!(study(read).values().expect("all values"), [Rational::new(1, 10)]);
+    let read: Subject = serde_json::from_value(json!({"name": "toda", "sites": 3})).expect("a subject");
+    assert_eq!(study(read).variables().len(), 6);
+    let read = json!({"field": "xdot = a*x;", "params": {"a": "1/3"}});
+    let read: Subject = serde_json::from_value(read).expect("a subject");
+    assert_eq!(study(read).values().expect("all values"), [Rational::new(1, 3)]);
+    for (object, said) in [
+        (json!({"name": "e7", "field": "xdot = x;"}), "either `name` or `field`"),
+        (json!({}), "either `name` or `field`"),
+        (json!({"name": "e7", "parameters": {"xi": 1}}), "unknown field `parameters`"),
+        (json!({"name": "e7", "params": {"xi": "one"}}), "`one` is not an exact number"),
+    ] {
+        let mistake = serde_json::from_value::<Subject>(object.clone()).expect_err("a mistake");
+        assert!(mistake.to_string().contains(said), "{object}: {mistake}");
+    }
+}
+
+#[test]
 fn what_a_question_does_not_have_is_a_mistake() {
     for (object, said) in [
         (json!({"ask": "evaluate", "eps": 1, "at": [1], "epsilon": 1}), "unknown field `epsilon`"),
@@ -76,6 +142,14 @@ fn what_a_question_does_not_have_is_a_mistake() {
         (
             json!({"ask": "scan", "axes": [{"name": "xi", "range": "0:1"}]}),
             "`0:1` is no range; write FROM:TO:COUNT",
+        ),
+        (
+            json!({"ask": "over", "axes": [{"name": "x", "values": [1], "low": 0}], "question": {"ask": "poles"}}),
+            "the axis `x` has either a `range`",
+        ),
+        (
+            json!({"ask": "over", "axes": [], "question": {"ask": "observe", "of": ["drifts"]}}),
+            "unknown variant `drifts`",
         ),
         (json!({"ask": "weather"}), "unknown variant `weather`, expected one of `show`"),
         (json!({"eps": 1, "at": [1]}), "missing field `ask`"),
@@ -114,7 +188,7 @@ fn questions_that_do_not_fit_say_so() {
     ));
     assert!(matches!(
         error(Subject::named("lv"), evaluate.clone()),
-        StudyError::Coordinates { given: 3, .. }
+        StudyError::Coordinates { what: "at", given: 3, .. }
     ));
     let false_claim = Subject::text("xdot = y; ydot = -x; integral H = x;");
     assert!(matches!(
@@ -139,8 +213,12 @@ fn questions_that_do_not_fit_say_so() {
     assert!(matches!(error(Subject::named("lv"), third), StudyError::Order(3)));
     let never = observe(json!({"every": 0}));
     assert!(matches!(error(Subject::named("lv"), never), StudyError::NotPositive { what: "every", .. }));
-    let far = observe(json!({"eps": "1e400"}));
-    assert!(matches!(error(Subject::named("lv"), far), StudyError::OutOfRange));
+    for (far, said) in [
+        (json!({"eps": "1e400"}), "eps is beyond the range of f64"),
+        (json!({"at": [1, "-1e400"]}), "at: the coordinate y is beyond the range of f64"),
+    ] {
+        assert_eq!(error(Subject::named("lv"), observe(far)).to_string(), said);
+    }
     let section = |plane: &str| json!({"ask": "section", "eps": 1, "at": [1, 1], "steps": 9, "plane": plane});
     assert!(matches!(
         error(Subject::named("lv"), section("x - z")),
@@ -330,6 +408,7 @@ fn a_question_that_was_stopped_asks_no_more() {
     let lv = study(Subject::named("lv"));
     let over = json!({"name": "eps", "range": "1/10:1:9"});
     for object in [
+        json!({"ask": "orbit", "eps": "1/10", "at": [1, 2], "steps": 100_000}),
         json!({"ask": "observe", "eps": "1/10", "at": [1, 2], "steps": 100_000}),
         json!({"ask": "section", "eps": "1/10", "at": [1, 2], "steps": 100_000, "plane": "x - y"}),
         json!({"ask": "periodic", "at": [1, 1], "over": over}),
@@ -400,4 +479,84 @@ fn a_catalog_lists_itself() {
     assert_eq!([&e9["parameters"], &e9["claims"][0]], [&json!(["xi"]), &json!("rho")]);
     let species = of("families", "species");
     assert_eq!([&species["arrays"], &species["parameters"]], [&json!(["n"]), &json!(["mu", "r[i]"])]);
+}
+
+#[test]
+fn an_orbit_diagram_shows_what_is_left_after_the_transient() {
+    // A sink at a, whatever a is; with ε = 1/10 the distance from it falls to 9/11 in a step.
+    let sink = study(Subject::text("xdot = a - x; ydot = -y;"));
+    let asked = json!({
+        "ask": "diagram", "eps": "1/10", "at": [7, 1], "over": {"name": "a", "range": "0:2:3"},
+        "transient": 400, "steps": 2,
+    });
+    let found = answer(&sink, asked.clone());
+    assert_eq!(found["values"], json!(["0", "1", "2"]));
+    assert_eq!([&found["variable"], &found["axis"]], [&json!("x"), &json!("a")]);
+    assert_eq!(found["ended"], 0);
+    assert!(found["points"][2].as_array().is_some_and(|points| points.len() == 3), "{found}");
+    assert!((found["points"][2][0].as_f64().expect("a number") - 2.0).abs() < 1e-14, "{found}");
+    let of = |changed: &str, value: Value| {
+        let mut asked = asked.clone();
+        asked[changed] = value;
+        question(asked).map(|asked| sink.ask(&asked, &Unwatched).map(|answer| json!(answer)))
+    };
+    let short = of("transient", json!(0)).expect("a question").expect("an answer");
+    let exact = [7.0, 2.0 + 5.0 * 9.0 / 11.0, 2.0 + 5.0 * 81.0 / 121.0];
+    for (i, x) in exact.into_iter().enumerate() {
+        let shown = short["points"][2][i].as_f64().expect("a number");
+        assert!((shown - x).abs() < 1e-14, "{short}");
+    }
+    let y = of("variable", json!("y")).expect("a question").expect("an answer");
+    assert!(y["points"][0][0].as_f64().is_some_and(|y| y > 0.0 && y < 1e-30), "{y}");
+    for (changed, value, said) in [
+        ("variable", json!("q"), "`q` is no variable of field; there is x, y"),
+        ("over", json!({"name": "b", "range": "0:1:3"}), "`b` is no parameter of field; there is a, eps"),
+    ] {
+        let refused = of(changed, value).expect("a question").expect_err("a mistake");
+        assert_eq!(refused.to_string(), said);
+    }
+    let over_eps = of("over", json!({"name": "eps", "range": "1/10:1/5:2"})).expect("a question");
+    assert!(over_eps.is_err_and(|error| matches!(error, StudyError::MissingParameters { .. })));
+}
+
+#[test]
+fn claims_of_a_field_hold_or_not() {
+    let field =
+        "xdot = a*y; ydot = -a*x; integral H = x^2 + y^2; integral L = x when a = 0; integral Z = a*x*y;";
+    let verdicts = |subject: Subject| answer(&study(subject), json!({"ask": "verify"}));
+    let of_field = verdicts(Subject::text(field));
+    let outcomes: Vec<&Value> =
+        of_field["claims"].as_array().expect("a list").iter().map(|claim| &claim["outcome"]).collect();
+    assert_eq!(json!([outcomes, of_field["failed"]]), json!([["proved", "proved", "failed"], 1]));
+    assert_eq!(of_field["claims"][0]["id"], "field.H");
+    assert_eq!(of_field["claims"][0]["detail"], "by normal forms over Q, and modulo primes");
+    // What does not fit the values of parameters is gone.
+    let put_in = verdicts(Subject::text(field).with("a", one()));
+    assert_eq!(put_in["claims"].as_array().map(Vec::len), Some(2));
+    // Of a system of the catalog as it stands the paper's claims are meant.
+    assert_eq!(verdicts(Subject::named("e9").with("xi", one()))["claims"][1]["id"], "e9.H3");
+    let of_paper = verdicts(Subject::named("lagrange"));
+    assert_eq!([&of_paper["failed"], &of_paper["claims"][0]["system"]], [&json!(0), &json!("lagrange")]);
+}
+
+#[test]
+fn a_claim_that_is_changed_fails() {
+    let mutate = Verify { mutate: true };
+    let swing = |claim: &str| study(Subject::text(format!("xdot = y; ydot = -x; {claim}")));
+    let mutated = json!(mutate.ask(&swing("integral H = x^2 + y^2;"), &Unwatched).expect("an answer"));
+    assert_eq!(mutated["survived"], 0);
+    assert_eq!(mutated["mutations"][0]["id"], "field.H");
+    assert!(matches!(mutate.ask(&swing("integral H = x;"), &Unwatched), Err(StudyError::Field(_))));
+}
+
+#[test]
+fn verdicts_at_the_extremes() {
+    let judged = answer(&study(Subject::named("e1")), json!({"ask": "extremes", "trials": 8, "seed": 3}));
+    let names: Vec<&str> = judged.as_object().expect("an object").keys().map(String::as_str).collect();
+    let of_question = ["system", "systems", "random_fields", "odd_fields", "trials", "seed", "seconds"];
+    assert_eq!(names, [&of_question[..], &["cells", "broken", "failures"]].concat());
+    let cell = judged["cells"][0].as_object().expect("an object");
+    let of_cell = ["regime", "tier", "scalar", "trials", "max_error_u", "flagged", "unjustified_flags"];
+    assert!(cell.keys().eq(of_cell.iter().chain(&["silently_wrong"])), "{cell:?}");
+    assert_eq!(json!([judged["system"], judged["broken"]]), json!(["e1", []]));
 }

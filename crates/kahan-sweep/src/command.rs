@@ -236,7 +236,7 @@ impl Cli {
             let cores = std::thread::available_parallelism().ok()?.get();
             Some((cores / beside).max(1))
         });
-        let rows: u64 = shard.parts(plan).map(|part| plan.rows(part)).map(|rows| rows.end - rows.start).sum();
+        let rows: u64 = shard.parts(plan).map(|part| plan.part(part)).map(|rows| rows.end - rows.start).sum();
         let stop = Arc::new(AtomicBool::new(false));
         for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
             // The second signal ends the process at once.

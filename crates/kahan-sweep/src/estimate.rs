@@ -2,11 +2,10 @@
 
 use std::time::{Duration, Instant};
 
+use kahan_study::{Kept, Unwatched};
 use serde_json::{Value, json};
 
-use crate::columns::{Entries, written};
 use crate::plan::Plan;
-use crate::task::rows;
 
 /// What a sweep will take.
 #[derive(Clone, Debug)]
@@ -40,14 +39,14 @@ impl Estimate {
         while measured < points.min(100_000) && (measured == 0 || begun.elapsed() < MEASURED) {
             let first = place.wrapping_mul(stride) % points;
             let began = Instant::now();
-            let found = rows(plan, first..points.min(first + together), &|| false);
+            let found = plan.rows(first..points.min(first + together), &Unwatched);
             let took = began.elapsed();
             if took < MEASURED / 50 && together < TOGETHER.min(points) {
                 together *= 4;
                 (measured, bytes, seconds) = (0, 0, 0.0);
             }
-            bytes += found.columns.iter().map(size).sum::<u64>();
-            measured += found.len() as u64;
+            bytes += found.values.iter().map(size).sum::<u64>();
+            measured += found.count() as u64;
             seconds += took.as_secs_f64();
             place += 1;
         }
@@ -56,7 +55,7 @@ impl Estimate {
         Estimate {
             points,
             parts: plan.parts(),
-            columns: written(plan).into_iter().map(|column| column.name).collect(),
+            columns: plan.empty.columns.iter().map(|column| column.name.clone()).collect(),
             bytes: bytes as f64 / measured as f64 * points as f64,
             core_seconds: each * points as f64,
             cores,
@@ -92,11 +91,10 @@ impl Estimate {
     }
 }
 
-fn size(column: &Entries) -> u64 {
+fn size(column: &Kept) -> u64 {
     match column {
-        Entries::Integers(entries) => 8 * entries.len() as u64,
-        Entries::Doubles(entries) => 8 * entries.len() as u64,
-        Entries::Texts(entries) => entries.iter().map(|text| 4 + text.len() as u64).sum(),
+        Kept::Text(list) => list.iter().map(|text| 4 + text.len() as u64).sum(),
+        numbers => 8 * numbers.values().count() as u64,
     }
 }
 

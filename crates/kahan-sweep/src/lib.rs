@@ -4,19 +4,16 @@
 //! know how machines are found, shared or restarted: schedulers do that, and start this program
 //! with the number of a shard.
 //!
-//! Data flows one way: a [`Plan`] gives a point from its index, a task makes a row of a point, a
-//! run makes parts of rows, and parts are merged. A part is the rows of a fixed range of indices.
+//! Data flows one way: a [`Plan`] is a question over axes, whose rows a study gives, a run makes
+//! parts of rows, and parts are merged. A part is the rows of a fixed range of indices.
 
-mod columns;
 mod command;
-mod draw;
 mod estimate;
 mod files;
 mod launcher;
 mod plan;
 mod run;
 mod scripts;
-mod task;
 
 pub use command::run;
 pub use plan::{Mistake, Mistakes, Plan};

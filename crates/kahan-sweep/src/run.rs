@@ -1,18 +1,17 @@
 //! The work of a shard: its parts, one after another, each on all threads.
 
 use std::io;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use kahan_runtime::threads::for_each;
+use kahan_study::{Progress, Table, Watch};
 
-use crate::columns::{Rows, written};
 use crate::files::{Journal, Part, Unusable};
 use crate::plan::Plan;
-use crate::task::{least_rows, rows};
 
 /// Which parts a process works on: every `of`-th, from `index` on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,8 +51,6 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// The most rows that a thread takes at once.
-const CHUNK: u64 = 256;
 /// How often what is done is noted, and how long a thread keeps rows to itself.
 const NOTED: Duration = Duration::from_secs(8);
 
@@ -79,7 +76,7 @@ impl Run<'_> {
             if part.exists() {
                 match part.checked() {
                     Ok(_) => {
-                        let rows = self.plan.rows(index);
+                        let rows = self.plan.part(index);
                         (self.progress)(rows.end - rows.start);
                         // Another process may have written it while this one's notes were there.
                         part.tidy();
@@ -101,14 +98,14 @@ impl Run<'_> {
     }
 
     fn part(&self, part: &Part<'_>, hash: &str) -> Result<End, Failure> {
-        let indices = self.plan.rows(part.index);
-        let empty = Rows::of(&written(self.plan));
-        let done = known(Journal::noted(part, hash, &empty), &indices);
-        (self.progress)(done.iter().map(|(_, rows)| rows.len() as u64).sum());
+        let indices = self.plan.part(part.index);
+        let done = known(Journal::noted(part, hash, &self.plan.empty), &indices);
+        (self.progress)(done.iter().map(|(_, rows)| rows.count() as u64).sum());
         // Several for each thread, so that none is left with much where others are done.
         let threads = self.threads.unwrap_or(1) as u64;
         let rows = indices.end - indices.start;
-        let chunk = (rows / (8 * threads)).clamp(least_rows(self.plan), CHUNK);
+        let [least, most] = self.plan.at_once();
+        let chunk = (rows / (8 * threads)).clamp(least, most);
         let chunks = chunks(&done, &indices, chunk);
         let work = Mutex::new(Work {
             done,
@@ -124,10 +121,10 @@ impl Run<'_> {
             return Ok(End::Interrupted);
         }
         work.done.sort_by_key(|(first, _)| *first);
-        let all = work.done.into_iter().fold(empty, |mut all, (_, rows)| {
-            all.append(rows);
-            all
-        });
+        let mut all = Table::default();
+        for (_, rows) in work.done {
+            let _ = rows.hand_to(&mut all);
+        }
         part.write(&all)?;
         part.tidy();
         Ok(End::Done)
@@ -137,10 +134,9 @@ impl Run<'_> {
     fn chunk(&self, indices: Range<u64>, work: &Mutex<Work>) {
         let mut next = indices.start;
         while next < indices.end && !self.stop.load(Ordering::Relaxed) {
-            let begun = Instant::now();
-            let is_over = || self.stop.load(Ordering::Relaxed) || begun.elapsed() > NOTED;
-            let made = rows(self.plan, next..indices.end, &is_over);
-            let count = made.len() as u64;
+            let turn = Turn { stop: self.stop, begun: Instant::now() };
+            let made = self.plan.rows(next..indices.end, &turn);
+            let count = made.count() as u64;
             if count == 0 {
                 continue;
             }
@@ -156,10 +152,23 @@ impl Run<'_> {
     }
 }
 
+/// What a thread does before it hands rows on.
+struct Turn<'a> {
+    stop: &'a AtomicBool,
+    begun: Instant,
+}
+
+impl Watch for Turn<'_> {
+    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
+        let is_over = self.stop.load(Ordering::Relaxed) || self.begun.elapsed() > NOTED;
+        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 /// What the threads of a part share.
 struct Work {
     /// First rows and rows, in no order.
-    done: Vec<(u64, Rows)>,
+    done: Vec<(u64, Table)>,
     /// How many of them, at the end, are not on the disk.
     unnoted: usize,
     journal: Journal,
@@ -170,7 +179,7 @@ struct Work {
 
 impl Work {
     /// Takes rows, and notes them when it is time; an error is handed on when it is new.
-    fn take(&mut self, first: u64, rows: Rows) -> Option<io::Error> {
+    fn take(&mut self, first: u64, rows: Table) -> Option<io::Error> {
         self.done.push((first, rows));
         self.unnoted += 1;
         if self.noted.elapsed() <= NOTED {
@@ -198,11 +207,11 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// What was noted, each row once.
-fn known(mut noted: Vec<(u64, Rows)>, indices: &Range<u64>) -> Vec<(u64, Rows)> {
+fn known(mut noted: Vec<(u64, Table)>, indices: &Range<u64>) -> Vec<(u64, Table)> {
     noted.sort_by_key(|(first, _)| *first);
     let mut next = indices.start;
     noted.retain(|(first, rows)| {
-        let end = first.saturating_add(rows.len() as u64);
+        let end = first.saturating_add(rows.count() as u64);
         let fits = *first >= next && end <= indices.end;
         if fits {
             next = end;
@@ -213,10 +222,10 @@ fn known(mut noted: Vec<(u64, Rows)>, indices: &Range<u64>) -> Vec<(u64, Rows)> 
 }
 
 /// What is left, in pieces for threads.
-fn chunks(done: &[(u64, Rows)], indices: &Range<u64>, chunk: u64) -> Vec<Range<u64>> {
+fn chunks(done: &[(u64, Table)], indices: &Range<u64>, chunk: u64) -> Vec<Range<u64>> {
     let mut chunks = Vec::new();
     let mut next = indices.start;
-    let ends = done.iter().map(|(first, rows)| (*first, first + rows.len() as u64));
+    let ends = done.iter().map(|(first, rows)| (*first, first + rows.count() as u64));
     for (gap_end, after) in ends.chain([(indices.end, indices.end)]) {
         while next < gap_end {
             let end = gap_end.min(next + chunk);
@@ -231,11 +240,11 @@ fn chunks(done: &[(u64, Rows)], indices: &Range<u64>, chunk: u64) -> Vec<Range<u
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::columns::Entries;
+    use kahan_study::Kept;
 
-    fn some(first: u64, count: u64) -> (u64, Rows) {
-        let entries = (first..first + count).map(|index| index as i64).collect();
-        (first, Rows { columns: vec![Entries::Integers(entries)] })
+    fn some(first: u64, count: u64) -> (u64, Table) {
+        let indices = (first..first + count).map(|index| index as i64).collect();
+        (first, Table { columns: Vec::new(), values: vec![Kept::Integer(indices)] })
     }
 
     #[test]
@@ -243,7 +252,7 @@ mod tests {
         let noted = vec![some(300, 10), some(0, 100), some(305, 10), some(0, 50), some(990, 50)];
         let done = known(noted, &(0..1000));
         assert_eq!(
-            done.iter().map(|(first, rows)| (*first, rows.len())).collect::<Vec<_>>(),
+            done.iter().map(|(first, rows)| (*first, rows.count())).collect::<Vec<_>>(),
             [(0, 100), (300, 10)]
         );
         assert_eq!(chunks(&done, &(0..1000), 256), [100..300, 310..566, 566..822, 822..1000]);

@@ -340,7 +340,7 @@ fn every_mistake_of_a_plan_is_told_with_its_line() {
         (("z = \"1/2\"\n", ""), "`z` has no value"),
         (("a2 = -3", "a2 = -3\na3 = 1"), "leave it out of one"),
         (("draws = 40\n", ""), "draws = 1000"),
-        (("order = [2, 4]", "order = [2, 3]"), "order is 2, 4, 6 or 8"),
+        (("order = [2, 4]", "order = [2, 3]"), "order: 3 is none of 2, 4, 6, 8"),
         (("\"drift\"", "\"drifts\""), "no observer `drifts`"),
         (("rows_per_part = 97", "rows_per_part = 97000000"), "rows_per_part is a whole number"),
         (("points = 5", "points = 5000000000"), "too many for one file"),

@@ -35,7 +35,11 @@ impl<'a> Found<'a> {
     pub fn compute(paper: &'a Paper, each: impl Fn() + Sync) -> Self {
         let claims: Vec<&Claim> = paper.claims().iter().collect();
         // The claims measure the orbits, many at once; what is left is to look them up.
-        let established = paper.establish_all(&claims, &each);
+        let established = paper.for_all(&claims, None, |claim| {
+            let established = paper.establish(claim);
+            each();
+            established
+        });
         let orbits = Figure::all().filter_map(|figure| {
             let measurement = paper.measurement(figure).ok();
             each();

@@ -1,21 +1,21 @@
 //! `kahan chart`: what an observer says of orbits over one coordinate or parameter, as a curve, or
 //! over two, in colours.
 
-mod cells;
 mod rows;
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
-use kahan_draw::{Drawing, Grid, Mark, NumberLine, Plot, Series};
-use kahan_study::{Axis, Spacing};
+use clap::Args;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_draw::picture::{Chart as Shown, Look, chart};
+use kahan_study::{Axis, Observable, Observe, Over, Question, Spacing, Study, StudyError, Through};
 use serde_json::json;
 
-use super::look::{Look, file, format};
-use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{self, Start, whole};
+use super::line::{Asking, Line};
+use super::look::{SheetOptions, file, format, usual};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::reading::{self, Start, number, observable, whole};
 
-use cells::Cells;
 use rows::Rows;
 
 /// Charts what orbits do over one or two coordinates or parameters.
@@ -64,41 +64,34 @@ pub(crate) struct Chart {
     steps: u64,
 
     /// What is shown.
-    #[arg(long, value_enum, default_value = "sali")]
-    color: Colour,
+    #[arg(long, default_value = "sali", value_parser = observable(&COLOURS))]
+    color: Observable,
 
     /// The orbit has escaped where a variable is larger than R in size.
     #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true)]
     escape: String,
 
-    /// The file, F.svg, F.png or F.csv, which appears when it is complete.
+    /// The file, F.svg, F.png, F.pdf or F.csv, which appears when it is complete.
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
     #[command(flatten)]
-    look: Look,
+    look: SheetOptions,
 
     /// Print one JSON object that says what the file shows.
     #[arg(long)]
     json: bool,
 }
 
-/// What a cell shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Colour {
-    /// The smaller alignment index, as a logarithm.
-    Sali,
-    /// The fast Lyapunov indicator.
-    Fli,
-    /// The mean of MEGNO.
-    Megno,
-    /// The largest Lyapunov exponent.
-    Lyapunov,
-    /// The greatest drift of the claimed integrals, as a logarithm.
-    Drift,
-    /// The step of the escape.
-    Escape,
-}
+/// What a cell can show.
+const COLOURS: [Observable; 6] = [
+    Observable::Sali,
+    Observable::Fli,
+    Observable::Megno,
+    Observable::Lyapunov,
+    Observable::Drift,
+    Observable::Escape,
+];
 
 const EXAMPLES: &str = "\
 Examples:
@@ -115,43 +108,40 @@ fn steps(text: &str) -> Result<u64, String> {
     whole(text, 1, 1 << 40)
 }
 
-impl Colour {
-    /// Its word on the command line.
-    fn name(self) -> String {
-        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
+impl Asking for Chart {
+    const COMMAND: &str = "chart";
+    type Question = Over;
+
+    fn asked(&self) -> Result<(Study, Over), Refusal> {
+        let axes = self.over.iter().map(|over| reading::over(over, Spacing::Cells));
+        let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
+        let (study, at, eps) = self.start.study_without_values()?;
+        let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
+        let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
+        let escape = number(&self.escape, "--escape")?.to_f64();
+        let mut of = vec![self.color];
+        // Where there is an orbit, there is a last point.
+        of.extend((self.color == Observable::Escape).then_some(Observable::Last));
+        let observe = Observe { escape, of, ..Observe::new(eps, at, self.steps) };
+        // The first range of a chart runs fastest, and the last axis of a question.
+        let axes = axes.into_iter().rev().map(Into::into).collect();
+        Ok((study, Over::new(Question::Observe(observe), axes)))
     }
 
-    /// The column of a sweep that holds it.
-    fn column(self) -> String {
-        if self == Colour::Escape { "escaped".to_owned() } else { self.name() }
+    fn options(asked: &Over, line: Line) -> Line {
+        let Question::Observe(Observe { eps, at, steps, escape, of, .. }) = &*asked.question else {
+            return line;
+        };
+        let line = line.with("--eps", eps).at(at);
+        let line = asked.axes.iter().rev().fold(line, |line, axis| match &axis.through {
+            Through::Range(range) => line.with("--over", format!("{}={range}", axis.name)),
+            Through::List(_) | Through::Drawn { .. } => line,
+        });
+        let line = line.unless(*steps == 1000, "--steps", steps);
+        let colour = of.first().filter(|of| **of != Observable::Sali);
+        let line = line.with_some("--color", colour.map(|of| of.name()));
+        line.unless(*escape == 1e6, "--escape", escape).with("--out", "chart.svg")
     }
-
-    fn label(self) -> &'static str {
-        match self {
-            Colour::Sali => "log SALI, to base 10",
-            Colour::Fli => "FLI",
-            Colour::Megno => "mean MEGNO",
-            Colour::Lyapunov => "largest exponent, per unit of time",
-            Colour::Drift => "log of the greatest drift, to base 10",
-            Colour::Escape => "step of the escape",
-        }
-    }
-}
-
-/// What a chart shows.
-struct Shown {
-    /// One or two.
-    axes: Vec<Axis>,
-    /// Row by row from below.
-    values: Vec<f64>,
-    /// Of what.
-    name: String,
-    /// What of it.
-    column: String,
-    /// Whether of that the logarithm to base 10.
-    is_logarithm: bool,
-    label: String,
-    description: String,
 }
 
 impl Chart {
@@ -161,8 +151,9 @@ impl Chart {
         let format = if is_table { None } else { Some(format(&self.out)?) };
         let sink = Sink::file(&self.out, "--out")?;
         let shown = self.shown()?;
+        let picture = chart(&shown, &Look::on(self.look.sheet(usual())));
         let file = match format {
-            Some(format) => file(&self.drawing(&shown), format, &self.look.sheet())?,
+            Some(format) => file(&picture.drawing, format)?,
             None => table(&shown).into_bytes(),
         };
         sink.put(file)?;
@@ -175,19 +166,14 @@ impl Chart {
             (self.out.display().to_string(), shown.values.len(), shown.values.len() - values.count());
         if self.json {
             return Ok(Answer::json(&json!({
-                "system": shown.name, "color": shown.column, "out": out, "shows": shown.description, "cells": cells,
+                "system": shown.name, "color": shown.column, "out": out, "shows": picture.drawing.description, "cells": cells,
                 "empty": empty, "least": extremes.map(|ends| ends.0), "greatest": extremes.map(|ends| ends.1),
             })));
         }
         let ends =
             extremes.map_or(String::new(), |(least, greatest)| format!(", from {least:.4} to {greatest:.4}"));
         let what = if self.from.is_some() { "cells" } else { "orbits" };
-        Ok(Answer::text(format!("{out} written: {} of {cells} {what}{ends}, {empty} empty\n", shown.label)))
-    }
-
-    /// The picture.
-    pub(super) fn drawn(&self) -> Result<Drawing, Refusal> {
-        Ok(self.drawing(&self.shown()?))
+        Ok(Answer::text(format!("{out} written: {} of {cells} {what}{ends}, {empty} empty\n", shown.label())))
     }
 
     fn shown(&self) -> Result<Shown, Refusal> {
@@ -203,79 +189,21 @@ impl Chart {
     }
 
     fn of_orbits(&self) -> Result<Shown, Refusal> {
-        let axes = self.over.iter().map(|over| reading::over(over, Spacing::Cells));
-        let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
-        let request = self.start.request_over(&axes)?;
-        let values = Cells::new(&request, &axes, self.color, self.steps, &self.escape)?.values()?;
-        let label = self.color.label().to_owned();
-        let is_logarithm = matches!(self.color, Colour::Sali | Colour::Drift);
-        let description = format!("{}, {} steps each", over(&label, &request.name, &axes), self.steps);
-        Ok(Shown {
-            axes,
-            values,
-            name: request.name,
-            column: self.color.name(),
-            is_logarithm,
-            label,
-            description,
-        })
+        let (study, asked) = self.asked()?;
+        if self.color == Observable::Drift && study.system().accessors(ClaimKind::Integral).next().is_none() {
+            return Err(Refusal::new(format!("--color drift: {} claims no integral", study.name())));
+        }
+        let found = asked.ask(&study, &Prompt::new(asked.cells(&study)?, "orbits"))?;
+        Ok(Shown::of(&asked, &found))
     }
 
     fn of_rows(&self, from: &Path) -> Result<Shown, Refusal> {
-        let column = self.column.clone().unwrap_or_else(|| self.color.column());
-        let rows = Rows { from, over: &self.over, column, chosen: &self.chosen };
-        let is_logarithm = rows.column == "sali" || rows.column.starts_with("drift");
-        let (axes, values) =
-            rows.cells(|value| if is_logarithm { cells::logarithm(value) } else { value })?;
-        let column = rows.column;
-        let label = if is_logarithm { format!("log {column}, to base 10") } else { column.clone() };
-        let name = from.display().to_string();
-        let description = over(&label, &name, &axes);
-        Ok(Shown { axes, values, name, column, is_logarithm, label, description })
+        let escaped = if self.color == Observable::Escape { "escaped" } else { self.color.name() };
+        let column = self.column.clone().unwrap_or_else(|| escaped.to_owned());
+        let rows = Rows { from, over: &self.over, column: column.clone(), chosen: &self.chosen };
+        let (axes, values) = rows.cells(Shown::scale(&column))?;
+        Ok(Shown::of_column(from.display().to_string(), axes, column, values))
     }
-
-    fn drawing(&self, shown: &Shown) -> Drawing {
-        match &shown.axes[..] {
-            [axis] => self.curve(shown, axis).drawing(),
-            axes => self.grid(shown, axes).drawing(),
-        }
-    }
-
-    /// The values over one range.
-    fn curve(&self, shown: &Shown, axis: &Axis) -> Plot {
-        let places = axis.range.values().map(|value| value.to_f64());
-        let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();
-        // The dots show the values that no line leads to.
-        let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
-        let plot = Plot::around(&shown.description, [&axis.name, &shown.label], marked.into());
-        Plot { size: self.look.sheet().view_box(), ..plot }
-    }
-
-    fn grid(&self, shown: &Shown, axes: &[Axis]) -> Grid {
-        let line = |axis: &Axis| {
-            let [low, high] = axis.range.edges().map(|edge| edge.to_f64());
-            NumberLine { label: axis.name.to_owned(), low, high }
-        };
-        Grid {
-            description: shown.description.clone(),
-            size: self.look.sheet().view_box(),
-            x: line(&axes[0]),
-            y: line(&axes[1]),
-            scale: NumberLine::around_most(&shown.label, shown.values.iter().copied()),
-            columns: axes[0].range.count(),
-            values: shown.values.clone(),
-        }
-    }
-}
-
-/// What is shown, in words: the values of a curve, the cells of a grid.
-fn over(label: &str, name: &str, axes: &[Axis]) -> String {
-    let through = |axis: &Axis| {
-        let [from, to] = if axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
-        format!("{} from {from} to {to}", axis.name)
-    };
-    let axes: Vec<String> = axes.iter().map(through).collect();
-    format!("{label} of {name} over {}", axes.join(" and "))
 }
 
 /// A row an orbit, and the names of what is in it; the first range runs fastest.

@@ -101,10 +101,7 @@ impl Discover {
 
 /// What is found, with the stages on the terminal.
 pub(super) fn discovery(study: &Study, asked: &Question) -> Result<Discovery, Refusal> {
-    let prompt = Prompt::stages();
-    let found = asked.ask(study, &prompt);
-    prompt.finish();
-    Ok(Discovery(found?))
+    Ok(Discovery(asked.ask(study, &Prompt::stages())?))
 }
 
 /// The width of lines of Rust.

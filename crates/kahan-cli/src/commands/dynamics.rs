@@ -4,13 +4,14 @@ mod report;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use kahan_study::{Observe, Observed, Study};
+use kahan_study::{Observable, Observe, Observed, Study};
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use crate::printing::layout::Rows;
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{Start, whole};
+use crate::reading::{Start, observable, whole};
+use report::text;
+pub(super) use report::{complaint, tables};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
@@ -46,6 +47,10 @@ pub(crate) struct Dynamics {
     #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true, value_parser = radius)]
     escape: f64,
 
+    /// What is observed, in this order; nothing else is computed.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = usual(), value_parser = observable(Observable::ALL))]
+    observe: Vec<Observable>,
+
     /// Print one JSON object; what has no value is null.
     #[arg(long)]
     json: bool,
@@ -57,6 +62,10 @@ Examples:
   kahan dynamics e3 --eps 0.05 --at 1,2,3 --steps 1e4 --json
   kahan dynamics e6 --eps 0.05 --at 1,2,3 --steps 1e4 --order 4
   kahan dynamics --field 'xdot = y; ydot = 6*x^2 - 2;' --eps 0.01 --at 0,0.1 --steps 9999";
+
+fn usual() -> Vec<&'static str> {
+    Observe::USUAL.iter().map(|of| of.name()).collect()
+}
 
 fn steps(text: &str) -> Result<u64, String> {
     whole(text, 1, 1 << 53)
@@ -77,17 +86,19 @@ impl Asking for Dynamics {
 
     fn asked(&self) -> Result<(Study, Observe), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Dynamics { steps, order, every, escape, .. } = *self;
-        Ok((study, Observe { eps, at, steps, order, every, escape }))
+        let Dynamics { steps, order, every, escape, ref observe, .. } = *self;
+        Ok((study, Observe { eps, at, steps, order, every, escape, of: observe.clone() }))
     }
 
     fn options(asked: &Observe, line: Line) -> Line {
-        let Observe { eps, at, steps, order, every, escape } = asked;
+        let Observe { eps, at, steps, order, every, escape, of } = asked;
         let usual = Observe::new(eps.clone(), at.clone(), *steps);
         let line = line.with("--eps", eps).at(at).with("--steps", steps);
         let line = line.unless(*order == usual.order, "--order", order);
         let line = line.unless(*every == usual.every, "--every", every);
-        line.unless(*escape == usual.escape, "--escape", escape)
+        let line = line.unless(*escape == usual.escape, "--escape", escape);
+        let names: Vec<&str> = of.iter().map(|of| of.name()).collect();
+        line.unless(*of == usual.of, "--observe", names.join(","))
     }
 }
 
@@ -95,22 +106,12 @@ impl Dynamics {
     /// The answers; a complaint where the orbit ends early.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let observed = self.observed()?;
-        let answer =
-            if self.json { Answer::json(&json!(observed)) } else { Answer::text(report::text(&observed)) };
-        Ok(Answer { complaint: report::complaint(&observed), ..answer })
-    }
-
-    /// The answers as tables; a complaint where the orbit ends early.
-    pub(super) fn tables(&self) -> Result<(Vec<Rows>, Option<String>), Refusal> {
-        let observed = self.observed()?;
-        Ok((report::tables(&observed), report::complaint(&observed)))
+        let answer = if self.json { Answer::json(&json!(observed)) } else { Answer::text(text(&observed)) };
+        Ok(Answer { complaint: complaint(&observed), ..answer })
     }
 
     fn observed(&self) -> Result<Observed, Refusal> {
         let (study, asked) = self.asked()?;
-        let prompt = Prompt::new(2 * self.steps, "steps");
-        let observed = asked.ask(&study, &prompt);
-        prompt.finish();
-        Ok(observed?)
+        Ok(asked.ask(&study, &Prompt::of("steps"))?)
     }
 }

@@ -9,7 +9,7 @@ use super::line::{Asking, Line};
 use crate::numbers::{ScalarKind, scalar};
 use crate::printing::layout::{labelled, matrix_within, screen_width};
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Start, place};
+use crate::reading::Start;
 
 /// Evaluates every object of a system at a point: field, matrices, Jacobian, claims.
 ///
@@ -70,7 +70,7 @@ impl Eval {
 
 /// Why the point has no next one, in words.
 fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
-    let (name, place) = (study.name(), place(study, &asked.at, &asked.eps));
+    let (name, place) = (study.name(), study.place(&asked.at, &asked.eps));
     match why {
         NoStep::Unreduced => format!(
             "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of \

@@ -134,8 +134,7 @@ impl Extremes {
 
     /// The table of all cells; a complaint if the stable tier breaks its promise.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let (asked, studies) = (self.question(), self.studies()?);
-        let judged = asked.of(&studies, &Prompt::new(asked.total(), "trials"))?;
+        let judged = self.question().of(&self.studies()?, &Prompt::of("trials"))?;
         let answer =
             if self.json { Answer::json(&json!(judged)) } else { Answer::text(report::text(&judged)) };
         Ok(Answer { complaint: report::complaint(&judged), ..answer })

@@ -10,7 +10,7 @@ use serde_json::json;
 
 use super::line::{Asking, Line};
 use crate::printing::layout::table;
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink, warn};
 use crate::reading::{Start, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow.
@@ -51,13 +51,17 @@ pub(crate) struct Heights {
 
     /// Write every height to this file too, a line a step; it appears when it is complete.
     #[arg(long, value_name = "F.csv")]
+    out: Option<PathBuf>,
+
+    /// What `--out` was called before.
+    #[arg(long, hide = true, conflicts_with = "out")]
     csv: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "\
 Examples:
   kahan heights lv --eps 9/14 --at 1/2,5/3 --steps 17
-  kahan heights e4 --eps 1/2 --at 7/3,11/13,23/47 --steps 60 --csv e4.csv
+  kahan heights e4 --eps 1/2 --at 7/3,11/13,23/47 --steps 60 --out e4.csv
   kahan heights e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 400 --json
   kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30";
 
@@ -95,11 +99,12 @@ impl Heights {
     /// The heights; a complaint at a pole.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
-        let sink = self.csv.as_deref().map(|path| Sink::file(path, "--csv")).transpose()?;
-        let prompt = Prompt::new(self.steps, "steps");
-        let found = asked.ask(&study, &prompt);
-        prompt.finish();
-        let record = Record(found?);
+        if self.csv.is_some() {
+            warn("`--csv` of heights is called `--out` now");
+        }
+        let out = self.out.as_deref().or(self.csv.as_deref());
+        let sink = out.map(|path| Sink::file(path, "--out")).transpose()?;
+        let record = Record(asked.ask(&study, &Prompt::of("steps"))?);
         if let Some(sink) = sink {
             record.write(sink)?;
         }
@@ -145,7 +150,7 @@ impl Record {
         rows.extend(shown.into_iter().filter_map(|index| self.row(index)));
         let mut lines = table(&rows, 1);
         if is_cut {
-            lines.push("(--json and --csv have every step)".to_owned());
+            lines.push("(--json and --out have every step)".to_owned());
         }
         lines.push(String::new());
         let Survey { growth, entropy, .. } = &self.0.survey;

@@ -2,13 +2,26 @@
 
 use std::fmt;
 
-use clap::{Args, Command, FromArgMatches};
+use clap::{Args, FromArgMatches};
 use kahan_algebra::rational::Rational;
 use kahan_study::{Question, Study};
 
 use super::{
-    discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes, heights::Heights,
-    periodic::Periodic, poles::Poles, scan::Scan, section::Section, show::Show, trade::Trade,
+    chart::Chart,
+    discover::Discover,
+    dynamics::Dynamics,
+    eval::Eval,
+    extremes::Extremes,
+    heights::Heights,
+    orbit::Orbit,
+    periodic::Periodic,
+    picture::{Picture, shown::Shown},
+    poles::Poles,
+    scan::Scan,
+    section::Section,
+    show::Show,
+    trade::Trade,
+    verify::Verify,
 };
 use crate::printing::Refusal;
 
@@ -49,8 +62,11 @@ impl Line {
         match question {
             Question::Show(asked) => Show::call(system, asked),
             Question::Evaluate(asked) => Eval::call(system, asked),
+            Question::Orbit(asked) => Orbit::call(system, asked),
             Question::Observe(asked) => Dynamics::call(system, asked),
+            Question::Over(asked) => Chart::call(system, asked),
             Question::Section(asked) => Section::call(system, asked),
+            Question::Diagram(asked) => Picture::call(system, &Shown::of_diagram(asked)),
             Question::Periodic(asked) => Periodic::call(system, asked),
             Question::Heights(asked) => Heights::call(system, asked),
             Question::Poles(asked) => Poles::call(system, asked),
@@ -58,6 +74,7 @@ impl Line {
             Question::Scan(asked) => Scan::call(system, asked),
             Question::Trade(asked) => Trade::call(system, asked),
             Question::Extremes(asked) => Extremes::call(system, asked),
+            Question::Verify(asked) => Verify::call(system, asked),
         }
     }
 
@@ -87,14 +104,6 @@ impl Line {
         self.words.push(flag.to_owned());
         self
     }
-
-    /// What the command makes of these words.
-    pub(crate) fn read<A: Args + FromArgMatches>(&self) -> Result<A, Refusal> {
-        let command = A::augment_args(Command::new(self.command).no_binary_name(true));
-        let matches = command.try_get_matches_from(&self.words);
-        let read = matches.and_then(|matches| A::from_arg_matches(&matches));
-        read.map_err(|error| Refusal::new(error.to_string().trim_start_matches("error: ")))
-    }
 }
 
 impl fmt::Display for Line {
@@ -114,17 +123,26 @@ impl fmt::Display for Line {
 
 #[cfg(test)]
 mod tests {
+    use super::super::picture::shown::What;
+    use super::super::picture::starts::{At, Spread};
     use super::*;
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Form, Observe, Range, Side};
+    use kahan_study::{self as study, Axis, Evaluate, Form, Method, Observable, Observe, Range, Side};
+
+    /// What the command makes of a call.
+    fn read<A: Args + FromArgMatches>(line: &Line) -> A {
+        let command = A::augment_args(clap::Command::new(line.command).no_binary_name(true));
+        let matches = command.try_get_matches_from(&line.words);
+        matches.and_then(|matches| A::from_arg_matches(&matches)).expect("a call")
+    }
 
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
         for asked in questions {
             let line = C::call(&["lv".to_owned()], &asked);
-            let read: C = line.read().expect("a call");
+            let read: C = read(&line);
             assert!(read.asked().expect("a question").1 == asked, "{line}");
         }
     }
@@ -142,10 +160,28 @@ mod tests {
         reads_back::<Show>(forms.map(|form| study::Show { form, jacobian: form == Form::Latex }));
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
+        let plain = study::Orbit::new(eps.clone(), at.clone(), 99);
+        let (every, scalar, method) = (7, ScalarKind::F32, Method::Rk4);
+        reads_back::<Orbit>([
+            study::Orbit { every, scalar, method, ..plain.clone() },
+            study::Orbit { order: 4, projective: true, ..plain.clone() },
+            plain,
+        ]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
-        reads_back::<Dynamics>([Observe { order: 8, every: 3, escape: 12.5, ..plain.clone() }, plain]);
+        let of = vec![Observable::Last, Observable::Fli];
+        reads_back::<Dynamics>([
+            Observe { order: 8, every: 3, escape: 12.5, of, ..plain.clone() },
+            plain.clone(),
+        ]);
+        let of = vec![Observable::Escape, Observable::Last];
+        let asked = Observe { of, escape: 12.5, ..plain.clone() };
+        let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();
+        let two = study::Over::new(Question::Observe(asked), axes.clone());
+        let plain = Observe { of: vec![Observable::Sali], ..plain };
+        reads_back::<Chart>([two, study::Over::new(Question::Observe(plain), axes[..1].to_vec())]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);
+        reads_back::<Verify>([false, true].map(|mutate| study::Verify { mutate }));
         let other = study::Extremes { trials: 9, random_fields: 2, odd_fields: 3, odd_trials: 8, seed: 0 };
         reads_back::<Extremes>([other, study::Extremes::default()]);
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);
@@ -159,8 +195,20 @@ mod tests {
         reads_back::<Periodic>([study::Periodic { eps: None, period: 3, over, ..plain.clone() }, plain]);
         let plain = study::Scan::new(vec![through("eps", "-2:2:+1/4")]);
         reads_back::<Scan>([study::Scan { degree: Some(3), seconds: 2.0, ..plain.clone() }, plain]);
-        let plain = trade::Trade::new(at, rational(25, 2));
+        let plain = trade::Trade::new(at.clone(), rational(25, 2));
         let (need, tolerance) = (Need::Integrals, rational(1, 1000));
         reads_back::<Trade>([trade::Trade { need, tolerance, seconds: 1.0, ..plain.clone() }, plain]);
+
+        let plain = Shown::portrait(rational(1, 10), vec![At::Point(at.clone())], 9);
+        let spread = Spread { count: Some(3), radius: rational(1, 7), seed: 5 };
+        let line = vec![At::Line(at.clone(), vec![rational(1, 1), rational(2, 1)]), At::Point(at)];
+        let windows = vec![("y".to_owned(), [rational(-1, 2), rational(7, 1)])];
+        let axes = vec!["t".to_owned(), "y".to_owned()];
+        let section = Shown { what: What::Section("x - y".to_owned()), seconds: 2.5, ..plain.clone() };
+        let heights = Shown { what: What::Heights, ..plain.clone() };
+        let over = What::Over(through("eps", "1/10:1:+1/40"), 77);
+        let over = Shown { what: over, eps: None, ..plain.clone() };
+        let rich = Shown { at: line, spread, axes, windows, lines: true, ..plain.clone() };
+        reads_back::<Picture>([plain, section, heights, over, rich]);
     }
 }

@@ -6,25 +6,31 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_draw::{Drawing, Format, NoFile, Sheet, Theme};
 
+use super::line::Line;
 use crate::printing::Refusal;
 
-/// How a picture is to look.
-#[derive(Args, Debug)]
-pub(super) struct Look {
-    /// Width and height in pixels.
-    #[arg(long, value_name = "WxH", default_value = "960x720", value_parser = pixels)]
-    size: (u32, u32),
+/// What a picture is drawn on.
+#[derive(Args, Clone, Debug, PartialEq)]
+pub(crate) struct SheetOptions {
+    /// Width and height in pixels; on paper 300 of them are an inch.
+    #[arg(long, value_name = "WxH", value_parser = pixels)]
+    size: Option<(u32, u32)>,
 
     /// light, dark, or as the viewer has it.
     #[arg(long, value_parser = theme(), default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
+
+    /// For print: black on white in thin lines, as wide as a column.
+    #[arg(long, conflicts_with = "theme")]
+    paper: bool,
 }
 
-/// Reads the name of a theme.
+/// Reads the name of a theme for screens.
 fn theme() -> impl TypedValueParser<Value = Theme> {
-    PossibleValuesParser::new(Theme::ALL.map(Theme::name)).map(|name| {
-        let theme = Theme::ALL.into_iter().find(|theme| theme.name() == name);
-        theme.expect("clap takes no other names")
+    PossibleValuesParser::new(["viewer", "light", "dark"]).map(|name| match name.as_str() {
+        "light" => Theme::Light,
+        "dark" => Theme::Dark,
+        _ => Theme::Viewer,
     })
 }
 
@@ -38,27 +44,59 @@ fn pixels(text: &str) -> Result<(u32, u32), String> {
     })
 }
 
-impl Look {
-    pub(super) fn sheet(&self) -> Sheet {
-        Sheet { pixels: self.size, theme: self.theme }
+impl Default for SheetOptions {
+    fn default() -> Self {
+        SheetOptions { size: None, theme: Theme::Viewer, paper: false }
     }
+}
+
+impl SheetOptions {
+    /// The line with the options that ask for this.
+    pub(super) fn options(&self, line: Line) -> Line {
+        let line = line.with_some("--size", self.size.map(|(width, height)| format!("{width}x{height}")));
+        let line = match self.theme {
+            Theme::Light => line.with("--theme", "light"),
+            Theme::Dark => line.with("--theme", "dark"),
+            Theme::Viewer | Theme::Paper => line,
+        };
+        if self.paper { line.with_flag("--paper") } else { line }
+    }
+
+    /// What the picture is drawn on, where it is usually drawn on this in colours for a screen.
+    pub(super) fn sheet(&self, mut usual: Sheet) -> Sheet {
+        let theme = if self.paper { Theme::Paper } else { self.theme };
+        match self.size {
+            None if self.paper => Sheet::new(Sheet::COLUMN, theme),
+            None => {
+                usual.theme = theme;
+                usual
+            }
+            Some(pixels) => Sheet::new(pixels, theme),
+        }
+    }
+}
+
+/// The usual size of a picture.
+pub(super) fn usual() -> Sheet {
+    Sheet::new((960, 720), Theme::Viewer)
 }
 
 /// The format of the picture that `--out` names; refused where this build cannot write it.
 pub(super) fn format(out: &Path) -> Result<Format, Refusal> {
     Format::of(out).map_err(|why| match why {
-        NoFile::NotBuilt(_) => Refusal::new(NO_PNG),
+        NoFile::NotBuilt(format) => Refusal::new(format!(
+            "--out: this build of the command writes no {format}, whose renderer takes long to build; name a file that ends in .svg, or \
+             build it with `cargo build --release -p kahan-cli --features {}`",
+            format.feature()
+        )),
         _ => Refusal::new(format!(
-            "--out: the name of the file, {}, tells its format: it ends in .svg or .png",
+            "--out: the name of the file, {}, tells its format: it ends in .svg, .png or .pdf",
             out.display()
         )),
     })
 }
 
-const NO_PNG: &str = "--out: this build of the command writes no PNG, whose renderer takes long to build; name a file that ends in \
-                      .svg, or build it with `cargo build --release -p kahan-cli --features png`";
-
 /// The file of a drawing.
-pub(super) fn file(drawing: &Drawing, format: Format, sheet: &Sheet) -> Result<Vec<u8>, Refusal> {
-    drawing.file(format, sheet).map_err(|why| Refusal::new(format!("--out: {why}")))
+pub(super) fn file(drawing: &Drawing, format: Format) -> Result<Vec<u8>, Refusal> {
+    drawing.file(format).map_err(|why| Refusal::new(format!("--out: {why}")))
 }

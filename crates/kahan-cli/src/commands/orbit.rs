@@ -1,33 +1,24 @@
 //! `kahan orbit`: the points of an orbit with their integrals, row by row.
 //!
 //! Rows are written as they are computed and then forgotten, so the length of an orbit costs no
-//! memory. Floats step as the compiled library does, exact numbers as projective integers
-//! ([`exact`]).
+//! memory.
 
 mod chain;
-mod exact;
-mod float;
-mod projective;
 mod rows;
-mod stops;
 
 use std::path::PathBuf;
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use kahan_algebra::arithmetic::{Exact, Float32, Float64};
-use kahan_algebra::derive;
-use kahan_algebra::interpret::UndefinedField;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use kahan_algebra::rational::Rational;
-use serde_json::{Map, Value, json};
+use kahan_study::{Method, Orbit as Question, Study};
+use serde_json::json;
 
-use crate::numbers::{DoubleDouble, Printable, Rounded, ScalarKind, scalar};
+use super::line::{Asking, Line};
+use crate::numbers::{ScalarKind, scalar};
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Request, Start, whole};
+use crate::reading::{Start, whole};
 use chain::is_array;
-use exact::ExactOrbit;
-use float::{FloatMap, FloatOrbit};
-use rows::{AT_ONCE, columns};
 
 /// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
 ///
@@ -60,7 +51,7 @@ pub(crate) struct Orbit {
 
     /// The number of steps; 0 prints the first point.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count)]
-    steps: i64,
+    steps: u64,
 
     /// The numbers to compute with.
     #[arg(long, value_parser = scalar(), default_value = "f64")]
@@ -73,6 +64,13 @@ pub(crate) struct Orbit {
     /// about a value.
     #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
     order: u32,
+
+    /// What a step is; each takes the time 2 eps.
+    ///
+    /// Other methods are there to compare Kahan's map with. `euler` and `rk4` are explicit steps on
+    /// the field. `flow` is the solution, by Taylor series in double-double, up to 8 variables.
+    #[arg(long, value_name = "M", value_parser = method(), default_value = "kahan")]
+    method: Method,
 
     /// Go on at poles, through points at infinity.
     ///
@@ -87,7 +85,7 @@ pub(crate) struct Orbit {
 
     /// Print every K-th point only: n = 0, K, 2K, ….
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = positive_count)]
-    every: i64,
+    every: u64,
 
     /// Write the table to this file, or to F.npy the states of a chain.
     ///
@@ -114,19 +112,58 @@ Examples:
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
   kahan orbit lv --eps 1/7 --at starts.csv --steps 100 --every 10
+  kahan orbit lv --eps 1/7 --at 1/2,5/3 --steps 100 --method rk4
   kahan orbit e1 --eps 1/2 --at -1,2/3,5/7 --steps 5 --scalar exact --projective
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9";
 
-fn count(text: &str) -> Result<i64, String> {
-    whole(text, 0, i64::MAX)
+/// Rows count steps in 64 bits with a sign.
+const MOST: u64 = i64::MAX as u64;
+
+fn count(text: &str) -> Result<u64, String> {
+    whole(text, 0, MOST)
 }
 
-fn positive_count(text: &str) -> Result<i64, String> {
-    whole(text, 1, i64::MAX)
+fn positive_count(text: &str) -> Result<u64, String> {
+    whole(text, 1, MOST)
+}
+
+/// Reads what a step is.
+fn method() -> impl TypedValueParser<Value = Method> {
+    let names = Method::ALL.map(|method| PossibleValue::new(method.name()).help(method.meaning()));
+    PossibleValuesParser::new(names).map(|name| {
+        let method = Method::ALL.into_iter().find(|method| method.name() == name);
+        method.expect("clap takes no other names")
+    })
+}
+
+impl Asking for Orbit {
+    const COMMAND: &str = "orbit";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
+        let (study, at, eps) = self.start.study()?;
+        Ok((study, self.question(eps, at)))
+    }
+
+    fn options(asked: &Question, line: Line) -> Line {
+        let Question { eps, at, steps, every, scalar, order, method, projective } = asked;
+        let usual = Question::new(eps.clone(), at.clone(), *steps);
+        let line = line.with("--eps", eps).at(at).with("--steps", steps);
+        let line = line.unless(*every == usual.every, "--every", every);
+        let line = line.unless(*scalar == usual.scalar, "--scalar", scalar.name());
+        let line = line.unless(*order == usual.order, "--order", order);
+        let line = line.unless(*method == usual.method, "--method", method.name());
+        if *projective { line.with_flag("--projective") } else { line }
+    }
 }
 
 impl Orbit {
+    fn question(&self, eps: Rational, at: Vec<Rational>) -> Question {
+        let Orbit { steps, every, scalar, order, method, projective, .. } = *self;
+        Question { eps, at, steps, every, scalar, order, method, projective }
+    }
+
     /// Writes the rows; what is left to say is the answer.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         if let Some(start) = &self.begin {
@@ -137,92 +174,11 @@ impl Orbit {
                 "--out F.npy is for the states of a chain, with --start; write --out F.csv",
             ));
         }
-        let (request, starts) = self.start.request_and_starts(&[])?;
-        if self.projective {
-            return match self.scalar {
-                ScalarKind::Exact => self.through_poles(&Exact, &request, &starts),
-                ScalarKind::F64 => self.through_poles(&Float64, &request, &starts),
-                ScalarKind::F32 => self.through_poles(&Float32, &request, &starts),
-                ScalarKind::Dd => self.through_poles(&DoubleDouble, &request, &starts),
-            };
-        }
-        match self.scalar {
-            ScalarKind::Exact if self.order != 2 => Err(Refusal::new(format!(
-                "--order {} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
-                 --scalar f64, or --order 2, which is exact",
-                self.order
-            ))),
-            ScalarKind::Exact => self.exact(&request, &starts),
-            ScalarKind::F64 => self.floats(&Float64, &request, &starts),
-            ScalarKind::F32 => self.floats(&Float32, &request, &starts),
-            ScalarKind::Dd => self.floats(&DoubleDouble, &request, &starts),
-        }
-    }
-
-    /// Over the integers, without fractions between the rows.
-    fn exact(&self, request: &Request, starts: &[Vec<Rational>]) -> Result<Answer, Refusal> {
-        let derived = derive(&request.system);
-        let orbits = starts.iter().map(|start| ExactOrbit::new(request, &derived, start));
-        let orbits = orbits.collect::<Result<Vec<_>, _>>()?;
-        let head = self.head::<Exact>(
-            request,
-            &request.point.parameters,
-            &request.point.eps,
-            &derived.integral_names,
-            starts.len(),
-        );
-        self.write(head, orbits, |mut orbit, rows, table| {
-            rows.follow(
-                &mut orbit,
-                1,
-                |orbit, n| table.texts(n, &orbit.row(n)),
-                |orbit, n, _| orbit.advance(n),
-            )
-        })
-    }
-
-    fn floats<A: Rounded>(
-        &self,
-        arithmetic: &A,
-        request: &Request,
-        starts: &[Vec<Rational>],
-    ) -> Result<Answer, Refusal> {
-        let (parameters, eps) = request.rounded::<A>(starts)?;
-        let map = FloatMap::new(arithmetic, request, self.order, &parameters, &eps)
-            .map_err(|UndefinedField| request.undefined_field())?;
-        let mut head = self.head::<A>(request, &parameters, &eps, map.integral_names(), starts.len());
-        head.insert("runs_as".to_owned(), json!(map.orbit(&starts[0]).runs_as()));
-        self.write(head, starts.iter().map(|start| map.orbit(start)), |mut orbit, rows, table| {
-            rows.follow(&mut orbit, AT_ONCE, |orbit, n| orbit.write(table, n), FloatOrbit::advance)
-        })
-    }
-
-    /// What is known before the first row.
-    fn head<A: Printable>(
-        &self,
-        request: &Request,
-        parameters: &[A::Value],
-        eps: &A::Value,
-        integrals: &[String],
-        orbits: usize,
-    ) -> Map<String, Value> {
-        let symbols = &request.system.field.symbols;
-        let named = symbols.parameters.iter().cloned().zip(parameters.iter().map(A::json));
-        let columns = columns(&symbols.states, integrals, orbits);
-        let head = json!({
-            "system": request.name,
-            "variables": symbols.states,
-            "parameters": named.collect::<Map<_, _>>(),
-            "eps": A::json(eps),
-            "scalar": A::KIND.name(),
-            "order": self.order,
-            "steps": self.steps,
-            "every": self.every,
-            "columns": columns,
-        });
-        match head {
-            Value::Object(head) => head,
-            _ => Map::new(),
-        }
+        let (study, starts, eps) = self.start.starts()?;
+        let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
+        // Nothing is written before all of them have begun.
+        let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
+        let head = json!(begun[0].head);
+        self.write(head, begun, |orbit, table, watch| Ok(orbit.rows(0..u64::MAX, table, watch)))
     }
 }

@@ -4,7 +4,6 @@
 
 mod figures;
 mod findings;
-mod scene;
 
 use std::path::PathBuf;
 use std::time::Instant;
@@ -12,8 +11,7 @@ use std::time::Instant;
 use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::System;
-use kahan_runtime::Field;
+use kahan_study::{Scene, Study};
 use maud::{Markup, html};
 
 use super::atlas::{index_in, today};
@@ -22,9 +20,8 @@ use crate::reading::{Block, Source, number, point, seconds};
 use kahan_draw::document::{Making, colophon, document, readable};
 
 use super::line::Line;
-use figures::{Subject, command};
+use figures::{Field, Subject, command};
 use findings::Search;
-use scene::Scene;
 
 /// Writes one page on one field: formulas, findings with proofs, figures, settings.
 ///
@@ -74,24 +71,19 @@ impl Page {
         // Whether the file can be written shows before the work begins.
         drop(Sink::file(&path, "--out")?);
         let block = self.source.required_block()?;
-        let system = block.system()?;
-        let name = block.name(&system);
-        let source = self.with_values(&block, &system);
-        let parameters = source.parameter_values(&system, &name)?;
-        let scene = self.scene(&system, &parameters)?;
-        let (words, generic) = (source.words(&block), self.source.words(&block));
-        let subject = Subject {
-            words: &words,
-            kept: &words,
-            generic: &generic,
-            study: &self.source.study_of_block(&block)?,
-            variables: &system.field.symbols.states,
-            scene: &scene,
-            seconds: self.seconds,
+        let read = |source: &Source| -> Result<Field, Refusal> {
+            Ok(Field { words: source.words(&block), study: source.study_of_block(&block)? })
         };
-        let chapters = chapters(&subject, &block, &system, &parameters);
-        let page =
-            Written { name: &name, block: &block, system: &system, parameters: &parameters, scene: &scene };
+        let generic = read(&self.source)?;
+        generic.study.proved()?;
+        let valued = read(&self.with_values(&block, &generic.study))?;
+        let (study, scene) = (&valued.study, self.scene(&valued.study)?);
+        let seconds = self.seconds;
+        let variables = study.variables();
+        let subject =
+            Subject { valued: &valued, kept: &valued, generic: &generic, variables, scene: &scene, seconds };
+        let chapters = chapters(&subject, &block);
+        let page = Written { block: &block, study, scene: &scene };
         let again = self.line(&block);
         let making = Making { date: today(), seconds: clock.elapsed().as_secs_f64() };
         let text = page.document(&chapters, &again, &making);
@@ -105,20 +97,19 @@ impl Page {
     }
 
     /// The source with the catalog's values of the parameters that none was given for.
-    fn with_values(&self, block: &Block, system: &System) -> Source {
+    fn with_values(&self, block: &Block, study: &Study) -> Source {
         let values = block.entry.map_or(&[][..], |entry| entry.parameters);
-        let names = system.field.symbols.parameters.iter();
-        let known = self.source.known_parameters(system, "").unwrap_or_default();
-        let missing = names.zip(values).zip(known).filter(|(_, given)| given.is_none());
+        let missing = study.parameters().iter().zip(values).zip(study.given());
+        let missing = missing.filter(|(_, given)| given.is_none());
         missing.fold(self.source.clone(), |source, ((name, (above, below)), _)| {
             source.with_parameter(name, &Rational::new(*above, *below))
         })
     }
 
-    fn scene(&self, system: &System, parameters: &[Rational]) -> Result<Scene, Refusal> {
+    fn scene(&self, study: &Study) -> Result<Scene, Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
-        let at = self.at.as_deref().map(|at| point(at, &system.field.symbols.states)).transpose()?;
-        Scene::of(&Field::of(system), parameters, eps.as_ref(), at.as_deref())
+        let at = self.at.as_deref().map(|at| point(at, study.variables())).transpose()?;
+        Ok(study.scene(eps.as_ref(), at.as_deref())?)
     }
 
     /// The call that writes the page.
@@ -143,21 +134,21 @@ struct Chapter {
 }
 
 /// All parts, one after the other.
-fn chapters(subject: &Subject<'_>, block: &Block, system: &System, parameters: &[Rational]) -> Vec<Chapter> {
+fn chapters(subject: &Subject<'_>, block: &Block) -> Vec<Chapter> {
+    let (generic, valued) = (subject.generic.study.system(), &subject.valued.study);
     let progress = Prompt::stages();
     let mut chapters = Vec::new();
     let mut chapter = |id, title, make: &dyn Fn() -> Markup| {
         progress.say(title);
         chapters.push(Chapter { id, title, body: make() });
     };
-    chapter("formulas", "Formulas", &|| findings::formulas(subject, block, system));
+    chapter("formulas", "Formulas", &|| findings::formulas(subject, block, generic));
     progress.say("What the map preserves");
-    let search = Search::of(subject, system.field.dimension());
+    let search = Search::of(subject, generic.field.dimension());
     chapter("found", "What the map preserves", &|| search.chapter());
-    let claims_some = system.accessors(ClaimKind::Integral).next().is_some();
-    let values = system.field.symbols.parameters.iter().cloned().zip(parameters.iter().cloned());
-    let found = if claims_some { None } else { search.with_integrals(&values.collect::<Vec<_>>()) };
-    let subject = &Subject { kept: found.as_deref().unwrap_or(subject.words), ..*subject };
+    let claims_some = generic.accessors(ClaimKind::Integral).next().is_some();
+    let found = if claims_some { None } else { search.with_integrals(&valued.fixed()) };
+    let subject = &Subject { kept: found.as_ref().unwrap_or(subject.kept), ..*subject };
     chapter("growth", "Singularities and heights", &|| subject.growth());
     chapter("orbits", "Orbits", &|| subject.orbits());
     chapter("dynamics", "Exponents and rotation", &|| subject.dynamics());
@@ -169,10 +160,8 @@ fn chapters(subject: &Subject<'_>, block: &Block, system: &System, parameters: &
 
 /// What the page is about.
 struct Written<'a> {
-    name: &'a str,
     block: &'a Block,
-    system: &'a System,
-    parameters: &'a [Rational],
+    study: &'a Study,
     scene: &'a Scene,
 }
 
@@ -201,17 +190,16 @@ impl Written<'_> {
     }
 
     fn own_title(&self) -> String {
-        if self.system.header.is_some() {
-            format!("{} and its Kahan map", self.name)
+        if self.study.system().header.is_some() {
+            format!("{} and its Kahan map", self.study.name())
         } else {
             "A field and its Kahan map".to_owned()
         }
     }
 
     fn introduction(&self) -> Markup {
-        let names = self.system.field.symbols.parameters.iter();
-        let values: Vec<String> =
-            names.zip(self.parameters).map(|(name, value)| format!("{name} = {value}")).collect();
+        let values = self.study.fixed().into_iter();
+        let values: Vec<String> = values.map(|(name, value)| format!("{name} = {value}")).collect();
         let start: Vec<String> = self.scene.start.iter().map(ToString::to_string).collect();
         html! {
             @if let Some(entry) = self.block.entry { p.lead { (readable(entry.title)) } }

@@ -4,13 +4,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use kahan_core::periodic::{Branch, PeriodicPoint, Stability};
-use kahan_draw::{Mark, Plot, Series, Sheet, Theme};
+use kahan_core::periodic::{Branch, PeriodicPoint};
+use kahan_draw::picture::{Look, branch};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use super::look::{file, format};
+use super::look::{SheetOptions, file, format, usual};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Start, over, whole};
@@ -44,10 +44,13 @@ pub(crate) struct Periodic {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     over: Option<String>,
 
-    /// Write the branch to this file: a table, F.csv, or a picture of the first variable, F.svg or
-    /// F.png.
+    /// Write the branch to this file: a table, F.csv, or a picture of the first variable, F.svg,
+    /// F.png or F.pdf.
     #[arg(long, value_name = "F", requires = "over")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    look: SheetOptions,
 
     /// Print one JSON object: period, points, residual, multipliers, stability, family, exact,
     /// branch.
@@ -96,24 +99,21 @@ impl Periodic {
         };
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let prompt =
-            Prompt::new(asked.over.as_ref().map_or(1, |axis| axis.range.count() as u64 - 1), "cycles");
-        let found = asked.ask(&study, &prompt);
-        prompt.finish();
-        let found = match found {
+        let found = match asked.ask(&study, &Prompt::of("cycles")) {
             Err(why @ StudyError::NoCycle { .. }) => {
                 return Ok(Answer { complaint: Some(why.to_string()), ..Answer::text(String::new()) });
             }
-            Err(StudyError::LongCycle { .. }) => {
-                let why = found.expect_err("it is too long");
+            Err(why @ StudyError::LongCycle { .. }) => {
                 return Err(Refusal::new(format!("--period {}: {why}", self.period)));
             }
             found => Found(found?),
         };
         if let Some(sink) = sink {
-            let sheet = Sheet { pixels: (960, 720), theme: Theme::Viewer };
             match format {
-                Some(format) => sink.put(file(&found.plot().drawing(), format, &sheet)?)?,
+                Some(format) => {
+                    let picture = branch(&found.0, &Look::on(self.look.sheet(usual())));
+                    sink.put(file(&picture.drawing, format)?)?;
+                }
                 None => sink.put(found.csv())?,
             }
         }
@@ -218,23 +218,6 @@ impl Found {
             }
         }
         text
-    }
-
-    /// The first variable of each point over what changes: stable cycles and others apart.
-    fn plot(&self) -> Plot {
-        let points = |wanted: &dyn Fn(Stability) -> bool| -> Vec<(f64, f64)> {
-            let points = self.branch().into_iter().flat_map(|branch| &branch.points);
-            let shown = points.filter(|point| wanted(point.cycle.stability()));
-            shown.flat_map(|point| point.cycle.points.iter().map(|x| (point.parameter, x[0]))).collect()
-        };
-        let is_stable = |stability| matches!(stability, Stability::Attracting | Stability::Neutral);
-        let name = self.name();
-        let series = vec![
-            Series::new("attracting or neutral", 1, Mark::Dots, points(&is_stable)),
-            Series::new("repelling or saddle", 2, Mark::Dots, points(&|stability| !is_stable(stability))),
-        ];
-        let description = format!("Cycles of {} over {name}", self.0.system);
-        Plot::around(&description, [name, &self.variables()[0]], series)
     }
 }
 

@@ -1,25 +1,23 @@
-//! `kahan picture`: orbits, orbit diagrams and heights as pictures. Here is what is asked and what
-//! is answered; each kind of picture is a module.
+//! `kahan picture`: orbits, orbit diagrams and heights as pictures. Here is how they are asked for;
+//! [`shown`] asks and draws.
 
-mod axes;
-mod heights;
-mod orbits;
-mod over;
-mod portrait;
-mod starts;
+pub(crate) mod shown;
+pub(crate) mod starts;
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
-use kahan_draw::{Drawing, Mark, Sheet};
+use kahan_draw::picture::Picture as Drawing;
+use kahan_study::{Spacing, Study};
 use serde_json::json;
 
-use super::look::{Look, file, format};
+use super::line::{Asking, Line};
+use super::look::{SheetOptions, file, format};
 use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{Source, number, seconds, whole};
-use orbits::Pace;
+use crate::reading::{Source, number, over, seconds, whole};
+use shown::{Drawn, Shown, What};
+use starts::{At, Spread};
 
 /// Draws orbits, what they tend to over a parameter, or heights.
 ///
@@ -33,8 +31,8 @@ use orbits::Pace;
 /// it is after the transient. Heights are drawn so that growth like a power of n is a straight
 /// line; where it is exponential, exponential growth is.
 ///
-/// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone. PNG
-/// is for builds with the feature `png`.
+/// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone;
+/// --paper draws for print. PNG and PDF are for builds with the features `png` and `pdf`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Picture {
@@ -69,7 +67,7 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "N", value_parser = steps)]
     steps: u64,
 
-    /// The file, F.svg or F.png, which appears when it is complete.
+    /// The file, F.svg, F.png or F.pdf, which appears when it is complete.
     #[arg(long, value_name = "F")]
     out: PathBuf,
 
@@ -102,7 +100,7 @@ pub(crate) struct Picture {
     window: Vec<String>,
 
     #[command(flatten)]
-    look: Look,
+    look: SheetOptions,
 
     /// The time that it may take; then it shows what there is.
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds)]
@@ -116,7 +114,6 @@ pub(crate) struct Picture {
 const EXAMPLES: &str = "\
 Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
-  kahan picture e4 --eps 1/5 --at 7/3,11/13,23/47 --steps 3000 --out e4.svg
   kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
   kahan picture lv --over eps=1/10:1:+1/400 --at 1/2,1 --axes x --steps 100 --out over.svg
   kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg";
@@ -134,11 +131,6 @@ enum Kind {
     OrbitsOver,
 }
 
-/// The most points of a picture.
-const MOST_POINTS: u64 = 10_000_000;
-/// The most points that lines join.
-const MOST_JOINED: u64 = 100_000;
-
 fn count(text: &str) -> Result<usize, String> {
     whole(text, 1, 100_000)
 }
@@ -147,34 +139,77 @@ fn steps(text: &str) -> Result<u64, String> {
     whole(text, 0, u64::MAX)
 }
 
-/// What a picture is about, and how it is to look.
-struct Subject<'a> {
-    asked: &'a Picture,
-    name: String,
-    system: System,
-    source: Source,
-    sheet: Sheet,
-}
+impl Asking for Picture {
+    const COMMAND: &str = "picture";
+    type Question = Shown;
 
-/// A picture, and what there is to say of it.
-pub(super) struct Drawn {
-    pub(super) drawing: Drawing,
-    /// How many points there are.
-    pub(super) points: usize,
-    /// How many of these its axes do not show.
-    outside: usize,
-    /// What is seen of each orbit of a portrait or a section.
-    pub(super) visits: Vec<Visits>,
-    pub(super) notes: Vec<String>,
-}
+    fn asked(&self) -> Result<(Study, Shown), Refusal> {
+        let kind = self.kind()?;
+        let study = self.source.study()?;
+        // A false claim is told before a number that is missing.
+        study.proved()?;
+        let what = match kind {
+            Kind::Portrait => What::Portrait,
+            Kind::Section => What::Section(self.plane.clone().unwrap_or_default()),
+            Kind::OrbitsOver => self.over()?,
+            Kind::Heights if self.starts.is_some() || !self.axes.is_empty() => {
+                return Err(Refusal::new(
+                    "--kind heights shows all variables of one orbit; leave --starts and --axes out",
+                ));
+            }
+            Kind::Heights => What::Heights,
+        };
+        let radius = number(&self.radius, "--radius")?;
+        let spread = Spread { count: self.starts, radius, seed: self.seed };
+        let at = self.at.iter().map(|at| At::read(at, &spread, study.variables()));
+        let shown = Shown {
+            what,
+            eps: self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?,
+            at: at.collect::<Result<Vec<_>, _>>()?.concat(),
+            spread,
+            steps: self.steps,
+            axes: self.axes.iter().map(|name| name.trim().to_owned()).collect(),
+            windows: self.window.iter().map(|window| read_window(window)).collect::<Result<_, _>>()?,
+            lines: self.lines,
+            seconds: self.seconds,
+            look: self.look.clone(),
+            out: self.out.clone(),
+        };
+        let names = shown.names(&study)?;
+        if let Some((name, _)) = shown.windows.iter().find(|(name, _)| !names.contains(name)) {
+            return Err(Refusal::new(format!(
+                "--window: the picture has no axis `{name}`; it has {}",
+                names.join(", ")
+            )));
+        }
+        Ok((study, shown))
+    }
 
-/// What is seen of an orbit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Visits {
-    /// How many points it has in the picture.
-    pub(super) points: usize,
-    /// At how many places these are that can be told apart.
-    pub(super) places: usize,
+    fn options(asked: &Shown, line: Line) -> Line {
+        let Shown { what, eps, at, spread, steps, axes, windows, lines, seconds, look, out } = asked;
+        let usual = Spread::default();
+        let line = line.with_some("--eps", eps.as_ref());
+        let line = at.iter().fold(line, |line, at| line.with("--at", at));
+        let line = line.with_some("--starts", spread.count);
+        let line = line.unless(spread.radius == usual.radius, "--radius", &spread.radius);
+        let line = line.unless(spread.seed == usual.seed, "--seed", spread.seed);
+        let line = match what {
+            What::Portrait => line,
+            What::Section(plane) => line.with("--plane", plane),
+            What::Over(axis, transient) => line
+                .with("--over", format!("{}={}", axis.name, axis.range))
+                .unless(*transient == 1000, "--transient", transient),
+            What::Heights => line.with("--kind", "heights"),
+        };
+        let line = line.unless(axes.is_empty(), "--axes", axes.join(","));
+        let line = line.with("--steps", steps);
+        let line = windows
+            .iter()
+            .fold(line, |line, (name, [low, high])| line.with("--window", format!("{name}={low}:{high}")));
+        let line = if *lines { line.with_flag("--lines") } else { line };
+        let line = look.options(line.unless(*seconds == 60.0, "--seconds", format!("{seconds:?}")));
+        line.with("--out", out.display())
+    }
 }
 
 impl Picture {
@@ -183,27 +218,12 @@ impl Picture {
         let kind = self.kind()?;
         let format = format(&self.out)?;
         let sink = Sink::file(&self.out, "--out")?;
-        let (name, drawn) = self.drawn()?;
-        let file = file(&drawn.drawing, format, &self.look.sheet())?;
+        let (study, shown) = self.asked()?;
+        let drawn = shown.drawn(&study)?;
+        let file = file(&drawn.picture.drawing, format)?;
         let bytes = file.len();
         sink.put(file)?;
-        Ok(self.answer(&name, kind, &drawn, bytes))
-    }
-
-    /// The picture of the system that is named.
-    pub(super) fn drawn(&self) -> Result<(String, Drawn), Refusal> {
-        let kind = self.kind()?;
-        let block = self.source.required_block()?;
-        let system = block.system()?;
-        let name = block.name(&system);
-        let subject =
-            Subject { asked: self, name, system, source: self.source.clone(), sheet: self.look.sheet() };
-        let drawn = match kind {
-            Kind::Portrait | Kind::Section => subject.portrait()?,
-            Kind::OrbitsOver => subject.orbits_over()?,
-            Kind::Heights => subject.heights()?,
-        };
-        Ok((subject.name, drawn))
+        Ok(self.answer(study.name(), kind, &drawn, bytes))
     }
 
     fn kind(&self) -> Result<Kind, Refusal> {
@@ -235,8 +255,18 @@ impl Picture {
         }
     }
 
+    /// What goes through values, and the steps before what is shown.
+    fn over(&self) -> Result<What, Refusal> {
+        // So many steps were one value more.
+        let axis = over(self.over.as_deref().unwrap_or_default(), |steps| Spacing::Count(steps + 1))?;
+        if axis.name == "eps" && self.eps.is_some() {
+            return Err(Refusal::new("--over goes through values of eps; leave --eps out"));
+        }
+        Ok(What::Over(axis, self.transient))
+    }
+
     fn answer(&self, system: &str, kind: Kind, drawn: &Drawn, bytes: usize) -> Answer {
-        let Drawn { drawing, points, outside, notes, .. } = drawn;
+        let Drawn { picture: Drawing { drawing, points, outside, .. }, notes } = drawn;
         let file = self.out.display().to_string();
         if self.json {
             let kind = kind.to_possible_value().map(|value| value.get_name().to_owned());
@@ -256,56 +286,19 @@ impl Picture {
     }
 }
 
-impl Subject<'_> {
-    fn variables(&self) -> &[String] {
-        &self.system.field.symbols.states
+/// Reads NAME=LOW:HIGH.
+fn read_window(window: &str) -> Result<(String, [Rational; 2]), Refusal> {
+    let (name, range) = window.split_once('=').unwrap_or((window, ""));
+    let wrong = || {
+        Refusal::new(format!(
+            "--window: `{window}` is not NAME=LOW:HIGH with LOW below HIGH, as in {name}=-2:2"
+        ))
+    };
+    let (low, high) = range.split_once(':').ok_or_else(wrong)?;
+    let (low, high) = (number(low, "--window")?, number(high, "--window")?);
+    let [from, to] = [&low, &high].map(Rational::to_f64);
+    if !(from.is_finite() && to.is_finite() && from < to) {
+        return Err(wrong());
     }
-
-    /// The values of the parameters; `fixed` is given from elsewhere.
-    fn parameters(&self, fixed: Option<(&str, &Rational)>) -> Result<Vec<Rational>, Refusal> {
-        let source = match fixed {
-            Some((name, value)) => &self.source.clone().with_parameter(name, value),
-            None => &self.source,
-        };
-        source.parameter_values(&self.system, &self.name)
-    }
-
-    fn eps(&self) -> Result<Rational, Refusal> {
-        let eps = self.asked.eps.as_deref();
-        number(
-            eps.ok_or_else(|| Refusal::new("which eps? give half the time step, as in --eps 1/10"))?,
-            "--eps",
-        )
-    }
-
-    /// How many points there will be; refused where these are too many.
-    fn points(&self, orbits: usize) -> Result<u64, Refusal> {
-        let points = (orbits as u64).saturating_mul(self.asked.steps.saturating_add(1));
-        let (most, way_out) = if self.asked.lines {
-            (MOST_JOINED, "leave --lines out")
-        } else {
-            (MOST_POINTS, "draw fewer orbits")
-        };
-        if points > most {
-            return Err(Refusal::new(format!(
-                "--steps: {orbits} orbits of {} steps are more than the {most} points that a picture holds; take fewer steps, or {way_out}",
-                self.asked.steps
-            )));
-        }
-        Ok(points)
-    }
-
-    /// Marks that leave so many points apart.
-    fn mark(&self, points: u64) -> Mark {
-        match points {
-            _ if self.asked.lines => Mark::Line,
-            0..=400 => Mark::Dots,
-            401..=20_000 => Mark::Points,
-            _ => Mark::Fine,
-        }
-    }
-
-    fn pace(&self, steps: u64) -> Pace {
-        Pace::new(steps, self.asked.seconds)
-    }
+    Ok((name.trim().to_owned(), [low, high]))
 }

@@ -87,10 +87,7 @@ impl Poles {
 
 /// The patterns, with the stages on the terminal.
 pub(super) fn patterns(study: &Study, asked: &Question) -> Result<PolesFound, Refusal> {
-    let prompt = Prompt::stages();
-    let found = asked.ask(study, &prompt);
-    prompt.finish();
-    Ok(found?)
+    Ok(asked.ask(study, &Prompt::stages())?)
 }
 
 /// A longer formula of a curve is cut in the table; JSON has it whole.

@@ -77,10 +77,7 @@ impl Scan {
     /// The special points, or all in JSON.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
-        let prompt = Prompt::new(asked.points().unwrap_or_default() as u64, "points");
-        let found = asked.ask(&study, &prompt);
-        prompt.finish();
-        let found = found?;
+        let found = asked.ask(&study, &Prompt::of("points"))?;
         Ok(if self.search.json { Answer::json(&json!(found)) } else { Answer::text(text(&found)) })
     }
 }

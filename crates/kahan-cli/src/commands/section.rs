@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_study::{Section as Question, SectionFound, Side, Study};
-use serde_json::json;
+use serde_json::{Map, Value, json};
 
 use super::line::{Asking, Line};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table};
 use crate::reading::{Start, whole};
 
 /// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
@@ -98,10 +98,7 @@ impl Section {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        let prompt = Prompt::new(self.steps, "steps");
-        let found = asked.ask(&study, &prompt);
-        prompt.finish();
-        let found = found?;
+        let found = asked.ask(&study, &Prompt::of("steps"))?;
         let complaint = found.left_range.then(|| {
             format!(
                 "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings up to \
@@ -110,25 +107,20 @@ impl Section {
                 found.steps + 1
             )
         });
-        let answer = match sink {
-            Some(sink) => {
-                sink.put(table(&found))?;
-                if self.json { Answer::json(&json!(found)) } else { Answer::text(String::new()) }
-            }
-            None if self.json => Answer::json(&json!(found)),
-            None => Answer::verbatim(table(&found)),
-        };
+        if let Some(sink) = sink.or_else(|| (!self.json).then(Sink::standard)) {
+            write(&found, sink)?;
+        }
+        let answer = if self.json { Answer::json(&json!(found)) } else { Answer::text(String::new()) };
         Ok(Answer { complaint, ..answer })
     }
 }
 
-/// A row a crossing.
-fn table(found: &SectionFound) -> String {
-    let mut lines = vec![format!("n,t,{}", found.variables.join(","))];
-    for crossing in &found.crossings {
-        let numbers = [crossing.time].into_iter().chain(crossing.point.iter().copied());
-        let cells: Vec<String> = numbers.map(|number| format!("{number:?}")).collect();
-        lines.push(format!("{},{}", crossing.step, cells.join(",")));
-    }
-    lines.join("\n") + "\n"
+/// Writes a row a crossing.
+fn write(found: &SectionFound, sink: Sink) -> Result<(), Broken> {
+    let columns: Vec<String> = found.columns().into_iter().map(|column| column.name).collect();
+    let head = Map::from_iter([("columns".to_owned(), json!(columns))]);
+    let mut table = Table::begin(sink, Format::Csv, &head)?;
+    found.rows(0..u64::MAX, &mut table);
+    table.written()?;
+    table.end(&Value::Null)
 }

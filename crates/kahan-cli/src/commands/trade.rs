@@ -1,22 +1,23 @@
 //! `kahan trade`: speed against accuracy on one scene, and the cheapest setting that does.
 
 mod comparison;
-mod picture;
 mod table;
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use kahan_core::Need;
+use kahan_draw::Sheet;
+use kahan_draw::picture::{Look, trade};
 use kahan_study::Study;
 use kahan_study::trade::Trade as Question;
 use serde_json::json;
 
 use super::line::{Asking, Line};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use super::look::{SheetOptions, file, format};
+use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, point, seconds};
 pub(super) use comparison::Comparison;
-use kahan_draw::{Sheet, Theme};
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
 ///
@@ -80,9 +81,12 @@ pub(crate) struct Trade {
     #[arg(long, value_name = "S", default_value = "10", allow_hyphen_values = true, value_parser = seconds)]
     seconds: f64,
 
-    /// Draw price against error as an SVG picture into this file.
-    #[arg(long, value_name = "F.svg")]
+    /// Draw price against error into this file, F.svg, F.png or F.pdf.
+    #[arg(long, value_name = "F")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    look: SheetOptions,
 
     /// Print one JSON object: settings, choice, and what stands behind them.
     #[arg(long)]
@@ -95,6 +99,11 @@ Examples:
   kahan trade lv --at 1/2,5/3 --horizon 50 --tolerance 1e-10 --out lv.svg
   kahan trade e6 --at 1,1/2,1/3 --horizon 1000 --need integrals --tolerance 1e-12
   kahan trade --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --at -1/2,1/5 --horizon 20 --json";
+
+/// What the picture is usually drawn on.
+pub(super) fn usual() -> Sheet {
+    Sheet::page(720, 480)
+}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum NeedName {
@@ -138,26 +147,16 @@ impl Asking for Trade {
 impl Trade {
     /// The front and the choice; a complaint where nothing meets the tolerance.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
-        self.compared(|comparison| {
-            if let Some(sink) = sink {
-                let (width, height) = picture::SIZE;
-                let sheet = Sheet { pixels: (width as u32, height as u32), theme: Theme::Viewer };
-                sink.put(comparison.picture().svg(&sheet))?;
-            }
-            let answer =
-                if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
-            Ok(Answer { complaint: comparison.complaint(), ..answer })
-        })?
-    }
-
-    /// Measures, and hands on what was measured.
-    pub(super) fn compared<R>(&self, tell: impl FnOnce(&Comparison) -> R) -> Result<R, Refusal> {
+        let sink = |path: &PathBuf| Ok::<_, Refusal>((Sink::file(path, "--out")?, format(path)?));
+        let sink = self.out.as_ref().map(sink).transpose()?;
         let (study, asked) = self.asked()?;
-        // How many there will be depends on what they show.
-        let prompt = Prompt::new(60, "settings");
-        let traded = asked.ask(&study, &prompt);
-        prompt.finish();
-        Ok(tell(&Comparison(traded?)))
+        let comparison = Comparison::of(&study, &asked)?;
+        if let Some((sink, format)) = sink {
+            let picture = trade(&comparison.0, &Look::on(self.look.sheet(usual())));
+            sink.put(file(&picture.drawing, format)?)?;
+        }
+        let answer =
+            if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
+        Ok(Answer { complaint: comparison.complaint(), ..answer })
     }
 }

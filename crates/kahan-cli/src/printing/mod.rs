@@ -14,4 +14,4 @@ pub(crate) use npy::Npy;
 pub(crate) use output::{Answer, Refusal, columns, finish, shorten, warn, widths};
 pub(crate) use prompt::Prompt;
 pub(crate) use sink::{Broken, Sink, has_room_for_progress};
-pub(crate) use table::{Cell, Format, Table};
+pub(crate) use table::{Format, Table};

@@ -17,6 +17,11 @@ pub(crate) struct Prompt {
 }
 
 impl Prompt {
+    /// A bar of steps of one sort, `claims`; the work says how many there are.
+    pub(crate) fn of(what: &str) -> Self {
+        Self::new(0, what)
+    }
+
     /// A bar of so many steps of one sort: `claims`.
     pub(crate) fn new(steps: u64, what: &str) -> Self {
         Self::showing(|| {
@@ -71,7 +76,8 @@ impl Watch for Prompt {
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
         // A bar counts one sort of things to its end; stages in between are no part of that.
         let is_bar = self.bar.length().is_some();
-        if is_bar && progress.of.is_some() {
+        if let (true, Some(of)) = (is_bar, progress.of) {
+            self.bar.set_length(of);
             self.bar.set_position(progress.done);
         } else if !is_bar {
             self.say(&progress.to_string());

@@ -1,13 +1,17 @@
-//! A table of numbers while it grows: CSV, or the rows of a JSON object.
+//! A table while it grows: CSV, or the rows of a JSON object.
 //!
-//! Names are identifiers and numbers have no commas, so that no cell needs quotes. The crate `csv`,
-//! which looks at each byte of a cell for what would, has nothing to do here but to put commas.
+//! In: what is known beforehand, and rows in blocks. Out: text in a sink. Names are identifiers and
+//! numbers have no commas, so that no cell needs quotes. The crate `csv`, which looks at each byte
+//! of a cell for what would, has nothing to do here but to put commas.
 
+use std::fmt::Write;
+use std::ops::ControlFlow;
+
+use kahan_study::{Cell, Column, Rows, Values};
 use serde_json::{Map, Value};
 
 use super::layout::{after_commas, terminal_width};
 use super::sink::{Broken, Sink};
-use crate::numbers::Printable;
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,16 +21,6 @@ pub(crate) enum Format {
     Csv,
     /// One object: what is known beforehand, `rows`, and `stopped`; what is undefined is null.
     Json,
-}
-
-/// A cell of a row that may be at infinity.
-pub(crate) enum Cell<V> {
-    /// A number.
-    Value(V),
-    /// Infinite without a sign: `inf`, or null.
-    Infinite,
-    /// Nothing, or null.
-    Undefined,
 }
 
 /// A table on its way into a sink.
@@ -40,22 +34,22 @@ pub(crate) struct Table {
     has_rows: bool,
     /// The columns of the terminal that shows the rows.
     width: Option<usize>,
+    /// Why the sink takes no more.
+    broken: Option<Broken>,
+    /// Whether rows are made even where nobody reads them.
+    outlives_reader: bool,
 }
 
 impl Table {
-    /// A table without anything in it.
-    pub(crate) fn new(sink: Sink, format: Format) -> Self {
+    /// A table with nothing but what stands before the rows; `head` has the names of the columns
+    /// under `columns`.
+    pub(crate) fn begin(sink: Sink, format: Format, head: &Map<String, Value>) -> Result<Self, Broken> {
         let width = terminal_width().filter(|_| sink.is_standard() && format == Format::Csv);
-        Table { sink, format, orbit: None, line: String::new(), has_rows: false, width }
-    }
-
-    /// Writes what stands before the rows; `head` has the names of the columns under `columns`.
-    pub(crate) fn begin(&mut self, head: &Map<String, Value>) -> Result<(), Broken> {
-        let text = match self.format {
+        let text = match format {
             Format::Csv => {
                 let columns = head.get("columns").and_then(Value::as_array).into_iter().flatten();
                 let line = columns.filter_map(Value::as_str).collect::<Vec<_>>().join(",") + "\n";
-                self.width.map_or_else(|| line.clone(), |width| after_commas(&line, width))
+                width.map_or_else(|| line.clone(), |width| after_commas(&line, width))
             }
             Format::Json => {
                 let entries =
@@ -63,7 +57,11 @@ impl Table {
                 format!("{{\n{}  \"rows\": [", entries.collect::<String>())
             }
         };
-        self.sink.write(&text)
+        let (line, orbit, broken) = (String::new(), None, None);
+        let mut table =
+            Table { sink, format, orbit, line, has_rows: false, width, broken, outlives_reader: false };
+        table.sink.write(&text)?;
+        Ok(table)
     }
 
     /// Of several orbits, numbered from 0, the one that the next rows are of.
@@ -71,71 +69,28 @@ impl Table {
         self.orbit = Some(orbit);
     }
 
-    /// Writes a row: an index, and the values behind it, `None` for what is undefined.
-    pub(crate) fn row<'a, A: Printable>(
-        &mut self,
-        index: i64,
-        values: impl Iterator<Item = Option<&'a A::Value>>,
-    ) -> Result<(), Broken>
-    where
-        A::Value: 'a,
-    {
-        self.cells(index, values, append::<A>, |value| value.map_or(Value::Null, A::json))
+    /// Lets rows be made even where nobody reads them any more.
+    pub(crate) fn outlive_reader(&mut self, does: bool) {
+        self.outlives_reader = does;
     }
 
-    /// Writes a row of a point that may be at infinity.
-    pub(crate) fn projective<A: Printable>(
-        &mut self,
-        index: i64,
-        cells: impl Iterator<Item = Cell<A::Value>>,
-    ) -> Result<(), Broken> {
-        let append = |cell: Cell<A::Value>, line: &mut String| match cell {
-            Cell::Value(value) => append::<A>(Some(&value), line),
-            Cell::Infinite => line.push_str("inf"),
-            Cell::Undefined => {}
-        };
-        let json = |cell: Cell<A::Value>| match cell {
-            Cell::Value(value) => A::json(&value),
-            Cell::Infinite | Cell::Undefined => Value::Null,
-        };
-        self.cells(index, cells, append, json)
-    }
-
-    /// Writes a row of exact numbers that are text already.
-    pub(crate) fn texts(&mut self, index: i64, values: &[Option<String>]) -> Result<(), Broken> {
-        let values = values.iter().map(Option::as_deref);
-        let append = |value: Option<&str>, line: &mut String| line.push_str(value.unwrap_or_default());
-        self.cells(index, values, append, Value::from)
-    }
-
-    /// Writes a row, each cell by the function for the format.
-    fn cells<C>(
-        &mut self,
-        index: i64,
-        cells: impl Iterator<Item = C>,
-        append: impl Fn(C, &mut String),
-        json: impl Fn(C) -> Value,
-    ) -> Result<(), Broken> {
+    /// Writes a row.
+    fn row<'a>(&mut self, cells: impl Iterator<Item = Cell<'a>>) -> Result<(), Broken> {
+        let orbit = self.orbit.map(|orbit| Cell::Integer(orbit as i64));
+        let cells = orbit.into_iter().chain(cells);
         self.line.clear();
         match self.format {
             Format::Csv => {
-                if let Some(orbit) = self.orbit {
-                    self.line.push_str(&orbit.to_string());
-                    self.line.push(',');
-                }
-                self.line.push_str(&index.to_string());
-                for cell in cells {
-                    self.line.push(',');
-                    append(cell, &mut self.line);
+                for (place, cell) in cells.enumerate() {
+                    let comma = if place == 0 { "" } else { "," };
+                    write!(self.line, "{comma}{cell}").expect("a string takes all text");
                 }
                 self.line.push('\n');
             }
             Format::Json => {
                 self.line.push_str(if self.has_rows { ",\n    " } else { "\n    " });
-                let orbit = self.orbit.map(Value::from);
-                let row: Value =
-                    orbit.into_iter().chain([Value::from(index)]).chain(cells.map(json)).collect();
-                self.line.push_str(&row.to_string());
+                let row = serde_json::to_string(&cells.collect::<Vec<_>>());
+                self.line.push_str(&row.expect("cells are JSON"));
             }
         }
         self.has_rows = true;
@@ -143,6 +98,11 @@ impl Table {
             Some(width) if self.line.len() > width => self.sink.write(after_commas(&self.line, width)),
             _ => self.sink.write(&self.line),
         }
+    }
+
+    /// Whether the sink took all rows so far.
+    pub(crate) fn written(&mut self) -> Result<(), Broken> {
+        self.broken.take().map_or(Ok(()), Err)
     }
 
     /// Writes what stands behind the rows, and closes the sink; `stopped` says why the rows ended
@@ -155,9 +115,17 @@ impl Table {
     }
 }
 
-/// Appends a number that is finite.
-fn append<A: Printable>(value: Option<&A::Value>, line: &mut String) {
-    if let Some(value) = value.filter(|value| A::is_finite(value)) {
-        A::append(value, line);
+impl Rows for Table {
+    fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        let count = values.first().map_or(0, Values::count);
+        let written = (0..count).try_for_each(|row| self.row(values.iter().map(|values| values.cell(row))));
+        match written {
+            Err(Broken::ReaderGone) if self.outlives_reader => ControlFlow::Continue(()),
+            Err(broken) => {
+                self.broken = Some(broken);
+                ControlFlow::Break(())
+            }
+            Ok(()) => ControlFlow::Continue(()),
+        }
     }
 }

@@ -4,9 +4,8 @@
 use std::ops::Range;
 
 use kahan_algebra::family::Family;
-use kahan_algebra::system::System;
 use kahan_runtime::{Diagnostics, FieldText};
-use kahan_study::{Subject, chain};
+use kahan_study::Subject;
 use kahan_systems::entry::Entry;
 use kahan_systems::lattices;
 
@@ -21,8 +20,6 @@ pub(crate) struct Block {
     text: FieldText,
     /// Whether it stands in a call of the macro.
     is_rust: bool,
-    /// How many sites a family is to have.
-    sites: Option<usize>,
 }
 
 impl Block {
@@ -50,33 +47,12 @@ impl Block {
     /// A part of a text.
     pub(super) fn within(text: String, body: Range<usize>, origin: String) -> Self {
         let is_rust = body != (0..text.len());
-        Block { entry: None, text: FieldText::part(text, body, origin), is_rust, sites: None }
-    }
-
-    /// The same block, whose family has so many sites.
-    pub(super) fn of_sites(self, sites: Option<usize>) -> Self {
-        Block { sites, ..self }
+        Block { entry: None, text: FieldText::part(text, body, origin), is_rust }
     }
 
     /// The block as what a question is about.
     pub(super) fn subject(&self) -> Subject {
         Subject::block(self.text.clone())
-    }
-
-    /// The system, with its claims proved as the macro does it; of a family that of a chain.
-    pub(crate) fn system(&self) -> Result<System, Refusal> {
-        match self.sites {
-            Some(sites) => Ok(chain(&self.text, sites)?),
-            None => self.text.system().map_err(refusal),
-        }
-    }
-
-    /// The system, its claims read but not proved.
-    pub(crate) fn unproved_system(&self) -> Result<System, Refusal> {
-        match self.sites {
-            Some(sites) => Ok(chain(&self.text, sites)?),
-            None => self.text.unproved_system().map_err(refusal),
-        }
     }
 
     /// The names that the block takes as parameters because nothing declares them. A block of Rust
@@ -97,16 +73,6 @@ impl Block {
     /// The text of the block, as it was given.
     pub(crate) fn text(&self) -> &str {
         self.text.text()
-    }
-
-    /// The seed of the macro's proof.
-    pub(crate) fn seed(&self) -> [u8; 32] {
-        self.text.seed()
-    }
-
-    /// The name of the system in answers: the catalog's, or the header's, or `field`.
-    pub(crate) fn name(&self, system: &System) -> String {
-        self.entry.map_or_else(|| system.name().to_owned(), |entry| entry.command.to_owned())
     }
 }
 

@@ -2,31 +2,15 @@
 //!
 //! Numbers of sites are given once, by a formula of the index i, or by a file.
 
-use kahan_runtime::{ChainAt, Lattice};
-use kahan_study::StudyError;
+use kahan_runtime::Lattice;
 use kahan_study::formula::{Formula, Known};
+use kahan_study::{Chain, StudyError};
 
 use super::formula::{formula, formulas};
 use super::number_file::{Numbers, is_number_file, read};
 use super::source::Start;
 use super::values::number;
 use crate::printing::Refusal;
-
-/// A chain, ready to step.
-pub(crate) struct Chain {
-    /// The family's name in answers.
-    pub(crate) name: String,
-    pub(crate) lattice: Lattice,
-    /// The names of a short chain's variables.
-    pub(crate) variables: Vec<String>,
-    pub(crate) map: ChainAt,
-    pub(crate) sites: usize,
-    pub(crate) eps: f64,
-    /// The parameters that the chain has once.
-    pub(crate) parameters: Vec<(String, f64)>,
-    /// Site by site, arrays interleaved.
-    pub(crate) state: Vec<f64>,
-}
 
 impl Start {
     /// The chain that begins with what `--start` says; the names of its variables are made for at

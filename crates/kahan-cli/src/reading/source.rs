@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
-use kahan_study::{Catalog, StudyError, Subject, Systems, values_by_name};
+use kahan_study::{Catalog, StudyError, Subject, Systems};
 use kahan_systems::lattices;
 use kahan_systems::registry::find;
 
@@ -18,7 +17,7 @@ use super::file::{chosen, read_file};
 use super::values::{number, whole};
 
 /// The system that a command is about.
-#[derive(Args, Clone, Debug, Default)]
+#[derive(Args, Clone, Debug, Default, PartialEq)]
 pub(crate) struct Source {
     /// A system of the catalog, as `kahan list` names them: euler, lv, e1 to e9, …
     #[arg(value_name = "SYSTEM")]
@@ -77,28 +76,6 @@ impl Source {
         Source { system: Some(name), ..Source::default() }
     }
 
-    /// The block that was named, unless it is the catalog's as it stands: then the paper's claims
-    /// are meant.
-    pub(crate) fn block_outside_the_paper(&self) -> Result<Option<Block>, Refusal> {
-        let is_family = self.system.as_deref().is_some_and(|name| lattices::find(name).is_some());
-        let is_plain = self.parameters.is_empty() && self.sites.is_none() && !is_family;
-        if self.field.is_none() && self.file.is_none() && is_plain {
-            return Ok(None);
-        }
-        self.required_block().map(Some)
-    }
-
-    /// The command name of the system whose claims are meant; `None` for all.
-    pub(crate) fn system_of_the_paper(&self) -> Result<Option<&'static str>, Refusal> {
-        match self.system.as_deref() {
-            None => Ok(None),
-            Some("general") => Ok(Some("general")),
-            Some(name) => find(name)
-                .map(|entry| Some(entry.command))
-                .ok_or_else(|| StudyError::unknown_system(name, &Systems).into()),
-        }
-    }
-
     /// The words by which a command line names this; standard input, which can be read once only,
     /// is named by its text.
     pub(crate) fn words(&self, block: &Block) -> Vec<String> {
@@ -130,11 +107,6 @@ impl Source {
         !self.parameters.is_empty()
     }
 
-    /// Whether this parameter was given.
-    pub(super) fn has_parameter(&self, name: &str) -> bool {
-        self.parameters.iter().any(|given| given.split_once('=').is_some_and(|(own, _)| own.trim() == name))
-    }
-
     /// The values behind `--param NAME=V`, by name.
     pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, Refusal> {
         let value = |given: &String| {
@@ -147,20 +119,6 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// The values of a system's parameters, in their order; `None` for one not given.
-    pub(crate) fn known_parameters(
-        &self,
-        system: &System,
-        name: &str,
-    ) -> Result<Vec<Option<Rational>>, Refusal> {
-        Ok(values_by_name(&self.given()?, &system.field.symbols.parameters, name)?)
-    }
-
-    /// The block that was named; `None` if none was.
-    pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
-        Ok(self.named_block()?.map(|block| block.of_sites(self.sites)))
-    }
-
     /// The field that was named, without its parameters.
     pub(super) fn subject(&self) -> Result<Subject, Refusal> {
         match &self.system {
@@ -169,7 +127,8 @@ impl Source {
         }
     }
 
-    fn named_block(&self) -> Result<Option<Block>, Refusal> {
+    /// The block that was named; `None` if none was.
+    pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {
             (None, None, None) => Ok(None),
             (Some(name), None, None) => match (find(name), lattices::find(name)) {
@@ -200,7 +159,7 @@ impl Source {
     /// for them is neither given nor gone through in `ranges`, `NAME=…`. Standard input is not read
     /// for it: what comes from there is said when the command reads it.
     pub(crate) fn undeclared(&self, ranges: &[String]) -> Option<String> {
-        let block = if self.is_input() { None } else { self.named_block().ok().flatten() };
+        let block = if self.is_input() { None } else { self.block().ok().flatten() };
         self.undeclared_in(&block?, ranges)
     }
 
@@ -227,18 +186,6 @@ impl Source {
         )))
     }
 
-    /// The values of all parameters of a system, in their order.
-    pub(crate) fn parameter_values(&self, system: &System, name: &str) -> Result<Vec<Rational>, Refusal> {
-        let names = &system.field.symbols.parameters;
-        let values = self.known_parameters(system, name)?;
-        let missing = names.iter().zip(&values).filter(|(_, value)| value.is_none());
-        let missing: Vec<String> = missing.map(|(name, _)| name.clone()).collect();
-        if !missing.is_empty() {
-            return Err(StudyError::MissingParameters { system: name.to_owned(), names: missing }.into());
-        }
-        Ok(values.into_iter().flatten().collect())
-    }
-
     /// This source with single values only, and the parameters that are given as ranges:
     /// `xi=-2:2:+1/12` as `xi` and the rest.
     pub(crate) fn without_ranges(&self) -> (Self, Vec<(&str, &str)>) {
@@ -252,19 +199,6 @@ impl Source {
     pub(crate) fn with_parameter(mut self, name: &str, value: &Rational) -> Self {
         self.parameters.push(format!("{name}={value}"));
         self
-    }
-
-    /// The system with the given parameters fixed, the others generic.
-    pub(crate) fn specialised(&self, system: System, name: &str) -> Result<System, Refusal> {
-        let values = self.known_parameters(&system, name)?;
-        let fixed: Vec<(usize, Rational)> =
-            values.into_iter().enumerate().filter_map(|(k, value)| Some((k, value?))).collect();
-        if fixed.is_empty() {
-            return Ok(system);
-        }
-        system.specialise(&fixed).ok_or_else(|| {
-            Refusal::new(format!("at {} the field of {name} divides by zero", self.parameters.join(", ")))
-        })
     }
 
     /// The block that was named, of a command that needs one.

@@ -1,14 +1,12 @@
 //! From arguments to a field that is studied; what is wrong becomes a [`Refusal`] that names the
 //! option to change.
 
-use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::rational::Rational;
 use kahan_study::{MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
 use super::formula::refused;
-use super::points::point;
-use super::request::assignments;
+use super::points::{only, point, points};
 use super::source::{Source, Start};
 use super::values::number;
 use crate::printing::Refusal;
@@ -36,35 +34,41 @@ impl Source {
 impl Start {
     /// The field, the first point, and ε.
     pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
-        let (study, at, eps) = self.study_without_values()?;
-        study.values()?;
-        Ok((study, at, eps.ok_or(StudyError::MissingStep)?))
+        let (study, starts, eps) = self.starts()?;
+        Ok((study, only(starts, self.at())?, eps))
     }
 
-    /// The same, where parameters and ε may have their values from elsewhere.
+    /// The same with all first points.
+    pub(crate) fn starts(&self) -> Result<(Study, Vec<Vec<Rational>>, Rational), Refusal> {
+        let study = self.proved()?;
+        let starts = points(self.at(), study.variables())?;
+        study.values()?;
+        Ok((study, starts, self.half_step()?.ok_or(StudyError::MissingStep)?))
+    }
+
+    /// The field, the first point, and ε, where parameters and ε may have their values from
+    /// elsewhere.
     pub(crate) fn study_without_values(&self) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
-        let study = self.source.study()?;
-        // A false claim is told before a number that is missing.
-        study.proved()?;
-        let at = point(self.at.as_deref().unwrap_or_default(), study.variables())?;
+        let study = self.proved()?;
+        let at = point(self.at(), study.variables())?;
         Ok((study, at, self.half_step()?))
+    }
+
+    /// The field. A false claim is told before a number that is missing.
+    fn proved(&self) -> Result<Study, Refusal> {
+        let study = self.source.study()?;
+        study.proved()?;
+        Ok(study)
+    }
+
+    fn at(&self) -> &str {
+        self.at.as_deref().unwrap_or_default()
     }
 
     /// The value of --eps.
     pub(super) fn half_step(&self) -> Result<Option<Rational>, Refusal> {
         self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()
     }
-}
-
-/// A point with the parameters and ε, in words.
-pub(crate) fn place(study: &Study, at: &[Rational], eps: &Rational) -> String {
-    let values: Vec<Rational> = study.given().iter().flatten().cloned().collect();
-    let parts = [
-        assignments::<Exact>(study.variables(), at),
-        assignments::<Exact>(study.parameters(), &values),
-        assignments::<Exact>(&["eps".to_owned()], std::slice::from_ref(eps)),
-    ];
-    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
 }
 
 impl From<StudyError> for Refusal {
@@ -89,13 +93,7 @@ impl From<StudyError> for Refusal {
                 let options: Vec<String> = names.iter().map(|name| format!("--param {name}=VALUE")).collect();
                 format!("{system} needs a value for each of its parameters: add {}", options.join(" "))
             }
-            StudyError::Coordinates { .. } => format!("--at: {error}"),
-            StudyError::UndefinedField { system, parameters } => {
-                let (names, values): (Vec<String>, Vec<Rational>) = parameters.into_iter().unzip();
-                let values = assignments::<Exact>(&names, &values);
-                format!("the field of {system} divides by zero at {values}; choose other values")
-            }
-            StudyError::UnknownAxis { .. } => format!("--over: {error}"),
+            StudyError::UnknownAxis { .. } | StudyError::AxisTwice { .. } => format!("--over: {error}"),
             StudyError::Formula { what, why } => return refused(&why, &format!("--{what}")),
             StudyError::ConstantPlane { text } => format!(
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
@@ -105,8 +103,19 @@ impl From<StudyError> for Refusal {
             StudyError::NoAxis => "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 \
                  or --eps 1/4:2:+1/4"
                 .to_owned(),
-            StudyError::OutOfRange => "--at and --eps must be in the range of f64".to_owned(),
-            StudyError::NotPositive { .. } => format!("--{error}"),
+            StudyError::Coordinates { .. } | StudyError::OutOfRange { .. } | StudyError::NotPositive { .. } => {
+                format!("--{error}")
+            }
+            StudyError::BeyondRange { .. } => format!("--{error}").replace("use scalar", "use --scalar"),
+            StudyError::Orbit(_) => {
+                let options = ["scalar", "order", "method"];
+                let names = |said: String, name: &str| {
+                    ["; use", ", or", "; leave"]
+                        .into_iter()
+                        .fold(said, |said, word| said.replace(&format!("{word} {name}"), &format!("{word} --{name}")))
+                };
+                options.into_iter().fold(format!("--{error}"), names)
+            }
             StudyError::Degree { .. } => {
                 format!("--degree: {error}").replace("ask for none", "leave --degree out")
             }

@@ -97,14 +97,17 @@ fn every_step_goes_into_the_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("heights.csv");
     let path_text = path.to_str().expect("UTF-8");
-    let (table, _) =
-        run(0, &["e4", "--eps", "1/2", "--at", "7/3,11/13,23/47", "--steps", "30", "--csv", path_text]);
-    assert!(table.contains("growth    quadratic"), "{table}");
-    let csv = std::fs::read_to_string(&path).expect("the file");
-    let lines: Vec<&str> = csv.lines().collect();
-    assert_eq!(lines.len(), 32);
-    assert_eq!(lines[0], "n,h_x,h_y,h_z,digits");
-    assert_eq!(lines[2], "1,16.040286638396,14.0172776521616,17.3927107137843,8");
+    for (option, note) in [("--out", ""), ("--csv", "note: `--csv` of heights is called `--out` now\n")] {
+        let (table, said) =
+            run(0, &["e4", "--eps", "1/2", "--at", "7/3,11/13,23/47", "--steps", "30", option, path_text]);
+        assert!(table.contains("growth    quadratic"), "{table}");
+        assert_eq!(said, note);
+        let csv = std::fs::read_to_string(&path).expect("the file");
+        let lines: Vec<&str> = csv.lines().collect();
+        assert_eq!(lines.len(), 32);
+        assert_eq!(lines[0], "n,h_x,h_y,h_z,digits");
+        assert_eq!(lines[2], "1,16.040286638396,14.0172776521616,17.3927107137843,8");
+    }
 }
 
 #[test]
@@ -120,7 +123,7 @@ fn bad_usage_is_one_paragraph() {
         good(&["--seconds", "0"]),
         good(&["--seconds", "nan"]),
         good(&["--max-digits", "0"]),
-        good(&["--csv", "/nowhere/at/all.csv"]),
+        good(&["--out", "/nowhere/at/all.csv"]),
     ];
     for arguments in bad {
         let (out, error) = run(2, &arguments);

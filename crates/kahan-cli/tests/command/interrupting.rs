@@ -58,7 +58,7 @@ fn an_older_file_stays_as_it_was() {
         "1e15",
         "--seconds",
         "1e6",
-        "--csv",
+        "--out",
         out.to_str().expect("text"),
     ]);
     wait_until(|| fs::read_dir(folder.path()).expect("the folder").count() == 2);

@@ -12,8 +12,7 @@ use super::palette::{Paint, Theme, style};
 pub struct Drawing {
     /// What is seen, for those who do not see it.
     pub description: String,
-    /// Width and height of the view box.
-    pub(super) size: (f64, f64),
+    pub(super) sheet: Sheet,
     pub(super) body: Markup,
 }
 
@@ -24,14 +23,17 @@ pub enum Format {
     Svg,
     /// Pixels.
     Png,
+    /// Lines and words on a page for print.
+    Pdf,
 }
 
-/// The paper of a picture that is a file of its own.
-#[derive(Clone, Copy, Debug)]
+/// What a drawing is drawn on.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sheet {
-    /// Width and height in pixels.
-    pub pixels: (u32, u32),
-    /// A file of pixels is light where this is [`Theme::Viewer`].
+    pixels: (u32, u32),
+    /// Width and height of the view box.
+    pub(super) view_box: (f64, f64),
+    /// The colours. A file of pixels or for print is light where this is [`Theme::Viewer`].
     pub theme: Theme,
 }
 
@@ -39,7 +41,7 @@ impl Drawing {
     /// For a page of [`document`](crate::document::document), which has the style of drawings.
     #[must_use]
     pub fn inline(&self) -> Markup {
-        let (width, height) = self.size;
+        let (width, height) = self.sheet.view_box;
         html! {
             svg viewBox=(format!("0 0 {width} {height}")) role="img" aria-label=(self.description) { (self.body) }
         }
@@ -47,15 +49,16 @@ impl Drawing {
 
     /// The file as SVG, with its own style.
     #[must_use]
-    pub fn svg(&self, sheet: &Sheet) -> String {
-        let (width, height) = self.size;
-        let (css, paper) = (style(sheet.theme), Paint::PAPER);
+    pub fn svg(&self) -> String {
+        let Sheet { view_box: (width, height), theme, .. } = self.sheet;
+        let (css, paper) = (style(theme), Paint::PAPER);
+        let [across, upwards] = self.sheet.lengths();
         let svg = html! {
-            svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width=(sheet.pixels.0) height=(sheet.pixels.1)
+            svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width=(across) height=(upwards)
                 viewBox=(format!("0 0 {width} {height}")) font-family="system-ui,sans-serif" role="img" aria-label=(self.description) {
-                style { (PreEscaped(css)) }
-                rect.(paper.class()) width="100%" height="100%" fill=(paper.fill()) {}
-                (self.body)
+                @if !css.is_empty() { style { (PreEscaped(css)) } }
+                rect.(paper.class()) width="100%" height="100%" fill=(paper.fill(theme)) {}
+                @if theme == Theme::Paper { g stroke-width=(theme.line(1.0)) { (self.body) } } @else { (self.body) }
             }
         };
         svg.into_string() + "\n"
@@ -65,22 +68,16 @@ impl Drawing {
     ///
     /// # Errors
     /// Where this build has no renderer for it, or that one fails.
-    pub fn file(&self, format: Format, sheet: &Sheet) -> Result<Vec<u8>, NoFile> {
+    pub fn file(&self, format: Format) -> Result<Vec<u8>, NoFile> {
         match format {
-            Format::Svg => Ok(self.svg(sheet).into_bytes()),
-            Format::Png => self.png(sheet),
+            Format::Svg => Ok(self.svg().into_bytes()),
+            #[cfg(feature = "png")]
+            Format::Png => super::render::png(&self.svg(), self.sheet.pixels),
+            #[cfg(feature = "pdf")]
+            Format::Pdf => super::render::pdf(&self.svg()),
+            #[cfg(not(all(feature = "png", feature = "pdf")))]
+            other => Err(NoFile::NotBuilt(other)),
         }
-    }
-
-    #[cfg(feature = "png")]
-    fn png(&self, sheet: &Sheet) -> Result<Vec<u8>, NoFile> {
-        let theme = if sheet.theme == Theme::Viewer { Theme::Light } else { sheet.theme };
-        super::raster::png(&self.svg(&Sheet { theme, ..*sheet }), sheet.pixels)
-    }
-
-    #[cfg(not(feature = "png"))]
-    fn png(&self, _: &Sheet) -> Result<Vec<u8>, NoFile> {
-        Err(NoFile::NotBuilt(Format::Png))
     }
 }
 
@@ -98,16 +95,30 @@ pub enum NoFile {
 impl fmt::Display for NoFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Ending => f.write_str("the name of a picture tells its format: it ends in .svg or .png"),
-            Self::NotBuilt(_) => f.write_str(
-                "this build writes no PNG, whose renderer takes long to build; write SVG, or build it with the feature `png`",
+            Self::Ending => {
+                f.write_str("the name of a picture tells its format: it ends in .svg, .png or .pdf")
+            }
+            Self::NotBuilt(format) => write!(
+                f,
+                "this build writes no {format}, whose renderer takes long to build; write SVG, or build it with the feature `{}`",
+                format.feature()
             ),
-            Self::Renderer(why) => write!(f, "the picture cannot be drawn as PNG: {why}"),
+            Self::Renderer(why) => write!(f, "the picture cannot be rendered: {why}"),
         }
     }
 }
 
 impl std::error::Error for NoFile {}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Format::Svg => "SVG",
+            Format::Png => "PNG",
+            Format::Pdf => "PDF",
+        })
+    }
+}
 
 impl Format {
     /// By the ending of the file's name.
@@ -116,23 +127,61 @@ impl Format {
     /// Where the ending is that of no format, or of one that this build cannot write.
     pub fn of(path: &Path) -> Result<Self, NoFile> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        match ending.as_deref() {
-            Some("svg") => Ok(Format::Svg),
-            Some("png") if cfg!(feature = "png") => Ok(Format::Png),
-            Some("png") => Err(NoFile::NotBuilt(Format::Png)),
-            _ => Err(NoFile::Ending),
+        let format = [Format::Svg, Format::Png, Format::Pdf];
+        let format = format.into_iter().find(|format| ending.as_deref() == Some(format.feature()));
+        match format.ok_or(NoFile::Ending)? {
+            Format::Png if !cfg!(feature = "png") => Err(NoFile::NotBuilt(Format::Png)),
+            Format::Pdf if !cfg!(feature = "pdf") => Err(NoFile::NotBuilt(Format::Pdf)),
+            format => Ok(format),
+        }
+    }
+
+    /// The feature of this crate that writes it, and the ending of its files; SVG needs none.
+    #[must_use]
+    pub fn feature(self) -> &'static str {
+        match self {
+            Format::Svg => "svg",
+            Format::Png => "png",
+            Format::Pdf => "pdf",
         }
     }
 }
 
 impl Sheet {
-    /// The view box of these proportions in which text is large enough on a telephone.
+    /// Pixels to an inch, in print.
+    const INCH: f64 = 300.0;
+    /// The width of a column in print, 86 millimetres.
+    pub const COLUMN: (u32, u32) = (1016, 762);
+
+    /// A file with this width and height. On a screen the view box is so small that text is large
+    /// enough on a telephone; in print, where 300 pixels are an inch, text has its size on paper.
     #[must_use]
-    pub fn view_box(&self) -> (f64, f64) {
-        const WIDTH: f64 = 480.0;
-        const LEAST_HEIGHT: f64 = 260.0;
-        let (width, height) = (f64::from(self.pixels.0), f64::from(self.pixels.1));
-        let scale = (WIDTH / width).max(LEAST_HEIGHT / height);
-        (scale * width, scale * height)
+    pub fn new(pixels: (u32, u32), theme: Theme) -> Self {
+        let (width, height) = (f64::from(pixels.0), f64::from(pixels.1));
+        let (scale, least) = match theme {
+            Theme::Paper => (100.0 / Sheet::INCH, (240.0, 180.0)),
+            _ => (480.0 / width, (480.0, 260.0)),
+        };
+        let scale = scale.max(least.0 / width).max(least.1 / height);
+        Sheet { pixels, view_box: (scale * width, scale * height), theme }
+    }
+
+    /// Within a page, of so many units; as a file, of as many pixels.
+    #[must_use]
+    pub fn page(width: u32, height: u32) -> Self {
+        Sheet {
+            pixels: (width, height),
+            view_box: (f64::from(width), f64::from(height)),
+            theme: Theme::Viewer,
+        }
+    }
+
+    /// Width and height as an SVG file says them: pixels, or in print millimetres.
+    fn lengths(&self) -> [String; 2] {
+        const MILLIMETRES: f64 = 25.4;
+        [self.pixels.0, self.pixels.1].map(|pixels| match self.theme {
+            Theme::Paper => format!("{:.2}mm", f64::from(pixels) / Sheet::INCH * MILLIMETRES),
+            _ => pixels.to_string(),
+        })
     }
 }

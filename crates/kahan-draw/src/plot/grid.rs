@@ -7,15 +7,15 @@ use maud::{Markup, html};
 use super::palette::Paint;
 use super::path::{line, tenths, text};
 use super::ramp::{Rgb, colour};
-use super::{Drawing, Frame, NumberLine, placed};
+use super::{Drawing, Frame, NumberLine, Sheet, placed};
 
 /// Numbers over a rectangle, cell by cell.
 #[derive(Clone, Debug)]
 pub struct Grid {
     /// What is seen, for those who do not see it.
     pub description: String,
-    /// Width and height of the view box.
-    pub size: (f64, f64),
+    /// What it is drawn on.
+    pub sheet: Sheet,
     /// From the left edge of the first cell to the right edge of the last.
     pub x: NumberLine,
     /// From the lower edge of the lowest cells to the upper edge of the highest.
@@ -41,8 +41,9 @@ impl Grid {
     /// If the numbers are no rows of that length.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
-        let (width, height) = self.size;
-        let frame = Frame { left: 66.0, right: width - LEGEND, top: 16.0, bottom: height - 50.0 };
+        let (width, height) = self.sheet.view_box;
+        let (right, bottom, theme) = (width - LEGEND, height - 50.0, self.sheet.theme);
+        let frame = Frame { left: 66.0, right, top: 16.0, bottom, theme };
         let rows = self.values.len().checked_div(self.columns).unwrap_or(0);
         let (numbers, columns) = (self.values.len(), self.columns);
         assert!(rows > 0 && rows * columns == numbers, "{numbers} numbers are no rows of {columns} cells");
@@ -53,7 +54,7 @@ impl Grid {
             (image([frame.left, frame.top, frame.right, frame.bottom], (columns, rows), &cells))
             (self.legend(&frame))
         };
-        Drawing { description: self.description.clone(), size: self.size, body }
+        Drawing { description: self.description.clone(), sheet: self.sheet, body }
     }
 
     /// The place of a number among the colours.
@@ -81,9 +82,9 @@ impl Grid {
         };
         html! {
             (image([left, frame.top, right, frame.bottom], (1, COLOURS), &colours))
-            (Paint::AXES.group(&marks))
-            (super::ticks(&values))
-            (super::names_of_axes(&name))
+            (Paint::AXES.group(frame.theme, &marks))
+            (super::ticks(frame.theme, &values))
+            (super::names_of_axes(frame.theme, &name))
         }
     }
 }
@@ -117,7 +118,7 @@ fn png(columns: usize, rows: usize, cells: &[u8]) -> Result<Vec<u8>, png::Encodi
 
 #[cfg(test)]
 mod tests {
-    use super::{COLOURS, Grid, NumberLine, STANDARD};
+    use super::{COLOURS, Grid, NumberLine, STANDARD, Sheet};
     use base64::Engine as _;
     use kahan_algebra::prime_field::SplitMix64;
 
@@ -125,7 +126,7 @@ mod tests {
         let line = |label: &str| NumberLine { label: label.to_owned(), low: 0.0, high: 1.0 };
         Grid {
             description: "a < b".to_owned(),
-            size: (480.0, 400.0),
+            sheet: Sheet::page(480, 400),
             x: line("x"),
             y: line("y"),
             scale: line("largest exponent"),

@@ -7,38 +7,53 @@ use std::fmt::Write as _;
 
 use maud::{Markup, html};
 
-/// A colour on light paper and on dark.
+/// A colour on light ground, on dark, and in print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Colour {
     /// The name by which the style sheet of a page knows it.
     name: &'static str,
     light: &'static str,
     dark: &'static str,
+    print: &'static str,
 }
 
 impl Colour {
-    const fn new(name: &'static str, light: &'static str, dark: &'static str) -> Self {
-        Colour { name, light, dark }
+    const fn new(name: &'static str, light: &'static str, dark: &'static str, print: &'static str) -> Self {
+        Colour { name, light, dark, print }
+    }
+
+    /// The colours of curves are dark enough for print as they are in light.
+    const fn curve(name: &'static str, light: &'static str, dark: &'static str) -> Self {
+        Colour::new(name, light, dark, light)
+    }
+
+    fn on(self, theme: Theme) -> &'static str {
+        match theme {
+            Theme::Viewer | Theme::Light => self.light,
+            Theme::Dark => self.dark,
+            Theme::Paper => self.print,
+        }
     }
 }
 
-const PAPER: Colour = Colour::new("--paper", "#fdfcf9", "#14171b");
-const INK: Colour = Colour::new("--ink", "#1d2126", "#e4e6e8");
-const SOFT: Colour = Colour::new("--soft", "#575e67", "#a3abb5");
-const RULE: Colour = Colour::new("--rule", "#d9d6cd", "#353b43");
+const PAPER: Colour = Colour::new("--paper", "#fdfcf9", "#14171b", "#ffffff");
+const INK: Colour = Colour::new("--ink", "#1d2126", "#e4e6e8", "#000000");
+const SOFT: Colour = Colour::new("--soft", "#575e67", "#a3abb5", "#000000");
+const RULE: Colour = Colour::new("--rule", "#d9d6cd", "#353b43", "#dddddd");
 const CURVES: [Colour; 6] = [
-    Colour::new("--c1", "#1f76bf", "#2d8cb5"),
-    Colour::new("--c2", "#085a3f", "#62d9a7"),
-    Colour::new("--c3", "#810000", "#f4806f"),
-    Colour::new("--c4", "#8a6500", "#edd15b"),
-    Colour::new("--c5", "#762a83", "#dbb6fd"),
-    Colour::new("--c6", "#6b7280", "#9aa3af"),
+    Colour::curve("--c1", "#1f76bf", "#2d8cb5"),
+    Colour::curve("--c2", "#085a3f", "#62d9a7"),
+    Colour::curve("--c3", "#810000", "#f4806f"),
+    Colour::curve("--c4", "#8a6500", "#edd15b"),
+    Colour::curve("--c5", "#762a83", "#dbb6fd"),
+    Colour::curve("--c6", "#6b7280", "#9aa3af"),
 ];
 
 /// What the elements of one part of a drawing are painted with.
 ///
-/// The light colours stand in the elements, where every program that reads SVG finds them; the dark
-/// ones are rules of a style sheet for the class. Programs that know no such rules draw in light.
+/// The colours of a theme stand in the elements, where every program that reads SVG finds them. Of
+/// a drawing that is light or dark as its viewer is, these are the light ones, and the dark ones are
+/// rules of a style sheet for the class.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint {
     class: &'static str,
@@ -96,18 +111,18 @@ impl Paint {
     }
 
     /// What the attribute `fill` says.
-    pub(super) fn fill(self) -> &'static str {
-        self.fill.map_or("none", |colour| colour.light)
+    pub(super) fn fill(self, theme: Theme) -> &'static str {
+        self.fill.map_or("none", |colour| colour.on(theme))
     }
 
     /// What the attribute `stroke` says.
-    pub(super) fn stroke(self) -> &'static str {
-        self.stroke.map_or("none", |colour| colour.light)
+    fn stroke(self, theme: Theme) -> &'static str {
+        self.stroke.map_or("none", |colour| colour.on(theme))
     }
 
     /// Elements that are painted with it.
-    pub(super) fn group(self, elements: &Markup) -> Markup {
-        html! { g.(self.class) fill=(self.fill()) stroke=(self.stroke()) { (elements) } }
+    pub(super) fn group(self, theme: Theme, elements: &Markup) -> Markup {
+        html! { g.(self.class) fill=(self.fill(theme)) stroke=(self.stroke(theme)) { (elements) } }
     }
 
     fn all() -> impl Iterator<Item = Paint> {
@@ -142,20 +157,16 @@ pub enum Theme {
     Light,
     /// Dark everywhere.
     Dark,
+    /// For print: black on white, in thin lines; a unit of the view box is a hundredth of an inch.
+    Paper,
 }
 
 impl Theme {
-    /// All of them.
-    pub const ALL: [Theme; 3] = [Theme::Viewer, Theme::Light, Theme::Dark];
-
-    /// Its name in questions of how a drawing looks.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Theme::Viewer => "viewer",
-            Theme::Light => "light",
-            Theme::Dark => "dark",
-        }
+    /// The width of a line that has this one on a screen.
+    pub(super) fn line(self, width: f64) -> f64 {
+        /// Lines are so much thinner in print.
+        const THIN: f64 = 0.6;
+        if self == Theme::Paper { THIN * width } else { width }
     }
 }
 
@@ -165,13 +176,14 @@ const NARROW: &str =
 
 /// The style sheet of drawings.
 pub(crate) fn style(theme: Theme) -> String {
-    let dark: String = Paint::all().map(Paint::rule).collect();
-    let dark = match theme {
-        Theme::Viewer => format!("@media (prefers-color-scheme:dark){{\n{dark}}}\n"),
-        Theme::Light => String::new(),
-        Theme::Dark => dark,
-    };
-    dark + NARROW
+    match theme {
+        Theme::Viewer => {
+            let dark: String = Paint::all().map(Paint::rule).collect();
+            format!("@media (prefers-color-scheme:dark){{\n{dark}}}\n{NARROW}")
+        }
+        Theme::Light | Theme::Dark => NARROW.to_owned(),
+        Theme::Paper => String::new(),
+    }
 }
 
 /// The colours of drawings as variables of a page, which are light or dark as the reader has it.
@@ -194,12 +206,12 @@ pub(crate) fn variables() -> String {
 #[cfg(test)]
 mod tests {
     use super::super::sight::{KINDS, contrast, distance, rgb, seen};
-    use super::{CURVES, Colour, PAPER, Paint, Theme, style};
+    use super::{CURVES, PAPER, Paint, Theme, style};
 
     #[test]
     fn curves_differ_for_every_kind_of_sight_and_stand_out_from_the_paper() {
-        for value in [|colour: Colour| colour.light, |colour: Colour| colour.dark] {
-            let (paper, curves) = (rgb(value(PAPER)), CURVES.map(|colour| rgb(value(colour))));
+        for theme in [Theme::Light, Theme::Dark, Theme::Paper] {
+            let (paper, curves) = (rgb(PAPER.on(theme)), CURVES.map(|colour| rgb(colour.on(theme))));
             for (i, &one) in curves.iter().enumerate() {
                 // What guidelines for the web ask of text.
                 assert!(contrast(one, paper) >= 4.5, "c{}", i + 1);
@@ -216,14 +228,10 @@ mod tests {
 
     #[test]
     fn every_part_is_told_from_the_others_and_made_dark_by_its_class() {
-        let dark = style(Theme::Dark);
-        assert!(
-            style(Theme::Viewer)
-                .contains(&format!("@media (prefers-color-scheme:dark){{\n{}", Paint::PAPER.rule()))
-        );
+        let viewer = style(Theme::Viewer);
         for paint in Paint::all() {
-            assert_eq!(dark.matches(&format!(".{}{{", paint.class)).count(), 1, "{}", paint.class);
+            assert_eq!(viewer.matches(&format!(".{}{{", paint.class)).count(), 1, "{}", paint.class);
         }
-        assert!(!style(Theme::Light).contains('#'));
+        assert!([Theme::Light, Theme::Dark, Theme::Paper].iter().all(|theme| !style(*theme).contains('#')));
     }
 }

@@ -63,8 +63,10 @@ pub(super) fn dots(places: &[Place]) -> String {
             (units, cells) = (coarser, distinct(coarser));
         }
     }
+    // Some programs draw no path that has neither width nor height.
+    let length = if cells.len() == 1 { ".01" } else { "0" };
     cells.into_iter().fold(String::new(), |mut path, (x, y)| {
-        let _ = write!(path, "M{} {}h0", tenths(x as f64 * units), tenths(y as f64 * units));
+        let _ = write!(path, "M{} {}h{length}", tenths(x as f64 * units), tenths(y as f64 * units));
         path
     })
 }
@@ -82,6 +84,7 @@ mod tests {
     fn places_that_fall_together_are_one() {
         assert_eq!(polyline(&[(1.0, 2.0), (1.01, 2.04), (3.25, 4.0)]), "M1 2L3.2 4");
         assert_eq!(dots(&[(1.0, 2.0), (3.0, 4.0), (1.04, 1.96)]), "M1 2h0M3 4h0");
+        assert_eq!(dots(&[(1.0, 2.0), (1.04, 1.96)]), "M1 2h.01");
     }
 
     #[test]

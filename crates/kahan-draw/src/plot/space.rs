@@ -5,7 +5,7 @@ use maud::{Markup, html};
 
 use super::palette::Paint;
 use super::path::{Place, dots, line, polyline, stroked, tenths, text};
-use super::{Drawing, Mark, NumberLine, names_of_axes, placed, ticks};
+use super::{Drawing, Mark, NumberLine, Sheet, grid, names_of_axes, placed, ticks};
 
 /// Points in space that belong together.
 #[derive(Clone, Debug)]
@@ -23,8 +23,8 @@ pub struct Cloud {
 pub struct Space {
     /// What is seen, for those who do not see it.
     pub description: String,
-    /// Width and height of the view box.
-    pub size: (f64, f64),
+    /// What it is drawn on.
+    pub sheet: Sheet,
     /// To the right, to the back, upwards.
     pub axes: [NumberLine; 3],
     /// What is drawn.
@@ -118,7 +118,7 @@ impl Space {
     /// The drawing.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
-        let view = View::of(&self.axes, self.size);
+        let view = View::of(&self.axes, self.sheet.view_box);
         let body = html! {
             (self.edges(&view))
             @for layer in 0..LAYERS {
@@ -126,7 +126,7 @@ impl Space {
             }
             (self.names(&view))
         };
-        Drawing { description: self.description.clone(), size: self.size, body }
+        Drawing { description: self.description.clone(), sheet: self.sheet, body }
     }
 
     /// How many points there are that the axes do not show.
@@ -147,12 +147,13 @@ impl Space {
         let edges = (0..8_usize).flat_map(|from| [1, 2, 4].map(|bit| (from, from | bit)));
         let edges = edges.filter(|(from, to)| from != to).map(|ends| (ends, AXES.contains(&ends)));
         let (axes, others): (Vec<_>, Vec<_>) = edges.partition(|(_, is_axis)| *is_axis);
+        let theme = self.sheet.theme;
         let drawn = |((from, to), _): &((usize, usize), bool)| {
             line(view.place(self.corner(*from)), view.place(self.corner(*to)))
         };
         html! {
-            g stroke-width="0.8" { (Paint::GRID.group(&html! { @for edge in &others { (drawn(edge)) } })) }
-            (Paint::AXES.group(&html! { @for edge in &axes { (drawn(edge)) } }))
+            (grid(theme, &html! { @for edge in &others { (drawn(edge)) } }))
+            (Paint::AXES.group(theme, &html! { @for edge in &axes { (drawn(edge)) } }))
         }
     }
 
@@ -177,10 +178,10 @@ impl Space {
             }
             path
         };
-        let mark = cloud.mark;
-        Paint::curve(cloud.colour).group(&html! {
-            @if mark.has_line() { (stroked("line", &lines(), width_in(layer, LINE))) }
-            @if mark.has_dots() { (stroked("dots", &dots(&places(&here)), width_in(layer, mark.dot()))) }
+        let (mark, theme) = (cloud.mark, self.sheet.theme);
+        Paint::curve(cloud.colour).group(theme, &html! {
+            @if mark.has_line() { (stroked("line", &lines(), width_in(layer, theme.line(LINE)))) }
+            @if mark.has_dots() { (stroked("dots", &dots(&places(&here)), width_in(layer, theme.line(mark.dot())))) }
         })
     }
 
@@ -212,8 +213,8 @@ impl Space {
             text transform=(format!("translate({right} {up}) rotate(-90)")) text-anchor="middle" { (z) }
         };
         html! {
-            (ticks(&values))
-            (names_of_axes(&names))
+            (ticks(self.sheet.theme, &values))
+            (names_of_axes(self.sheet.theme, &names))
         }
     }
 }

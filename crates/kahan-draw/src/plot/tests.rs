@@ -1,13 +1,13 @@
 //! Places, and what is read out.
 
-use super::{Cloud, Mark, NumberLine, Plot, SIZE, Series, Sheet, Space, Theme};
+use super::{Cloud, Mark, NumberLine, Plot, Series, Sheet, Space, Theme};
 
 #[test]
 fn points_are_placed_by_both_axes() {
     let axis = |low, high| NumberLine { label: String::new(), low, high };
     let plot = Plot {
         description: String::new(),
-        size: SIZE,
+        sheet: Sheet::page(480, 320),
         x: axis(0.0, 10.0),
         y: axis(-1.0, 1.0),
         levels: Vec::new(),
@@ -23,7 +23,7 @@ fn a_description_and_labels_are_escaped() {
     let series = Series::new("\"x\" & y", 1, Mark::Both, vec![(0.0, 0.0), (1.0, 1.0)]);
     let plot = Plot {
         description: "x<y".into(),
-        size: SIZE,
+        sheet: Sheet::page(480, 320),
         x: axis.clone(),
         y: axis,
         levels: vec![(0.5, "1<2".into())],
@@ -54,7 +54,7 @@ fn receding(mark: Mark) -> String {
     let axes = ["x", "y", "z"].map(axis);
     let space = Space {
         description: "a < b".to_owned(),
-        size: SIZE,
+        sheet: Sheet::page(480, 320),
         axes,
         clouds: vec![Cloud { colour: 2, mark, points }],
     };
@@ -93,7 +93,7 @@ fn near_points_of_space_are_drawn_over_far_ones_and_no_width_jumps() {
         assert!(!receding(mark).contains("opacity"));
     }
     let dots: usize =
-        shapes(&receding(Mark::Dots), "dots").iter().map(|(path, _)| path.matches("h0").count()).sum();
+        shapes(&receding(Mark::Dots), "dots").iter().map(|(path, _)| path.matches('h').count()).sum();
     assert_eq!(dots, 201);
 }
 
@@ -120,15 +120,13 @@ fn axes_have_four_to_seven_values_where_there_is_room() {
             .matches("<text")
             .count()
     };
-    for (width, height, least) in
-        [(480.0, 320.0, 8), (360.0, 300.0, 8), (1040.0, 260.0, 8), (480.0, 1900.0, 8)]
-    {
+    for (width, height, least) in [(480, 320, 8), (360, 300, 8), (1040, 260, 8), (480, 1900, 8)] {
         for (low, high) in
             [(0.0, 1.0), (-3.2, 7.9), (0.0, 812_345.0), (1.59, 1.64), (-1e-9, 1e-9), (-0.013, 22.4)]
         {
             let axis = || NumberLine { label: "x".to_owned(), low, high };
             let plot = Plot {
-                size: (width, height),
+                sheet: Sheet::page(width, height),
                 x: axis(),
                 y: axis(),
                 ..Plot::around("", ["x", "y"], Vec::new())
@@ -144,19 +142,32 @@ fn axes_have_four_to_seven_values_where_there_is_room() {
 #[test]
 fn a_file_has_its_own_style_and_what_is_read_out() {
     let plot = Plot::around("one point", ["x", "y"], vec![Series::new("", 1, Mark::Dots, vec![(1.0, 1.0)])]);
-    let sheet = Sheet { pixels: (900, 600), theme: Theme::Viewer };
-    assert_eq!(sheet.view_box(), (480.0, 320.0));
-    let svg = plot.drawing().svg(&sheet);
+    let on = |pixels, theme| Plot { sheet: Sheet::new(pixels, theme), ..plot.clone() }.drawing().svg();
+    assert_eq!(Sheet::new((900, 600), Theme::Viewer).view_box, (480.0, 320.0));
+    let svg = on((900, 600), Theme::Viewer);
     for part in
         ["width=\"900\"", "aria-label=\"one point\"", "prefers-color-scheme:dark", "stroke=\"#1f76bf\""]
     {
         assert!(svg.contains(part), "{part}: {svg}");
     }
-    let dark = plot.drawing().svg(&Sheet { theme: Theme::Dark, ..sheet });
-    assert!(!dark.contains("prefers-color-scheme") && !dark.contains("var("), "{dark}");
-    assert!(dark.contains(".c1{stroke:#2d8cb5;}"), "{dark}");
+    let dark = on((900, 600), Theme::Dark);
+    assert!(dark.contains("stroke=\"#2d8cb5\"") && dark.contains("fill=\"#14171b\""), "{dark}");
+    assert!(["prefers-color-scheme", "var(", "#1f76bf"].iter().all(|word| !dark.contains(word)), "{dark}");
     // A flat sheet is widened until there is room for both axes.
-    assert_eq!(Sheet { pixels: (4000, 1000), ..sheet }.view_box(), (1040.0, 260.0));
+    assert_eq!(Sheet::new((4000, 1000), Theme::Dark).view_box, (1040.0, 260.0));
+}
+
+#[test]
+fn in_print_a_column_is_black_on_white_and_its_text_has_a_size_on_paper() {
+    let plot = Plot::around("one", ["x", "y"], vec![Series::new("", 1, Mark::Line, vec![(1.0, 1.0); 2])]);
+    let plot = Plot { sheet: Sheet::new(Sheet::COLUMN, Theme::Paper), ..plot };
+    let svg = plot.drawing().svg();
+    assert!(svg.contains("width=\"86.02mm\"") && !svg.contains("<style"), "{svg}");
+    // 12 units of 0.01 inch are 8.6 points.
+    assert!((plot.sheet.view_box.0 - 338.67).abs() < 0.01 && svg.contains("font-size=\"12\""), "{svg}");
+    assert!(svg.contains("fill=\"#ffffff\"") && svg.contains("stroke-width=\"1.2\""), "{svg}");
+    let inked = svg.split("class=\"ticks\" fill=\"").nth(1).expect("ticks");
+    assert!(inked.starts_with("#000000"), "{inked}");
 }
 
 #[test]

@@ -17,7 +17,7 @@ fn every_claim_is_established_and_fails_under_a_mutation() {
     let claims: Vec<&Claim> = paper.claims().iter().collect();
     let failed: Vec<String> = claims
         .iter()
-        .zip(paper.establish_all(&claims, &|| ()))
+        .zip(paper.for_all(&claims, None, |claim| paper.establish(claim)))
         .filter(|(_, established)| established.outcome == Outcome::Failed)
         .map(|(claim, established)| format!("{}: {}", claim.id, established.detail))
         .collect();
@@ -29,7 +29,7 @@ fn every_claim_is_established_and_fails_under_a_mutation() {
     };
     let vacuous: Vec<String> = claims
         .iter()
-        .zip(paper.for_all(&claims, is_vacuous))
+        .zip(paper.for_all(&claims, None, is_vacuous))
         .filter(|(_, vacuous)| *vacuous)
         .map(|(claim, _)| claim.id.to_string())
         .collect();

@@ -65,6 +65,16 @@ impl ProjectiveMap {
     /// # Panics
     /// If the number of parameters is not that of the system.
     pub fn new(system: &System, parameters: &[Rational], eps: &Rational) -> Result<Self, UndefinedField> {
+        Self::of(system, RationalMap::of(&system.field).as_ref(), parameters, eps)
+    }
+
+    /// The same with the map as polynomials, where it is within the budget of terms.
+    pub(crate) fn of(
+        system: &System,
+        map: Option<&RationalMap>,
+        parameters: &[Rational],
+        eps: &Rational,
+    ) -> Result<Self, UndefinedField> {
         let field = &system.field;
         assert_eq!(parameters.len(), field.symbols.parameters.len(), "one value a parameter");
         let is_scaled = field.is_homogeneous() && !eps.is_zero();
@@ -76,16 +86,16 @@ impl ProjectiveMap {
             return Err(UndefinedField);
         }
         let dimension = field.dimension();
-        let (degree, formula) = match RationalMap::of(field) {
+        let (degree, formula) = match map {
             Some(map) => {
-                let (degree, mut forms) = ahead.forms(&map);
+                let (degree, mut forms) = ahead.forms(map);
                 let split = Splits::of(forms.clone());
                 let mut monomial = Monomial::one();
                 if let Some(denominator) = forms.last_mut() {
                     monomial = denominator.monomial_content();
                     *denominator = denominator.div_monomial(&monomial).expect("all terms have it");
                 }
-                forms.extend(behind.forms(&map).1.pop());
+                forms.extend(behind.forms(map).1.pop());
                 (degree, Formula::Reduced { plan: Plan::of(&forms), monomial, split })
             }
             None => (dimension, Formula::Elimination(Plan::of(&ahead.linear_system()))),

@@ -36,6 +36,7 @@ mod split;
 mod survey;
 
 pub use growth::Growth;
+pub(crate) use integers::{denominator, numerator, rational};
 pub use map::{ProjectiveMap, UndefinedField};
 pub use orbit::HeightsOrbit;
 pub use report::{Heights, Stop};

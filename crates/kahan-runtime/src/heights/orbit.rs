@@ -73,8 +73,11 @@ impl HeightsOrbit {
         start: &[Rational],
     ) -> Result<Self, UndefinedField> {
         assert_eq!(start.len(), system.field.dimension(), "one coordinate a state");
-        let map = ProjectiveMap::new(system, parameters, eps)?;
-        Ok(HeightsOrbit {
+        Ok(Self::begin(ProjectiveMap::new(system, parameters, eps)?, start))
+    }
+
+    pub(crate) fn begin(map: ProjectiveMap, start: &[Rational]) -> Self {
+        HeightsOrbit {
             point: map.point(start),
             factors: Vec::new(),
             map,
@@ -84,7 +87,7 @@ impl HeightsOrbit {
             step: None,
             stopped: None,
             bits: Bits::default(),
-        })
+        }
     }
 
     /// The same orbit, as far as no numerator or denominator has more decimal digits.

@@ -5,6 +5,7 @@
 //! had and else by the interpreter.
 
 mod coded;
+mod exact;
 mod interpreted;
 mod projective;
 #[cfg(test)]
@@ -19,6 +20,7 @@ use crate::Map;
 use crate::engine::{Scratches, stage_constants};
 use crate::interpreted::round;
 
+pub use exact::ExactOrbit;
 pub use projective::{ProjectiveOrbit, ProjectiveScalar};
 
 use coded::Coding;

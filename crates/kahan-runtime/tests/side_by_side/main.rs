@@ -1,5 +1,5 @@
 //! Orbits that are observed side by side have the points and the reports that each has alone.
 
-mod indicators;
+mod drifts;
 mod orbits;
 mod support;

@@ -5,7 +5,7 @@ use kahan_core::observe::{
     AtMost, Direction, Drift, Escape, Extrema, Extremes, Fli, Lyapunov, MeanLogDet, Megno, Observer, Period,
     Residence, Rotation, Sali, Section, Spectrum,
 };
-use kahan_runtime::{Field, Indicator, MachineFloat, MapAt};
+use kahan_runtime::{Field, IntegralDrift, MachineFloat, MapAt};
 
 use crate::answers::{AREA, Answers, Dimension, LENGTH, NUMBER, RATE, SPEED, check_units};
 use crate::fields::{CASES, Case, Unit, map};
@@ -139,22 +139,24 @@ fn many_orbits_side_by_side_have_the_same_bits_in_every_unit() {
         let field = case.field();
         check_units(case.name, &UNITS, |unit, answers| {
             let at = map(&field, unit).at(unit.time(case.eps));
-            let indicators = [
-                ("SALI", Indicator::Sali, NUMBER),
-                ("FLI", Indicator::Fli, NUMBER),
-                ("MEGNO", Indicator::Megno, NUMBER),
-                ("Lyapunov", Indicator::Lyapunov, RATE),
-                ("drift", Indicator::Drift, NUMBER),
-                ("escape", Indicator::Escape(unit.length(1.1)), NUMBER),
-            ];
-            for (name, indicator, dimension) in indicators {
-                let of = |x: &f64| (0..20).map(|k| x * (1.0 + 0.01 * f64::from(k))).collect();
-                let mut columns: Vec<Vec<f64>> = case.start(unit).iter().map(of).collect();
-                let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-                let found = indicator.of(&[&at], &mut columns, STEPS).unwrap();
-                answers.add(name, dimension, &found);
-                columns.iter().for_each(|column| answers.add("column", LENGTH, column));
+            let of = |x: &f64| (0..20).map(|k| x * (1.0 + 0.01 * f64::from(k))).collect();
+            let mut columns: Vec<Vec<f64>> = case.start(unit).iter().map(of).collect();
+            let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+            let size = unit.length(1.1);
+            let observers = |_| {
+                let beyond = Escape::when(move |x: &[f64]| !x.iter().all(|x| x.abs() <= size));
+                let growth = (Fli::new(&at), Megno::new(&at), Lyapunov::new(&at));
+                (Sali::new(&at), growth, IntegralDrift::of(&at), beyond)
+            };
+            let found = MapAt::observe_columns(&[&at], &mut columns, STEPS, observers).unwrap();
+            for (sali, (fli, megno, exponent), drifts, escaped) in found {
+                let drifts = drifts.iter().flat_map(|drift| [drift.max, drift.last]);
+                let numbers = [sali, fli, megno.mean, megno.last].into_iter().chain(drifts);
+                answers.add("indicators", NUMBER, &numbers.collect::<Vec<_>>());
+                answers.add("exponent", RATE, &[exponent.value, exponent.error]);
+                answers.add("escape", NUMBER, &[escaped.map_or(f64::NAN, |step| step as f64)]);
             }
+            columns.iter().for_each(|column| answers.add("column", LENGTH, column));
         });
     }
 }

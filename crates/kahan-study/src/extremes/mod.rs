@@ -21,18 +21,17 @@ mod steps;
 mod tally;
 mod trial;
 
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_core::Dd;
 use kahan_core::num_rational::BigRational;
-use kahan_discover::{Progress, Watch};
 use kahan_runtime::interpreted::{LARGEST_DIMENSION, UnsupportedDimension};
 use kahan_runtime::threads::for_each;
 use kahan_runtime::{Field, FieldText, Map};
 
+use crate::count::Count;
 use crate::random_fields::odd;
 use judge::Judge;
 use trial::Ready;
@@ -117,41 +116,13 @@ fn value_or_any((k, given): (i64, &Option<Rational>)) -> BigRational {
     }
 }
 
-/// The trials that are made, counted from all threads.
-pub(crate) struct Count<'a> {
-    watch: &'a dyn Watch,
-    of: u64,
-    done: AtomicU64,
-    is_stopped: AtomicBool,
-}
-
-impl<'a> Count<'a> {
-    /// So many trials are to be made.
-    pub(crate) fn new(of: u64, watch: &'a dyn Watch) -> Self {
-        Count { watch, of, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
-    }
-
-    /// So many more are made.
-    fn add(&self, trials: u64) {
-        let done = self.done.fetch_add(trials, Ordering::Relaxed) + trials;
-        let progress = Progress { what: "trials", done, of: Some(self.of) };
-        if self.watch.look(&progress).is_break() {
-            self.is_stopped.store(true, Ordering::Relaxed);
-        }
-    }
-
-    fn is_stopped(&self) -> bool {
-        self.is_stopped.load(Ordering::Relaxed)
-    }
-}
-
 /// `trials` trials of `f32`, `f64` and `Dd` each, a quarter each near poles, near removable poles,
 /// of mixed magnitudes and ordinary, and a thirty-second part (at least eight) with subnormal
 /// inputs, as many with inputs that are not finite, and as many large steps, for which elimination
 /// is judged besides, over all systems in turn, of which there is at least one. Where none of them
 /// has a removable pole, that quarter goes to the poles.
 pub(crate) fn survey(tried: &[Tried], trials: u64, seed: u64, count: &Count<'_>) -> Tally {
-    on_threads(tried, trials, seed, count.watch.threads(), count)
+    on_threads(tried, trials, seed, count.threads(), count)
 }
 
 fn on_threads(tried: &[Tried], trials: u64, seed: u64, threads: usize, count: &Count<'_>) -> Tally {
@@ -171,7 +142,7 @@ pub(crate) fn total(trials: u64) -> u64 {
 /// ten times as many of every twentieth; each is drawn when it is its turn.
 pub(crate) fn survey_odd(fields: usize, trials: u64, seed: u64, count: &Count<'_>) -> Tally {
     let all = Mutex::new(Tally::default());
-    for_each(fields, Some(count.watch.threads()), &|k| {
+    for_each(fields, Some(count.threads()), &|k| {
         if count.is_stopped() {
             return;
         }

@@ -4,20 +4,24 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
+use serde::{Serialize, Serializer};
+
 use super::regime::Regime;
 
 /// What became of the trials of one regime, tier and scalar.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Cell {
     /// How many there were.
     pub trials: u64,
     /// The largest ‖error‖∞/‖exact‖∞ of a finite result where the exact step has a value, in units
     /// of the scalar; `None` without such a result, infinite beside an exact 0.
+    #[serde(serialize_with = "finite")]
     pub max_error_u: Option<f64>,
     /// How many have no result: refused by `try_step`, or not finite.
     pub flagged: u64,
     /// How many flags of the stable tier are against its promise: a condition number below the
     /// bound, and an exact result that the format holds.
+    #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
     /// How many results are outside their promise, without a flag.
     pub silently_wrong: u64,
@@ -27,37 +31,78 @@ pub struct Cell {
 pub type Place = (Regime, &'static str, &'static str);
 
 /// A trial that broke a promise of the stable tier.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(transparent)]
 pub struct Failure {
     /// Whether it is a flag without right; else it is silently wrong, which comes first.
+    #[serde(skip)]
     pub is_flag: bool,
     /// The trial.
+    #[serde(skip)]
     pub index: u64,
     /// What was promised and what came, with the arguments.
     pub text: String,
 }
 
 /// Cells by their place, and the first failures.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Tally {
     /// The cells.
+    #[serde(serialize_with = "by_place")]
     pub cells: BTreeMap<Place, Cell>,
+    /// The systems whose stable tier broke its promise, by name.
+    #[serde(serialize_with = "by_system")]
+    pub broken: BTreeMap<String, Broken>,
     /// The first failures of the stable tier: silently wrong, then flagged without right, each by
     /// its index.
     pub failures: Vec<Failure>,
-    /// The systems whose stable tier broke its promise, with the first failure of each.
-    pub broken: BTreeMap<String, Broken>,
 }
 
 /// How often a system broke the promise.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Broken {
+    /// Its equations, where it was drawn.
+    pub text: String,
     /// How often it was silently wrong.
     pub silently_wrong: u64,
     /// How often it was flagged without right.
+    #[serde(rename = "unjustified_flags")]
     pub unjustified: u64,
     /// The first failure.
     pub first: Failure,
+}
+
+/// JSON has no infinity.
+fn finite<S: Serializer>(error: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    error.map(|error| error.min(f64::MAX)).serialize(serializer)
+}
+
+fn by_place<S: Serializer>(cells: &BTreeMap<Place, Cell>, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Object<'a> {
+        regime: &'static str,
+        tier: &'static str,
+        scalar: &'static str,
+        #[serde(flatten)]
+        cell: &'a Cell,
+    }
+    let cells = cells.iter();
+    serializer.collect_seq(cells.map(|(&(regime, tier, scalar), cell)| Object {
+        regime: regime.name(),
+        tier,
+        scalar,
+        cell,
+    }))
+}
+
+fn by_system<S: Serializer>(systems: &BTreeMap<String, Broken>, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Object<'a> {
+        name: &'a str,
+        #[serde(flatten)]
+        broken: &'a Broken,
+    }
+    serializer.collect_seq(systems.iter().map(|(name, broken)| Object { name, broken }))
 }
 
 /// As many failures of each kind are shown.
@@ -70,7 +115,7 @@ impl Tally {
 
     pub(crate) fn fail(&mut self, name: &str, failure: Failure) {
         let (silently_wrong, unjustified) = (u64::from(!failure.is_flag), u64::from(failure.is_flag));
-        let broken = Broken { silently_wrong, unjustified, first: failure.clone() };
+        let broken = Broken { text: String::new(), silently_wrong, unjustified, first: failure.clone() };
         self.note_broken(name.to_owned(), broken);
         self.show(failure);
     }
@@ -122,5 +167,28 @@ impl Cell {
             (Some(a), Some(b)) => Some(a.max(b)),
             (a, b) => a.or(b),
         };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No system of ours breaks the promise, so this is the only one that is written.
+    #[test]
+    fn a_broken_promise_is_written_with_its_first_failure() {
+        let mut tally = Tally::default();
+        tally.cell((Regime::Ordinary, "stable", "f64")).max_error_u = Some(f64::INFINITY);
+        for (is_flag, index) in [(true, 3), (false, 7), (false, 5)] {
+            tally.fail("Odd", Failure { is_flag, index, text: format!("trial {index}") });
+        }
+        let written = serde_json::json!(tally);
+        assert_eq!(written["cells"][0]["regime"], "ordinary");
+        assert_eq!(written["cells"][0]["max_error_u"], f64::MAX);
+        let first = serde_json::json!({
+            "name": "Odd", "text": "", "silently_wrong": 2, "unjustified_flags": 1, "first": "trial 5",
+        });
+        assert_eq!(written["broken"], serde_json::json!([first]));
+        assert_eq!(written["failures"], serde_json::json!(["trial 5", "trial 7", "trial 3"]));
     }
 }

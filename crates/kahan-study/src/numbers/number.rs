@@ -24,6 +24,17 @@ pub enum Number {
 }
 
 impl Number {
+    /// The nearest double.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        match self {
+            Self::Exact(value) => value.to_f64(),
+            Self::F32(value) => (*value).into(),
+            Self::F64(value) => *value,
+            Self::Dd(value) => value.high(),
+        }
+    }
+
     /// Whether it is neither infinite nor undefined.
     #[must_use]
     pub fn is_finite(&self) -> bool {
@@ -32,6 +43,17 @@ impl Number {
             Self::F32(value) => value.is_finite(),
             Self::F64(value) => value.is_finite(),
             Self::Dd(value) => value.is_finite(),
+        }
+    }
+
+    /// Whether it is no number, as 0/0 in floats.
+    #[must_use]
+    pub fn is_nan(&self) -> bool {
+        match self {
+            Self::Exact(_) => false,
+            Self::F32(value) => value.is_nan(),
+            Self::F64(value) => value.is_nan(),
+            Self::Dd(value) => value.is_nan(),
         }
     }
 }

@@ -26,7 +26,7 @@ use super::seconds_since;
 #[serde(deny_unknown_fields, default)]
 pub struct Discover {
     /// ε, half the time step, where it is fixed; generic otherwise.
-    #[serde(with = "exact::optional")]
+    #[serde(with = "exact")]
     pub eps: Option<Rational>,
     /// The degree up to which relations on orbits are looked for; the number of variables chooses
     /// where it is absent, and the search goes on while something may be missing.

@@ -20,7 +20,7 @@ pub struct Evaluate {
     #[serde(with = "exact")]
     pub eps: Rational,
     /// The point, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The numbers to compute with; exact ones unless told.
     #[serde(default = "exactly")]

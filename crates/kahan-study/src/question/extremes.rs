@@ -3,10 +3,11 @@
 use std::slice;
 
 use kahan_discover::Watch;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
+use crate::count::Count;
 use crate::error::StudyError;
-use crate::extremes::{Broken, Cell, Count, Tally, Tried, survey, survey_odd, total, total_of_odd};
+use crate::extremes::{Cell, Tally, Tried, survey, survey_odd, total, total_of_odd};
 use crate::random_fields::{RandomField, numbered, odd};
 use crate::study::Study;
 
@@ -39,18 +40,28 @@ impl Default for Extremes {
 }
 
 /// What was tried, and what came of it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Judged {
-    /// What was asked.
-    pub asked: Extremes,
-    /// The systems that shared the trials, each with whether it has removable poles.
-    pub systems: Vec<(String, bool)>,
-    /// The random fields among them.
-    pub random_fields: Vec<RandomField>,
-    /// A cell for each regime, tier and scalar, and what broke the promise.
-    pub tally: Tally,
+    /// The name of the system, or `catalog` where there are several.
+    pub system: String,
+    /// The systems that shared the trials.
+    pub systems: Vec<String>,
+    /// The random fields among them, with their equations.
+    pub random_fields: Vec<(String, String)>,
+    /// How many fields of odd tempers were tried besides.
+    pub odd_fields: usize,
+    /// The number of trials of each scalar.
+    pub trials: u64,
+    /// What drew points and fields.
+    pub seed: u64,
     /// The seconds that it took; `None` without a clock.
     pub seconds: Option<f64>,
+    /// A cell for each regime, tier and scalar, and what broke the promise.
+    #[serde(flatten)]
+    pub tally: Tally,
+    /// The systems that have removable poles.
+    #[serde(skip)]
+    pub removable: Vec<String>,
 }
 
 impl Extremes {
@@ -75,21 +86,33 @@ impl Extremes {
                 .map_err(|why| StudyError::Judge { system: name.to_owned(), why })
         };
         let mut tried = studies.iter().map(of_study).collect::<Result<Vec<_>, _>>()?;
-        let random_fields: Vec<RandomField> =
+        let fields: Vec<RandomField> =
             (0..self.random_fields).map(|number| numbered(self.seed, number)).collect();
-        tried.extend(random_fields.iter().map(|field| Tried::drawn(&field.name, field.block())));
-        let count = Count::new(self.total(), watch);
+        tried.extend(fields.iter().map(|field| Tried::drawn(&field.name, field.block())));
+        let random_fields: Vec<(String, String)> =
+            fields.iter().map(|field| (field.name.clone(), field.equations())).collect();
+        let count = Count::new("trials", self.total(), watch);
         let mut tally = survey(&tried, self.trials, self.seed, &count);
         tally.add(survey_odd(self.odd_fields, self.odd_trials, self.seed, &count));
+        for (name, broken) in &mut tally.broken {
+            let odd = (0..self.odd_fields).map(|number| odd(self.seed, number));
+            let odd = odd.map(|field| (field.name, field.equations));
+            let drawn = random_fields.iter().cloned().chain(odd).find(|(drawn, _)| drawn == name);
+            broken.text = drawn.map(|(_, text)| text).unwrap_or_default();
+        }
+        let names = |is_meant: fn(&Tried) -> bool| {
+            tried.iter().filter(|one| is_meant(one)).map(|one| one.name().to_owned()).collect::<Vec<_>>()
+        };
         Ok(Judged {
-            asked: self.clone(),
-            systems: tried
-                .iter()
-                .map(|tried| (tried.name().to_owned(), tried.has_removable_poles()))
-                .collect(),
+            system: if let [one] = tried.as_slice() { one.name().to_owned() } else { "catalog".to_owned() },
+            systems: names(|_| true),
             random_fields,
-            tally,
+            odd_fields: self.odd_fields,
+            trials: self.trials,
+            seed: self.seed,
             seconds: seconds_since(begun, watch),
+            tally,
+            removable: names(Tried::has_removable_poles),
         })
     }
 
@@ -110,95 +133,5 @@ impl Judged {
             stable.map(|(_, cell)| of(cell)).sum()
         };
         [count(|cell| cell.silently_wrong), count(|cell| cell.unjustified)]
-    }
-
-    /// The systems that broke the promise, with their equations where they were drawn.
-    #[must_use]
-    pub fn broken(&self) -> Vec<(&str, String, &Broken)> {
-        let text = |name: &str| {
-            let ordinary = self.random_fields.iter().find(|field| field.name == name);
-            let mut odd = (0..self.asked.odd_fields).map(|number| odd(self.asked.seed, number));
-            ordinary
-                .map(RandomField::equations)
-                .or_else(|| odd.find(|field| field.name == name).map(|field| field.equations))
-                .unwrap_or_default()
-        };
-        self.tally.broken.iter().map(|(name, broken)| (name.as_str(), text(name), broken)).collect()
-    }
-}
-
-#[derive(Serialize)]
-struct Object<'a> {
-    system: &'a str,
-    systems: Vec<&'a str>,
-    random_fields: Vec<(&'a str, String)>,
-    odd_fields: usize,
-    trials: u64,
-    seed: u64,
-    seconds: Option<f64>,
-    cells: Vec<CellObject>,
-    broken: Vec<BrokenObject<'a>>,
-    failures: Vec<&'a str>,
-}
-
-#[derive(Serialize)]
-struct CellObject {
-    regime: &'static str,
-    tier: &'static str,
-    scalar: &'static str,
-    trials: u64,
-    max_error_u: Option<f64>,
-    flagged: u64,
-    unjustified_flags: u64,
-    silently_wrong: u64,
-}
-
-#[derive(Serialize)]
-struct BrokenObject<'a> {
-    name: &'a str,
-    text: String,
-    silently_wrong: u64,
-    unjustified_flags: u64,
-    first: &'a str,
-}
-
-impl Serialize for Judged {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let systems: Vec<&str> = self.systems.iter().map(|(name, _)| name.as_str()).collect();
-        let cells = self.tally.cells.iter().map(|(&(regime, tier, scalar), cell)| CellObject {
-            regime: regime.name(),
-            tier,
-            scalar,
-            trials: cell.trials,
-            // JSON has no infinity.
-            max_error_u: cell.max_error_u.map(|error| error.min(f64::MAX)),
-            flagged: cell.flagged,
-            unjustified_flags: cell.unjustified,
-            silently_wrong: cell.silently_wrong,
-        });
-        let broken = self.broken().into_iter().map(|(name, text, broken)| BrokenObject {
-            name,
-            text,
-            silently_wrong: broken.silently_wrong,
-            unjustified_flags: broken.unjustified,
-            first: &broken.first.text,
-        });
-        let object = Object {
-            system: if let [system] = systems.as_slice() { system } else { "catalog" },
-            random_fields: self
-                .random_fields
-                .iter()
-                .map(|field| (field.name.as_str(), field.equations()))
-                .collect(),
-            odd_fields: self.asked.odd_fields,
-            trials: self.asked.trials,
-            seed: self.asked.seed,
-            seconds: self.seconds,
-            cells: cells.collect(),
-            broken: broken.collect(),
-            failures: self.tally.failures.iter().map(|failure| failure.text.as_str()).collect(),
-            systems,
-        };
-        object.serialize(serializer)
     }
 }

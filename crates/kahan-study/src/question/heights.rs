@@ -20,7 +20,7 @@ pub struct Heights {
     #[serde(with = "exact")]
     pub eps: Rational,
     /// The first point, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The number of steps.
     pub steps: u64,

@@ -7,17 +7,23 @@
 //! Each question has a file, with what is asked, what is answered, and `ask`. The list below makes
 //! of them what is common to all.
 
+mod diagram;
 mod discover;
 mod evaluate;
 mod extremes;
 mod heights;
 mod observe;
+mod orbit;
+mod over;
 mod periodic;
 mod poles;
 mod scan;
 mod section;
 mod show;
+#[cfg(feature = "paper")]
+mod verify;
 
+use std::ops::Range;
 use std::time::Duration;
 
 use kahan_discover::Watch;
@@ -26,43 +32,63 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
 use crate::error::StudyError;
+use crate::rows::{End, Rows};
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
+pub use diagram::{Diagram, DiagramFound};
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
 pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
-pub use observe::{Observe, Observed};
+pub use observe::{Observable, Observe, Observed, Seen};
+pub use orbit::{Begun, Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
+pub use over::{Over, OverFound, Source, Through, Varied};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};
 pub use scan::{Scan, ScanFound};
 pub use section::{Plane, Section, SectionFound, Side};
 pub use show::{ClaimShown, Costs, Form, Listing, Planned, Sheet, Show, Shown};
+#[cfg(feature = "paper")]
+pub use verify::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 
 macro_rules! questions {
-    ($($(#[$about:meta])* $question:ident, asked as $name:literal, answered by $answer:ident;)*) => {
+    ($(
+        $(#[$about:meta])*
+        $question:ident, asked as $name:literal, answered by $answer:ident $(, with $feature:literal)?;
+    )*) => {
         /// What is asked.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(tag = "ask")]
         pub enum Question {
-            $($(#[$about])* #[serde(rename = $name)] $question($question),)*
+            $($(#[cfg(feature = $feature)])? $(#[$about])* #[serde(rename = $name)] $question($question),)*
         }
 
         /// The answer to a question, which has its names in JSON.
         #[derive(Clone, Debug, Serialize)]
         #[serde(untagged)]
         pub enum Answer {
-            $($(#[$about])* $question(Box<$answer>),)*
+            $($(#[cfg(feature = $feature)])? $(#[$about])* $question(Box<$answer>),)*
         }
 
         /// The values of `ask`.
-        const NAMES: &[&str] = &[$($name),*];
+        const NAMES: &[&str] = &[$($(#[cfg(feature = $feature)])? $name),*];
 
         impl Question {
+            /// Its name, the value of `ask`.
+            #[must_use]
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $($(#[cfg(feature = $feature)])? Self::$question(_) => $name,)*
+                }
+            }
+
             fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Answer, StudyError> {
                 Ok(match self {
-                    $(Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),)*
+                    $(
+                        $(#[cfg(feature = $feature)])?
+                        Self::$question(asked) => Answer::$question(Box::new(asked.ask(study, watch)?)),
+                    )*
                 })
             }
 
@@ -73,7 +99,7 @@ macro_rules! questions {
                     serde_json::from_value(Value::Object(rest)).map_err(E::custom)
                 }
                 match name {
-                    $($name => of(rest).map(Self::$question),)*
+                    $($(#[cfg(feature = $feature)])? $name => of(rest).map(Self::$question),)*
                     other => Err(E::unknown_variant(other, NAMES)),
                 }
             }
@@ -86,10 +112,16 @@ questions! {
     Show, asked as "show", answered by Shown;
     /// Every object at a point.
     Evaluate, asked as "evaluate", answered by Evaluated;
+    /// The points of an orbit.
+    Orbit, asked as "orbit", answered by Orbited;
     /// What an orbit does.
     Observe, asked as "observe", answered by Observed;
     /// Where an orbit crosses a plane.
     Section, asked as "section", answered by SectionFound;
+    /// What orbits tend to over the values of a parameter.
+    Diagram, asked as "diagram", answered by DiagramFound;
+    /// Another question at every value of some axes.
+    Over, asked as "over", answered by OverFound;
     /// A cycle and its branch.
     Periodic, asked as "periodic", answered by CycleFound;
     /// The heights of an exact orbit.
@@ -104,6 +136,8 @@ questions! {
     Trade, asked as "trade", answered by Traded;
     /// Steps at the extremes.
     Extremes, asked as "extremes", answered by Judged;
+    /// Whether claims hold.
+    Verify, asked as "verify", answered by Verified, with "paper";
 }
 
 impl Study {
@@ -113,6 +147,26 @@ impl Study {
     /// Where the question does not fit the field, or has no answer: [`StudyError`].
     pub fn ask(&self, question: &Question, watch: &dyn Watch) -> Result<Answer, StudyError> {
         question.ask(self, watch)
+    }
+
+    /// Hands on rows of an answer that is a table, by their numbers from 0 on; how the table ended.
+    /// Rows that are not there are left out.
+    ///
+    /// # Errors
+    /// [`StudyError::NoRows`] where the answer is no table, and where there is no answer.
+    pub fn rows(
+        &self,
+        question: &Question,
+        range: Range<u64>,
+        rows: &mut dyn Rows,
+        watch: &dyn Watch,
+    ) -> Result<End, StudyError> {
+        match question {
+            Question::Orbit(asked) => Ok(asked.begin(self)?.rows(range, rows, watch)),
+            Question::Over(asked) => asked.rows(self, range, rows, watch),
+            Question::Section(asked) => Ok(asked.ask(self, watch)?.rows(range, rows)),
+            other => Err(StudyError::NoRows(other.name())),
+        }
     }
 }
 

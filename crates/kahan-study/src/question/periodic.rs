@@ -23,10 +23,10 @@ const MOST_UNKNOWNS: usize = 600;
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
     /// ε, half the time step; the first value of `over` where that is of ε.
-    #[serde(with = "exact::optional", default)]
+    #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// A point near the cycle, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// A multiple of the period.
     #[serde(default = "one")]
@@ -102,18 +102,7 @@ struct Family {
 impl Family {
     fn of(asked: &Periodic, study: &Study) -> Result<Self, StudyError> {
         let axis = asked.over.as_ref();
-        let names = study.parameters();
-        let parameter = match axis.filter(|axis| axis.name != "eps") {
-            None => None,
-            Some(axis) => {
-                let place = names.iter().position(|name| *name == axis.name);
-                Some(place.ok_or_else(|| StudyError::UnknownAxis {
-                    system: study.name().to_owned(),
-                    name: axis.name.clone(),
-                    known: names.iter().cloned().chain(["eps".to_owned()]).collect(),
-                })?)
-            }
-        };
+        let parameter = axis.map(|axis| study.axis(axis)).transpose()?.flatten();
         let of_axis = axis.filter(|_| parameter.is_none()).map(|axis| axis.range.value(0));
         let eps = asked.eps.clone().or(of_axis).ok_or(StudyError::MissingStep)?;
         let study = match (axis, parameter) {
@@ -124,7 +113,7 @@ impl Family {
         };
         // A mistake in what is given is told before the search.
         let (_, start) = study.in_floats(&asked.at, &eps)?;
-        let field = Field::of(study.system());
+        let field = study.field().clone();
         Ok(Family { field, parameters: study.values()?, eps, start, parameter, changes: axis.is_some() })
     }
 

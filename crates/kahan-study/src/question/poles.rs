@@ -17,7 +17,7 @@ use super::seconds_since;
 #[serde(deny_unknown_fields, default)]
 pub struct Poles {
     /// ε, half the time step, where it is fixed; generic otherwise.
-    #[serde(with = "exact::optional")]
+    #[serde(with = "exact")]
     pub eps: Option<Rational>,
     /// How many steps each curve is followed.
     pub steps: usize,

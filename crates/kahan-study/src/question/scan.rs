@@ -23,7 +23,7 @@ const MOST_POINTS: usize = 1_000_000;
 #[serde(deny_unknown_fields)]
 pub struct Scan {
     /// ε, half the time step, where it is fixed; generic otherwise.
-    #[serde(with = "exact::optional", default)]
+    #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// What goes through values: parameters, or `eps`.
     pub axes: Vec<Axis>,

@@ -1,7 +1,7 @@
 //! Where an orbit crosses a plane, or the level of any function.
 
 use std::cell::Cell;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
@@ -14,7 +14,10 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::error::StudyError;
 use crate::formula::{Formula, formula_of};
 use crate::numbers::exact;
+use crate::rows::{Column, End, Rows, Values};
 use crate::study::Study;
+
+use super::orbit::columns;
 
 /// Asks where the orbit of a point crosses a section, in doubles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,7 +27,7 @@ pub struct Section {
     #[serde(with = "exact")]
     pub eps: Rational,
     /// The first point, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The most steps of the orbit.
     pub steps: u64,
@@ -196,6 +199,37 @@ impl Section {
             left_range: ended == Ended::Range,
             crossings,
         })
+    }
+}
+
+impl SectionFound {
+    /// The step before a crossing, its time, the variables.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column> {
+        columns(&self.variables, &[])
+    }
+
+    /// Hands on crossings by their numbers, from 0 on.
+    pub fn rows(&self, range: Range<u64>, rows: &mut dyn Rows) -> End {
+        const BLOCK: usize = 1024;
+
+        let columns = self.columns();
+        let end = range.end.min(self.crossings.len() as u64) as usize;
+        let start = end.min(range.start as usize);
+        for block in self.crossings[start..end].chunks(BLOCK) {
+            let steps: Vec<i64> = block.iter().map(|crossing| crossing.step as i64).collect();
+            let times = block.iter().map(|crossing| crossing.time).collect();
+            let coordinate = |i: usize| block.iter().map(|crossing| crossing.point[i]).collect();
+            let numbers: Vec<Vec<f64>> =
+                [times].into_iter().chain((0..self.variables.len()).map(coordinate)).collect();
+            let values = [Values::Integer(&steps)].into_iter();
+            let values: Vec<Values<'_>> =
+                values.chain(numbers.iter().map(|list| Values::F64(list))).collect();
+            if rows.block(&columns, &values).is_break() {
+                return End::Stopped;
+            }
+        }
+        End::Complete
     }
 }
 

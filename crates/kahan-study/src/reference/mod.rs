@@ -9,6 +9,7 @@
 //! evidence, not a proof.
 
 mod certificate;
+#[cfg(feature = "catalog")]
 mod closed;
 mod path;
 mod refusal;
@@ -76,7 +77,11 @@ impl Reference {
         let start =
             SVector::from_fn(|i, _| asked.start.get(i).map_or(Dd::from(0.0), |x| round(&x.clone().into())));
         let flow = path(map, start, asked.end, limits)?;
-        let certificate = match closed::closed_solution(asked.command, asked.parameters, asked.start) {
+        #[cfg(feature = "catalog")]
+        let solution = closed::closed_solution(asked.command, asked.parameters, asked.start);
+        #[cfg(not(feature = "catalog"))]
+        let solution = None::<fn(Dd) -> Vec<Dd>>;
+        let certificate = match solution {
             Some(solution) => Certificate::by_solution(&flow, &|t| padded(&solution(t), N), asked.allowed),
             None => Certificate::by_composition(&flow, map, start, asked.allowed, limits)?,
         };

@@ -43,7 +43,7 @@ use search::SHARE;
 #[serde(deny_unknown_fields)]
 pub struct Trade {
     /// The first point, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The time to be simulated, above 0.
     #[serde(with = "exact")]
@@ -161,6 +161,22 @@ impl Traded {
     #[must_use]
     pub fn choice(&self) -> Option<&Measured> {
         self.choice.map(|choice| &self.settings[choice])
+    }
+
+    /// What was simulated, in words: system, first point, time.
+    #[must_use]
+    pub fn title(&self) -> String {
+        let point: Vec<String> = self.start.iter().map(ToString::to_string).collect();
+        format!("{} from ({}) over {} units of time", self.system, point.join(", "), self.scene.horizon())
+    }
+
+    /// What its errors are of.
+    #[must_use]
+    pub fn error_name(&self) -> &'static str {
+        match self.scene.need() {
+            Need::Trajectory => "trajectory error",
+            Need::Integrals => "drift of integrals",
+        }
     }
 }
 

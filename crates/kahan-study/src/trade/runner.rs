@@ -7,6 +7,7 @@ use std::time::Duration;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_core::{Dd, Precision, Scheme};
+use kahan_runtime::FieldText;
 
 use crate::map::{Map, read};
 
@@ -43,9 +44,10 @@ impl<'a> Runner<'a> {
 
     /// E6 at a point of ordinary size: what is timed in place of a field without code.
     pub(super) fn stand_in(clock: Clock<'a>) -> Result<Self, CannotTrade> {
-        let reading = kahan_algebra::read(&kahan_algebra::lexer::lex(kahan_systems::e6::ENTRY.text()).tokens);
+        let field = "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);";
+        let system = FieldText::new(field.to_owned(), "E6".to_owned()).unproved_system().expect("a system");
         let start = [1, -2, 3].map(|x| Rational::new(x, 4));
-        Runner::new(&reading.system().expect("a system"), &[], &start, clock)
+        Runner::new(&system, &[], &start, clock)
     }
 
     /// Whether its steps are code.

@@ -8,9 +8,8 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::PathBuf;
 
+use kahan_study::{Kept, Table};
 use sha2::{Digest, Sha256};
-
-use crate::columns::{Entries, Rows};
 
 use super::Part;
 use super::part::{files, floats, fresh};
@@ -36,7 +35,7 @@ impl Journal {
     }
 
     /// What processes before have noted of a part: first rows and rows, in no order.
-    pub(crate) fn noted(part: &Part<'_>, hash: &str, empty: &Rows) -> Vec<(u64, Rows)> {
+    pub(crate) fn noted(part: &Part<'_>, hash: &str, empty: &Table) -> Vec<(u64, Table)> {
         let mut noted = Vec::new();
         for path in files(&part.under_way(), BEGIN, END) {
             let mut bytes = Vec::new();
@@ -50,7 +49,7 @@ impl Journal {
 
     /// Notes rows, each from a first one on, on the disk when this returns. Where that fails,
     /// nothing of what was noted before is lost, and it can be tried again.
-    pub(crate) fn note(&mut self, done: &[(u64, Rows)]) -> io::Result<()> {
+    pub(crate) fn note(&mut self, done: &[(u64, Table)]) -> io::Result<()> {
         // Behind half a record none is found: after a failure there is another file.
         let mut file = match self.file.take() {
             Some(file) => file,
@@ -63,7 +62,7 @@ impl Journal {
             let mut record = Vec::with_capacity(HEAD + body.len());
             record.extend(self.kind);
             record.extend(first.to_le_bytes());
-            record.extend((rows.len() as u64).to_le_bytes());
+            record.extend((rows.count() as u64).to_le_bytes());
             record.extend((body.len() as u64).to_le_bytes());
             let mut hasher = crc32fast::Hasher::new();
             hasher.update(&record);
@@ -86,7 +85,7 @@ fn kind(hash: &str) -> [u8; 8] {
 }
 
 /// The records of a file, up to the first that is not whole.
-fn read(mut bytes: &[u8], kind: [u8; 8], empty: &Rows, noted: &mut Vec<(u64, Rows)>) {
+fn read(mut bytes: &[u8], kind: [u8; 8], empty: &Table, noted: &mut Vec<(u64, Table)>) {
     while let Some((head, rest)) = bytes.split_at_checked(HEAD) {
         let number = |at: usize| u64::from_le_bytes(head[at..at + 8].try_into().unwrap_or_default());
         let (first, count, length) = (number(8), number(16), number(24));
@@ -111,53 +110,51 @@ fn read(mut bytes: &[u8], kind: [u8; 8], empty: &Rows, noted: &mut Vec<(u64, Row
     }
 }
 
-fn encode(rows: &Rows) -> Vec<u8> {
+fn encode(rows: &Table) -> Vec<u8> {
     let mut bytes = Vec::new();
-    for column in &rows.columns {
-        match column {
-            Entries::Integers(entries) => bytes.extend(entries.iter().flat_map(|entry| entry.to_le_bytes())),
-            Entries::Doubles(entries) => bytes.extend(entries.iter().flat_map(|entry| entry.to_le_bytes())),
-            Entries::Texts(entries) => {
-                for entry in entries {
+    for kept in &rows.values {
+        match kept {
+            Kept::Integer(list) => bytes.extend(list.iter().flat_map(|entry| entry.to_le_bytes())),
+            Kept::F64(list) => bytes.extend(list.iter().flat_map(|entry| entry.to_le_bytes())),
+            Kept::Text(list) => {
+                for entry in list {
                     bytes.extend((entry.len() as u64).to_le_bytes());
                     bytes.extend(entry.as_bytes());
                 }
             }
+            other => unreachable!("no sweep has a column of {other:?}"),
         }
     }
     bytes
 }
 
-fn decode(mut bytes: &[u8], count: usize, empty: &Rows) -> Option<Rows> {
+fn decode(mut bytes: &[u8], count: usize, empty: &Table) -> Option<Table> {
     let mut take = |length: usize| {
         let (taken, rest) = bytes.split_at_checked(length)?;
         bytes = rest;
         Some(taken)
     };
-    let mut columns = Vec::new();
-    for column in &empty.columns {
-        columns.push(match column {
-            Entries::Integers(_) => {
-                let words = take(8 * count)?.chunks_exact(8);
-                Entries::Integers(
-                    words.map(|word| i64::from_le_bytes(word.try_into().unwrap_or_default())).collect(),
-                )
+    let mut values = Vec::new();
+    for kept in &empty.values {
+        values.push(match kept {
+            Kept::Integer(_) => {
+                let words = take(8 * count)?.as_chunks().0;
+                Kept::Integer(words.iter().map(|word| i64::from_le_bytes(*word)).collect())
             }
-            Entries::Doubles(_) => {
-                let words = take(8 * count)?.chunks_exact(8);
-                Entries::Doubles(
-                    words.map(|word| f64::from_le_bytes(word.try_into().unwrap_or_default())).collect(),
-                )
+            Kept::F64(_) => {
+                let words = take(8 * count)?.as_chunks().0;
+                Kept::F64(words.iter().map(|word| f64::from_le_bytes(*word)).collect())
             }
-            Entries::Texts(_) => {
-                let mut texts = Vec::with_capacity(count);
+            Kept::Text(_) => {
+                let mut list = Vec::new();
                 for _ in 0..count {
                     let length = u64::from_le_bytes(take(8)?.try_into().ok()?);
-                    texts.push(String::from_utf8(take(usize::try_from(length).ok()?)?.to_vec()).ok()?);
+                    list.push(String::from_utf8(take(usize::try_from(length).ok()?)?.to_vec()).ok()?);
                 }
-                Entries::Texts(texts)
+                Kept::Text(list)
             }
+            other => unreachable!("no sweep has a column of {other:?}"),
         });
     }
-    bytes.is_empty().then_some(Rows { columns })
+    bytes.is_empty().then(|| Table { columns: empty.columns.clone(), values })
 }

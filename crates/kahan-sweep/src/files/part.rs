@@ -1,10 +1,12 @@
 //! One part: written whole or not at all, and checked before it is used.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use kahan_study::{Kept, Table};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
@@ -16,7 +18,6 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
 use tempfile::{Builder, NamedTempFile};
 
-use crate::columns::{Column, Entries, Kind, Rows, written};
 use crate::plan::Plan;
 
 /// What stands in the metadata of every file of a sweep.
@@ -75,7 +76,7 @@ impl<'a> Part<'a> {
     }
 
     /// Writes all its rows; the file appears when it is complete.
-    pub(crate) fn write(&self, rows: &Rows) -> io::Result<()> {
+    pub(crate) fn write(&self, rows: &Table) -> io::Result<()> {
         match self.written(rows) {
             // Another process wrote the part meanwhile, and tidied up.
             Err(error) if error.kind() == io::ErrorKind::NotFound && self.exists() => Ok(()),
@@ -83,12 +84,12 @@ impl<'a> Part<'a> {
         }
     }
 
-    fn written(&self, rows: &Rows) -> io::Result<()> {
+    fn written(&self, rows: &Table) -> io::Result<()> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
         let mut file = fresh(&self.under_way(), "rows-", ".parquet")?;
         let mut writer = writer(self.plan, &self.hash, &mut file).map_err(other)?;
         let mut group = writer.next_row_group().map_err(other)?;
-        for column in &rows.columns {
+        for column in &rows.values {
             put(&mut group, column).map_err(other)?;
         }
         group.close().map_err(other)?;
@@ -157,7 +158,7 @@ impl<'a> Part<'a> {
                 floats()
             ));
         }
-        let rows = self.plan.rows(self.index);
+        let rows = self.plan.part(self.index);
         let is_this = said(keys::PART) == self.index.to_string();
         if !is_this || metadata.file_metadata().num_rows() != (rows.end - rows.start) as i64 {
             return Err(damaged("it is another part under this name"));
@@ -177,9 +178,9 @@ pub(super) fn writer<W: Write + Send>(
     hash: &str,
     to: W,
 ) -> Result<SerializedFileWriter<W>, ParquetError> {
-    let columns = written(plan);
-    let meanings: serde_json::Map<String, serde_json::Value> =
-        columns.iter().map(|column| (column.name.clone(), column.meaning.clone().into())).collect();
+    let meanings = plan.empty.columns.iter().map(|column| (&*column.name, &*column.meaning));
+    // In the order of the alphabet.
+    let meanings: BTreeMap<&str, &str> = meanings.collect();
     let seed = plan.seed().to_string();
     let said = [
         (keys::PLAN, plan.canonical()),
@@ -187,7 +188,7 @@ pub(super) fn writer<W: Write + Send>(
         (keys::VERSION, env!("CARGO_PKG_VERSION").to_owned()),
         (keys::FLOATS, floats().to_owned()),
         (keys::SEED, seed),
-        (keys::COLUMNS, serde_json::Value::from(meanings).to_string()),
+        (keys::COLUMNS, serde_json::json!(meanings).to_string()),
     ];
     let properties = WriterProperties::builder()
         .set_dictionary_enabled(false)
@@ -199,15 +200,16 @@ pub(super) fn writer<W: Write + Send>(
             said.into_iter().map(|(key, value)| KeyValue::new(key.to_owned(), value)).collect(),
         ))
         .build();
-    SerializedFileWriter::new(to, schema(&columns)?.into(), Arc::new(properties))
+    SerializedFileWriter::new(to, schema(&plan.empty)?.into(), Arc::new(properties))
 }
 
-fn schema(columns: &[Column]) -> Result<Type, ParquetError> {
-    let fields = columns.iter().map(|column| {
-        let (physical, logical) = match column.kind {
-            Kind::Integer => (Physical::INT64, None),
-            Kind::Double => (Physical::DOUBLE, None),
-            Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+fn schema(empty: &Table) -> Result<Type, ParquetError> {
+    let fields = empty.columns.iter().zip(&empty.values).map(|(column, kept)| {
+        let (physical, logical) = match kept {
+            Kept::Integer(_) => (Physical::INT64, None),
+            Kept::F64(_) => (Physical::DOUBLE, None),
+            Kept::Text(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+            other => unreachable!("no sweep has a column of {other:?}"),
         };
         let field =
             Type::primitive_type_builder(&column.name, physical).with_repetition(Repetition::REQUIRED);
@@ -219,19 +221,19 @@ fn schema(columns: &[Column]) -> Result<Type, ParquetError> {
 /// Writes a column of a row group.
 fn put<W: Write + Send>(
     group: &mut SerializedRowGroupWriter<'_, W>,
-    column: &Entries,
+    column: &Kept,
 ) -> Result<(), ParquetError> {
     let Some(mut writer) = group.next_column()? else {
         return Err(ParquetError::General("more columns than the schema has".to_owned()));
     };
     match (writer.untyped(), column) {
-        (ColumnWriter::Int64ColumnWriter(writer), Entries::Integers(entries)) => {
+        (ColumnWriter::Int64ColumnWriter(writer), Kept::Integer(entries)) => {
             writer.write_batch(entries, None, None)?
         }
-        (ColumnWriter::DoubleColumnWriter(writer), Entries::Doubles(entries)) => {
+        (ColumnWriter::DoubleColumnWriter(writer), Kept::F64(entries)) => {
             writer.write_batch(entries, None, None)?
         }
-        (ColumnWriter::ByteArrayColumnWriter(writer), Entries::Texts(entries)) => {
+        (ColumnWriter::ByteArrayColumnWriter(writer), Kept::Text(entries)) => {
             let entries: Vec<ByteArray> = entries.iter().map(|text| ByteArray::from(text.as_str())).collect();
             writer.write_batch(&entries, None, None)?
         }

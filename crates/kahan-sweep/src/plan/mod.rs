@@ -1,59 +1,54 @@
-//! A plan: which field, which starts, parameters and ε, what to do with each, what to write.
+//! A plan: a question over axes, of which field, and what of its rows is written where.
 //!
 //! In: a text in TOML, and before anything runs all that is wrong with it. Out: a number of points,
-//! and each of them from its index alone.
+//! and the rows of any of them.
 
-mod axis;
 mod mistakes;
 mod read;
 mod table;
 
 use std::fmt::Write as _;
+use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::macro_block;
-use kahan_algebra::system::System;
-use kahan_runtime::Field;
+use kahan_study::{
+    Column, Observe, Over, Question, Rows, Source, Study, Table, Through, Values, Varied, Watch,
+};
 use sha2::{Digest, Sha256};
 
-use crate::task::Task;
-
-pub(crate) use axis::{Axis, Target};
 pub use mistakes::{Mistake, Mistakes};
 
 /// A plan that can be run.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    pub(crate) field: Field,
-    /// In the order of the plan; the last changes fastest, but for the draws.
-    pub(crate) axes: Vec<Axis>,
-    /// Values of every drawn axis, which change together and fastest; 1 where none is drawn.
-    pub(crate) draws: u64,
-    pub(crate) task: Task,
+    study: Study,
+    /// `[system.params]`, in the order of the plan.
+    fixed: Vec<(String, Rational)>,
+    /// What is asked over the axes; the last runs fastest, but for the draws.
+    question: Question,
+    points: u64,
     /// Rows of a part, but for the last.
-    pub(crate) rows_per_part: u64,
+    rows_per_part: u64,
     /// Which columns are written, `None` for all.
-    pub(crate) columns: Option<Vec<String>>,
-    seed: u64,
+    columns: Option<Vec<String>>,
+    /// Their places among all.
+    places: Vec<usize>,
+    /// A table that has them, and no rows.
+    pub(crate) empty: Table,
 }
 
-/// One point of a sweep.
-#[derive(Clone, Debug)]
-pub(crate) struct Point<V> {
-    pub(crate) start: Vec<V>,
-    pub(crate) parameters: Vec<V>,
-    pub(crate) eps: V,
-    pub(crate) order: u32,
-    pub(crate) bits: u32,
+/// Takes some of the columns.
+struct Chosen<'a> {
+    places: &'a [usize],
+    table: Table,
 }
 
-impl Point<f64> {
-    /// Whether the map is the same: parameters, ε, order and scalar.
-    pub(crate) fn has_the_map_of(&self, other: &Self) -> bool {
-        let same = |a: &[f64], b: &[f64]| a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()));
-        same(&self.parameters, &other.parameters)
-            && self.eps.to_bits() == other.eps.to_bits()
-            && (self.order, self.bits) == (other.order, other.bits)
+impl Rows for Chosen<'_> {
+    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        let columns: Vec<Column> = self.places.iter().map(|&place| columns[place].clone()).collect();
+        let values: Vec<Values<'_>> = self.places.iter().map(|&place| values[place]).collect();
+        self.table.block(&columns, &values)
     }
 }
 
@@ -66,23 +61,15 @@ impl Plan {
         read::plan(text, origin)
     }
 
-    pub(crate) fn system(&self) -> &System {
-        self.field.system()
+    fn over(&self) -> &Over {
+        let Question::Over(over) = &self.question else { unreachable!("a plan goes over axes") };
+        over
     }
 
     /// How many points it has.
     #[must_use]
     pub fn points(&self) -> u64 {
-        self.draws * self.axes.iter().filter_map(Axis::count).product::<u64>()
-    }
-
-    /// Whether points that follow each other mostly differ in their starts alone.
-    pub(crate) fn neighbours_share_a_map(&self) -> bool {
-        let is_start = |axis: &&Axis| matches!(axis.target, Target::Variable(_));
-        if self.draws > 1 {
-            return self.axes.iter().filter(|axis| axis.count().is_none()).all(|axis| is_start(&axis));
-        }
-        self.axes.iter().rev().find(|axis| axis.varies()).is_some_and(|axis| is_start(&axis))
+        self.points
     }
 
     /// How many parts it is written in.
@@ -92,64 +79,68 @@ impl Plan {
     }
 
     /// The points of a part.
-    pub(crate) fn rows(&self, part: u64) -> std::ops::Range<u64> {
+    pub(crate) fn part(&self, part: u64) -> Range<u64> {
         let first = part * self.rows_per_part;
         first..self.points().min(first + self.rows_per_part)
     }
 
-    /// The values of the axes at a point, in their order.
-    pub(crate) fn values<V>(&self, index: u64, value: impl Fn(&Axis, u64) -> V) -> Vec<V> {
-        let (draw, mut rest) = (index % self.draws, index / self.draws);
-        let mut values: Vec<V> = Vec::with_capacity(self.axes.len());
-        for axis in self.axes.iter().rev() {
-            values.push(match axis.count() {
-                None => value(axis, draw),
-                Some(count) => {
-                    let place = rest % count;
-                    rest /= count;
-                    value(axis, place)
-                }
-            });
+    /// The fewest and the most rows that a thread should take at once: orbits fill registers, unless
+    /// they are so long that too much would be lost with a process that ends.
+    pub(crate) fn at_once(&self) -> [u64; 2] {
+        match &*self.over().question {
+            Question::Observe(Observe { steps, .. }) if *steps > 1 << 20 => [1, 1],
+            Question::Observe(_) => [16, 256],
+            _ => [1, 256],
         }
-        values.reverse();
-        values
     }
 
-    /// The point at these values of the axes.
-    pub(crate) fn point<V: Clone + Default>(&self, values: &[V], number: impl Fn(&V) -> u32) -> Point<V> {
-        let symbols = &self.system().field.symbols;
-        let mut point = Point {
-            start: vec![V::default(); symbols.states.len()],
-            parameters: vec![V::default(); symbols.parameters.len()],
-            eps: V::default(),
-            order: 2,
-            bits: 64,
-        };
-        for (axis, value) in self.axes.iter().zip(values) {
-            match axis.target {
-                Target::Variable(k) => point.start[k] = value.clone(),
-                Target::Parameter(k) => point.parameters[k] = value.clone(),
-                Target::Epsilon => point.eps = value.clone(),
-                Target::Order => point.order = number(value),
-                Target::Bits => point.bits = number(value),
-            }
-        }
-        point
-    }
-
-    /// The exact point with this index.
-    pub(crate) fn exact_point(&self, index: u64) -> Point<Rational> {
-        self.point(&self.values(index, Axis::value), |value| value.to_f64() as u32)
+    /// The rows of these points, as far as they were made before the watch ended it.
+    pub(crate) fn rows(&self, indices: Range<u64>, watch: &dyn Watch) -> Table {
+        let mut chosen = Chosen { places: &self.places, table: Table::default() };
+        let end = self.study.rows(&self.question, indices, &mut chosen, watch);
+        end.expect("the columns were asked for when the plan was read");
+        chosen.table
     }
 
     /// The plan in one form, however it was written.
     #[must_use]
     pub fn canonical(&self) -> String {
-        let mut text = format!("{}\n", macro_block(self.system()));
-        for axis in &self.axes {
-            let _ = writeln!(text, "{axis}");
+        let mut text = format!("{}\n", macro_block(self.study.system()));
+        for (name, value) in &self.fixed {
+            let _ = writeln!(text, "{name} = [{value}]");
         }
-        let _ = writeln!(text, "draws = {}\nseed = {}\n{}", self.draws, self.seed, self.task);
+        let over = self.over();
+        for Varied { name, through } in &over.axes {
+            let _ = match through {
+                Through::List(values) => {
+                    let values: Vec<String> = values.iter().map(ToString::to_string).collect();
+                    writeln!(text, "{name} = [{}]", values.join(", "))
+                }
+                Through::Range(range) => {
+                    let (count, from, step) = (range.count(), range.value(0), range.step());
+                    writeln!(text, "{name} = {count} values from {from}, {step} apart")
+                }
+                Through::Drawn { source: Source::Sobol, low, high } => {
+                    writeln!(text, "{name} = sobol from {low} to {high}")
+                }
+                Through::Drawn { source: Source::Uniform, low, high } => {
+                    writeln!(text, "{name} = uniform from {low} to {high}")
+                }
+            };
+        }
+        let _ = writeln!(text, "draws = {}\nseed = {}", over.draws, over.seed);
+        // In the words of the first version, so that what was computed goes on.
+        let _ = match &*over.question {
+            Question::Observe(Observe { steps, every, escape, of, .. }) => writeln!(
+                text,
+                "Orbit {{ steps: {steps}, every: {every}, escape: {escape:?}, observe: {of:?} }}"
+            ),
+            Question::Heights(asked) => {
+                writeln!(text, "Heights(Heights {{ steps: {}, digits: {} }})", asked.steps, asked.max_digits)
+            }
+            Question::Discover(asked) => writeln!(text, "Search(Search {{ degree: {:?} }})", asked.degree),
+            other => unreachable!("no plan asks {}", other.name()),
+        };
         let _ = writeln!(text, "rows_per_part = {}", self.rows_per_part);
         let columns = self.columns.as_ref().map_or("all".to_owned(), |columns| columns.join(", "));
         let _ = writeln!(text, "columns = {columns}");
@@ -168,6 +159,6 @@ impl Plan {
     /// The seed of what is drawn.
     #[must_use]
     pub fn seed(&self) -> u64 {
-        self.seed
+        self.over().seed
     }
 }

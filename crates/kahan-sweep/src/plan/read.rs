@@ -1,51 +1,46 @@
 //! A plan from its text.
 
-use std::ops::Range;
+use std::ops::Range as Span;
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
-use kahan_runtime::{Field, FieldText};
-use kahan_systems::entry::Entry;
-use kahan_systems::registry;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_study::{
+    Discover, Heights, Observable, Observe, Over, Question, Range, Source, Spacing, Study, StudyError,
+    Subject, Systems, Table as Rows, Through, Unwatched, Varied,
+};
 use toml::de::{DeTable, DeValue};
 
 use super::Plan;
-use super::axis::{Axis, Target, Values};
 use super::mistakes::{Collector, Mistakes};
 use super::table::{Table, Value, each, number, text, whole};
-use crate::draw::{DIMENSIONS, Draw, Sobol, Uniform};
-use crate::task::{Exactly, Heights, Orbit, Search, Task, WATCHES, Watch};
 
-/// The most points of a plan: beyond, an index has no place in a column.
-const MOST_POINTS: u128 = 1 << 62;
 /// Rows of a part where the plan does not say.
 const ROWS: u64 = 100_000;
 /// Numbers that a part may hold in memory.
 const MOST_NUMBERS: u64 = 12_000_000;
 /// Parts of a sweep: a file of Parquet numbers its row groups with 15 bits.
 const MOST_PARTS: u64 = 32_767;
-/// The most variables of a chain that is written out.
-const MOST_VARIABLES: usize = 200;
 
 pub(super) fn plan(source: &str, origin: &str) -> Result<Plan, Mistakes> {
     let mut mistakes = Collector::new(source);
-    let root = match DeTable::parse(source) {
-        Ok(root) => root,
+    let read = match DeTable::parse(source) {
+        Ok(root) => {
+            let root = Table::new("the plan", root.span(), root.get_ref());
+            Reader { mistakes: &mut mistakes, places: Vec::new() }.plan(root)
+        }
         Err(error) => {
             mistakes.note(&error.span().unwrap_or_default(), error.message());
-            mistakes.finish(origin)?;
-            return Err(Mistakes { origin: origin.to_owned(), mistakes: Vec::new() });
+            None
         }
     };
-    let root = Table::new("the plan", root.span(), root.get_ref());
-    let read = Reader { mistakes: &mut mistakes }.plan(root);
     mistakes.finish(origin)?;
-    // Where nothing was noted, nothing is missing.
-    read.ok_or_else(|| Mistakes { origin: origin.to_owned(), mistakes: Vec::new() })
+    Ok(read.expect("where nothing is missing nothing was noted"))
 }
 
 struct Reader<'m, 's> {
     mistakes: &'m mut Collector<'s>,
+    /// Where parameters and axes stand.
+    places: Vec<(String, Span<usize>)>,
 }
 
 impl Reader<'_, '_> {
@@ -61,33 +56,44 @@ impl Reader<'_, '_> {
         };
         let system = self.system(system);
         let (task, scheme) = self.task(task);
-        let ((system, fixed), seed) = (system?, seed?);
-        let mut all = fixed;
-        match axes {
-            Some(axes) => all.extend(self.axes(axes, &system, seed)),
-            None => self.note("the plan needs [axes]: what it goes through, with eps and each variable"),
-        }
-        all.extend(scheme);
-        let field = Field::of(&system);
-        let task = task?;
-        if task.needs_integrals() && field.integrals().is_empty() {
-            self.note("observe: drift is that of integrals, and the field claims none");
+        let ((study, fixed), seed) = (system?, seed?);
+        let mut all = match axes {
+            Some(axes) => self.axes(axes, &study),
+            None => {
+                self.note("the plan needs [axes]: what it goes through, with eps and each variable");
+                Vec::new()
+            }
+        };
+        let mut question = task?;
+        let claims_none = study.system().accessors(ClaimKind::Integral).next().is_none();
+        if let Question::Observe(asked) = &mut question {
+            asked.at = vec![Rational::zero(); study.variables().len()];
+            if asked.of.contains(&Observable::Drift) && claims_none {
+                self.note("observe: drift is that of integrals, and the field claims none");
+            }
+        } else if let Question::Heights(asked) = &mut question {
+            asked.at = vec![Rational::zero(); study.variables().len()];
         }
         // What could not be read is not missing: its mistake is the one to correct.
         if !self.mistakes.is_empty() {
             return None;
         }
-        self.missing(&all, &system, &task);
+        self.missing(&all, &fixed, &study, &question);
         let draws = self.draws(draws, &all)?;
-        let points = all
-            .iter()
-            .filter_map(Axis::count)
-            .fold(u128::from(draws), |points, count| points.saturating_mul(u128::from(count)));
-        if points > MOST_POINTS {
-            self.note(format!("the plan has {points} points; the most is 2^62"));
+        if !self.mistakes.is_empty() {
             return None;
         }
-        let mut plan = Plan { field, axes: all, draws, task, rows_per_part: ROWS, columns: None, seed };
+        all.extend(scheme);
+        let over = Over { question: Box::new(question), axes: all, starts: Vec::new(), draws, seed };
+        let points = over.cells(&study);
+        let question = Question::Over(over);
+        let mut empty = Rows::default();
+        // No rows, and so their columns alone.
+        let asked = study.rows(&question, 0..0, &mut empty, &Unwatched);
+        let points = asked.and(points).map_err(|why| self.refuse(&why, &(0..0))).ok()?;
+        let places = (0..empty.columns.len()).collect();
+        let mut plan =
+            Plan { study, fixed, question, points, rows_per_part: ROWS, columns: None, places, empty };
         if let Some(output) = output {
             self.output(output, &mut plan);
         }
@@ -100,229 +106,121 @@ impl Reader<'_, '_> {
         self.mistakes.note(&(0..0), message);
     }
 
-    /// The system, and the axes of one value that its parameters are.
-    fn system(&mut self, table: Option<Table<'_, '_>>) -> Option<(System, Vec<Axis>)> {
+    /// Notes why the field or the question is refused, where the name stands that is at fault, or
+    /// else here.
+    fn refuse(&mut self, why: &StudyError, span: &Span<usize>) {
+        let place = match why {
+            StudyError::UnknownParameter { name, .. } | StudyError::AxisValues { name, .. } => {
+                self.places.iter().find(|(own, _)| own == name)
+            }
+            _ => None,
+        };
+        let place = place.map_or(span, |(_, span)| span);
+        self.mistakes.note(place, why.to_string().trim_start_matches("error: ").trim_end());
+    }
+
+    /// The field, and the values that its parameters have in all of the plan.
+    fn system(&mut self, table: Option<Table<'_, '_>>) -> Option<(Study, Vec<(String, Rational)>)> {
         let Some(mut table) = table else {
             self.note("the plan needs a [system], with name = \"e6\" or field = \"xdot = …;\"");
             return None;
         };
-        let (name, field) = (table.take("name"), table.take("field"));
-        let sites = table.take("sites");
-        let sites = match sites {
-            Some(value) => Some(whole(value, "sites", (1, MOST_VARIABLES as u64), self.mistakes)? as usize),
-            None => None,
-        };
+        let (name, field, sites) = (table.take("name"), table.take("field"), table.take("sites"));
         let params = table.table("params", self.mistakes);
         let span = table.span.clone();
         table.finish(self.mistakes);
-        let (source, span) = match (name, field) {
-            (Some(value), None) => {
-                let name = text(value, "name", self.mistakes)?;
-                let entry = registry::find(name).map(Entry::text);
-                let family = kahan_systems::lattices::find(name).map(|family| family.text);
-                match entry.or(family) {
-                    Some(source) => (source.to_owned(), value.span()),
-                    None => {
-                        let known: Vec<&str> = registry::all().map(|entry| entry.command).collect();
-                        self.mistakes.note(
-                            &value.span(),
-                            format!("there is no system `{name}`; the catalog has {}", known.join(", ")),
-                        );
-                        return None;
-                    }
-                }
-            }
-            (None, Some(value)) => (text(value, "field", self.mistakes)?.to_owned(), value.span()),
+        let (subject, span) = match (name, field) {
+            (Some(value), None) => (Subject::named(text(value, "name", self.mistakes)?), value.span()),
+            (None, Some(value)) => (Subject::text(text(value, "field", self.mistakes)?), value.span()),
             _ => {
                 self.mistakes.note(&span, "[system] has either name = \"e6\" or field = \"xdot = …;\"");
                 return None;
             }
         };
-        let system = self.field(source, sites, &span)?;
-        let fixed = params.map_or_else(Vec::new, |params| self.parameters(params, &system));
-        Some((system, fixed))
-    }
-
-    fn field(&mut self, source: String, sites: Option<usize>, span: &Range<usize>) -> Option<System> {
-        let source = FieldText::new(source, "field".to_owned());
-        let read = match sites {
-            None => source.system(),
-            Some(sites) => match source.family() {
-                Err(wrong) => Err(wrong),
-                Ok(Some(family)) if sites * family.block() <= MOST_VARIABLES => Ok(family.at_sites(sites)),
-                Ok(Some(_)) => {
-                    self.mistakes.note(
-                        span,
-                        format!("sites: a chain is written out, up to {MOST_VARIABLES} variables"),
-                    );
-                    return None;
-                }
-                Ok(None) => {
-                    self.mistakes.note(span, "sites are for a family, `for i in periodic { x[i]dot = …; }`");
-                    return None;
-                }
-            },
+        let subject = match sites {
+            Some(value) => subject.sites(whole(value, "sites", (1, 1 << 32), self.mistakes)? as usize),
+            None => subject,
         };
-        match read {
-            Ok(system) => Some(system),
-            Err(wrong) => {
-                let wrong = wrong.to_string();
-                self.mistakes.note(span, wrong.trim_start_matches("error: ").trim_end());
-                None
-            }
+        let mut fixed = Vec::new();
+        for (name, span, value) in params.map_or_else(Vec::new, |mut params| params.rest()) {
+            self.places.push((name.to_owned(), span));
+            fixed.extend(number(value, name, self.mistakes).map(|value| (name.to_owned(), value)));
         }
+        let given = fixed.iter().cloned();
+        let subject = given.fold(subject, |subject, (name, value)| subject.with(name, value));
+        let study = subject.study(&Systems).and_then(|study| study.proved().map(|_| study.clone()));
+        Some((study.map_err(|why| self.refuse(&why, &span)).ok()?, fixed))
     }
 
-    /// `[system.params]`: parameters with one value.
-    fn parameters(&mut self, mut params: Table<'_, '_>, system: &System) -> Vec<Axis> {
+    fn axes(&mut self, mut table: Table<'_, '_>, study: &Study) -> Vec<Varied> {
         let mut axes = Vec::new();
-        for (name, span, value) in params.rest() {
-            let Some(k) = system.field.symbols.parameters.iter().position(|known| known == name) else {
-                let known = system.field.symbols.parameters.join(", ");
-                self.mistakes
-                    .note(&span, format!("the field has no parameter `{name}`; it has {}", or_none(&known)));
-                continue;
-            };
-            if let Some(value) = number(value, name, self.mistakes) {
-                axes.push(Axis {
-                    name: name.to_owned(),
-                    target: Target::Parameter(k),
-                    values: Values::List(vec![value]),
-                });
-            }
-        }
-        axes
-    }
-
-    fn axes(&mut self, mut table: Table<'_, '_>, system: &System, seed: u64) -> Vec<Axis> {
-        let symbols = &system.field.symbols;
-        let mut axes: Vec<Axis> = Vec::new();
-        let mut sobol = 0;
         for (name, span, value) in table.rest() {
-            let place = |names: &[String]| names.iter().position(|known| known == name);
-            let target = place(&symbols.states).map(Target::Variable);
-            let target = target.or_else(|| place(&symbols.parameters).map(Target::Parameter));
-            let Some(target) = target.or((name == "eps").then_some(Target::Epsilon)) else {
-                let known: Vec<&str> =
-                    symbols.states.iter().chain(&symbols.parameters).map(String::as_str).collect();
-                let hint = if matches!(name, "order" | "scalar") {
-                    "; order and scalar are lists in [task]"
-                } else if matches!(name, "start" | "at") {
-                    "; a start is an axis for each variable: values, a range or a draw"
-                } else {
-                    ""
+            let known = || study.variables().iter().chain(study.parameters());
+            if name != "eps" && !known().any(|known| known == name) {
+                let hint = match name {
+                    "order" | "scalar" => "; order and scalar are lists in [task]",
+                    "start" | "at" => "; a start is an axis for each variable: values, a range or a draw",
+                    _ => "",
                 };
+                let known: Vec<&str> = known().map(String::as_str).collect();
                 self.mistakes
                     .note(&span, format!("`{name}` is no axis: there is {}, eps{hint}", known.join(", ")));
                 continue;
-            };
-            let index = axes.len();
-            if let Some(values) = self.values(name, value, seed, index, &mut sobol) {
-                axes.push(Axis { name: name.to_owned(), target, values });
             }
+            self.places.push((name.to_owned(), value.span()));
+            axes.extend(self.through(name, value).map(|through| Varied { name: name.to_owned(), through }));
         }
         axes
     }
 
-    fn values(
-        &mut self,
-        name: &str,
-        value: &Value<'_>,
-        seed: u64,
-        index: usize,
-        sobol: &mut usize,
-    ) -> Option<Values> {
+    fn through(&mut self, name: &str, value: &Value<'_>) -> Option<Through> {
         let DeValue::Table(inner) = value.get_ref() else {
-            let values: Option<Vec<Rational>> =
-                each(value).into_iter().map(|value| number(value, name, self.mistakes)).collect();
-            let values = values?;
-            if values.is_empty() {
-                self.mistakes.note(&value.span(), format!("{name} has no values; write at least one"));
-                return None;
-            }
-            return Some(Values::List(values));
+            let values = each(value).into_iter().map(|value| number(value, name, self.mistakes));
+            return values.collect::<Option<_>>().map(Through::List);
         };
         let mut table = Table::new(name, value.span(), inner);
-        let values = match table.take("draw") {
-            Some(kind) => self.drawn(name, kind, &mut table, seed, index, sobol),
+        let through = match table.take("draw") {
+            Some(kind) => self.drawn(name, kind, &mut table),
             None => self.grid(name, &mut table),
         };
         table.finish(self.mistakes);
-        values
+        through
     }
 
-    fn drawn(
-        &mut self,
-        name: &str,
-        kind: &Value<'_>,
-        table: &mut Table<'_, '_>,
-        seed: u64,
-        index: usize,
-        sobol: &mut usize,
-    ) -> Option<Values> {
+    fn drawn(&mut self, name: &str, kind: &Value<'_>, table: &mut Table<'_, '_>) -> Option<Through> {
         let (low, high) = (self.bound(name, "low", table), self.bound(name, "high", table));
-        let (kind, source) = match text(kind, "draw", self.mistakes)? {
-            "sobol" => {
-                let dimension = *sobol;
-                *sobol += 1;
-                match Sobol::dimension(dimension) {
-                    Some(dimension) => ("sobol", Draw::Sobol(dimension)),
-                    None => {
-                        self.mistakes.note(&table.span, format!("Sobol points have at most {DIMENSIONS} dimensions; draw {name} with \"uniform\""));
-                        return None;
-                    }
-                }
-            }
-            "uniform" => ("uniform", Draw::Uniform(Uniform::new(seed, index))),
+        let source = match text(kind, "draw", self.mistakes)? {
+            "sobol" => Source::Sobol,
+            "uniform" => Source::Uniform,
             other => {
-                self.mistakes.note(
-                    &kind.span(),
-                    format!("there is no draw `{other}`; write \"sobol\" or \"uniform\""),
-                );
+                let why = format!("there is no draw `{other}`; write \"sobol\" or \"uniform\"");
+                self.mistakes.note(&kind.span(), why);
                 return None;
             }
         };
-        let (low, high) = (low?, high?);
-        if low >= high || !(low.to_f64().is_finite() && high.to_f64().is_finite()) {
-            self.mistakes
-                .note(&table.span, format!("{name}: low is below high, both within the range of doubles"));
-            return None;
-        }
-        Some(Values::Drawn { source: Box::new(source), kind, low, high })
+        Some(Through::Drawn { source, low: low?, high: high? })
     }
 
     /// `{ from, to, points }` or `{ from, to, step }`.
-    fn grid(&mut self, name: &str, table: &mut Table<'_, '_>) -> Option<Values> {
+    fn grid(&mut self, name: &str, table: &mut Table<'_, '_>) -> Option<Through> {
         let (from, to) = (self.bound(name, "from", table), self.bound(name, "to", table));
-        let (points, step) = (table.take("points"), table.take("step"));
-        let (from, to) = (from?, to?);
-        match (points, step) {
+        let spacing = match (table.take("points"), table.take("step")) {
             (Some(points), None) => {
-                let count = whole(points, "points", (2, 1 << 40), self.mistakes)?;
-                let parts = Rational::from(count as i64 - 1);
-                let step = (&to - &from).checked_div(&parts)?;
-                Some(Values::Grid { from, step, count })
+                Spacing::Count(whole(points, "points", (2, 1 << 40), self.mistakes)? as usize)
             }
-            (None, Some(step)) => {
-                let size = number(step, "step", self.mistakes)?;
-                let steps = (&to - &from).checked_div(&size).map(|steps| steps.to_f64().floor());
-                let Some(steps) = steps.filter(|steps| (0.0..1e12).contains(steps)) else {
-                    self.mistakes.note(
-                        &step.span(),
-                        format!("{name}: step leads from `from` to `to`, in at most 10^12 steps"),
-                    );
-                    return None;
-                };
-                Some(Values::Grid { from, step: size, count: steps as u64 + 1 })
-            }
+            (None, Some(step)) => Spacing::Step(number(step, "step", self.mistakes)?),
             _ => {
+                from.and(to)?;
                 self.mistakes.note(
                     &table.span,
                     format!("{name}: a range is {{ from, to, points }} or {{ from, to, step }}, a draw {{ draw, low, high }}"),
                 );
-                None
+                return None;
             }
-        }
+        };
+        let range = Range::between(from?, to?, spacing);
+        let noted = range.map_err(|why| self.mistakes.note(&table.span, format!("{name}: {why}")));
+        noted.ok().map(Through::Range)
     }
 
     fn bound(&mut self, name: &str, bound: &'static str, table: &mut Table<'_, '_>) -> Option<Rational> {
@@ -335,8 +233,8 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// The task, and the axes of order and scalar.
-    fn task(&mut self, table: Option<Table<'_, '_>>) -> (Option<Task>, Vec<Axis>) {
+    /// The question of the task, whose place the axes say, and the axes of order and scalar.
+    fn task(&mut self, table: Option<Table<'_, '_>>) -> (Option<Question>, Vec<Varied>) {
         const KINDS: &str = "kind = \"orbit\", \"heights\" or \"discover\"";
 
         let Some(mut table) = table else {
@@ -345,13 +243,16 @@ impl Reader<'_, '_> {
         };
         let mut scheme = Vec::new();
         let kind = table.take("kind");
-        let task = match kind.and_then(|kind| text(kind, "kind", self.mistakes)) {
-            Some("orbit") => self.orbit(&mut table, &mut scheme).map(Task::Orbit),
-            Some("heights") => {
-                self.heights(&mut table).map(|heights| Task::Exactly(Exactly::Heights(heights)))
-            }
+        let question = match kind.and_then(|kind| text(kind, "kind", self.mistakes)) {
+            Some("orbit") => self.orbit(&mut table, &mut scheme).map(Question::Observe),
+            Some("heights") => self.heights(&mut table).map(Question::Heights),
             Some("discover") => {
-                self.discover(&mut table).map(|search| Task::Exactly(Exactly::Search(search)))
+                let degree = table.take("degree");
+                let degree = degree.map(|value| whole(value, "degree", (1, 20), self.mistakes));
+                let degree = degree.map(|degree| degree.map(|degree| degree as u32));
+                // An axis is ε.
+                let asked = |degree| Discover { degree, ..Discover::default() };
+                degree.map_or(Some(None), |degree| degree.map(Some)).map(asked).map(Question::Discover)
             }
             other => {
                 let (span, message) = match (other, kind) {
@@ -366,7 +267,7 @@ impl Reader<'_, '_> {
             }
         };
         table.finish(self.mistakes);
-        (task, scheme)
+        (question, scheme)
     }
 
     fn steps(&mut self, table: &mut Table<'_, '_>, most: u64) -> Option<u64> {
@@ -379,40 +280,26 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn orbit(&mut self, table: &mut Table<'_, '_>, scheme: &mut Vec<Axis>) -> Option<Orbit> {
+    fn orbit(&mut self, table: &mut Table<'_, '_>, scheme: &mut Vec<Varied>) -> Option<Observe> {
         let steps = self.steps(table, 1 << 53);
         let (order, scalar) = (table.take("order"), table.take("scalar"));
         let (every, escape, observe) = (table.take("every"), table.take("escape"), table.take("observe"));
         if let Some(value) = order {
-            let orders = each(value).into_iter().filter_map(|value| self.order(value)).collect();
-            scheme.push(Axis {
-                name: "order".to_owned(),
-                target: Target::Order,
-                values: Values::List(orders),
-            });
+            self.places.push(("order".to_owned(), value.span()));
+            let orders = each(value).into_iter().filter_map(|value| number(value, "order", self.mistakes));
+            scheme.push(Varied { name: "order".to_owned(), through: Through::List(orders.collect()) });
         }
         if let Some(value) = scalar {
             let bits = each(value).into_iter().filter_map(|value| self.bits(value)).collect();
-            scheme.push(Axis { name: "bits".to_owned(), target: Target::Bits, values: Values::List(bits) });
+            scheme.push(Varied { name: "bits".to_owned(), through: Through::List(bits) });
         }
         let every = every.map_or(Some(10), |value| whole(value, "every", (1, 1 << 40), self.mistakes));
         let escape = escape.map_or(Some(1e6), |value| Some(number(value, "escape", self.mistakes)?.to_f64()));
-        let observe = observe.map_or_else(Vec::new, each).into_iter().filter_map(|value| self.watch(value));
-        let mut distinct = Vec::new();
-        for watch in observe {
-            if !distinct.contains(&watch) {
-                distinct.push(watch);
-            }
-        }
-        Some(Orbit { steps: steps?, every: every?, escape: escape?, observe: distinct })
-    }
-
-    fn order(&mut self, value: &Value<'_>) -> Option<Rational> {
-        let order = whole(value, "order", (2, 8), self.mistakes)?;
-        if order % 2 == 1 {
-            self.mistakes.note(&value.span(), "order is 2, 4, 6 or 8");
-        }
-        Some(Rational::from(order as i64))
+        let of = observe.map_or_else(Vec::new, each).into_iter();
+        let of = of.filter_map(|value| self.observable(value)).collect();
+        let plain = Observe::new(Rational::zero(), Vec::new(), steps?);
+        let asked = Observe { every: every?, escape: escape?, of, ..plain };
+        Some(Observe { of: asked.observables().collect(), ..asked })
     }
 
     fn bits(&mut self, value: &Value<'_>) -> Option<Rational> {
@@ -427,11 +314,11 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn watch(&mut self, value: &Value<'_>) -> Option<Watch> {
+    fn observable(&mut self, value: &Value<'_>) -> Option<Observable> {
         let name = text(value, "observe", self.mistakes)?;
-        let found = WATCHES.iter().find(|(known, _)| *known == name).map(|(_, watch)| *watch);
+        let found = Observable::ALL.iter().find(|known| known.name() == name).copied();
         if found.is_none() {
-            let known: Vec<&str> = WATCHES.iter().map(|(name, _)| *name).collect();
+            let known: Vec<&str> = Observable::ALL.iter().map(|known| known.name()).collect();
             let message = format!("there is no observer `{name}`; there is {}", known.join(", "));
             self.mistakes.note(&value.span(), message);
         }
@@ -442,61 +329,44 @@ impl Reader<'_, '_> {
         let (steps, digits) = (self.steps(table, 1 << 20), table.take("digits"));
         let digits =
             digits.map_or(Some(100_000), |value| whole(value, "digits", (1, 100_000_000), self.mistakes));
-        Some(Heights { steps: steps?, digits: digits? })
-    }
-
-    fn discover(&mut self, table: &mut Table<'_, '_>) -> Option<Search> {
-        match table.take("degree") {
-            Some(value) => {
-                let degree = whole(value, "degree", (1, 20), self.mistakes)?;
-                Some(Search { degree: Some(degree as u32) })
-            }
-            None => Some(Search { degree: None }),
-        }
+        Some(Heights { max_digits: digits?, ..Heights::new(Rational::zero(), Vec::new(), steps?) })
     }
 
     /// Notes what has no value, and what has two.
-    fn missing(&mut self, axes: &[Axis], system: &System, task: &Task) {
-        let symbols = &system.field.symbols;
-        let starts = if task.has_starts() { &symbols.states[..] } else { &[] };
-        for name in starts.iter().chain(&symbols.parameters).map(String::as_str).chain(["eps"]) {
-            match axes.iter().filter(|axis| axis.name == name).count() {
-                0 => self.note(format!("`{name}` has no value; give it one under [axes], such as {name} = 1 or {name} = [0.1, 0.2]")),
-                1 => {}
-                _ => self.note(format!("`{name}` stands under [system.params] and under [axes]; leave it out of one")),
+    fn missing(&mut self, axes: &[Varied], fixed: &[(String, Rational)], study: &Study, question: &Question) {
+        let starts = if matches!(question, Question::Discover(_)) { &[] } else { study.variables() };
+        for name in starts.iter().chain(study.parameters()).map(String::as_str).chain(["eps"]) {
+            let is_fixed = fixed.iter().any(|(own, _)| own == name);
+            match (axes.iter().any(|axis| axis.name == name), is_fixed) {
+                (false, false) => self.note(format!("`{name}` has no value; give it one under [axes], such as {name} = 1 or {name} = [0.1, 0.2]")),
+                (true, true) => self.note(format!("`{name}` stands under [system.params] and under [axes]; leave it out of one")),
+                _ => {}
             }
-        }
-        if !task.has_starts()
-            && let Some(axis) = axes.iter().find(|axis| matches!(axis.target, Target::Variable(_)))
-        {
-            self.mistakes
-                .note(&(0..0), format!("`{}` is a start, and a search has none; leave it out", axis.name));
         }
     }
 
-    fn draws(&mut self, given: Option<&Value<'_>>, axes: &[Axis]) -> Option<u64> {
-        let is_drawn = axes.iter().any(|axis| axis.count().is_none());
-        let most = if axes.iter().any(|axis| matches!(&axis.values, Values::Drawn { kind: "sobol", .. })) {
-            1 << 32
-        } else {
-            1 << 53
-        };
+    fn draws(&mut self, given: Option<&Value<'_>>, axes: &[Varied]) -> Option<u64> {
+        let sources: Vec<Source> = axes
+            .iter()
+            .filter_map(|axis| match axis.through {
+                Through::Drawn { source, .. } => Some(source),
+                _ => None,
+            })
+            .collect();
+        let most = if sources.contains(&Source::Sobol) { 1 << 32 } else { 1 << 53 };
         match given {
             Some(value) => {
                 let draws = whole(value, "draws", (1, most), self.mistakes)?;
-                if !is_drawn {
+                if sources.is_empty() {
                     self.mistakes.note(&value.span(), "no axis is drawn; leave `draws` out, or write an axis as { draw = \"sobol\", low = 0, high = 1 }");
                 }
                 Some(draws)
             }
-            None if is_drawn => {
-                self.mistakes.note(
-                    &(0..0),
-                    "axes are drawn; say how many points by draws = 1000 at the top of the plan",
-                );
+            None if sources.is_empty() => Some(1),
+            None => {
+                self.note("axes are drawn; say how many points by draws = 1000 at the top of the plan");
                 None
             }
-            None => Some(1),
         }
     }
 
@@ -507,41 +377,37 @@ impl Reader<'_, '_> {
             plan.rows_per_part = rows;
         }
         if let Some(value) = table.take("columns") {
-            let known: Vec<String> =
-                crate::columns::all(plan).into_iter().map(|column| column.name).collect();
-            let mut columns = Vec::new();
+            let known: Vec<&str> = plan.empty.columns.iter().map(|column| column.name.as_str()).collect();
+            let mut places = Vec::new();
             for value in each(value) {
                 let Some(name) = text(value, "columns", self.mistakes) else { continue };
-                if known.iter().any(|known| known == name) {
-                    columns.push(name.to_owned());
-                } else {
-                    self.mistakes.note(
+                match known.iter().position(|known| *known == name) {
+                    Some(place) => places.push(place),
+                    None => self.mistakes.note(
                         &value.span(),
                         format!("there is no column `{name}`; there is {}", known.join(", ")),
-                    );
+                    ),
                 }
             }
-            plan.columns = Some(columns);
+            plan.columns = Some(places.iter().map(|&place| known[place].to_owned()).collect());
+            plan.empty = Rows {
+                columns: places.iter().map(|&place| plan.empty.columns[place].clone()).collect(),
+                values: places.iter().map(|&place| plan.empty.values[place].clone()).collect(),
+            };
+            plan.places = places;
         }
         table.finish(self.mistakes);
     }
 
     /// Notes what would not fit into memory, or into a file.
     fn bounds(&mut self, plan: &Plan) {
-        let columns = crate::columns::written(plan).len() as u64;
+        let columns = plan.places.len() as u64;
         let most = MOST_NUMBERS / columns.max(1);
         if plan.rows_per_part.min(plan.points()) > most {
             self.note(format!("[output] rows_per_part is at most {most} with {columns} columns, so that a part fits into memory"));
         } else if plan.parts() > MOST_PARTS {
             let least = plan.points().div_ceil(MOST_PARTS);
-            self.mistakes.note(
-                &(0..0),
-                format!("{} parts are too many for one file, which has at most {MOST_PARTS}; write [output] rows_per_part = {least} or more", plan.parts()),
-            );
+            self.note(format!("{} parts are too many for one file, which has at most {MOST_PARTS}; write [output] rows_per_part = {least} or more", plan.parts()));
         }
     }
-}
-
-fn or_none(text: &str) -> &str {
-    if text.is_empty() { "none" } else { text }
 }

@@ -8,7 +8,7 @@ use maud::{Markup, html};
 use super::super::words::scientific;
 use super::Plate;
 use kahan_draw::decimal;
-use kahan_draw::{Cloud, Mark, NumberLine, Plot, Series, Space};
+use kahan_draw::{Cloud, Mark, NumberLine, Plot, Series, Sheet, Space};
 use kahan_paper::figures::DE4;
 use kahan_systems::{E4, e4};
 
@@ -85,7 +85,7 @@ fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Po
     let axis = |label: &str, k: usize| NumberLine::around(label, curve.iter().map(|point| point[k]));
     Plot {
         description: format!("The orbit of dE4 projected to {a} and {b}: points on a closed curve"),
-        size: (360.0, 300.0),
+        sheet: Sheet::page(360, 300),
         x: axis(a, i),
         y: axis(b, j),
         levels: Vec::new(),
@@ -108,7 +108,7 @@ fn in_space(orbit: &[Point], curve: &[Point]) -> Markup {
     Space {
         description: "The orbit of dE4 in space: a thousand points on one closed curve that is bent like a saddle's edge"
             .to_owned(),
-        size: (480.0, 400.0),
+        sheet: Sheet::page(480, 400),
         axes: [axis("x", 0), axis("y", 1), axis("z", 2)],
         clouds: vec![cloud(6, Mark::Line, curve), cloud(3, Mark::Dots, orbit)],
     }

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use super::super::words::scientific;
 use super::Plate;
 use kahan_draw::decimal;
-use kahan_draw::{Mark, NumberLine, Plot, Series};
+use kahan_draw::{Mark, NumberLine, Plot, Series, Sheet};
 use kahan_systems::LotkaVolterra;
 
 /// Half the time step: about twenty steps a cycle.
@@ -83,7 +83,7 @@ fn portrait(title: &str, seen: &str, mark: Mark, orbits: &[Vec<Point>]) -> Marku
     });
     let plot = Plot {
         description: format!("{title}: {seen}"),
-        size: (400.0, 400.0),
+        sheet: Sheet::page(400, 400),
         x: axis("x"),
         y: axis("y"),
         levels: Vec::new(),

@@ -1,57 +1,82 @@
 //! What was observed as tables.
 
-use kahan_study::Observed;
+use kahan_core::observe::Extremes;
+use kahan_study::{Observable, Observed, Seen};
 
 use crate::printing::layout::{Rows, table};
 
 /// What was observed as text.
 pub(super) fn text(observed: &Observed) -> String {
-    let escaped = observed.escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
-    let last =
-        vec![vec!["steps".to_owned(), observed.steps.to_string()], vec!["escaped".to_owned(), escaped]];
+    let mut last = vec![vec!["steps".to_owned(), observed.steps.to_string()]];
+    if let Some(Seen::Step(escaped)) = observed.of(Observable::Escape) {
+        let escaped = escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
+        last.push(vec!["escaped".to_owned(), escaped]);
+    }
     let tables = tables(observed).into_iter().chain([last]);
     let tables: Vec<String> = tables.map(|rows| table(&rows, 1).join("\n") + "\n").collect();
     tables.join("\n")
 }
 
-/// The same as tables, each with its headings first.
-pub(super) fn tables(observed: &Observed) -> Vec<Rows> {
+/// The same as tables, each with its headings first; there is none of what was not asked for.
+pub(in super::super) fn tables(observed: &Observed) -> Vec<Rows> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
-    let mut tables = Vec::new();
-    let mut rows = vec![row(&["Lyapunov exponent", "value", "converged to"])];
-    for (k, exponent) in observed.lyapunov.iter().enumerate() {
-        rows.push(vec![(k + 1).to_string(), number(exponent.value), short(exponent.error)]);
-    }
-    let sum: f64 = observed.lyapunov.iter().map(|exponent| exponent.value).sum();
-    rows.push(vec!["sum".to_owned(), number(sum), String::new()]);
-    rows.push(vec!["mean log |det J|".to_owned(), number(observed.mean_log_det), String::new()]);
-    tables.push(rows);
-    tables.push(vec![
-        row(&["indicator", "value"]),
-        vec!["FLI".to_owned(), number(observed.fli)],
-        vec!["MEGNO".to_owned(), number(observed.megno)],
-        vec!["SALI".to_owned(), number(observed.sali)],
-    ]);
-    let mut rows = vec![row(&["variable", "least", "greatest", "turns a step", "error"])];
-    let variables = observed.variables.iter().zip(&observed.extrema).zip(&observed.rotation);
-    for ((name, extremes), turns) in variables {
-        let [least, greatest] =
-            extremes.map_or([String::new(), String::new()], |of| [number(of.least), number(of.greatest)]);
-        rows.push(vec![name.clone(), least, greatest, number(turns.value), short(turns.error)]);
-    }
-    tables.push(rows);
-    if !observed.drift.is_empty() {
-        let mut rows = vec![row(&["integral", "greatest drift", "final drift"])];
-        for (name, drifted) in observed.integrals.iter().zip(&observed.drift) {
-            rows.push(vec![name.clone(), short(drifted.max), short(drifted.last)]);
+    let mut exponents = vec![row(&["Lyapunov exponent", "value", "converged to"])];
+    let mut indicators = vec![row(&["indicator", "value"])];
+    let mut variables = vec![row(&["variable"])];
+    variables.extend(observed.variables.iter().map(|name| row(&[name])));
+    let mut drifts = vec![row(&["integral", "greatest drift", "final drift"])];
+    let mut of_variables = |headings: &[&str], cells: Vec<Vec<String>>| {
+        let cells = [row(headings)].into_iter().chain(cells);
+        variables.iter_mut().zip(cells).for_each(|(row, cells)| row.extend(cells));
+    };
+    let found = Observable::ALL.iter().filter_map(|one| Some((*one, observed.of(*one)?)));
+    for (observable, seen) in found {
+        match seen {
+            Seen::Point(point) => {
+                of_variables(&["last"], point.iter().map(|value| vec![number(*value)]).collect());
+            }
+            Seen::Drift(found) => {
+                let rows = observed.integrals.iter().zip(found);
+                drifts.extend(
+                    rows.map(|(name, drift)| vec![name.clone(), short(drift.max), short(drift.last)]),
+                );
+            }
+            Seen::Extrema(extrema) => {
+                let ends = |of: &Option<Extremes<f64>>| match of {
+                    Some(of) => vec![number(of.least), number(of.greatest)],
+                    None => vec![String::new(); 2],
+                };
+                of_variables(&["least", "greatest"], extrema.iter().map(ends).collect());
+            }
+            Seen::Exponent(one) => {
+                exponents.push(vec!["largest".to_owned(), number(one.value), short(one.error)]);
+            }
+            Seen::Spectrum(all) => {
+                for (k, one) in all.iter().enumerate() {
+                    exponents.push(vec![(k + 1).to_string(), number(one.value), short(one.error)]);
+                }
+                let sum: f64 = all.iter().map(|exponent| exponent.value).sum();
+                exponents.push(vec!["sum".to_owned(), number(sum), String::new()]);
+            }
+            Seen::Number(value) if observable == Observable::LogDet => {
+                exponents.push(vec!["mean log |det J|".to_owned(), number(*value), String::new()]);
+            }
+            Seen::Number(value) => {
+                indicators.push(vec![observable.name().to_uppercase(), number(*value)]);
+            }
+            Seen::Turns(turns) => {
+                let turns = turns.iter().map(|turns| vec![number(turns.value), short(turns.error)]);
+                of_variables(&["turns a step", "error"], turns.collect());
+            }
+            Seen::Step(_) => {}
         }
-        tables.push(rows);
     }
-    tables
+    let is_told = |table: &Rows| table.len() > 1 && table[0].len() > 1;
+    [exponents, indicators, variables, drifts].into_iter().filter(is_told).collect()
 }
 
 /// Why there are fewer steps than asked.
-pub(super) fn complaint(observed: &Observed) -> Option<String> {
+pub(in super::super) fn complaint(observed: &Observed) -> Option<String> {
     observed.left_range.then(|| {
         format!(
             "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; what is said is of the steps \

@@ -1,7 +1,7 @@
 //! What was found at the extremes, as a table.
 
 use kahan_study::Judged;
-use kahan_study::extremes::{Cell, Place};
+use kahan_study::extremes::{Broken, Cell, Place};
 
 use crate::printing::layout::{labelled, table};
 
@@ -15,27 +15,23 @@ pub(super) fn text(judged: &Judged) -> String {
     rows.extend(judged.tally.cells.iter().map(row));
     let mut lines = table(&rows, 3);
     lines.push(String::new());
-    let names = |is_shown: fn(bool) -> bool| {
-        let shown = judged.systems.iter().filter(|(_, has_removable_poles)| is_shown(*has_removable_poles));
-        shown.map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", ")
+    lines.extend(labelled("systems", &judged.systems.join(", "), LABELS));
+    let removable = match judged.removable.as_slice() {
+        [] => "none; their quarter went to the poles".to_owned(),
+        systems => systems.join(", "),
     };
-    lines.extend(labelled("systems", &names(|_| true), LABELS));
-    let removable = names(|has_removable_poles| has_removable_poles);
-    let removable = if removable.is_empty() { "none; their quarter went to the poles" } else { &removable };
-    lines.extend(labelled("removable poles", removable, LABELS));
-    lines.extend(judged.random_fields.iter().map(|field| format!("{}: {}", field.name, field.equations())));
-    if judged.asked.odd_fields > 0 {
+    lines.extend(labelled("removable poles", &removable, LABELS));
+    lines.extend(judged.random_fields.iter().map(|(name, equations)| format!("{name}: {equations}")));
+    if judged.odd_fields > 0 {
+        lines.push(format!("besides {} random fields of odd tempers, all of them judged", judged.odd_fields));
+    }
+    for (name, Broken { text, silently_wrong, unjustified, first }) in &judged.tally.broken {
         lines.push(format!(
-            "besides {} random fields of odd tempers, all of them judged",
-            judged.asked.odd_fields
+            "{name}, {silently_wrong} silently wrong, {unjustified} flagged without right: {text}"
         ));
+        lines.push(format!("  {}", first.text));
     }
-    for (name, text, broken) in judged.broken() {
-        let (wrong, flags) = (broken.silently_wrong, broken.unjustified);
-        lines.push(format!("{name}, {wrong} silently wrong, {flags} flagged without right: {text}"));
-        lines.push(format!("  {}", broken.first.text));
-    }
-    lines.push(format!("seed {}, {:.1} seconds", judged.asked.seed, judged.seconds.unwrap_or_default()));
+    lines.push(format!("seed {}, {:.1} seconds", judged.seed, judged.seconds.unwrap_or_default()));
     lines.join("\n") + "\n"
 }
 

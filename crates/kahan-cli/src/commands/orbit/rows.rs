@@ -1,91 +1,55 @@
-//! The table of orbits: which points become rows, how a table is filled orbit by orbit, and what
-//! becomes of an orbit that ends early.
+//! The table of orbits: where it goes, and what becomes of an orbit that ends early.
 //!
-//! In: what is known before the first row, and orbits that advance and write their points. Out: the
-//! table, and an answer that says why orbits ended. What a step is, this module must not know.
+//! In: what is known before the first row, and who hands on the rows of each orbit. Out: the table,
+//! and an answer that says why orbits ended. What a step is, this module must not know.
 
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+use kahan_study::{End, Progress, Unwatched, Watch};
 use serde_json::{Map, Value, json};
 
 use super::Orbit;
 use super::chain::is_array;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, has_room_for_progress};
 
-/// Which points become rows.
-pub(super) struct Rows<'a> {
-    steps: i64,
-    every: i64,
-    progress: Option<&'a Prompt>,
+/// The prompt, as one of several orbits sees it.
+struct OneOrbit<'a> {
+    prompt: &'a Prompt,
+    /// The steps of those before.
+    before: u64,
 }
 
-/// Steps of floats between two looks: some hundredths of a second.
-pub(super) const AT_ONCE: i64 = 1 << 20;
+impl Watch for OneOrbit<'_> {
+    fn now(&self) -> Option<Duration> {
+        self.prompt.now()
+    }
 
-impl Rows<'_> {
-    /// Steps from row to row, at most so many `at_once` between two looks at the orbit; what to
-    /// tell the user where a step has no value.
-    pub(super) fn follow<O>(
-        &self,
-        orbit: &mut O,
-        at_once: i64,
-        mut row: impl FnMut(&mut O, i64) -> Result<(), Broken>,
-        mut advance: impl FnMut(&mut O, i64, i64) -> Result<(), String>,
-    ) -> Result<Option<String>, Broken> {
-        let mut n = 0;
-        loop {
-            let since = n % self.every;
-            if since == 0 {
-                row(orbit, n)?;
-            }
-            let steps = (self.every - since).min(self.steps - n).min(at_once);
-            if steps == 0 {
-                return Ok(None);
-            }
-            if let Err(why) = advance(orbit, n, steps) {
-                return Ok(Some(why));
-            }
-            n += steps;
-            if let Some(progress) = self.progress {
-                progress.advance(steps.unsigned_abs());
-            }
-        }
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        self.prompt.look(&Progress { done: self.before + progress.done, ..*progress })
     }
 }
 
 impl Orbit {
-    /// Opens the table, lets it be filled orbit by orbit (why an orbit ended early comes back),
-    /// closes it.
+    /// Opens the table, lets it be filled orbit by orbit, closes it.
     pub(super) fn write<O>(
         &self,
-        head: Map<String, Value>,
-        orbits: impl IntoIterator<Item = O, IntoIter: ExactSizeIterator>,
-        mut fill: impl FnMut(O, &Rows<'_>, &mut Table) -> Result<Option<String>, Broken>,
+        head: Value,
+        orbits: Vec<O>,
+        fill: impl FnMut(O, &mut Table, &dyn Watch) -> Result<End, Broken>,
     ) -> Result<Answer, Refusal> {
-        let orbits = orbits.into_iter();
-        let count = orbits.len();
-        let file = self.out.as_deref().filter(|path| !is_array(path));
-        let sink = match file {
-            Some(path) => Sink::file(path, "--out")?,
-            None => Sink::standard(),
-        };
-        let format = if self.json && file.is_none() { Format::Json } else { Format::Csv };
-        let mut table = Table::new(sink, format);
-        let steps = self.steps.unsigned_abs().saturating_mul(count as u64);
-        let progress = has_room_for_progress(file.is_some()).then(|| Prompt::new(steps, "steps"));
-        let rows = Rows { steps: self.steps, every: self.every, progress: progress.as_ref() };
-        let written = table.begin(&head).and_then(|()| {
-            let mut stops = Vec::new();
-            for (index, orbit) in orbits.enumerate() {
-                if count > 1 {
-                    table.begin_orbit(index);
-                }
-                stops.push(fill(orbit, &rows, &mut table)?);
-            }
-            table.end(&stopped(&stops))?;
-            Ok(stops)
-        });
-        if let Some(progress) = progress {
-            progress.finish();
+        let Value::Object(mut head) = head else { unreachable!("a head is an object") };
+        if orbits.len() > 1 {
+            let columns = head["columns"].as_array_mut().expect("columns have names");
+            let names: Vec<&str> = columns.iter().filter_map(Value::as_str).collect();
+            columns.insert(0, json!(kahan_study::free_name(&names, "orbit")));
         }
+        let file = self.out.as_deref().filter(|path| !is_array(path));
+        let sink = file.map_or_else(|| Ok(Sink::standard()), |path| Sink::file(path, "--out"))?;
+        let steps = self.steps.saturating_mul(orbits.len() as u64);
+        let prompt = has_room_for_progress(file.is_some()).then(|| Prompt::new(steps, "steps"));
+        let written = self.write_into(sink, &head, orbits, prompt.as_ref(), fill);
+        prompt.iter().for_each(Prompt::finish);
         let stops = match written {
             Ok(stops) => stops,
             // Nobody wants more rows, which is no error.
@@ -97,14 +61,43 @@ impl Orbit {
         // With rows in a file, the object that describes them is the answer.
         let answer = match file {
             Some(path) if self.json => {
-                let mut object = head;
-                object.insert("out".to_owned(), json!(path.display().to_string()));
-                object.insert("stopped".to_owned(), stopped(&stops));
-                Answer::json(&Value::Object(object))
+                head.insert("out".to_owned(), json!(path.display().to_string()));
+                head.insert("stopped".to_owned(), stopped(&stops));
+                Answer::json(&Value::Object(head))
             }
             _ => Answer::text(String::new()),
         };
         Ok(Answer { complaint: complaint(&stops), ..answer })
+    }
+
+    /// Why orbits ended early.
+    fn write_into<O>(
+        &self,
+        sink: Sink,
+        head: &Map<String, Value>,
+        orbits: Vec<O>,
+        prompt: Option<&Prompt>,
+        mut fill: impl FnMut(O, &mut Table, &dyn Watch) -> Result<End, Broken>,
+    ) -> Result<Vec<Option<String>>, Broken> {
+        let format = if self.json && sink.is_standard() { Format::Json } else { Format::Csv };
+        let mut table = Table::begin(sink, format, head)?;
+        let mut stops = Vec::new();
+        let are_several = orbits.len() > 1;
+        for (index, orbit) in orbits.into_iter().enumerate() {
+            if are_several {
+                table.begin_orbit(index);
+            }
+            let before = self.steps.saturating_mul(index as u64);
+            let watch = prompt.map(|prompt| OneOrbit { prompt, before });
+            let end = match &watch {
+                Some(watch) => fill(orbit, &mut table, watch),
+                None => fill(orbit, &mut table, &Unwatched),
+            }?;
+            table.written()?;
+            stops.push(end.last().map(|last| last.why.replace("; try ", "; try --")));
+        }
+        table.end(&stopped(&stops))?;
+        Ok(stops)
     }
 }
 
@@ -131,19 +124,4 @@ fn complaint(stops: &[Option<String>]) -> Option<String> {
             )
         }
     })
-}
-
-/// The names of all columns: n and t, and before them orbit where there are several orbits, with a
-/// `_` behind them where a variable or an integral has that name.
-pub(super) fn columns(states: &[String], integrals: &[String], orbits: usize) -> Vec<String> {
-    let named: Vec<String> = states.iter().chain(integrals).cloned().collect();
-    let free = |name: &str| {
-        let mut name = name.to_owned();
-        while named.contains(&name) {
-            name.push('_');
-        }
-        name
-    };
-    let counted: &[&str] = if orbits > 1 { &["orbit", "n", "t"] } else { &["n", "t"] };
-    counted.iter().map(|name| free(name)).chain(named.iter().cloned()).collect()
 }

@@ -1,33 +1,38 @@
-//! The figures of a page. Each is what one call of the command draws or tabulates, and is shown
-//! with that call.
+//! The figures of a page. Each draws or tabulates the answer to a question, and is shown with the
+//! call of the command that asks it.
 
-use clap::{Args, FromArgMatches};
 use kahan_algebra::rational::Rational;
-use kahan_study::{Poles, Question, Study};
-use maud::{Markup, html};
-
-use super::super::chart::Chart;
-use super::super::dynamics::Dynamics;
-use super::super::line::Line;
-use super::super::picture::{Picture, Visits};
-use super::super::poles::{patterns, rows as table_of};
-use super::super::trade::Trade;
-use super::scene::Scene;
-use crate::printing::Refusal;
 use kahan_draw::Drawing;
 use kahan_draw::document::rows;
+use kahan_draw::picture::{Chart, Look, Visits, chart, trade};
+use kahan_study::trade::Trade;
+use kahan_study::{Axis, Observable, Observe, Over, Poles, Question, Range, Scene, Study};
+use maud::{Markup, html};
+
+use super::super::dynamics::{complaint, tables};
+use super::super::line::{Asking as _, Line};
+use super::super::look::usual as picture_sheet;
+use super::super::picture::Picture;
+use super::super::picture::shown::{Shown, What};
+use super::super::picture::starts::{At, Spread};
+use super::super::poles::{patterns, rows as table_of};
+use super::super::trade::{Comparison, usual};
+use crate::printing::{Prompt, Refusal};
+
+/// A field, and the words that name it.
+pub(super) struct Field {
+    pub(super) words: Vec<String>,
+    pub(super) study: Study,
+}
 
 /// What the figures are of.
 pub(super) struct Subject<'a> {
-    /// The words that name the system with the values of its parameters.
-    pub(super) words: &'a [String],
-    /// Those that name it with its integrals: the claimed ones, or where none are, those that were
-    /// found.
-    pub(super) kept: &'a [String],
-    /// Those that name it with what was given only.
-    pub(super) generic: &'a [String],
-    /// The same, read.
-    pub(super) study: &'a Study,
+    /// The field with the values of its parameters.
+    pub(super) valued: &'a Field,
+    /// The same with its integrals: the claimed ones, or where none are, those that were found.
+    pub(super) kept: &'a Field,
+    /// The field with what was given only.
+    pub(super) generic: &'a Field,
     pub(super) variables: &'a [String],
     pub(super) scene: &'a Scene,
     /// The time that the page may take.
@@ -35,7 +40,7 @@ pub(super) struct Subject<'a> {
 }
 
 /// The time beyond which no picture of orbits is waited for.
-const SECONDS: u32 = 10;
+const SECONDS: f64 = 10.0;
 /// First points of pictures of many orbits.
 const STARTS: usize = 5;
 /// Shares of the time.
@@ -44,17 +49,10 @@ const HEIGHTS: f64 = 0.06;
 const TRADE: f64 = 0.25;
 
 impl Subject<'_> {
-    fn line(&self, command: &'static str) -> Line {
-        Line::new(command, self.words)
-    }
-
-    /// The system at ε, from the first point.
-    fn one_orbit(&self, command: &'static str) -> Line {
-        self.at_first_point(self.line(command))
-    }
-
-    fn at_first_point(&self, line: Line) -> Line {
-        line.with("--eps", &self.scene.eps).with("--at", point(&self.scene.start))
+    /// So many steps from the first point.
+    fn one_orbit(&self, steps: u64) -> Shown {
+        let Scene { eps, start, .. } = self.scene;
+        Shown::portrait(eps.clone(), vec![At::Point(start.clone())], steps)
     }
 
     /// So many seconds, of which the page has this share.
@@ -65,12 +63,10 @@ impl Subject<'_> {
     /// What becomes of singularities, and of the heights of an exact orbit.
     pub(super) fn growth(&self) -> Markup {
         let asked = Poles { seconds: self.share(POLES), ..Poles::default() };
-        let poles = Line::asking(self.generic, &Question::Poles(asked.clone()));
-        let heights = self.one_orbit("picture").with("--steps", 400).with("--kind", "heights");
-        let heights =
-            heights.with("--seconds", format!("{:?}", self.share(HEIGHTS))).with("--out", "heights.svg");
+        let poles = Line::asking(&self.generic.words, &Question::Poles(asked.clone()));
+        let heights = Shown { what: What::Heights, seconds: self.share(HEIGHTS), ..self.one_orbit(400) };
         html! {
-            (shown(patterns(self.study, &asked).map(|answer| {
+            (shown(patterns(&self.generic.study, &asked).map(|answer| {
                 let table = table_of(&answer.found);
                 if table.len() > 1 {
                     rows("Curves that the map sends to infinity or blows down, and whether what is lost comes back", &table)
@@ -87,23 +83,15 @@ impl Subject<'_> {
 
     /// Orbits in space or in the plane, in time, and where they cross a plane.
     pub(super) fn orbits(&self) -> Markup {
-        let portrait =
-            self.many_orbits("picture").with("--steps", if self.variables.len() == 1 { 200 } else { 4000 });
-        let portrait = portrait.with("--seconds", SECONDS).with("--out", "portrait.svg");
+        let portrait = self.many_orbits(if self.variables.len() == 1 { 200 } else { 4000 });
         let first = &self.variables[0];
-        let time = self
-            .one_orbit("picture")
-            .with("--axes", format!("t,{first}"))
-            .with("--steps", 400)
-            .with_flag("--lines");
-        let time = time.with("--out", "time.svg");
+        let time = Shown { axes: vec!["t".to_owned(), first.clone()], lines: true, ..self.one_orbit(400) };
         html! {
             (self.picture("portrait", "Orbits", &portrait, |_| html! { "Orbits from " (STARTS) " first points." }))
             (self.picture("time", &format!("{first} over time"), &time, |_| html! { "The first orbit; a step takes the time 2ε." }))
             @if self.variables.len() > 2 {
                 @let plane = self.plane();
-                @let section = self.many_orbits("picture").with("--plane", &plane).with("--steps", self.crossing_steps());
-                @let section = section.with("--seconds", SECONDS).with("--out", "section.svg");
+                @let section = Shown { what: What::Section(plane.clone()), ..self.many_orbits(self.crossing_steps()) };
                 (self.picture("section", "A section", &section, |visits| html! {
                     "Where the orbits cross " code { (plane) " = 0" } " upwards. " (crossings(visits, self.variables.len()))
                 }))
@@ -113,36 +101,47 @@ impl Subject<'_> {
 
     /// Exponents, indicators, rotation numbers, drift.
     pub(super) fn dynamics(&self) -> Markup {
-        let line = self.at_first_point(Line::new("dynamics", self.kept)).with("--steps", self.steps());
+        let asked = Observe::new(self.scene.eps.clone(), self.scene.start.clone(), self.steps());
+        let line = Line::asking(&self.kept.words, &Question::Observe(asked.clone()));
         let captions = [
             "Lyapunov exponents, per unit of time",
             "Indicators",
             "Extremes and rotation",
             "Drift of the integrals",
         ];
-        made(&line, |dynamics: Dynamics| {
-            let (tables, complaint) = dynamics.tables()?;
-            Ok(html! {
-                @for (table, caption) in tables.iter().zip(captions) { (rows(caption, table)) }
-                @if let Some(complaint) = complaint { p.missing { (complaint) } }
-            })
-        })
+        let observed = asked.ask(&self.kept.study, &Prompt::new(2 * asked.steps, "steps"));
+        let made = observed.map_err(Refusal::from).map(|observed| {
+            html! {
+                @for (table, caption) in tables(&observed).iter().zip(captions) { (rows(caption, table)) }
+                @if let Some(complaint) = complaint(&observed) { p.missing { (complaint) } }
+            }
+        });
+        shown(made, &line)
     }
 
     /// Which orbits are chaotic.
     pub(super) fn chart(&self) -> Markup {
         let cells = self.cells();
-        let mut line = self.one_orbit("chart").with("--over", self.range(0, cells));
-        line = match self.variables.len() {
-            1 => line.with("--over", format!("eps=0:{}:/{cells}", decimal(2.0 * self.scene.eps.to_f64()))),
-            _ => line.with("--over", self.range(1, cells)),
+        let Scene { eps, start, .. } = self.scene;
+        let second = match self.variables.len() {
+            1 => ("eps".to_owned(), format!("0:{}:/{cells}", decimal(2.0 * eps.to_f64()))),
+            _ => self.range(1, cells),
         };
-        let line = line.with("--steps", 1000).with("--color", "fli").with("--out", "chart.svg");
+        // The first range of a chart runs fastest, and the last axis of a question.
+        let axes = [second, self.range(0, cells)].map(|(name, range)| {
+            let range = Range::read(&range).expect("printed numbers make a range");
+            Axis { name, range }.into()
+        });
+        let observe = Observe::new(eps.clone(), start.clone(), 1000);
+        let observe = Question::Observe(Observe { of: vec![Observable::Fli], ..observe });
+        let asked = Over::new(observe, axes.into());
+        let found = asked.ask(&self.valued.study, &Prompt::new((cells * cells) as u64, "orbits"));
+        let drawn = found.map(|found| chart(&Chart::of(&asked, &found), &Look::on(picture_sheet())).drawing);
         figure(
             "chart",
             "A chart of stability",
-            &line,
-            drawn(&line, |chart: Chart| Ok((chart.drawn()?, Vec::new()))),
+            &Line::asking(&self.valued.words, &Question::Over(asked)),
+            drawn.map(|drawing| (drawing, Vec::new())).map_err(Refusal::from),
             &html! {
                 "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
                 "where it is chaotic; a cell is empty where its orbit leaves the range of doubles."
@@ -154,17 +153,13 @@ impl Subject<'_> {
     pub(super) fn settings(&self) -> Markup {
         /// Steps of the figures that the horizon takes.
         const STEPS: f64 = 400.0;
-        let horizon = decimal(2.0 * self.scene.eps.to_f64() * STEPS);
-        let line =
-            Line::new("trade", self.kept).with("--at", point(&self.scene.start)).with("--horizon", horizon);
-        let line = line
-            .with("--tolerance", "1e-8")
-            .with("--seconds", format!("{:?}", self.share(TRADE)))
-            .with("--out", "trade.svg");
-        made(&line, |trade: Trade| {
-            trade.compared(|comparison| html! {
+        let horizon = Rational::typed(&decimal(2.0 * self.scene.eps.to_f64() * STEPS));
+        let asked = Trade::new(self.scene.start.clone(), horizon.expect("a printed number is one"));
+        let asked = Trade { seconds: self.share(TRADE), ..asked };
+        let line = Line::asking(&self.kept.words, &Question::Trade(asked.clone())).with("--out", "trade.svg");
+        let made = Comparison::of(&self.kept.study, &asked).map(|comparison| html! {
             figure #trade {
-                div.drawings { (comparison.picture().inline()) }
+                div.drawings { (trade(&comparison.0, &Look::on(usual())).drawing.inline()) }
                 figcaption { p { "Each dot is a setting: its price on this machine, and its error against a trajectory in 32 digits." } }
             }
             @match comparison.chosen() {
@@ -172,35 +167,36 @@ impl Subject<'_> {
                 None => p.missing { (comparison.complaint().unwrap_or_default()) },
             }
             (rows("Settings that no other one beats in price and error together", &comparison.front()))
-        })
-        })
+        });
+        shown(made, &line)
     }
 
     /// A picture of `kahan picture`, with words on what it shows.
-    fn picture(&self, id: &str, title: &str, line: &Line, words: impl Fn(&[Visits]) -> Markup) -> Markup {
+    fn picture(&self, id: &str, title: &str, asked: &Shown, words: impl Fn(&[Visits]) -> Markup) -> Markup {
         let mut said = html! {};
-        let picture = drawn(line, |picture: Picture| {
-            let (_, drawn) = picture.drawn()?;
-            if drawn.points == 0 {
+        let picture = asked.drawn(&self.valued.study).and_then(|drawn| {
+            if drawn.picture.points == 0 {
                 return Err(Refusal::new("there is nothing to be seen: no orbit comes there."));
             }
-            said = words(&drawn.visits);
-            Ok((drawn.drawing, drawn.notes))
+            said = words(&drawn.picture.visits);
+            Ok((drawn.picture.drawing, drawn.notes))
         });
-        figure(id, title, line, picture, &said)
+        let asked = Shown { out: format!("{id}.svg").into(), ..asked.clone() };
+        let line = Picture::call(&self.valued.words, &asked);
+        figure(id, title, &line, picture, &said)
     }
 
     /// The steps of exponents, fewer where there are many variables, each with its tangent vector.
-    fn steps(&self) -> usize {
-        let variables = self.variables.len();
+    fn steps(&self) -> u64 {
+        let variables = self.variables.len() as u64;
         if variables <= 4 { 20_000 } else { (320_000 / (variables * variables)).max(1000) }
     }
 
     /// The steps of each orbit of a section: their number grows with the time that there is, and
     /// falls with the number of variables.
-    fn crossing_steps(&self) -> usize {
+    fn crossing_steps(&self) -> u64 {
         let many = (4.0 / self.variables.len() as f64).min(1.0);
-        (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as usize
+        (5000.0 * many * self.seconds.min(60.0)).max(1000.0) as u64
     }
 
     /// Cells of a chart of stability in a row: their number grows with the time that there is, and
@@ -210,16 +206,17 @@ impl Subject<'_> {
         (20.0 * many * self.seconds.min(60.0).sqrt()).max(8.0) as usize
     }
 
-    /// The system at ε, from points between the first and the middle of its orbit.
-    fn many_orbits(&self, command: &'static str) -> Line {
-        let Scene { start, extremes, .. } = self.scene;
+    /// So many steps from points between the first and the middle of its orbit.
+    fn many_orbits(&self, steps: u64) -> Shown {
+        let Scene { eps, start, extremes, .. } = self.scene;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
             let (start, middle) = (start.to_f64(), 0.5 * (low + high));
-            between(start + 0.6 * (middle - start), high - low)
+            let near = between(start + 0.6 * (middle - start), high - low);
+            Rational::typed(&near).expect("a printed number is one")
         });
-        let nearer: Vec<String> = nearer.collect();
-        let line = self.line(command).with("--eps", &self.scene.eps);
-        line.with("--at", format!("{}..{}", point(start), nearer.join(","))).with("--starts", STARTS)
+        let at = vec![At::Line(start.clone(), nearer.collect())];
+        let spread = Spread { count: Some(STARTS), ..Spread::default() };
+        Shown { spread, seconds: SECONDS, ..Shown::portrait(eps.clone(), at, steps) }
     }
 
     /// The middle of what the third variable takes on its orbit, or where that one hardly moves, of
@@ -240,16 +237,11 @@ impl Subject<'_> {
     }
 
     /// A variable over what its orbit takes, and a tenth more on either side.
-    fn range(&self, k: usize, cells: usize) -> String {
+    fn range(&self, k: usize, cells: usize) -> (String, String) {
         let [low, high] = self.scene.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.scene.size);
-        format!("{}={}:{}:/{cells}", self.variables[k], decimal(low - room), decimal(high + room))
+        (self.variables[k].clone(), format!("{}:{}:/{cells}", decimal(low - room), decimal(high + room)))
     }
-}
-
-/// What a line makes, with the line below it; where there is none, why.
-fn made<A: Args + FromArgMatches>(line: &Line, make: impl FnOnce(A) -> Result<Markup, Refusal>) -> Markup {
-    shown(line.read().and_then(make), line)
 }
 
 /// What was made, with the line that makes it again; where there is nothing, why.
@@ -261,14 +253,6 @@ fn shown(made: Result<Markup, Refusal>, line: &Line) -> Markup {
         }
         (command(line))
     }
-}
-
-/// The drawing that a line makes, and what there is to say of it.
-fn drawn<A: Args + FromArgMatches>(
-    line: &Line,
-    draw: impl FnOnce(A) -> Result<(Drawing, Vec<String>), Refusal>,
-) -> Result<(Drawing, Vec<String>), Refusal> {
-    line.read().and_then(draw)
 }
 
 fn figure(
@@ -299,10 +283,6 @@ fn figure(
 /// How to make it again.
 pub(super) fn command(line: &Line) -> Markup {
     html! { pre.command tabindex="0" { code { (line) } } }
-}
-
-fn point(start: &[Rational]) -> String {
-    start.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
 }
 
 /// What a section shows, by what is seen of its orbits.

@@ -7,12 +7,12 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::{Claim, System};
 use kahan_discover::hilbert::default_degree;
 use kahan_latex::{Latex, breaking};
-use kahan_study::{Discover, Question};
+use kahan_study::{Discover, Question, Systems};
 use maud::{Markup, html};
 
 use super::super::discover::{Discovery, discovery, evaluation};
 use super::super::line::Line;
-use super::figures::{Subject, command};
+use super::figures::{Field, Subject, command};
 use crate::printing::Refusal;
 use crate::reading::Block;
 use kahan_draw::document::{LINE, derived, display, readable, rows, statements};
@@ -24,7 +24,7 @@ const MOST_VARIABLES: usize = 8;
 
 /// Field, A, b, map and Jacobian, and the claims that come with the field.
 pub(super) fn formulas(subject: &Subject<'_>, block: &Block, system: &System) -> Markup {
-    let line = Line::new("show", subject.generic).with_flag("--latex");
+    let line = Line::new("show", &subject.generic.words).with_flag("--latex");
     html! {
         @if system.field.dimension() <= MOST_VARIABLES {
             (derived(system))
@@ -62,8 +62,8 @@ impl Search {
             seconds: subject.share(SHARE),
             ..Discover::default()
         };
-        let line = Line::asking(subject.generic, &Question::Discover(asked.clone()));
-        let found = discovery(subject.study, &asked);
+        let line = Line::asking(&subject.generic.words, &Question::Discover(asked.clone()));
+        let found = discovery(&subject.generic.study, &asked);
         let found = found.and_then(|discovery| Ok((discovery.0.readable()?, discovery)));
         Search { line, found }
     }
@@ -79,9 +79,8 @@ impl Search {
         }
     }
 
-    /// The field with the integrals that were found, at these values of its parameters, as the
-    /// words of a command; `None` where there are none, or too long ones for a line that one reads.
-    pub(super) fn with_integrals(&self, values: &[(String, Rational)]) -> Option<Vec<String>> {
+    /// The field with the integrals that were found, at these values of its parameters; `None` where there are none, or too long ones for a line that one reads.
+    pub(super) fn with_integrals(&self, values: &[(String, Rational)]) -> Option<Field> {
         /// Longer lines are no reading.
         const LONGEST: usize = 800;
 
@@ -99,7 +98,11 @@ impl Search {
         let words: Vec<&str> = body.split_whitespace().collect();
         let text = words.join(" ");
         let has_integrals = at_values.accessors(ClaimKind::Integral).next().is_some();
-        (has_integrals && text.len() <= LONGEST).then(|| vec!["--field".to_owned(), text])
+        if !has_integrals || text.len() > LONGEST {
+            return None;
+        }
+        let study = kahan_study::Subject::text(&text).study(&Systems).ok()?;
+        Some(Field { words: vec!["--field".to_owned(), text], study })
     }
 }
 

@@ -1,74 +1,93 @@
 //! First points of orbits: as they are given, in files, along a line, or drawn at random.
 
+use std::fmt;
+
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 
-use super::Subject;
 use crate::printing::Refusal;
-use crate::reading::{is_number_file, number, point, points};
+use crate::reading::{is_number_file, point, points};
 
-impl Subject<'_> {
-    /// The first points, in the order of `--at`.
-    pub(super) fn starts(&self) -> Result<Vec<Vec<Rational>>, Refusal> {
-        let mut random = SplitMix64::new(self.asked.seed);
-        let mut starts = Vec::new();
-        for at in &self.asked.at {
-            // The path of a file may have dots of its own.
-            let line = at.split_once("..").filter(|_| !is_number_file(at));
-            match (line, self.asked.starts) {
-                (Some((from, to)), Some(count)) => starts.extend(self.along(from, to, count)?),
-                (Some(_), None) => {
-                    return Err(Refusal::new(format!(
-                        "--at {at} is a line; say by --starts how many first points it has"
-                    )));
-                }
-                (None, Some(count)) => {
-                    for middle in points(at, self.variables())? {
-                        starts.extend(self.around(&middle, count, &mut random)?);
-                    }
-                }
-                (None, None) => starts.extend(points(at, self.variables())?),
-            }
+/// What an `--at` gives.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum At {
+    /// A point.
+    Point(Vec<Rational>),
+    /// The ends of a line.
+    Line(Vec<Rational>, Vec<Rational>),
+}
+
+/// How many first points each `--at` stands for, and where points around it lie.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Spread {
+    /// `None` for the point itself.
+    pub(crate) count: Option<usize>,
+    pub(crate) radius: Rational,
+    pub(crate) seed: u64,
+}
+
+impl Default for Spread {
+    fn default() -> Self {
+        Spread { count: None, radius: Rational::new(1, 10), seed: 1 }
+    }
+}
+
+impl At {
+    /// Reads one; a file has a point in each row.
+    pub(super) fn read(at: &str, spread: &Spread, variables: &[String]) -> Result<Vec<Self>, Refusal> {
+        // The path of a file may have dots of its own.
+        match at.split_once("..").filter(|_| !is_number_file(at)) {
+            Some(_) if spread.count.is_none() => Err(Refusal::new(format!(
+                "--at {at} is a line; say by --starts how many first points it has"
+            ))),
+            Some((from, to)) => Ok(vec![At::Line(point(from, variables)?, point(to, variables)?)]),
+            None => Ok(points(at, variables)?.into_iter().map(At::Point).collect()),
         }
-        Ok(starts)
     }
+}
 
-    pub(super) fn point(&self, at: &str) -> Result<Vec<Rational>, Refusal> {
-        point(at, self.variables())
+impl fmt::Display for At {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = |point: &[Rational]| point.iter().map(ToString::to_string).collect::<Vec<_>>().join(",");
+        match self {
+            At::Point(point) => f.write_str(&words(point)),
+            At::Line(from, to) => write!(f, "{}..{}", words(from), words(to)),
+        }
     }
+}
 
-    /// Evenly on the line between two points, both of them among these; one start is the first.
-    fn along(&self, from: &str, to: &str, count: usize) -> Result<Vec<Vec<Rational>>, Refusal> {
-        let (from, to) = (self.point(from)?, self.point(to)?);
-        let parts = Rational::from(count.saturating_sub(1).max(1) as i64);
-        let start = |i: usize| {
-            let part = Rational::from(i as i64).checked_div(&parts).expect("there is a part");
-            from.iter().zip(&to).map(|(a, b)| a + &(&part * &(b - a))).collect()
-        };
-        Ok((0..count).map(start).collect())
+impl Spread {
+    /// The first points that these stand for, in their order.
+    pub(super) fn starts(&self, at: &[At]) -> Vec<Vec<Rational>> {
+        let mut random = SplitMix64::new(self.seed);
+        let starts = at.iter().flat_map(|at| match (at, self.count) {
+            (At::Point(point), None) => vec![point.clone()],
+            (At::Point(middle), Some(count)) => self.around(middle, count, &mut random),
+            (At::Line(from, to), count) => along(from, to, count.unwrap_or(1)),
+        });
+        starts.collect()
     }
 
     /// At random in the cube around a point.
-    fn around(
-        &self,
-        middle: &[Rational],
-        count: usize,
-        random: &mut SplitMix64,
-    ) -> Result<Vec<Vec<Rational>>, Refusal> {
+    fn around(&self, middle: &[Rational], count: usize, random: &mut SplitMix64) -> Vec<Vec<Rational>> {
         /// Parts of the radius, so that the fractions stay short.
         const PARTS: i64 = 1 << 20;
 
-        let radius = number(&self.asked.radius, "--radius")?;
-        let part = radius.checked_div(&Rational::from(PARTS)).expect("there are parts");
+        let part = self.radius.checked_div(&Rational::from(PARTS)).expect("there are parts");
         let mut near = |value: &Rational| {
             let drawn = random.below(2 * PARTS as u64 + 1) as i64 - PARTS;
             value + &(&part * &Rational::from(drawn))
         };
-        Ok((0..count).map(|_| middle.iter().map(&mut near).collect()).collect())
+        (0..count).map(|_| middle.iter().map(&mut near).collect()).collect()
     }
 }
 
-/// Rounded for orbits of doubles.
-pub(super) fn rounded(start: &[Rational]) -> Vec<f64> {
-    start.iter().map(Rational::to_f64).collect()
+/// Evenly on the line between two points, both of them among these; one start is the first.
+fn along(from: &[Rational], to: &[Rational], count: usize) -> Vec<Vec<Rational>> {
+    let parts = Rational::from(count.saturating_sub(1).max(1) as i64);
+    let start = |i: usize| {
+        let part = Rational::from(i as i64).checked_div(&parts).expect("there is a part");
+        from.iter().zip(to).map(|(a, b)| a + &(&part * &(b - a))).collect()
+    };
+    (0..count).map(start).collect()
 }

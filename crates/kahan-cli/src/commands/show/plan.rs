@@ -1,7 +1,7 @@
 //! `kahan show --plan`: what each generated function costs, and the step in straight lines.
 
 use kahan_algebra::kahan::TERM_BUDGET;
-use kahan_algebra::plan::{Cost, LARGEST_SIZE, Node, Operation, Plan};
+use kahan_algebra::plan::{LARGEST_SIZE, Node, Operation, Plan};
 use kahan_algebra::poly::Variable;
 use kahan_study::{Costs, Listing, Planned};
 
@@ -19,14 +19,14 @@ pub(super) fn text(planned: &Planned) -> String {
     page.line("");
     let titles = COLUMNS.map(|(title, _)| title.to_owned());
     page.line(&row("object", &titles));
-    for Costs { object, cost } in &planned.objects {
-        let label = label(planned, object);
+    for costs in &planned.objects {
+        let label = label(planned, &costs.object);
         // A long name stands above its numbers.
         if label.chars().count() < NAMES {
-            page.line(&row(&label, &cells(*cost)));
+            page.line(&row(&label, &cells(costs)));
         } else {
             page.line(&label);
-            page.line(&row("", &cells(*cost)));
+            page.line(&row("", &cells(costs)));
         }
     }
     page.line("");
@@ -81,7 +81,7 @@ const GENERAL: &str = "This step is divided by the time step, which shortens the
     exact and wider numbers, the lanes of ensembles, Jacobians, and floats at any other eps.";
 
 /// A step in three parts.
-fn step_section(page: &mut Page, name: &str, Listing(step): &Listing) {
+fn step_section(page: &mut Page, name: &str, step: &Listing) {
     if step.constants.is_empty() {
         page.section(&format!("constants of the {name}"), vec!["none".to_owned()]);
     } else {
@@ -138,12 +138,11 @@ fn notes() -> Vec<String> {
     ]
 }
 
-fn cells(cost: Option<Cost>) -> [String; 6] {
-    let Some(cost) = cost else { return std::array::from_fn(|_| "-".to_owned()) };
-    let Cost { additions, multiplications, fused, divisions, critical_path } = cost;
-    let critical_path = usize::try_from(critical_path).expect("a count of cycles");
-    [additions, multiplications, fused, divisions, cost.operations(), critical_path]
-        .map(|count| count.to_string())
+fn cells(costs: &Costs) -> [String; 6] {
+    let Costs { additions, multiplications, multiply_adds, divisions, operations, chain_cycles, .. } = *costs;
+    let chain_cycles = chain_cycles.map(|cycles| cycles as usize);
+    [additions, multiplications, multiply_adds, divisions, operations, chain_cycles]
+        .map(|count| count.map_or_else(|| "-".to_owned(), |count| count.to_string()))
 }
 
 /// A row of the table, the numbers to the right.

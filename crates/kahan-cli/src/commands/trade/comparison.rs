@@ -1,22 +1,25 @@
 //! Settings compared on one scene: the choice, or why there is none.
 
 use kahan_core::Need;
-use kahan_study::trade::{Measured, Traded};
+use kahan_study::Study;
+use kahan_study::trade::{Measured, Trade, Traded};
+
+use crate::printing::{Prompt, Refusal};
 
 /// What was measured, and on what.
-pub(in super::super) struct Comparison(pub(super) Traded);
+pub(in super::super) struct Comparison(pub(in super::super) Traded);
 
 impl Comparison {
+    /// Measures.
+    pub(in super::super) fn of(study: &Study, asked: &Trade) -> Result<Self, Refusal> {
+        Ok(Comparison(asked.ask(study, &Prompt::of("settings"))?))
+    }
+
     pub(super) fn need_name(&self) -> &'static str {
         match self.0.scene.need() {
             Need::Trajectory => "trajectory",
             Need::Integrals => "integrals",
         }
-    }
-
-    pub(in super::super) fn title(&self) -> String {
-        let point: Vec<String> = self.0.start.iter().map(ToString::to_string).collect();
-        format!("{} from ({}) over {} units of time", self.0.system, point.join(", "), self.0.scene.horizon())
     }
 
     /// The setting that comes nearest to the tolerance.
@@ -31,11 +34,11 @@ impl Comparison {
         if self.0.settings.is_empty() {
             return Some(format!(
                 "nothing was measured on {}, there was no time for it; try more --seconds, or a shorter --horizon",
-                self.title()
+                self.0.title()
             ));
         }
         let wanted =
-            format!("no setting reaches the tolerance {:e} on {}", self.0.scene.tolerance(), self.title());
+            format!("no setting reaches the tolerance {:e} on {}", self.0.scene.tolerance(), self.0.title());
         let best = match self.most_accurate() {
             Some(best) if best.error().is_finite() => {
                 format!(

@@ -18,7 +18,12 @@ fn size(value: f64) -> String {
 impl Comparison {
     pub(super) fn text(&self) -> String {
         let mut lines = vec![
-            format!("{}: need {}, tolerance {:e}", self.title(), self.need_name(), self.0.scene.tolerance()),
+            format!(
+                "{}: need {}, tolerance {:e}",
+                self.0.title(),
+                self.need_name(),
+                self.0.scene.tolerance()
+            ),
             String::new(),
         ];
         lines.extend(table(&self.front(), 3));
@@ -40,17 +45,10 @@ impl Comparison {
             choice.setting.scheme(),
             choice.setting.eps(),
             price(choice),
-            self.error_name(),
+            self.0.error_name(),
             choice.error()
         );
         Some([words, self.0.rust.clone()?])
-    }
-
-    pub(super) fn error_name(&self) -> &'static str {
-        match self.0.scene.need() {
-            Need::Trajectory => "trajectory error",
-            Need::Integrals => "drift of integrals",
-        }
     }
 
     /// A row for each setting on the front, the cheapest first.

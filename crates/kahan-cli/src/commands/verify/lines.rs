@@ -1,9 +1,10 @@
 //! `kahan verify SYSTEM`: a line a claim, and what is wrong in full.
 
 use kahan_paper::Outcome;
+use kahan_study::{Verdict, Verdicts};
 
-use super::report::{Report, Row};
 use super::table::title;
+use super::totals;
 use crate::printing::layout::screen_width;
 use crate::printing::{columns, shorten, widths};
 
@@ -11,28 +12,28 @@ use crate::printing::{columns, shorten, widths};
 const LEAST_SEEN: usize = 12;
 
 /// The claims, the totals, and how to see more.
-pub(super) fn text(report: &Report<'_>) -> String {
-    let cells: Vec<Vec<String>> = report.rows.iter().map(cells).collect();
+pub(super) fn text(verdicts: &Verdicts) -> String {
+    let cells: Vec<Vec<String>> = verdicts.claims.iter().map(cells).collect();
     let mut widths = widths(&cells);
     let room = screen_width().saturating_sub(2 + widths.iter().map(|width| width + 2).sum::<usize>());
     widths.push(room);
-    let mut text = report.rows.first().map_or_else(Vec::new, |row| title(&row.system));
-    for (row, cells) in report.rows.iter().zip(&cells) {
+    let mut text = verdicts.claims.first().map_or_else(Vec::new, |row| title(&row.system));
+    for (row, cells) in verdicts.claims.iter().zip(&cells) {
         let about = if row.source.is_empty() { &row.statement } else { &row.source };
         let about = if room < LEAST_SEEN { String::new() } else { shorten(about, room) };
         text.push(format!("  {}", columns(&[cells.as_slice(), &[about]].concat(), &widths)));
-        if row.established.outcome == Outcome::Failed {
+        if row.outcome == Outcome::Failed {
             text.push(format!("    {}", row.statement));
-            text.push(format!("    {}", row.detail()));
+            text.push(format!("    {}", row.detail));
         }
     }
-    text.push(report.totals());
+    text.push(totals(verdicts));
     text.push("--all shows statements in full, with their sources and times".to_owned());
     text.join("\n") + "\n"
 }
 
-fn cells(row: &Row<'_>) -> Vec<String> {
-    let outcome = match row.established.outcome {
+fn cells(row: &Verdict) -> Vec<String> {
+    let outcome = match row.outcome {
         Outcome::Misprint => "misprint corrected".to_owned(),
         outcome => outcome.words(),
     };

@@ -3,19 +3,17 @@
 
 mod lines;
 mod mutate;
-mod report;
 mod summary;
 mod table;
 
-use std::time::Instant;
-
 use clap::Args;
-use kahan_algebra::render::claim_text;
-use kahan_paper::{Established, Paper, establish_block_claim};
+use kahan_paper::Outcome;
+use kahan_study::{Study, Verdict, Verdicts, Verified, Verify as Question};
+use serde_json::json;
 
+use super::line::{Asking, Line};
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{Block, Source};
-use report::{Form, Report, Row, in_one_line};
+use crate::reading::Source;
 
 /// Proves the formulas of the paper, or the claims of a field.
 ///
@@ -60,80 +58,80 @@ Examples:
   kahan verify --field 'xdot = y; ydot = -x; integral H = x^2 + y^2;'
   kahan verify --file field.txt --mutate";
 
-impl Verify {
-    /// One screen, a line a claim, the table, or one object; a complaint if a claim fails.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let start = Instant::now();
-        let source = self.of.clone().map_or_else(|| self.source.clone(), Source::of_system);
-        if let Some(block) = source.block_outside_the_paper()? {
-            if self.mutate {
-                // Of a claim that does not hold there is nothing to mutate: it is reported as in
-                // every other command.
-                let system = block.system()?;
-                let name = block.name(&system);
-                let system = source.specialised(system, &name)?;
-                return Ok(mutate::run_block(&name, &system, self.json));
-            }
-            let rows = verify_block(&block, &source)?;
-            let report = Report { rows, open: &[], elapsed: start.elapsed() };
-            return Ok(report.answer(self.form(Form::Lines)));
-        }
-        let paper = Paper::new();
-        let system = source.system_of_the_paper()?;
-        let claims: Vec<_> = paper
-            .claims()
-            .iter()
-            .filter(|claim| system.is_none_or(|system| claim.system == system))
-            .collect();
-        if self.mutate {
-            return Ok(mutate::run(&paper, &claims, self.json));
-        }
-        let progress = Prompt::new(claims.len() as u64, "claims");
-        let established = paper.establish_all(&claims, &|| progress.advance(1));
-        progress.finish();
-        let rows = claims.iter().zip(established).map(|(claim, established)| Row {
-            id: claim.id.to_string(),
-            system: claim.system.to_owned(),
-            source: claim.source(),
-            statement: in_one_line(&claim.statement),
-            claim: Some(claim),
-            established,
-        });
-        let (open, short) =
-            if system.is_none() { (kahan_paper::OPEN, Form::Summary) } else { (&[][..], Form::Lines) };
-        let report = Report { rows: rows.collect(), open, elapsed: start.elapsed() };
-        Ok(report.answer(self.form(short)))
+impl Asking for Verify {
+    const COMMAND: &str = "verify";
+    type Question = Question;
+
+    fn asked(&self) -> Result<(Study, Question), Refusal> {
+        Ok((self.source().study()?, Question { mutate: self.mutate }))
     }
 
-    /// What was asked for, or else the short form.
-    fn form(&self, short: Form) -> Form {
-        if self.json {
-            Form::Json
-        } else if self.all {
-            Form::Table
-        } else {
-            short
-        }
+    fn options(asked: &Question, line: Line) -> Line {
+        if asked.mutate { line.with_flag("--mutate") } else { line }
     }
 }
 
-/// The claims of a block that is not the catalog's, or is specialised.
-fn verify_block(block: &Block, source: &Source) -> Result<Vec<Row<'static>>, Refusal> {
-    let system = block.unproved_system()?;
-    let name = block.name(&system);
-    let system = source.specialised(system, &name)?;
-    let rows = system.claims.iter().map(|claim| {
-        let start = Instant::now();
-        let (outcome, detail) = establish_block_claim(&system, claim, block.seed());
-        let place = block.entry.and_then(|entry| entry.source(&claim.name.text)).unwrap_or_default();
-        Row {
-            id: format!("{name}.{}", claim.name.text),
-            system: name.clone(),
-            source: place.to_owned(),
-            statement: in_one_line(&claim_text(&system, claim)),
-            claim: None,
-            established: Established { outcome, detail, elapsed: start.elapsed() },
-        }
-    });
-    Ok(rows.collect())
+impl Verify {
+    fn source(&self) -> Source {
+        self.of.clone().map_or_else(|| self.source.clone(), Source::of_system)
+    }
+
+    /// One screen, a line a claim, the table, or one object; a complaint if a claim fails.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let source = self.source();
+        let prompt = Prompt::of("claims");
+        let (asked, is_all) = (Question { mutate: self.mutate }, source == Source::default());
+        let verified = if is_all {
+            asked.of_paper(None, &prompt)
+        } else if source == Source::of_system("general".to_owned()) {
+            asked.of_paper(Some("general"), &prompt)
+        } else {
+            asked.ask(&source.study()?, &prompt)?
+        };
+        let answer = match &verified {
+            _ if self.json => Answer::json(&json!(verified)),
+            Verified::Mutations(mutations) => Answer::text(mutate::text(mutations)),
+            Verified::Claims(verdicts) if verdicts.claims.is_empty() => {
+                Answer::text(format!("{NO_CLAIMS}\n"))
+            }
+            Verified::Claims(verdicts) if self.all => Answer::text(table::text(verdicts)),
+            Verified::Claims(verdicts) if is_all => Answer::text(summary::text(verdicts)),
+            Verified::Claims(verdicts) => Answer::text(lines::text(verdicts)),
+        };
+        let complaint = match &verified {
+            Verified::Mutations(mutations) => mutate::complaint(mutations),
+            Verified::Claims(verdicts) => complaint(verdicts),
+        };
+        Ok(Answer { complaint, ..answer })
+    }
+}
+
+/// What there is to say of a block without claims.
+const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;` or `bracket NAME { … }`";
+
+/// How many claims came out how, in one line without its end.
+fn totals(verdicts: &Verdicts) -> String {
+    let outcomes = || verdicts.claims.iter().map(|verdict| verdict.outcome);
+    let count = |keep: fn(Outcome) -> bool| outcomes().filter(|outcome| keep(*outcome)).count();
+    let kinds = [
+        (count(|o| o == Outcome::Proved), "proved over Q"),
+        (count(|o| o == Outcome::ProvedModP), "proved mod p"),
+        (count(|o| matches!(o, Outcome::Exact(_))), "exact at points"),
+        (count(|o| matches!(o, Outcome::Numerical(_))), "numerical"),
+        (count(|o| o == Outcome::Misprint), "misprinted"),
+    ];
+    let found = kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}, "));
+    let claims = if verdicts.claims.len() == 1 { "claim" } else { "claims" };
+    format!("{} {claims}: {}{} failed", verdicts.claims.len(), found.collect::<String>(), verdicts.failed)
+}
+
+/// The claims that do not hold.
+fn failed(verdicts: &Verdicts) -> impl Iterator<Item = &Verdict> {
+    verdicts.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed)
+}
+
+fn complaint(verdicts: &Verdicts) -> Option<String> {
+    let names: Vec<&str> = failed(verdicts).map(|verdict| verdict.id.as_str()).collect();
+    let (failed, claims) = (verdicts.failed, verdicts.claims.len());
+    (failed > 0).then(|| format!("{failed} of {claims} claims failed: {}", names.join(", ")))
 }

@@ -2,8 +2,9 @@
 
 use kahan_algebra::render::lines;
 use kahan_paper::{Claim, Outcome, Section};
+use kahan_study::{Verdict, Verdicts};
 
-use super::report::{Report, Row};
+use super::failed;
 use crate::printing::layout::page_width;
 use crate::printing::{columns, shorten, widths};
 
@@ -19,12 +20,16 @@ kahan verify SYSTEM     the claims about one system, a line each
 kahan atlas --out DIR   the same as a page with formulas and figures";
 
 /// A line a section, what failed or else the misprints, and how to see more.
-pub(super) fn text(report: &Report<'_>) -> String {
-    let mut text = sections(report);
+pub(super) fn text(verdicts: &Verdicts) -> String {
+    let mut text = sections(verdicts);
     text.push(String::new());
     let more: Vec<String> = MORE.lines().map(str::to_owned).collect();
     let room = MOST_LINES - text.len() - more.len() - 1;
-    text.extend(if report.failed().next().is_some() { failures(report, room) } else { misprints(report) });
+    text.extend(if failed(verdicts).next().is_some() {
+        failures(verdicts, room)
+    } else {
+        misprints(verdicts)
+    });
     text.push(String::new());
     [text, more].concat().join("\n") + "\n"
 }
@@ -42,11 +47,11 @@ fn column(outcome: Outcome) -> usize {
 }
 
 /// The counts by section and outcome; nobody misses a column of failures where there are none.
-fn sections(report: &Report<'_>) -> Vec<String> {
+fn sections(verdicts: &Verdicts) -> Vec<String> {
     let count = |keep: &dyn Fn(&Claim) -> bool| {
         let mut counts = [0; OUTCOMES.len()];
-        for row in report.rows.iter().filter(|row| row.claim.is_some_and(keep)) {
-            counts[column(row.established.outcome)] += 1;
+        for row in verdicts.claims.iter().filter(|row| row.claim.as_ref().is_some_and(keep)) {
+            counts[column(row.outcome)] += 1;
         }
         counts
     };
@@ -65,18 +70,18 @@ fn sections(report: &Report<'_>) -> Vec<String> {
         Section::ALL
             .map(|section| row(section.place(), section.subject(), count(&|claim| claim.section == section))),
     );
-    rows.push(row("All", &format!("{} claims", report.rows.len()), total));
+    rows.push(row("All", &format!("{} claims", verdicts.claims.len()), total));
     let widths = widths(&rows);
     rows.iter().map(|row| columns(row, &widths)).collect()
 }
 
 /// What failed, in full as far as there is room for it.
-fn failures(report: &Report<'_>, room: usize) -> Vec<String> {
+fn failures(verdicts: &Verdicts, room: usize) -> Vec<String> {
     let width = page_width();
     let mut text = vec!["What failed".to_owned()];
-    let failed: Vec<&Row<'_>> = report.failed().collect();
+    let failed: Vec<&Verdict> = failed(verdicts).collect();
     for (index, row) in failed.iter().enumerate() {
-        let said = [format!("{}: {}", row.source, row.statement), row.detail()];
+        let said = [format!("{}: {}", row.source, row.statement), row.detail.clone()];
         let said = said.iter().flat_map(|line| lines(line, width - 2)).map(|line| format!("  {line}"));
         let full: Vec<String> = std::iter::once(row.id.clone()).chain(said).collect();
         // One line is kept for how many there are besides.
@@ -90,9 +95,9 @@ fn failures(report: &Report<'_>, room: usize) -> Vec<String> {
 }
 
 /// The misprints by their numbers, a line each: what is printed and what is right.
-fn misprints(report: &Report<'_>) -> Vec<String> {
-    let corrected = report.rows.iter().filter(|row| row.established.outcome == Outcome::Misprint);
-    let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim).collect();
+fn misprints(verdicts: &Verdicts) -> Vec<String> {
+    let corrected = verdicts.claims.iter().filter(|row| row.outcome == Outcome::Misprint);
+    let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim.as_ref()).collect();
     corrected.sort_by_key(|claim| claim.erratum);
     let rows: Vec<Vec<String>> = corrected
         .iter()
@@ -142,28 +147,25 @@ fn is_relation(word: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::time::Duration;
+    use kahan_paper::{Claim, Outcome, Paper};
+    use kahan_study::{Verdict, Verdicts};
 
-    use kahan_paper::{Claim, Established, Outcome, Paper};
-
-    use super::super::report::{Report, Row};
     use super::{MOST_LINES, replaced, text};
 
     /// The screen when the claims of the paper come out so.
     fn screen(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
-        let rows = paper.claims().iter().map(|claim| Row {
+        let claims = paper.claims().iter().map(|claim| Verdict {
             id: claim.id.to_string(),
             system: claim.system.to_owned(),
             source: claim.source(),
             statement: claim.statement.clone(),
-            claim: Some(claim),
-            established: Established {
-                outcome: outcome(claim),
-                detail: "given".to_owned(),
-                elapsed: Duration::ZERO,
-            },
+            outcome: outcome(claim),
+            detail: "given".to_owned(),
+            seconds: None,
+            claim: Some(claim.clone()),
         });
-        let screen = text(&Report { rows: rows.collect(), open: &[], elapsed: Duration::ZERO });
+        let failed = paper.claims().iter().filter(|claim| outcome(claim) == Outcome::Failed).count();
+        let screen = text(&Verdicts { claims: claims.collect(), failed, open: Vec::new(), seconds: None });
         assert!(screen.lines().count() <= MOST_LINES, "{screen}");
         assert!(screen.lines().all(|line| line.chars().count() <= 100), "{screen}");
         screen

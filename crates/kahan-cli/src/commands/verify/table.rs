@@ -2,9 +2,10 @@
 
 use kahan_algebra::render::lines;
 use kahan_paper::Outcome;
+use kahan_study::{Open, Verdict, Verdicts};
 use kahan_systems::registry::find;
 
-use super::report::{Report, Row};
+use super::totals;
 use crate::printing::layout::screen_width;
 use crate::printing::{columns, widths};
 
@@ -12,12 +13,13 @@ use crate::printing::{columns, widths};
 const INDENT: usize = 2;
 
 /// The claims by system, what the paper leaves open, the totals.
-pub(super) fn text(report: &Report<'_>) -> String {
-    let seconds = report.elapsed.as_secs_f64();
-    format!("{}\n{}{}; {seconds:.2} s\n", claims(&report.rows), open_problems(report.open), report.totals())
+pub(super) fn text(verdicts: &Verdicts) -> String {
+    let (claims, open) = (claims(&verdicts.claims), open_problems(&verdicts.open));
+    let (totals, seconds) = (totals(verdicts), verdicts.seconds.unwrap_or_default());
+    format!("{claims}\n{open}{totals}; {seconds:.2} s\n")
 }
 
-fn claims(rows: &[Row<'_>]) -> String {
+fn claims(rows: &[Verdict]) -> String {
     let cells: Vec<Vec<String>> = rows.iter().map(cells).collect();
     let widths = widths(&cells);
     let room = screen_width().saturating_sub(INDENT);
@@ -37,27 +39,27 @@ fn claims(rows: &[Row<'_>]) -> String {
             text.push_str(&format!("{:INDENT$}  {}\n", "", columns(&cells[1..], &widths[1..])));
         }
         text.push_str(&format!("    {}\n", statement_and_source(row)));
-        if matches!(row.established.outcome, Outcome::Failed | Outcome::Misprint) {
-            text.push_str(&format!("    {}\n", row.detail()));
+        if matches!(row.outcome, Outcome::Failed | Outcome::Misprint) {
+            text.push_str(&format!("    {}\n", row.detail));
         }
     }
     text
 }
 
-fn cells(row: &Row<'_>) -> Vec<String> {
-    vec![row.id.clone(), row.established.outcome.words(), format!("{:>7.1} ms", row.milliseconds())]
+fn cells(row: &Verdict) -> Vec<String> {
+    vec![row.id.clone(), row.outcome.words(), format!("{:>7.1} ms", 1000.0 * row.seconds.unwrap_or_default())]
 }
 
-fn statement_and_source(row: &Row<'_>) -> String {
-    let Row { statement, source, .. } = row;
+fn statement_and_source(row: &Verdict) -> String {
+    let Verdict { statement, source, .. } = row;
     if source.is_empty() { statement.clone() } else { format!("{statement}    // {source}") }
 }
 
-fn open_problems(open: &[(&str, &str)]) -> String {
+fn open_problems(open: &[Open]) -> String {
     if open.is_empty() {
         return String::new();
     }
-    let lines = open.iter().map(|(title, why)| format!("  {title}: {why}\n"));
+    let lines = open.iter().map(|Open { statement, detail }| format!("  {statement}: {detail}\n"));
     format!("Left open by the paper\n{}\n", lines.collect::<String>())
 }
 

@@ -5,7 +5,7 @@ use kahan_algebra::derived::{Derived, StepListing};
 use kahan_algebra::plan::{Cost, StepPlan};
 use kahan_algebra::system::System;
 use kahan_discover::Watch;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 use super::super::seconds_since;
 
@@ -29,18 +29,39 @@ pub struct Planned {
     pub derived: Derived,
 }
 
-/// A generated function and its operations.
-#[derive(Clone, Debug)]
+/// A generated function and its operations; `None` where it eliminates in a loop.
+#[derive(Clone, Debug, Serialize)]
 pub struct Costs {
     /// What it computes.
     pub object: String,
-    /// What that costs; `None` where it eliminates in a loop.
-    pub cost: Option<Cost>,
+    /// Additions, subtractions and negations.
+    pub additions: Option<usize>,
+    /// Multiplications.
+    pub multiplications: Option<usize>,
+    /// Multiply-adds: one operation where the target has them, else two.
+    pub multiply_adds: Option<usize>,
+    /// Divisions.
+    pub divisions: Option<usize>,
+    /// All operations of a target without multiply-adds.
+    pub operations: Option<usize>,
+    /// Cycles from the inputs to the last result, if nothing else hinders.
+    pub chain_cycles: Option<u32>,
 }
 
-/// A step in three parts: constants, kernel, next state.
-#[derive(Clone, Debug)]
-pub struct Listing(pub StepListing);
+/// A step in straight lines.
+#[derive(Clone, Debug, Serialize)]
+pub struct Listing {
+    /// What ε and the parameters fix, computed once.
+    pub constants: Vec<String>,
+    /// From a state to the numerators and reciprocals.
+    pub kernel: Vec<String>,
+    /// For each component the name of its reciprocal; `None` where it does not divide.
+    pub reciprocals: Vec<Option<String>>,
+    /// x̃ from x, a line a component.
+    pub next: Vec<String>,
+    /// The size |εf′| of a step up to which its error is near that of elimination.
+    pub holds_to: u32,
+}
 
 impl Planned {
     /// Derives the map and plans the code of a system.
@@ -50,13 +71,27 @@ impl Planned {
         let derived = derive(system);
         let derive_ms = milliseconds(begun);
         let begun = watch.now();
-        let listing = |step: &StepPlan| Listing(StepListing::of(step, &system.field.symbols));
+        let listing = |step: &StepPlan| {
+            let StepListing { constants, kernel, reciprocals, next, holds_to } =
+                StepListing::of(step, &system.field.symbols);
+            Listing { constants, kernel, reciprocals, next, holds_to }
+        };
         let step = derived.step().map(listing);
         let plan_ms = milliseconds(begun);
         let inverse = derived.step().filter(|step| step.has_inverse_step);
         let general_step = inverse.map(|step| listing(step.for_any_step()));
-        let objects = derived.functions().into_iter();
-        let objects = objects.map(|(object, plan)| Costs { object, cost: plan.map(|plan| plan.cost()) });
+        let objects = derived.functions().into_iter().map(|(object, plan)| {
+            let cost: Option<Cost> = plan.map(|plan| plan.cost());
+            Costs {
+                object,
+                additions: cost.map(|cost| cost.additions),
+                multiplications: cost.map(|cost| cost.multiplications),
+                multiply_adds: cost.map(|cost| cost.fused),
+                divisions: cost.map(|cost| cost.divisions),
+                operations: cost.map(|cost| cost.operations()),
+                chain_cycles: cost.map(|cost| cost.critical_path),
+            }
+        });
         Planned {
             system: name.to_owned(),
             objects: objects.collect(),
@@ -66,46 +101,5 @@ impl Planned {
             plan_ms,
             derived,
         }
-    }
-}
-
-impl Serialize for Costs {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Object<'a> {
-            object: &'a str,
-            additions: Option<usize>,
-            multiplications: Option<usize>,
-            multiply_adds: Option<usize>,
-            divisions: Option<usize>,
-            operations: Option<usize>,
-            chain_cycles: Option<u32>,
-        }
-        let cost = self.cost;
-        let object = Object {
-            object: &self.object,
-            additions: cost.map(|cost| cost.additions),
-            multiplications: cost.map(|cost| cost.multiplications),
-            multiply_adds: cost.map(|cost| cost.fused),
-            divisions: cost.map(|cost| cost.divisions),
-            operations: cost.map(|cost| cost.operations()),
-            chain_cycles: cost.map(|cost| cost.critical_path),
-        };
-        object.serialize(serializer)
-    }
-}
-
-impl Serialize for Listing {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Object<'a> {
-            constants: &'a [String],
-            kernel: &'a [String],
-            reciprocals: &'a [Option<String>],
-            next: &'a [String],
-            holds_to: u32,
-        }
-        let StepListing { constants, kernel, reciprocals, next, holds_to } = &self.0;
-        Object { constants, kernel, reciprocals, next, holds_to: *holds_to }.serialize(serializer)
     }
 }

@@ -1,0 +1,353 @@
+//! A picture as a value: of which orbits, what of them, for how long, and how it looks.
+//!
+//! In: a [`Shown`], from arguments or from a page, and a field. Out: what is asked, and the answers
+//! drawn by `kahan-draw`. How a picture is asked for in words, `super` knows.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use kahan_algebra::rational::Rational;
+use kahan_draw::picture::{self, Coordinate, Look, Picture, Trace};
+use kahan_runtime::heights::Stop;
+use kahan_study::{Axis, Diagram, Heights, Plane, Progress, Section, Study, Watch};
+
+use super::super::look::{SheetOptions, usual};
+use super::starts::{At, Spread};
+use crate::printing::{Prompt, Refusal};
+
+/// What a picture shows, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Shown {
+    pub(crate) what: What,
+    /// `None` where it is gone through.
+    pub(crate) eps: Option<Rational>,
+    pub(crate) at: Vec<At>,
+    pub(crate) spread: Spread,
+    /// Steps of each orbit.
+    pub(crate) steps: u64,
+    /// The names of what the axes show, variables or t; as usual where there is none.
+    pub(crate) axes: Vec<String>,
+    /// Where axes begin and end, by their names.
+    pub(crate) windows: Vec<(String, [Rational; 2])>,
+    pub(crate) lines: bool,
+    /// The time that it may take.
+    pub(crate) seconds: f64,
+    pub(crate) look: SheetOptions,
+    /// The file.
+    pub(crate) out: PathBuf,
+}
+
+/// The kinds of pictures.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum What {
+    /// Orbits in the plane or in space.
+    Portrait,
+    /// Where orbits cross the section on which a formula vanishes.
+    Section(String),
+    /// What orbits tend to, over a parameter or eps, after so many steps.
+    Over(Axis, u64),
+    /// How the heights of an exact orbit grow.
+    Heights,
+}
+
+/// A picture, and what there is to say of it.
+pub(crate) struct Drawn {
+    pub(crate) picture: Picture,
+    pub(crate) notes: Vec<String>,
+}
+
+/// The most points of a picture.
+const MOST_POINTS: u64 = 10_000_000;
+/// The most points that lines join.
+const MOST_JOINED: u64 = 100_000;
+
+/// The prompt, for work on several orbits within one time.
+struct Pace {
+    prompt: Prompt,
+    end: Instant,
+    /// Steps of the orbits before this one.
+    before: AtomicU64,
+}
+
+impl Pace {
+    fn new(steps: u64, seconds: f64) -> Self {
+        // A time beyond all clocks is no bound, and a century is none either.
+        let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
+        let end = Instant::now() + allowed;
+        Pace { prompt: Prompt::new(steps, "steps"), end, before: AtomicU64::new(0) }
+    }
+
+    fn is_over(&self) -> bool {
+        Instant::now() >= self.end
+    }
+
+    /// An orbit of so many steps is done.
+    fn done(&self, steps: u64) {
+        self.before.fetch_add(steps, Ordering::Relaxed);
+    }
+}
+
+impl Watch for Pace {
+    fn now(&self) -> Option<Duration> {
+        self.prompt.now()
+    }
+
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        let done = self.before.load(Ordering::Relaxed) + progress.done;
+        if self.is_over() {
+            return ControlFlow::Break(());
+        }
+        self.prompt.look(&Progress { done, ..*progress })
+    }
+}
+
+impl Shown {
+    /// Orbits from these points, as usual.
+    pub(crate) fn portrait(eps: Rational, at: Vec<At>, steps: u64) -> Self {
+        Shown {
+            what: What::Portrait,
+            eps: Some(eps),
+            at,
+            spread: Spread::default(),
+            steps,
+            axes: Vec::new(),
+            windows: Vec::new(),
+            lines: false,
+            seconds: 60.0,
+            look: SheetOptions::default(),
+            out: PathBuf::from("portrait.svg"),
+        }
+    }
+
+    /// An orbit diagram.
+    pub(crate) fn of_diagram(asked: &Diagram) -> Self {
+        let Diagram { eps, at, over, variable, transient, steps } = asked.clone();
+        let what = What::Over(over, transient);
+        let at = vec![At::Point(at)];
+        let portrait = Shown::portrait(Rational::zero(), at, steps);
+        let (axes, out) = (variable.into_iter().collect(), PathBuf::from("diagram.svg"));
+        Shown { what, eps, axes, out, ..portrait }
+    }
+
+    /// Draws it.
+    pub(crate) fn drawn(&self, study: &Study) -> Result<Drawn, Refusal> {
+        let windows = self.windows.iter();
+        let windows = windows.map(|(name, ends)| (name.clone(), ends.each_ref().map(Rational::to_f64)));
+        let look = Look { sheet: self.look.sheet(usual()), windows: windows.collect(), lines: self.lines };
+        match &self.what {
+            What::Portrait => self.orbits(study, None, &look),
+            What::Section(plane) => self.orbits(study, Some(plane), &look),
+            What::Over(axis, transient) => self.over(study, axis, *transient, &look),
+            What::Heights => self.heights(study, &look),
+        }
+    }
+
+    fn eps(&self) -> Result<Rational, Refusal> {
+        let eps = self.eps.clone();
+        eps.ok_or_else(|| Refusal::new("which eps? give half the time step, as in --eps 1/10"))
+    }
+
+    /// What the axes show: of a portrait the first three variables, of a section the first two
+    /// without the last that its formula names, of an orbit diagram the first.
+    fn axes(&self, study: &Study) -> Result<Vec<Coordinate>, Refusal> {
+        let variables = study.variables().len();
+        let named = self.axes.len();
+        Ok(match &self.what {
+            What::Heights => Vec::new(),
+            What::Over(..) if named == 0 => vec![Coordinate::Variable(0)],
+            What::Over(..) if named > 1 => {
+                return Err(Refusal::new(
+                    "--axes: an orbit diagram has one variable upwards, as in --axes x",
+                ));
+            }
+            What::Over(..) => match axis(&self.axes[0], study)? {
+                Coordinate::Time => {
+                    return Err(Refusal::new("--axes: an orbit diagram shows a variable, and t is none"));
+                }
+                variable => vec![variable],
+            },
+            What::Section(plane) if named == 0 && variables > 2 => {
+                let plane = Plane::of(study.system(), &study.values()?, &self.eps()?, plane)?;
+                let others = (0..variables).filter(|k| Some(*k) != plane.last_variable());
+                others.take(2).map(Coordinate::Variable).collect()
+            }
+            _ if named == 0 && variables == 1 => vec![Coordinate::Time, Coordinate::Variable(0)],
+            _ if named == 0 => (0..variables.min(3)).map(Coordinate::Variable).collect(),
+            _ if matches!(named, 2 | 3) => {
+                self.axes.iter().map(|name| axis(name, study)).collect::<Result<_, _>>()?
+            }
+            _ => {
+                return Err(Refusal::new(format!(
+                    "--axes: a portrait has two axes or three, as in --axes x,y, and {named} given"
+                )));
+            }
+        })
+    }
+
+    /// The names of the axes.
+    pub(super) fn names(&self, study: &Study) -> Result<Vec<String>, Refusal> {
+        let axes = self.axes(study)?.into_iter().map(|axis| axis.name(study.variables()).to_owned());
+        Ok(match &self.what {
+            What::Over(axis, _) => [axis.name.clone()].into_iter().chain(axes).collect(),
+            _ => axes.collect(),
+        })
+    }
+
+    /// Refuses more points than a picture holds.
+    fn check_points(&self, orbits: usize) -> Result<(), Refusal> {
+        let points = (orbits as u64).saturating_mul(self.steps.saturating_add(1));
+        let (most, way_out) =
+            if self.lines { (MOST_JOINED, "leave --lines out") } else { (MOST_POINTS, "draw fewer orbits") };
+        if points <= most {
+            return Ok(());
+        }
+        Err(Refusal::new(format!(
+            "--steps: {orbits} orbits of {} steps are more than the {most} points that a picture holds; take fewer steps, or {way_out}",
+            self.steps
+        )))
+    }
+
+    /// Orbits, or where they cross a section.
+    fn orbits(&self, study: &Study, plane: Option<&str>, look: &Look) -> Result<Drawn, Refusal> {
+        let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
+        self.check_points(starts.len())?;
+        let pace = Pace::new((starts.len() as u64).saturating_mul(self.steps), self.seconds);
+        let (mut traces, mut ended) = (Vec::new(), 0);
+        for at in starts.iter().cloned() {
+            // The first orbit is asked for in any case, as it may be refused.
+            if pace.is_over() && !traces.is_empty() {
+                break;
+            }
+            let (trace, is_complete) = match plane {
+                None => {
+                    let mut trace = Trace::new(&axes);
+                    let is_complete = follow(study, &eps, &at, self.steps, &mut trace, &pace)?;
+                    (trace, is_complete)
+                }
+                Some(plane) => {
+                    let asked = Section::new(eps.clone(), at, self.steps, plane);
+                    let found = Section { points: usize::MAX, ..asked }.ask(study, &pace)?;
+                    (Trace::of_section(&axes, &found), found.steps == self.steps)
+                }
+            };
+            ended += usize::from(!is_complete);
+            traces.push(trace);
+            pace.done(self.steps);
+        }
+        let is_cut = pace.is_over() && (traces.len() < starts.len() || ended > 0);
+        let seen = plane.map_or("Orbits".to_owned(), |plane| format!("The section {plane} = 0 of orbits"));
+        let against = self.names(study)?.join(" and ");
+        let described = format!("{seen} of {} at eps = {eps}, {against} against each other", study.name());
+        let picture = picture::portrait(described, study.variables(), traces, look);
+        Ok(Drawn { picture, notes: notes(starts.len(), ended, is_cut) })
+    }
+
+    /// What orbits tend to.
+    fn over(&self, study: &Study, axis: &Axis, transient: u64, look: &Look) -> Result<Drawn, Refusal> {
+        let (starts, values) = (self.spread.starts(&self.at), axis.range.count());
+        self.check_points(starts.len() * values)?;
+        let each = transient.saturating_add(self.steps).saturating_mul(values as u64);
+        let pace = Pace::new(each.saturating_mul(starts.len() as u64), self.seconds);
+        let variable = self.names(study)?.pop();
+        let (mut found, mut is_cut) = (Vec::new(), false);
+        for at in starts.iter().cloned() {
+            if pace.is_over() && !found.is_empty() {
+                is_cut = true;
+                break;
+            }
+            let asked = Diagram::new(self.eps.clone(), at, axis.clone(), self.steps);
+            let diagram = Diagram { transient, variable: variable.clone(), ..asked }.ask(study, &pace)?;
+            is_cut |= diagram.stopped;
+            found.push(diagram);
+            pace.done(each);
+        }
+        let ended = found.iter().map(|found| found.ended).sum();
+        let picture = picture::diagram(&found, &axis.range, transient, look);
+        Ok(Drawn { picture, notes: notes(starts.len() * values, ended, is_cut) })
+    }
+
+    /// How heights grow.
+    fn heights(&self, study: &Study, look: &Look) -> Result<Drawn, Refusal> {
+        let (eps, starts) = (self.eps()?, self.spread.starts(&self.at));
+        let [at] = &starts[..] else {
+            return Err(Refusal::new("--kind heights follows one orbit; give one --at"));
+        };
+        let asked = Heights::new(eps.clone(), at.clone(), self.steps);
+        let prompt = Prompt::new(self.steps, "steps");
+        let found = Heights { seconds: self.seconds, ..asked }.ask(study, &prompt)?;
+        prompt.finish();
+        let mut notes = vec![format!("growth is {}", found.survey.growth)];
+        notes.extend(found.survey.stopped.map(|stop| {
+            let why = match stop {
+                Stop::Pole => "the map has a pole there",
+                Stop::Digits => "the next point would have more than a million digits",
+                Stop::Seconds => "time ran out",
+            };
+            format!("the orbit ends after {} of {} steps: {why}", found.steps(), self.steps)
+        }));
+        Ok(Drawn { picture: picture::heights(&found, &eps, look), notes })
+    }
+}
+
+/// The variable of this name, or the time where no variable is called t.
+fn axis(name: &str, study: &Study) -> Result<Coordinate, Refusal> {
+    match study.variables().iter().position(|known| known == name) {
+        Some(index) => Ok(Coordinate::Variable(index)),
+        None if name == "t" => Ok(Coordinate::Time),
+        None => Err(Refusal::new(format!(
+            "--axes: `{name}` is no variable of {}: it has {}; t is the time",
+            study.name(),
+            study.variables().join(", ")
+        ))),
+    }
+}
+
+/// What to say of orbits that end early, or that there was no time for.
+fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
+    let mut notes = Vec::new();
+    if is_cut {
+        notes.push(
+            "time ran out, and the picture shows what there was; a larger --seconds goes further".to_owned(),
+        );
+    } else if ended > 0 {
+        notes.push(format!("{ended} of {orbits} orbits end early, at a pole or beyond the range of doubles"));
+    }
+    notes
+}
+
+/// Takes the points of an orbit; whether it goes as far as was asked.
+fn follow(
+    study: &Study,
+    eps: &Rational,
+    at: &[Rational],
+    steps: u64,
+    trace: &mut Trace,
+    pace: &Pace,
+) -> Result<bool, Refusal> {
+    use kahan_core::observe::Visit;
+    use kahan_runtime::Follow;
+    use kahan_study::{Rows, Values};
+    let values = study.values()?;
+    let field = kahan_runtime::Field::of(study.system());
+    let map = field
+        .with(field.parameters().iter().zip(&values))
+        .map_err(|_| Refusal::new("the field divides by zero"))?;
+    let at_eps = map.at(eps.to_f64());
+    let mut x: Vec<f64> = at.iter().map(Rational::to_f64).collect();
+    let dt = 2.0 * eps.to_f64();
+    let done = std::cell::Cell::new(0);
+    let tell = |steps| {
+        done.set(done.get() + steps);
+        pace.look(&Progress { what: "steps", done: done.get(), of: Some(0) })
+    };
+    let visit = Visit::by(|n, x: &[f64]| {
+        let t = [n as f64 * dt];
+        let mut all = vec![Values::F64(&t), Values::F64(&t)];
+        all.extend(x.iter().map(|x| Values::F64(std::slice::from_ref(x))));
+        let _ = trace.block(&[], &all);
+    });
+    let followed = at_eps.observe(&mut x, steps, visit, tell).expect("fits");
+    Ok(followed.ended == kahan_runtime::Ended::Complete)
+}

@@ -1,0 +1,31 @@
+//! How the heights of an exact orbit grow.
+
+use kahan_algebra::rational::Rational;
+use kahan_runtime::heights::Growth;
+use kahan_study::HeightsFound;
+
+use super::{COLOURS, Look, Picture};
+use crate::plot::{Mark, Plot, Series};
+
+/// The heights of each variable, so that growth like a power of n is a straight line; where growth
+/// is exponential, that is. The orbit is one at this ε.
+#[must_use]
+pub fn heights(found: &HeightsFound, eps: &Rational, look: &Look) -> Picture {
+    let survey = &found.survey;
+    let is_exponential = survey.growth == Growth::Exponential;
+    let mark = if survey.heights.len() < 30 { Mark::Both } else { Mark::Line };
+    let series = |(index, name): (usize, &String)| {
+        let heights = survey.component(index).into_iter().enumerate().skip(1);
+        let across = |n: usize| if is_exponential { n as f64 } else { (n as f64).ln() };
+        let points = heights.map(|(n, h)| (across(n), h.ln()));
+        // A height of 0 has no logarithm.
+        let points = points.filter(|point| point.1.is_finite()).collect();
+        Series::new(name, index % COLOURS + 1, mark, points)
+    };
+    let series = found.variables.iter().enumerate().map(series).collect();
+    let description =
+        format!("Logarithms of the heights of {} at eps = {eps}: growth is {}", found.system, survey.growth);
+    let across = if is_exponential { "n" } else { "log n" };
+    let plot = Plot::around(&description, [across, "log of the height h"], series);
+    Picture { outside: 0, ..Picture::of(&Plot { sheet: look.sheet, ..plot }) }
+}

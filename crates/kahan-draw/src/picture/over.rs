@@ -1,0 +1,55 @@
+//! What depends on a parameter or on ε: orbit diagrams, and branches of cycles.
+
+use kahan_algebra::rational::Rational;
+use kahan_core::periodic::Stability;
+use kahan_study::{CycleFound, DiagramFound, Range};
+
+use super::{COLOURS, Look, Picture};
+use crate::plot::{Mark, NumberLine, Plot, Series};
+
+/// Orbit diagrams of the same field over the same range, each from a first point of its own, after
+/// so many steps.
+///
+/// # Panics
+/// Without a diagram.
+#[must_use]
+pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &Look) -> Picture {
+    let DiagramFound { system, axis, variable, .. } = &diagrams[0];
+    let points = |found: &DiagramFound| -> Vec<(f64, f64)> {
+        let values = found.values.iter().map(Rational::to_f64).zip(&found.points);
+        values.flat_map(|(value, points)| points.iter().map(move |point| (value, *point))).collect()
+    };
+    let label = if axis == "eps" { "ε, half the time step, in units of time" } else { axis };
+    let ends = range.ends();
+    let [from, to] = &ends;
+    let shown = diagrams.iter().flat_map(|found| &found.points).flatten();
+    let x = look.windowed(axis, NumberLine::around(label, ends.iter().map(Rational::to_f64)));
+    let y = look.windowed(variable, NumberLine::around_most(variable, shown.clone().copied()));
+    let mark = if shown.count() > 2000 { Mark::Fine } else { Mark::Points };
+    let series = diagrams.iter().enumerate();
+    let series = series.map(|(index, found)| Series::new("", index % COLOURS + 1, mark, points(found)));
+    let description =
+        format!("{variable} of {system} over {axis} from {from} to {to}, after {transient} steps");
+    let series = series.collect();
+    Picture::of(&Plot { description, sheet: look.sheet, x, y, levels: Vec::new(), series })
+}
+
+/// The first variable of each point of a cycle over what changes along its branch: stable cycles
+/// and others apart.
+#[must_use]
+pub fn branch(found: &CycleFound, look: &Look) -> Picture {
+    let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));
+    let points = |is_wanted: &dyn Fn(Stability) -> bool| -> Vec<(f64, f64)> {
+        let points = branch.into_iter().flat_map(|branch| &branch.points);
+        let shown = points.filter(|point| is_wanted(point.cycle.stability()));
+        shown.flat_map(|point| point.cycle.points.iter().map(|x| (point.parameter, x[0]))).collect()
+    };
+    let is_stable = |stability| matches!(stability, Stability::Attracting | Stability::Neutral);
+    let series = vec![
+        Series::new("attracting or neutral", 1, Mark::Dots, points(&is_stable)),
+        Series::new("repelling or saddle", 2, Mark::Dots, points(&|stability| !is_stable(stability))),
+    ];
+    let description = format!("Cycles of {} over {name}", found.system);
+    let plot = Plot::around(&description, [name, &found.variables[0]], series);
+    Picture::of(&Plot { sheet: look.sheet, ..plot })
+}

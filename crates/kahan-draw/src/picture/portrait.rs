@@ -1,0 +1,178 @@
+//! Orbits in the plane or in space: all their points, or those of a section.
+
+use std::collections::HashSet;
+use std::ops::ControlFlow;
+
+use kahan_study::{Column, Rows, SectionFound, Values};
+
+use super::{COLOURS, Look, Picture};
+use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
+
+/// What an axis shows of a point of an orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coordinate {
+    /// The time 2εn.
+    Time,
+    /// A variable, by its index.
+    Variable(usize),
+}
+
+/// The points of an orbit, as two or three axes show them; it takes the rows of an orbit in doubles
+/// and keeps no more of them than that.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    axes: Vec<Coordinate>,
+    /// For each axis its coordinate of each point.
+    columns: Vec<Vec<f64>>,
+}
+
+/// What is seen of an orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Visits {
+    /// How many points it has in the picture.
+    pub points: usize,
+    /// At how many places these are that can be told apart.
+    pub places: usize,
+}
+
+impl Coordinate {
+    /// Its name, of a field with these variables.
+    #[must_use]
+    pub fn name(self, variables: &[String]) -> &str {
+        match self {
+            Coordinate::Time => "t",
+            Coordinate::Variable(index) => &variables[index],
+        }
+    }
+
+    /// An axis for these numbers.
+    fn axis(self, variables: &[String], values: impl Iterator<Item = f64>, look: &Look) -> NumberLine {
+        let name = self.name(variables);
+        look.windowed(
+            name,
+            match self {
+                Coordinate::Time => NumberLine::around("t, in units of time", values),
+                Coordinate::Variable(_) => NumberLine::around_most(name, values),
+            },
+        )
+    }
+}
+
+impl Trace {
+    /// Of no point yet.
+    ///
+    /// # Panics
+    /// With other than two or three axes.
+    #[must_use]
+    pub fn new(axes: &[Coordinate]) -> Self {
+        assert!(matches!(axes.len(), 2 | 3), "a portrait has two axes or three");
+        Trace { axes: axes.to_vec(), columns: vec![Vec::new(); axes.len()] }
+    }
+
+    /// Where an orbit crosses a section.
+    ///
+    /// # Panics
+    /// With other than two or three axes.
+    #[must_use]
+    pub fn of_section(axes: &[Coordinate], found: &SectionFound) -> Self {
+        let mut trace = Trace::new(axes);
+        for (axis, column) in axes.iter().zip(&mut trace.columns) {
+            column.extend(found.crossings.iter().map(|crossing| match axis {
+                Coordinate::Time => crossing.time,
+                Coordinate::Variable(index) => crossing.point[*index],
+            }));
+        }
+        trace
+    }
+
+    /// How many points there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.columns[0].len()
+    }
+
+    /// How often it is seen, and at how many places that can be told apart in a picture.
+    fn visits(&self, axes: &[NumberLine]) -> Visits {
+        /// Parts of an axis, about as wide as a small dot.
+        const PARTS: f64 = 200.0;
+
+        let is_shown = |row: &usize| axes.iter().zip(&self.columns).all(|(axis, of)| axis.shows(of[*row]));
+        let cell = |row: usize| -> [i64; 3] {
+            let place = |(axis, of): (&NumberLine, &Vec<f64>)| axis.place(of[row], 0.0, PARTS).round() as i64;
+            let mut places = axes.iter().zip(&self.columns).map(place);
+            std::array::from_fn(|_| places.next().unwrap_or_default())
+        };
+        let cells: HashSet<[i64; 3]> = (0..self.count()).filter(is_shown).map(cell).collect();
+        Visits { points: self.count(), places: cells.len() }
+    }
+}
+
+impl Rows for Trace {
+    /// Takes rows of n, t, the variables, and whatever follows.
+    fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        for (axis, column) in self.axes.iter().zip(&mut self.columns) {
+            let index = match axis {
+                Coordinate::Time => 1,
+                Coordinate::Variable(index) => 2 + index,
+            };
+            let Values::F64(values) = values[index] else { panic!("a picture shows doubles") };
+            column.extend_from_slice(values);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Orbits of a field with these variables, their coordinates against each other. The description
+/// says what is seen.
+///
+/// # Panics
+/// Without an orbit.
+#[must_use]
+pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, look: &Look) -> Picture {
+    let axis = |(i, coordinate): (usize, &Coordinate)| {
+        let values = orbits.iter().flat_map(|orbit| &orbit.columns[i]).copied();
+        coordinate.axis(variables, values, look)
+    };
+    let axes: Vec<NumberLine> = orbits[0].axes.iter().enumerate().map(axis).collect();
+    let visits: Vec<Visits> = orbits.iter().map(|orbit| orbit.visits(&axes)).collect();
+    let marks = marks(&visits, look);
+    let marked = orbits.into_iter().zip(marks).enumerate();
+    let marked = marked.map(|(index, (orbit, mark))| (index % COLOURS + 1, mark, orbit.columns));
+    let sheet = look.sheet;
+    let picture = match <[NumberLine; 3]>::try_from(axes) {
+        Ok(axes) => {
+            let clouds = marked.map(|(colour, mark, columns)| {
+                let points = (0..columns[0].len()).map(|i| std::array::from_fn(|axis| columns[axis][i]));
+                Cloud { colour, mark, points: points.collect() }
+            });
+            let space = Space { description, sheet, axes, clouds: clouds.collect() };
+            let points = visits.iter().map(|visits| visits.points).sum();
+            Picture { drawing: space.drawing(), points, outside: space.outside(), visits: Vec::new() }
+        }
+        Err(axes) => {
+            let series = marked.map(|(colour, mark, columns)| {
+                let points = columns[0].iter().copied().zip(columns[1].iter().copied());
+                Series::new("", colour, mark, points.collect())
+            });
+            let [x, y] = [&axes[0], &axes[1]].map(NumberLine::clone);
+            Picture::of(&Plot { description, sheet, x, y, levels: Vec::new(), series: series.collect() })
+        }
+    };
+    Picture { visits, ..picture }
+}
+
+/// Marks by how many points there are, without those of orbits that always come back to the same
+/// few places: these are drawn by dots that can be seen.
+fn marks(visits: &[Visits], look: &Look) -> Vec<Mark> {
+    const FEW: usize = 24;
+
+    let others = visits.iter().filter(|visits| visits.places > FEW);
+    let points: usize = others.map(|visits| visits.points).sum();
+    let mark = |visits: &Visits| match if visits.places <= FEW { 0 } else { points } {
+        _ if look.lines => Mark::Line,
+        0..=400 => Mark::Dots,
+        401..=20_000 => Mark::Points,
+        _ => Mark::Fine,
+    };
+    visits.iter().map(mark).collect()
+}

@@ -1,0 +1,107 @@
+//! Quotients of big integers that text is made of quickly, and ℚ over them as an arithmetic that
+//! takes no gcd.
+
+use core::fmt;
+
+use dashu_int::IBig;
+use dashu_int::ops::Gcd;
+use kahan_algebra::arithmetic::Arithmetic;
+use kahan_algebra::rational::Rational;
+
+use crate::heights::{denominator, numerator, rational};
+
+/// A quotient of integers, not necessarily in lowest terms; the divisor is not zero.
+///
+/// In lowest terms, as [`ExactOrbit`](crate::orbit::ExactOrbit) hands it on, it is printed as
+/// `p/q` or `p`, in a time that hardly grows faster than the number of digits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fraction {
+    above: IBig,
+    below: IBig,
+}
+
+impl Fraction {
+    /// This times above/below, not reduced.
+    pub(crate) fn times_quotient(&self, above: &IBig, below: &IBig) -> Self {
+        Fraction { above: &self.above * above, below: &self.below * below }
+    }
+
+    /// Whether two are one number, by two products.
+    pub(crate) fn equals(&self, other: &Fraction) -> bool {
+        &self.above * &other.below == &self.below * &other.above
+    }
+
+    /// In lowest terms, the denominator positive.
+    pub(crate) fn reduced(self) -> Fraction {
+        let common = IBig::from((&self.above).gcd(&self.below));
+        let common = if self.below < IBig::ZERO { -common } else { common };
+        Fraction { above: self.above / &common, below: self.below / &common }
+    }
+}
+
+/// `p/q` or `p`
+impl fmt::Display for Fraction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.above.fmt(f)?;
+        if self.below == IBig::ONE { Ok(()) } else { write!(f, "/{}", self.below) }
+    }
+}
+
+/// In lowest terms.
+impl From<&Rational> for Fraction {
+    fn from(value: &Rational) -> Self {
+        Fraction { above: numerator(value), below: denominator(value).into() }
+    }
+}
+
+impl From<&Fraction> for Rational {
+    fn from(value: &Fraction) -> Self {
+        rational(&value.above, &value.below)
+    }
+}
+
+/// ℚ without a gcd: values are [`Fraction`]s, and equal denominators are recognised, because all
+/// coordinates of a projective point have the same.
+pub(crate) struct Fractions;
+
+impl Arithmetic for Fractions {
+    type Value = Fraction;
+
+    fn constant(&self, value: &Rational) -> Option<Fraction> {
+        Some(Fraction::from(value))
+    }
+
+    fn add(&self, a: &Fraction, b: &Fraction) -> Fraction {
+        if a.below == b.below {
+            return Fraction { above: &a.above + &b.above, below: a.below.clone() };
+        }
+        Fraction { above: &a.above * &b.below + &b.above * &a.below, below: &a.below * &b.below }
+    }
+
+    fn subtract(&self, a: &Fraction, b: &Fraction) -> Fraction {
+        self.add(a, &self.negate(b))
+    }
+
+    fn multiply(&self, a: &Fraction, b: &Fraction) -> Fraction {
+        Fraction { above: &a.above * &b.above, below: &a.below * &b.below }
+    }
+
+    fn negate(&self, a: &Fraction) -> Fraction {
+        Fraction { above: -&a.above, below: a.below.clone() }
+    }
+
+    fn divide(&self, a: &Fraction, b: &Fraction) -> Option<Fraction> {
+        if self.is_zero(b) {
+            return None;
+        }
+        // x/W over y/W is x/y.
+        if a.below == b.below {
+            return Some(Fraction { above: a.above.clone(), below: b.above.clone() });
+        }
+        Some(Fraction { above: &a.above * &b.below, below: &a.below * &b.above })
+    }
+
+    fn is_zero(&self, a: &Fraction) -> bool {
+        a.above.is_zero()
+    }
+}

@@ -1,0 +1,103 @@
+//! Exact orbits: projective integers from point to point, fractions only where a point is looked
+//! at.
+//!
+//! An integral has one value along the whole orbit. That it has it at a point is checked by
+//! multiplication (N q = D p for N/D the integral there, p/q at the first point), which is far
+//! cheaper than to reduce N/D again; only where that fails is it reduced.
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbol;
+
+use crate::dimension::Argument;
+use crate::fraction::Fractions;
+use crate::heights::{HeightsOrbit, ProjectiveMap};
+use crate::{DimensionError, Fraction, Map};
+
+/// An orbit in exact numbers that is at some point; begun by [`Map::exact_orbit`].
+#[derive(Clone, Debug)]
+pub struct ExactOrbit {
+    map: Map,
+    eps: Rational,
+    orbit: HeightsOrbit,
+    /// The integrals at the first point.
+    first: Vec<Option<Fraction>>,
+}
+
+impl Map {
+    /// The orbit in exact numbers with ε, half the time step, from a first point. The values of the
+    /// parameters are put into the reduced map.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if the point has not an entry a variable.
+    pub fn exact_orbit(&self, eps: &Rational, start: &[Rational]) -> Result<ExactOrbit, DimensionError> {
+        DimensionError::check(Argument::State, start.len(), self.field().variables().len())?;
+        let (system, parameters) = (self.field().system(), self.parameters());
+        let map = match &self.field().derived().map {
+            map @ Some(_) => ProjectiveMap::of(system, map.as_ref(), parameters, eps),
+            // In many variables what is derived has none.
+            None => ProjectiveMap::new(system, parameters, eps),
+        };
+        let map = map.expect("a map is at parameters where its field is defined");
+        let mut orbit = HeightsOrbit::begin(map, start);
+        // The first item is the first point itself.
+        orbit.next();
+        let mut exact = ExactOrbit { map: self.clone(), eps: eps.clone(), orbit, first: Vec::new() };
+        let first = exact.integrals(&exact.state());
+        exact.first = first.into_iter().map(|value| value.map(Fraction::reduced)).collect();
+        Ok(exact)
+    }
+}
+
+impl ExactOrbit {
+    /// One point on; `false` where there is none, because det A = 0.
+    ///
+    /// Cost: products and gcds of numbers as long as the coordinates.
+    pub fn advance(&mut self) -> bool {
+        self.orbit.next().is_some()
+    }
+
+    /// The coordinates of the point, and the integrals that are claimed without `when`, `None` for
+    /// one that divides by zero there; all in lowest terms.
+    ///
+    /// Cost: a gcd and two divisions a coordinate, and some products an integral.
+    #[must_use]
+    pub fn values(&self) -> (Vec<Fraction>, Vec<Option<Fraction>>) {
+        let state = self.state();
+        let integrals = self.integrals(&state).into_iter().zip(&self.first).map(|(value, first)| {
+            let value = value?;
+            let conserved = first.as_ref().filter(|first| value.equals(first));
+            Some(conserved.cloned().unwrap_or_else(|| value.reduced()))
+        });
+        let integrals = integrals.collect();
+        (state.into_iter().map(Fraction::reduced).collect(), integrals)
+    }
+
+    /// The map.
+    #[must_use]
+    pub fn map(&self) -> &Map {
+        &self.map
+    }
+
+    /// The coordinates of the point.
+    #[must_use]
+    pub fn point(&self) -> Vec<Rational> {
+        self.orbit.point()
+    }
+
+    /// σX/W, not reduced.
+    fn state(&self) -> Vec<Fraction> {
+        let unit = Fraction::from(self.orbit.projective_map().unit());
+        let (weight, x) = self.orbit.projective_point().split_last().expect("W stands last");
+        x.iter().map(|x| unit.times_quotient(x, weight)).collect()
+    }
+
+    fn integrals(&self, state: &[Fraction]) -> Vec<Option<Fraction>> {
+        let derived = self.map.field().derived();
+        let symbols = &derived.system.field.symbols;
+        derived.integrals.evaluate(&Fractions, |variable| match symbols.symbol(variable) {
+            Symbol::State(i) | Symbol::SecondState(i) => state[i].clone(),
+            Symbol::Parameter(k) => Fraction::from(&self.map.parameters()[k]),
+            Symbol::Epsilon => Fraction::from(&self.eps),
+        })
+    }
+}

@@ -1,0 +1,40 @@
+//! Work on several threads, as its watch sees it.
+
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+use kahan_discover::{Progress, Watch};
+
+/// What is done, counted from all threads.
+pub(crate) struct Count<'a> {
+    what: &'static str,
+    of: u64,
+    watch: &'a dyn Watch,
+    done: AtomicU64,
+    is_stopped: AtomicBool,
+}
+
+impl<'a> Count<'a> {
+    /// So many of these are to be done.
+    pub(crate) fn new(what: &'static str, of: u64, watch: &'a dyn Watch) -> Self {
+        Count { what, of, watch, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
+    }
+
+    /// So many more are done.
+    pub(crate) fn add(&self, more: u64) {
+        let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
+        let progress = Progress { what: self.what, done, of: Some(self.of) };
+        if !self.is_stopped() && self.watch.look(&progress).is_break() {
+            self.is_stopped.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Whether the watch ended the work.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.is_stopped.load(Ordering::Relaxed)
+    }
+
+    /// How many threads the work may use.
+    pub(crate) fn threads(&self) -> usize {
+        self.watch.threads()
+    }
+}

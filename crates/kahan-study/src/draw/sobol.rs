@@ -1,0 +1,95 @@
+//! Sobol's sequence by the numbers of Joe and Kuo, in the order of the Gray code.
+
+/// Bits of a number, and with them the length of the sequence: 2³².
+const BITS: usize = 32;
+
+/// How many dimensions there are numbers for.
+const DIMENSIONS: usize = 512;
+
+/// For each dimension from the second on: the polynomial, and the first numbers m.
+const NUMBERS: &str = include_str!("joe_kuo.txt");
+
+/// One dimension of the sequence.
+#[derive(Clone, Debug)]
+pub(crate) struct Sobol {
+    directions: [u32; BITS],
+}
+
+impl Sobol {
+    /// The dimension with this index; why not, beyond [`DIMENSIONS`].
+    pub(crate) fn dimension(index: usize) -> Result<Self, String> {
+        let mut m = [1u32; BITS];
+        if index > 0 {
+            let line = NUMBERS.lines().filter(|line| !line.starts_with('#')).nth(index - 1);
+            let line = line.ok_or_else(|| {
+                format!("Sobol points have at most {DIMENSIONS} dimensions; draw it with \"uniform\"")
+            })?;
+            let mut numbers = line.split(' ').filter_map(|number| number.parse::<u32>().ok());
+            let polynomial = numbers.next().expect("a line has numbers");
+            let degree = polynomial.ilog2() as usize;
+            for (m, first) in m.iter_mut().zip(numbers) {
+                *m = first;
+            }
+            // mᵢ is the sum modulo 2 of 2ᵏ aₖ mᵢ₋ₖ over the coefficients aₖ, and of m of the degree
+            // before.
+            for i in degree..BITS {
+                m[i] = m[i - degree];
+                for k in 1..=degree {
+                    if polynomial >> (degree - k) & 1 == 1 {
+                        m[i] ^= m[i - k] << k;
+                    }
+                }
+            }
+        }
+        Ok(Self { directions: std::array::from_fn(|i| m[i] << (BITS - 1 - i)) })
+    }
+
+    /// The number of this index, below 2³².
+    pub(crate) fn at(&self, index: u64) -> f64 {
+        let gray = index ^ (index >> 1);
+        let chosen = self.directions.iter().enumerate().filter(|(bit, _)| gray >> bit & 1 == 1);
+        let sum = chosen.fold(0, |sum, (_, direction)| sum ^ direction);
+        f64::from(sum) / (1u64 << BITS) as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_are_those_of_the_literature() {
+        // The first eight points of five dimensions, as the unscrambled sequence of SciPy gives
+        // them.
+        let expected: [[f64; 5]; 8] = [
+            [0.0, 0.0, 0.0, 0.0, 0.0],
+            [0.5, 0.5, 0.5, 0.5, 0.5],
+            [0.75, 0.25, 0.25, 0.25, 0.75],
+            [0.25, 0.75, 0.75, 0.75, 0.25],
+            [0.375, 0.375, 0.625, 0.875, 0.375],
+            [0.875, 0.875, 0.125, 0.375, 0.875],
+            [0.625, 0.125, 0.875, 0.625, 0.625],
+            [0.125, 0.625, 0.375, 0.125, 0.125],
+        ];
+        for (index, point) in expected.iter().enumerate() {
+            for (dimension, value) in point.iter().enumerate() {
+                assert_eq!(
+                    Sobol::dimension(dimension).unwrap().at(index as u64),
+                    *value,
+                    "{index} {dimension}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn each_dimension_takes_every_dyadic_cell_once() {
+        for dimension in [0, 1, 2, 17, 100, DIMENSIONS - 1] {
+            let sobol = Sobol::dimension(dimension).unwrap();
+            let mut cells: Vec<u32> = (0..1024).map(|index| (sobol.at(index) * 1024.0) as u32).collect();
+            cells.sort_unstable();
+            assert!(cells.into_iter().eq(0..1024), "{dimension}");
+        }
+        assert!(Sobol::dimension(DIMENSIONS).is_err());
+    }
+}

@@ -1,0 +1,206 @@
+//! What an orbit does: exponents, indicators of chaos, rotation, drift, escape.
+//!
+//! In: a first point, and what is to be observed. Out: what was seen, in that order. Nothing of the
+//! orbit is stored; where rotation is asked for it is followed twice, once for the middles of its
+//! extremes.
+
+mod observable;
+mod running;
+
+use std::cell::Cell;
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_core::Composition;
+use kahan_discover::{Progress, Watch};
+use kahan_runtime::{Ended, Followed};
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Map, Value, json};
+
+use crate::error::StudyError;
+use crate::numbers::exact;
+use crate::study::Study;
+
+pub use observable::{Observable, Seen};
+pub(super) use running::{FITTING, abreast, alone};
+
+/// Asks what the orbit of a point does, in doubles.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Observe {
+    /// ε, half the time step.
+    #[serde(with = "exact")]
+    pub eps: Rational,
+    /// The first point, a coordinate for each variable.
+    #[serde(with = "exact")]
+    pub at: Vec<Rational>,
+    /// The number of steps.
+    pub steps: u64,
+    /// The order of the method: 2 is Kahan's map; 4, 6 and 8 compose steps of it.
+    #[serde(default = "usual_order")]
+    pub order: u32,
+    /// Steps between two times that tangent vectors are made orthogonal.
+    #[serde(default = "usual_every")]
+    pub every: u64,
+    /// The size of a variable beyond which the orbit has escaped.
+    #[serde(default = "usual_escape")]
+    pub escape: f64,
+    /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
+    #[serde(default = "usual")]
+    pub of: Vec<Observable>,
+}
+
+fn usual_order() -> u32 {
+    2
+}
+
+fn usual_every() -> u64 {
+    10
+}
+
+fn usual_escape() -> f64 {
+    1e6
+}
+
+fn usual() -> Vec<Observable> {
+    Observe::USUAL.to_vec()
+}
+
+/// What was observed; exponents are per unit of time, of which a step takes 2ε.
+#[derive(Clone, Debug)]
+pub struct Observed {
+    /// The name of the system.
+    pub system: String,
+    /// The state variables.
+    pub variables: Vec<String>,
+    /// The integrals that are claimed without `when`.
+    pub integrals: Vec<String>,
+    /// The steps that were made: fewer than asked where numbers leave their range, or the watch
+    /// stopped the run.
+    pub steps: u64,
+    /// Whether numbers left the range of doubles.
+    pub left_range: bool,
+    /// What was seen of all that was asked for, in that order.
+    pub seen: Vec<(Observable, Seen)>,
+}
+
+impl Observe {
+    /// What is observed unless told: all but the last point and the largest exponent alone.
+    pub const USUAL: [Observable; 9] = [
+        Observable::Spectrum,
+        Observable::LogDet,
+        Observable::Fli,
+        Observable::Megno,
+        Observable::Sali,
+        Observable::Rotation,
+        Observable::Drift,
+        Observable::Extrema,
+        Observable::Escape,
+    ];
+
+    /// Kahan's map, tangent vectors made orthogonal every ten steps, escape beyond a million, and
+    /// of that all that is usual.
+    #[must_use]
+    pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
+        let (order, every, escape) = (usual_order(), usual_every(), usual_escape());
+        Observe { eps, at, steps, order, every, escape, of: usual() }
+    }
+
+    /// Follows the orbit of a system whose claims hold. Costs a run of the orbit with the tangent
+    /// vectors that the exponents and indicators need, and for rotation another one.
+    ///
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of
+    /// doubles, an order that there is not, a field that is not defined at its parameters.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Observed, StudyError> {
+        let system = study.proved()?;
+        let (at, start) = study.in_floats(&self.at, &self.eps)?;
+        let at = at.composed(self.composition()?);
+        let runs = if self.of.contains(&Observable::Rotation) { 2 } else { 1 };
+        let done = Cell::new(0);
+        let Followed { report, steps, ended } = alone(&at, &start, self, |steps| {
+            done.set(done.get() + steps);
+            watch.look(&Progress { what: "steps", done: done.get(), of: Some(runs * self.steps) })
+        });
+        let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
+        Ok(Observed {
+            system: study.name().to_owned(),
+            variables: study.variables().to_vec(),
+            integrals: integrals.collect(),
+            steps,
+            left_range: ended == Ended::Range,
+            seen: self.observables().zip(report).collect(),
+        })
+    }
+
+    /// What is observed, each once.
+    pub fn observables(&self) -> impl Iterator<Item = Observable> {
+        let is_first = |(place, one): &(usize, &Observable)| !self.of[..*place].contains(one);
+        self.of.iter().enumerate().filter(is_first).map(|(_, one)| *one)
+    }
+
+    /// The method of its order, if all else can be observed, too.
+    pub(super) fn composition(&self) -> Result<Composition, StudyError> {
+        if self.every == 0 {
+            return Err(StudyError::NotPositive { what: "every", value: Rational::zero() });
+        }
+        Composition::of_order(self.order).ok_or(StudyError::Order(self.order))
+    }
+}
+
+impl Observed {
+    /// What was seen of one of the things that were asked for.
+    #[must_use]
+    pub fn of(&self, observable: Observable) -> Option<&Seen> {
+        self.seen.iter().find(|(own, _)| *own == observable).map(|(_, seen)| seen)
+    }
+}
+
+impl Seen {
+    /// With a value for each variable or integral by name.
+    fn json(&self, variables: &[String], integrals: &[String]) -> Value {
+        fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
+            names.iter().cloned().zip(values.iter().map(value)).collect::<Map<_, _>>().into()
+        }
+        match self {
+            Self::Point(point) => named(variables, point, |value| json!(value)),
+            Self::Drift(drifts) => {
+                named(integrals, drifts, |drift| json!({"max": drift.max, "final": drift.last}))
+            }
+            Self::Extrema(extrema) => {
+                named(variables, extrema, |of| json!(of.map(|of| [of.least, of.greatest])))
+            }
+            Self::Exponent(one) => json!({"value": one.value, "error": one.error}),
+            Self::Spectrum(all) => json!(all.iter().map(|one| one.value).collect::<Vec<_>>()),
+            Self::Number(number) => json!(number),
+            Self::Turns(turns) => {
+                named(variables, turns, |turns| json!({"value": turns.value, "error": turns.error}))
+            }
+            Self::Step(step) => json!(step),
+        }
+    }
+}
+
+impl Serialize for Observed {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_map(None)?;
+        object.serialize_entry("system", &self.system)?;
+        object.serialize_entry("steps", &self.steps)?;
+        for (observable, seen) in &self.seen {
+            let name = match observable {
+                Observable::Lyapunov => "largest_lyapunov",
+                Observable::Spectrum => "lyapunov",
+                Observable::LogDet => "mean_log_det",
+                Observable::Escape => "escaped",
+                other => other.name(),
+            };
+            object.serialize_entry(name, &seen.json(&self.variables, &self.integrals))?;
+            if let Seen::Spectrum(all) = seen {
+                let errors: Vec<f64> = all.iter().map(|one| one.error).collect();
+                object.serialize_entry("lyapunov_errors", &errors)?;
+            }
+        }
+        object.end()
+    }
+}

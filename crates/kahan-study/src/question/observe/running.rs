@@ -1,0 +1,228 @@
+//! The observers of what is asked, and the orbits that they see.
+//!
+//! In: a map, or one an orbit, first points, and what is asked of each orbit. Out: what was seen, in
+//! that order. An orbit has the same numbers alone and beside others.
+
+use std::ops::ControlFlow;
+
+use kahan_core::Step;
+use kahan_core::observe::{
+    Burst, Escape, Extrema, Extremes, Fli, GROUP, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers,
+    Sali, Spectrum,
+};
+use kahan_runtime::{Ended, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
+
+use super::Observe;
+use super::observable::{Observable, Seen};
+
+/// Why calls of a map are not refused.
+pub(in crate::question) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
+
+/// The extremes of each variable, and of each rate of change.
+type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
+/// A number of a point.
+type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
+/// A condition on a point.
+type Condition<T> = Box<dyn Fn(&[T]) -> bool>;
+
+macro_rules! observers {
+    ($at:ident, $asked:ident, $middles:ident: $($name:ident($type:ty) = $new:expr, $one:ident => $seen:expr;)*) => {
+        /// An observer of one thing; `M` sees what the rotation turns about.
+        enum Running<'a, T: MachineFloat, M> {
+            $($name($type),)*
+        }
+
+        fn running<'a, T: MachineFloat + PartialOrd>(
+            observable: Observable,
+            $at: &'a MapAt<T>,
+            $asked: &Observe,
+        ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>> {
+            match observable {
+                $(Observable::$name => Running::$name($new),)*
+            }
+        }
+
+        impl<T, M> Running<'_, T, M>
+        where
+            T: MachineFloat + PartialOrd,
+            M: Observer<T, Report = Middles<T>>,
+        {
+            fn observe(&mut self, step: u64, x: &[T]) {
+                match self {
+                    $(Running::$name(one) => one.observe(step, x),)*
+                }
+            }
+
+            /// The observers at one place of all orbits, which are of one variant.
+            fn observe_burst<P: Grouped<T>>(mut own: [Option<&mut Self>; GROUP], burst: &Burst<'_, P>) {
+                match &own[0] {
+                    $(Some(Running::$name(_)) => {
+                        let mut own = own.each_mut().map(|running| match running {
+                            Some(Running::$name(one)) => Some(one),
+                            _ => None,
+                        });
+                        Observer::observe_burst(&mut own, burst);
+                    })*
+                    None => {}
+                }
+            }
+
+            fn report(self, $middles: &mut Option<Middles<T>>) -> Seen {
+                match self {
+                    $(Running::$name($one) => $seen,)*
+                }
+            }
+        }
+    };
+}
+
+observers! {
+    at, asked, middles:
+    Last(Last<T>) = Last(Vec::new()), one => Seen::Point(one.report().iter().map(T::approximate).collect());
+    Drift(IntegralDrift<'a, T>) = IntegralDrift::of(at), one => Seen::Drift(one.report());
+    Extrema(Vec<Extrema<Quantity<T>, T>>) =
+        (0..at.dimension()).map(|k| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>)).collect(),
+        one => Seen::Extrema(one.report().into_iter().map(|of| of.map(in_doubles)).collect());
+    Lyapunov(Lyapunov<&'a MapAt<T>>) = Lyapunov::new(at), one => Seen::Exponent(one.report());
+    Spectrum(Spectrum<&'a MapAt<T>>) = Spectrum::new(at, at.dimension(), asked.every),
+        one => Seen::Spectrum(one.report());
+    LogDet(MeanLogDet<&'a MapAt<T>>) = MeanLogDet::new(at), one => Seen::Number(one.report());
+    Fli(Fli<&'a MapAt<T>>) = Fli::new(at), one => Seen::Number(one.report());
+    Megno(Megno<&'a MapAt<T>>) = Megno::new(at), one => Seen::Number(one.report().mean);
+    Sali(Sali<&'a MapAt<T>>) = Sali::new(at), one => Seen::Number(one.report());
+    Rotation(M) = at.extremes(), one => {
+        *middles = Some(one.report());
+        // The second run finds them.
+        Seen::Turns(Vec::new())
+    };
+    Escape(Escape<Condition<T>>) = {
+        let size = asked.escape;
+        let is_beyond = move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size);
+        Escape::when(Box::new(is_beyond) as Condition<T>)
+    }, one => Seen::Step(Observer::<T>::report(one));
+}
+
+fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {
+    Extremes { least: of.least.approximate(), greatest: of.greatest.approximate() }
+}
+
+/// The last point.
+struct Last<T>(Vec<T>);
+
+impl<T: MachineFloat> Observer<T> for Last<T> {
+    type Report = Vec<T>;
+
+    const MAY_END: bool = false;
+
+    fn observe(&mut self, _: u64, x: &[T]) {
+        self.0.clear();
+        self.0.extend_from_slice(x);
+    }
+
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
+        let Some((step, points)) = burst.steps().last() else { return };
+        for (lane, last) in group.iter_mut().flatten().enumerate() {
+            last.observe(step, points.of(lane).as_ref());
+        }
+    }
+
+    fn report(self) -> Vec<T> {
+        self.0
+    }
+}
+
+/// All that is asked of an orbit. Its report is what was seen, and what a second run turns about.
+struct All<'a, T: MachineFloat, M>(Vec<Running<'a, T, M>>);
+
+fn all<'a, T: MachineFloat + PartialOrd>(
+    at: &'a MapAt<T>,
+    asked: &Observe,
+) -> All<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>> {
+    All(asked.observables().map(|observable| running(observable, at, asked)).collect())
+}
+
+impl<T, M> Observer<T> for All<'_, T, M>
+where
+    T: MachineFloat + PartialOrd,
+    M: Observer<T, Report = Middles<T>>,
+{
+    type Report = (Vec<Seen>, Option<Middles<T>>);
+
+    const MAY_END: bool = false;
+
+    fn observe(&mut self, step: u64, x: &[T]) {
+        self.0.iter_mut().for_each(|running| running.observe(step, x));
+    }
+
+    /// Each observable of all orbits at once, so that their tangent vectors and integrals go side
+    /// by side.
+    fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
+        for place in 0..group[0].as_ref().map_or(0, |all| all.0.len()) {
+            let own = group.each_mut().map(|all| Some(&mut all.as_mut()?.0[place]));
+            Running::observe_burst(own, burst);
+        }
+    }
+
+    fn report(self) -> Self::Report {
+        let mut middles = None;
+        let seen = self.0.into_iter().map(|running| running.report(&mut middles)).collect();
+        (seen, middles)
+    }
+}
+
+/// What is seen of the orbit of `start`, which goes as far as its points are finite; a second run
+/// counts turns, where they are asked for. `tell` hears of steps, and may stop the orbit.
+pub(in crate::question) fn alone<T: MachineFloat + PartialOrd>(
+    at: &MapAt<T>,
+    start: &[T],
+    asked: &Observe,
+    tell: impl Fn(u64) -> ControlFlow<()>,
+) -> Followed<Vec<Seen>> {
+    let first = at.observe(&mut start.to_vec(), asked.steps, all(at, asked), &tell).expect(FITTING);
+    let Followed { report: (mut seen, middles), steps, ended } = first;
+    if let Some(middles) = middles {
+        // Who stopped the first run wants no second one.
+        let again = if ended == Ended::Stopped { 0 } else { steps };
+        let turns = at.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), &tell);
+        put(&mut seen, Seen::Turns(turns.expect(FITTING).report));
+    }
+    Followed { report: seen, steps, ended }
+}
+
+/// The same of many orbits, side by side where there is code for that: a map an orbit, and column c
+/// has variable c of all first points.
+pub(in crate::question) fn abreast<T: MachineFloat + PartialOrd>(
+    maps: &[&MapAt<T>],
+    starts: &[Vec<T>],
+    asked: &Observe,
+) -> Vec<Followed<Vec<Seen>>> {
+    let observers = |orbit: usize| WhileFinite::new(all(maps[orbit], asked));
+    let first = MapAt::observe_columns(maps, &mut slices(&mut starts.to_vec()), asked.steps, observers);
+    let first = first.expect(FITTING);
+    let turns = if asked.of.contains(&Observable::Rotation) {
+        let observers = |orbit: usize| {
+            let Followed { report: (_, middles), steps, .. } = &first[orbit];
+            WhileFinite::new(maps[orbit].rotations(*steps, middles.as_ref().expect("rotation is asked for")))
+        };
+        let again = MapAt::observe_columns(maps, &mut slices(&mut starts.to_vec()), asked.steps, observers);
+        again.expect(FITTING).into_iter().map(|followed| Some(followed.report)).collect()
+    } else {
+        vec![None; first.len()]
+    };
+    let seen =
+        first.into_iter().zip(turns).map(|(Followed { report: (mut seen, _), steps, ended }, turns)| {
+            turns.into_iter().for_each(|turns| put(&mut seen, Seen::Turns(turns)));
+            Followed { report: seen, steps, ended }
+        });
+    seen.collect()
+}
+
+/// Puts turns in their place.
+fn put(seen: &mut [Seen], turns: Seen) {
+    seen.iter_mut().filter(|seen| matches!(seen, Seen::Turns(_))).for_each(|seen| seen.clone_from(&turns));
+}
+
+/// Columns as maps take them.
+fn slices<T>(columns: &mut [Vec<T>]) -> Vec<&mut [T]> {
+    columns.iter_mut().map(Vec::as_mut_slice).collect()
+}

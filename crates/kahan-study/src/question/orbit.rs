@@ -1,0 +1,377 @@
+//! The points of an orbit, with the integrals at them: a table that may be longer than memory.
+//!
+//! In: a study, ε, a first point, how many steps, which of the points become rows, numbers and a
+//! method. Out: rows in blocks, or an answer that has all of them. [`points`] makes rows of
+//! whatever moves; [`maps`] and [`methods`] are what moves.
+
+mod chain;
+mod maps;
+mod methods;
+mod points;
+
+use std::fmt;
+use std::ops::Range;
+
+use kahan_algebra::arithmetic::{Exact, Float32, Float64};
+use kahan_algebra::rational::Rational;
+use kahan_core::Composition;
+use kahan_discover::Watch;
+use kahan_runtime::interpreted::UnsupportedDimension;
+use serde::{Deserialize, Serialize, Serializer};
+
+use crate::error::StudyError;
+use crate::named::{Names, by_name};
+use crate::numbers::{DoubleDouble, Number, ScalarKind, exact};
+use crate::rows::{Column, End, MOST_CELLS, Rows, Table, free_name};
+use crate::study::Study;
+
+pub use chain::{Chain, ChainHead};
+use maps::Moving;
+use points::{Course, Halt, Points, ended};
+
+/// Asks for the points of an orbit: rows of n, the time t = 2εn, the variables, the integrals that
+/// are claimed without `when`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Orbit {
+    /// ε, half the time step; a negative one steps back.
+    #[serde(with = "exact")]
+    pub eps: Rational,
+    /// The first point, a coordinate for each variable.
+    #[serde(with = "exact")]
+    pub at: Vec<Rational>,
+    /// The number of steps.
+    pub steps: u64,
+    /// Every so many steps a point becomes a row, the first point first.
+    #[serde(default = "one")]
+    pub every: u64,
+    /// The numbers to compute with.
+    #[serde(default)]
+    pub scalar: ScalarKind,
+    /// The order of the method: 2 is Kahan's map; 4, 6 and 8 compose steps of it, in floats.
+    #[serde(default = "usual_order")]
+    pub order: u32,
+    /// What a step is.
+    #[serde(default)]
+    pub method: Method,
+    /// Whether the orbit goes on at poles, through points at infinity.
+    #[serde(default)]
+    pub projective: bool,
+}
+
+fn one() -> u64 {
+    1
+}
+
+fn usual_order() -> u32 {
+    2
+}
+
+/// What a step of an orbit is; each takes the time 2ε.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// A step of Kahan's map, or of a composition of it.
+    #[default]
+    Kahan,
+    /// Euler's explicit method, of order 1.
+    Euler,
+    /// The classical method of Runge and Kutta, of order 4.
+    Rk4,
+    /// The flow itself.
+    Flow,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Kahan, Self::Euler, Self::Rk4, Self::Flow];
+
+    /// Its name in questions.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Kahan => "kahan",
+            Self::Euler => "euler",
+            Self::Rk4 => "rk4",
+            Self::Flow => "flow",
+        }
+    }
+
+    /// What it is.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Kahan => "Kahan's map",
+            Self::Euler => "Euler's explicit method",
+            Self::Rk4 => "The classical method of Runge and Kutta",
+            Self::Flow => "The solution itself, by Taylor series",
+        }
+    }
+}
+
+/// Why there is no such orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoOrbit {
+    /// A composition of this order in exact numbers.
+    Irrational(u32),
+    /// A composition that goes through poles.
+    ProjectiveOrder,
+    /// A method that goes through poles.
+    ProjectiveMethod,
+    /// A method with an order.
+    OwnOrder(Method),
+    /// The flow in exact numbers.
+    ExactFlow,
+    /// More variables than a projective orbit can have.
+    Projective(UnsupportedDimension),
+    /// More variables than the flow can have.
+    Flow(UnsupportedDimension),
+}
+
+impl fmt::Display for NoOrbit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Irrational(order) => write!(
+                f,
+                "order {order} is a composition of steps whose coefficients are irrational, so no exact number can take them; use \
+                 scalar f64, or order 2, which is exact"
+            ),
+            Self::ProjectiveOrder => {
+                f.write_str("projective follows Kahan's map itself, not compositions; leave order out")
+            }
+            Self::ProjectiveMethod => {
+                f.write_str("projective follows Kahan's map itself, not other methods; leave method out")
+            }
+            Self::OwnOrder(method) => write!(
+                f,
+                "method {} has an order of its own, and order is of compositions of Kahan's map; leave order out",
+                method.name()
+            ),
+            Self::ExactFlow => {
+                f.write_str("method flow is a series, whose sum is no exact number; use scalar dd")
+            }
+            Self::Projective(why) => write!(f, "projective: {why}"),
+            Self::Flow(why) => write!(f, "method flow: {why}"),
+        }
+    }
+}
+
+/// What is known of an orbit before its first step.
+#[derive(Clone, Debug, Serialize)]
+pub struct OrbitHead {
+    /// The name of the system.
+    pub system: String,
+    /// The state variables.
+    pub variables: Vec<String>,
+    /// The parameters, in the scalar.
+    #[serde(serialize_with = "by_name")]
+    pub parameters: Names<Number>,
+    /// ε, half the time step, in the scalar.
+    pub eps: Number,
+    /// The numbers that it is computed with.
+    pub scalar: ScalarKind,
+    /// What a step is.
+    #[serde(skip_serializing_if = "is_kahans")]
+    pub method: Method,
+    /// The order of Kahan's map or its composition; other methods have their own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order: Option<u32>,
+    /// The number of steps.
+    pub steps: u64,
+    /// The steps from row to row.
+    pub every: u64,
+    /// The columns of the rows.
+    #[serde(serialize_with = "names")]
+    pub columns: Vec<Column>,
+    /// How steps of floats are made: `machine code` or `interpreted`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub runs_as: Option<&'static str>,
+    /// Whether it goes through poles.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub projective: bool,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
+fn is_kahans(method: &Method) -> bool {
+    *method == Method::Kahan
+}
+
+fn names<S: Serializer>(columns: &[Column], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(columns.iter().map(|column| &column.name))
+}
+
+/// An orbit in memory.
+#[derive(Clone, Debug, Serialize)]
+pub struct Orbited {
+    /// What was known before.
+    #[serde(flatten)]
+    pub head: OrbitHead,
+    /// The rows, a column a column of the head.
+    pub rows: Table,
+    /// How it ended; in JSON why it ended early, or null.
+    #[serde(rename = "stopped", serialize_with = "why")]
+    pub end: End,
+}
+
+fn why<S: Serializer>(end: &End, serializer: S) -> Result<S::Ok, S::Error> {
+    end.last().map(|last| &last.why).serialize(serializer)
+}
+
+/// An orbit at its first point.
+pub struct Begun<'a> {
+    /// What is known of it.
+    pub head: OrbitHead,
+    go_on: GoOn<'a>,
+}
+
+type GoOn<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> End + 'a>;
+
+impl Begun<'_> {
+    /// Hands on rows by their numbers: row k is the point after k times `every` steps. Costs the
+    /// steps to the last of them, from the first point on; integrals are computed in rows only.
+    pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> End {
+        (self.go_on)(&self.head.columns, range, rows, watch)
+    }
+}
+
+impl Orbit {
+    /// Every step of Kahan's map, in doubles.
+    #[must_use]
+    pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
+        Orbit {
+            eps,
+            at,
+            steps,
+            every: one(),
+            scalar: ScalarKind::default(),
+            order: usual_order(),
+            method: Method::default(),
+            projective: false,
+        }
+    }
+
+    /// Begins the orbit of a system whose claims hold.
+    ///
+    /// # Errors
+    /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of the
+    /// scalar, a field that is not defined at its parameters, an order that there is not, methods,
+    /// orders and scalars that do not go together.
+    pub fn begin<'a>(&'a self, study: &'a Study) -> Result<Begun<'a>, StudyError> {
+        match self.scalar {
+            ScalarKind::Exact => self.begin_in(&Exact, study),
+            ScalarKind::F64 => self.begin_in(&Float64, study),
+            ScalarKind::F32 => self.begin_in(&Float32, study),
+            ScalarKind::Dd => self.begin_in(&DoubleDouble, study),
+        }
+    }
+
+    /// All rows in memory.
+    ///
+    /// # Errors
+    /// Those of [`begin`](Self::begin), and more than [`MOST_CELLS`].
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Orbited, StudyError> {
+        let begun = self.begin(study)?;
+        let head = begun.head.clone();
+        let count = (self.steps / self.every).saturating_add(1);
+        let cells = count.saturating_mul(head.columns.len() as u64);
+        if cells > MOST_CELLS {
+            return Err(StudyError::TooLong { cells });
+        }
+        let mut rows = Table::default();
+        let end = begun.rows(0..count, &mut rows, watch);
+        Ok(Orbited { head, rows, end })
+    }
+
+    fn begin_in<'a, A: Moving>(
+        &'a self,
+        arithmetic: &'a A,
+        study: &'a Study,
+    ) -> Result<Begun<'a>, StudyError> {
+        study.proved()?;
+        if self.every == 0 {
+            return Err(StudyError::NotPositive { what: "every", value: Rational::zero() });
+        }
+        let composition = Composition::of_order(self.order).ok_or(StudyError::Order(self.order))?;
+        self.check().map_err(StudyError::Orbit)?;
+        let (start, given) = (study.point(&self.at)?, study.values()?);
+        let in_scalar = |what: &'static str, name: &str, value: &Rational| {
+            let rounded = A::round(value);
+            let beyond = || StudyError::BeyondRange { what, name: name.to_owned(), scalar: self.scalar };
+            if A::is_finite(&rounded) { Ok(rounded) } else { Err(beyond()) }
+        };
+        for (name, value) in study.variables().iter().zip(&start) {
+            in_scalar("at", name, value)?;
+        }
+        let parameters = study.parameters().iter().zip(&given);
+        let parameters = parameters.map(|(name, value)| in_scalar("param", name, value));
+        let parameters = parameters.collect::<Result<Vec<_>, _>>()?;
+        let eps = in_scalar("eps", "eps", &self.eps)?;
+        let map = study.map()?;
+        // What differs exactly may be one number in the scalar.
+        if !map.field().derived().is_defined_at(arithmetic, &parameters) {
+            return Err(study.undefined_field());
+        }
+        let named = study.parameters().iter().cloned();
+        let numbers: Names<Number> = named.zip(parameters.iter().map(A::number)).collect();
+        let mut points: Box<dyn Points<A> + 'a> = match self.method {
+            Method::Kahan if self.projective => maps::projective(map, &self.eps, &start)?,
+            Method::Kahan => A::kahan(map, composition, &self.eps, &start),
+            Method::Euler | Method::Rk4 => {
+                methods::explicit(arithmetic, map, self.method, parameters, &self.eps, &start)
+            }
+            Method::Flow => methods::flow(map, &self.eps, &start)?,
+        };
+        let head = OrbitHead {
+            system: study.name().to_owned(),
+            variables: study.variables().to_vec(),
+            parameters: numbers,
+            eps: A::number(&eps),
+            scalar: self.scalar,
+            method: self.method,
+            order: (self.method == Method::Kahan).then_some(self.order),
+            steps: self.steps,
+            every: self.every,
+            columns: columns(study.variables(), map.field().integrals()),
+            runs_as: points.is_code().map(|is_code| if is_code { "machine code" } else { "interpreted" }),
+            projective: self.projective,
+        };
+        let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
+            let course = Course { arithmetic, columns, eps, steps: self.steps, every: self.every };
+            match course.hand_on(&mut *points, range, rows, watch) {
+                Ok(()) => End::Complete,
+                Err(Halt::Stopped) => End::Stopped,
+                Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
+            }
+        };
+        Ok(Begun { head, go_on: Box::new(go_on) })
+    }
+
+    /// Whether method, order and scalar go together.
+    fn check(&self) -> Result<(), NoOrbit> {
+        let is_kahans = self.method == Method::Kahan;
+        if self.projective && self.order != usual_order() {
+            Err(NoOrbit::ProjectiveOrder)
+        } else if self.projective && !is_kahans {
+            Err(NoOrbit::ProjectiveMethod)
+        } else if !is_kahans && self.order != usual_order() {
+            Err(NoOrbit::OwnOrder(self.method))
+        } else if self.scalar == ScalarKind::Exact && self.order != usual_order() {
+            Err(NoOrbit::Irrational(self.order))
+        } else if self.scalar == ScalarKind::Exact && self.method == Method::Flow {
+            Err(NoOrbit::ExactFlow)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+/// n and t, the variables, the integrals, of which the last two keep their names.
+pub(super) fn columns(variables: &[String], integrals: &[String]) -> Vec<Column> {
+    let taken = [variables, integrals].concat();
+    let column = |name: &str, meaning: &str| Column { name: name.to_owned(), meaning: meaning.to_owned() };
+    let counted = [("n", "steps from the first point"), ("t", "time from the first point")];
+    let counted = counted.map(|(name, meaning)| column(&free_name(&taken, name), meaning));
+    let variables = variables.iter().map(|name| column(name, "a variable"));
+    let integrals = integrals.iter().map(|name| column(name, "an integral"));
+    counted.into_iter().chain(variables).chain(integrals).collect()
+}

@@ -1,0 +1,171 @@
+//! The points of an orbit of a chain of any number of sites, in doubles.
+//!
+//! In: a lattice that was read, its map, and the state that it begins with. Out: rows of the
+//! variables, or in long chains of the range of each array, with what the map keeps; and the states
+//! themselves. How a state was given, this module must not know.
+
+use std::ops::{ControlFlow, Range};
+
+use kahan_algebra::arithmetic::Float64;
+use kahan_discover::Watch;
+use kahan_runtime::{ChainAt, Lattice};
+use serde::Serialize;
+
+use crate::named::{Names, by_name};
+use crate::numbers::{Number, ScalarKind};
+use crate::rows::{Column, End, Last, Rows};
+
+use super::points::{Course, Halt, Points, Told, Why, in_parts, moment};
+use super::{columns, names};
+
+/// A chain, ready to step.
+#[derive(Debug)]
+pub struct Chain {
+    /// The family's name in answers.
+    pub name: String,
+    /// The family.
+    pub lattice: Lattice,
+    /// The names of a short chain's variables; of a long one there are none.
+    pub variables: Vec<String>,
+    /// Its map.
+    pub map: ChainAt,
+    /// How many sites it has.
+    pub sites: usize,
+    /// ε, half the time step.
+    pub eps: f64,
+    /// The parameters that the chain has once.
+    pub parameters: Names<f64>,
+    /// The state that it is at, site by site, arrays interleaved.
+    pub state: Vec<f64>,
+}
+
+/// What is known of the orbit of a chain before its first step.
+#[derive(Clone, Debug, Serialize)]
+pub struct ChainHead {
+    /// The family's name.
+    pub system: String,
+    /// Its arrays.
+    pub arrays: Vec<String>,
+    /// How many sites the chain has.
+    pub sites: usize,
+    /// The parameters that the chain has once.
+    #[serde(serialize_with = "by_name")]
+    pub parameters: Names<f64>,
+    /// ε, half the time step.
+    pub eps: f64,
+    /// The numbers that it is computed with.
+    pub scalar: ScalarKind,
+    /// The order of the method.
+    pub order: u32,
+    /// The number of steps.
+    pub steps: u64,
+    /// The steps from row to row.
+    pub every: u64,
+    /// The columns of the rows.
+    #[serde(serialize_with = "names")]
+    pub columns: Vec<Column>,
+}
+
+impl Chain {
+    /// What is known before so many steps, each so many of which a point becomes a row.
+    #[must_use]
+    pub fn head(&self, steps: u64, every: u64) -> ChainHead {
+        let Chain { name, lattice, sites, eps, parameters, .. } = self;
+        let range = |array: &String| [format!("{array}_min"), format!("{array}_max")];
+        let states = match &self.variables[..] {
+            [] => lattice.arrays().iter().flat_map(range).collect(),
+            variables => variables.to_vec(),
+        };
+        let energy = lattice.hamiltonian().map(|name| [name.to_owned(), format!("{name}_modified")]);
+        let integrals = lattice.integrals().into_iter().map(str::to_owned);
+        let sums: Vec<String> = integrals.chain(energy.into_iter().flatten()).collect();
+        ChainHead {
+            system: name.clone(),
+            arrays: lattice.arrays().to_vec(),
+            sites: *sites,
+            parameters: parameters.clone(),
+            eps: *eps,
+            scalar: ScalarKind::F64,
+            order: 2,
+            steps,
+            every,
+            columns: columns(&states, &sums),
+        }
+    }
+
+    /// Makes so many steps from the state. Hands on rows as an [`Orbit`](super::Orbit) does, and
+    /// shows `see` the state of each before, which ends the work by [`ControlFlow::Break`].
+    pub fn rows(
+        &mut self,
+        [steps, every]: [u64; 2],
+        range: Range<u64>,
+        rows: &mut dyn Rows,
+        see: &mut dyn FnMut(&[f64]) -> ControlFlow<()>,
+        watch: &dyn Watch,
+    ) -> End {
+        let columns = &self.head(steps, every).columns;
+        let course = Course { arithmetic: &Float64, columns, eps: self.eps, steps, every };
+        let mut points = Seen { chain: self, see, flow: ControlFlow::Continue(()) };
+        match course.hand_on(&mut points, range, rows, watch) {
+            Ok(()) => End::Complete,
+            Err(Halt::Stopped) => End::Stopped,
+            Err(Halt::Ended(step, _)) => End::Range(Last {
+                step,
+                why: format!(
+                    "the orbit of {} leaves the range of f64 at step {}: at n = {step} det A = 0 nearly or the numbers are too \
+                     large; the rows up to it are kept",
+                    self.name,
+                    step + 1
+                ),
+            }),
+        }
+    }
+}
+
+/// A chain that steps while somebody sees its states.
+struct Seen<'a> {
+    chain: &'a mut Chain,
+    see: &'a mut dyn FnMut(&[f64]) -> ControlFlow<()>,
+    flow: ControlFlow<()>,
+}
+
+impl Points<Float64> for Seen<'_> {
+    fn row(&mut self, cells: &mut Vec<f64>) {
+        let Chain { map, state, variables, lattice, .. } = &mut *self.chain;
+        self.flow = (self.see)(state);
+        if variables.is_empty() {
+            let arrays = lattice.arrays().len();
+            for array in 0..arrays {
+                let of_array = || state.iter().skip(array).step_by(arrays).copied();
+                cells.extend(of_array().reduce(f64::min));
+                cells.extend(of_array().reduce(f64::max));
+            }
+        } else {
+            cells.extend_from_slice(state);
+        }
+        // The state is as long as the chain.
+        cells.extend(map.integrals(state).into_iter().flatten());
+        cells.extend(map.hamiltonian(state).ok().flatten());
+        cells.extend(map.modified_energy(state).ok().flatten());
+    }
+
+    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+        if steps > 0 && self.flow.is_break() {
+            return Err(Halt::Stopped);
+        }
+        let Chain { map, state, .. } = &mut *self.chain;
+        in_parts(steps, 1, told, |_| {
+            map.step(state).expect("the state is of the chain");
+            let is_finite = state.iter().all(|x| x.is_finite());
+            if is_finite { Ok(()) } else { Err(Halt::Ended(0, Why::Range)) }
+        })
+    }
+
+    fn at_once(&self, every: u64) -> usize {
+        moment(self.chain.state.len(), every)
+    }
+
+    fn point(&self) -> Vec<Number> {
+        self.chain.state.iter().copied().map(Number::F64).collect()
+    }
+}

@@ -1,0 +1,318 @@
+//! Orbits of Kahan's map: in floats, in double-double, exactly, and through poles.
+
+use std::num::NonZeroU64;
+
+use kahan_algebra::arithmetic::{Exact, Float32, Float64};
+use kahan_algebra::rational::Rational;
+use kahan_core::num_rational::BigRational;
+use kahan_core::num_traits::Zero;
+use kahan_core::{Composition, Dd, Scheme};
+use kahan_runtime::interpreted::round;
+use kahan_runtime::orbit::{End, ExactOrbit, ProjectiveOrbit, ProjectiveScalar, SchemeOrbit};
+use kahan_runtime::{Ended, Follow, Followed, Fraction, MachineFloat, Map, MapAt};
+
+use crate::error::StudyError;
+use crate::numbers::{DoubleDouble, Number, Printable, Rounded};
+use crate::rows::{self, Values};
+
+use super::NoOrbit;
+use super::points::{Halt, Points, Tabular, Told, Why, in_parts, moment};
+
+/// An arithmetic in which there are orbits.
+pub(super) trait Moving: Tabular {
+    /// The scalar of the library that its numbers are.
+    type Scalar: ProjectiveScalar;
+
+    /// A coordinate of a point at infinity.
+    const INFINITE: Self::Cell;
+
+    /// What has no value.
+    const UNDEFINED: Self::Cell;
+
+    /// The cell of a number of that scalar.
+    fn cell_of(number: &Self::Scalar) -> Self::Cell;
+
+    /// A double-double as one of its numbers; `None` where they are exact.
+    fn narrow(number: Dd) -> Option<Self::Value>;
+
+    /// The orbit of Kahan's map, or of a composition of it, at its first point.
+    fn kahan(
+        map: &Map,
+        composition: Composition,
+        eps: &Rational,
+        start: &[Rational],
+    ) -> Box<dyn Points<Self>>;
+}
+
+/// The arithmetics whose values are the scalar's, and cells.
+macro_rules! of_float {
+    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $points:ident) => {
+        impl Tabular for $arithmetic {
+            type Cell = $float;
+
+            fn cell(number: &$float) -> $float {
+                if number.is_finite() { *number } else { Self::UNDEFINED }
+            }
+
+            fn values(cells: &[$float]) -> Values<'_> {
+                Values::$values(cells)
+            }
+        }
+
+        impl Moving for $arithmetic {
+            type Scalar = $float;
+
+            const INFINITE: $float = $infinite;
+            const UNDEFINED: $float = $nan;
+
+            fn cell_of(number: &$float) -> $float {
+                Self::cell(number)
+            }
+
+            fn narrow(number: Dd) -> Option<$float> {
+                Some(<Self as Rounded>::narrow(number))
+            }
+
+            fn kahan(
+                map: &Map,
+                composition: Composition,
+                eps: &Rational,
+                start: &[Rational],
+            ) -> Box<dyn Points<Self>> {
+                Box::new($points::new(map, Scheme::of(Self::PRECISION).composed(composition), eps, start))
+            }
+        }
+    };
+}
+
+of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Floats);
+of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], Floats);
+of_float!(DoubleDouble, Dd as Dd, [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)], Wide);
+
+impl Tabular for Exact {
+    type Cell = rows::Exact;
+
+    fn cell(number: &Rational) -> rows::Exact {
+        rows::Exact::Number(number.into())
+    }
+
+    fn values(cells: &[rows::Exact]) -> Values<'_> {
+        Values::Exact(cells)
+    }
+}
+
+impl Moving for Exact {
+    type Scalar = BigRational;
+
+    const INFINITE: rows::Exact = rows::Exact::Infinite;
+    const UNDEFINED: rows::Exact = rows::Exact::Undefined;
+
+    fn cell_of(number: &BigRational) -> rows::Exact {
+        Self::cell(&number.clone().into())
+    }
+
+    fn narrow(_: Dd) -> Option<Rational> {
+        None
+    }
+
+    fn kahan(map: &Map, _: Composition, eps: &Rational, start: &[Rational]) -> Box<dyn Points<Self>> {
+        Box::new(map.exact_orbit(eps, start).expect("the point is of the field"))
+    }
+}
+
+/// An orbit in floats of the machine.
+struct Floats<T> {
+    at: MapAt<T>,
+    scheme: Scheme,
+    eps: Rational,
+    x: Vec<T>,
+    /// The points of the rows that are being made.
+    points: Vec<T>,
+}
+
+impl<T: MachineFloat> Floats<T> {
+    fn new(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Self {
+        let at = map.at(round::<T>(eps));
+        let at = if scheme.composition == Composition::KAHAN { at } else { at.composed(scheme.composition) };
+        let x = start.iter().map(round).collect();
+        Floats { at, scheme, eps: eps.clone(), x, points: Vec::new() }
+    }
+
+    /// Appends a point and its integrals.
+    fn append<A: Tabular<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
+        cells.extend_from_slice(x);
+        let first = cells.len();
+        cells.resize(first + self.at.map().field().integrals().len(), T::zero());
+        self.at.integrals(x, &mut cells[first..]).expect("the room is for the integrals");
+        cells[first..].iter_mut().for_each(|value| *value = A::cell(value));
+    }
+
+    fn halt<R>(&self, followed: Followed<R>) -> Result<(), Halt> {
+        match followed.ended {
+            Ended::Complete | Ended::Done => Ok(()),
+            Ended::Stopped => Err(Halt::Stopped),
+            Ended::Range => {
+                let exact = |x: &T| Rational::from_f64(x.approximate()).expect("the last point is finite");
+                let x: Vec<Rational> = self.x.iter().map(exact).collect();
+                let orbit = self.at.map().orbit(self.scheme, &self.eps, &x);
+                let end = orbit.expect("the point is of the field").advance_while_finite(1);
+                let is_pole = end.is_err_and(|end| end.is_pole);
+                Err(Halt::Ended(followed.steps, why(self.at.map(), self.scheme, is_pole)))
+            }
+        }
+    }
+}
+
+/// Why a step in floats has no value.
+fn why(map: &Map, scheme: Scheme, is_pole: bool) -> Why {
+    match is_pole {
+        false => Why::Range,
+        true if scheme.composition.stages() > 1 => Why::StagePole,
+        true => pole(map),
+    }
+}
+
+/// What a step that divides by zero is.
+fn pole(map: &Map) -> Why {
+    Why::Pole { is_reduced: map.field().derived().map.is_some() }
+}
+
+impl<T: MachineFloat, A: Tabular<Value = T, Cell = T>> Points<A> for Floats<T> {
+    fn row(&mut self, cells: &mut Vec<T>) {
+        self.append::<A>(&self.x, cells);
+    }
+
+    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+        let followed = self.at.follow(&mut self.x, steps, |steps| told.steps(steps));
+        self.halt(followed.expect("the point is of the field"))
+    }
+
+    fn rows(
+        &mut self,
+        every: u64,
+        count: usize,
+        cells: &mut Vec<T>,
+        told: &mut Told<'_>,
+    ) -> Result<(), Halt> {
+        let every = NonZeroU64::new(every).expect("rows are some steps apart");
+        self.points.resize(count * self.x.len(), T::zero());
+        let followed = self.at.rows(&mut self.x, every, &mut self.points, |steps| told.steps(steps));
+        let followed = followed.expect("the points are of the field");
+        let points = self.points.chunks_exact(self.x.len()).take(followed.report);
+        points.for_each(|x| self.append::<A>(x, cells));
+        self.halt(followed)
+    }
+
+    fn at_once(&self, every: u64) -> usize {
+        moment(self.x.len(), every)
+    }
+
+    fn point(&self) -> Vec<Number> {
+        self.x.iter().map(A::number).collect()
+    }
+
+    fn is_code(&self) -> Option<bool> {
+        Some(self.at.is_code())
+    }
+}
+
+/// An orbit in double-double.
+struct Wide {
+    map: Map,
+    scheme: Scheme,
+    orbit: SchemeOrbit,
+}
+
+impl Wide {
+    fn new(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Self {
+        let orbit = map.orbit(scheme, eps, start).expect("the point is of the field");
+        Wide { map: map.clone(), scheme, orbit }
+    }
+}
+
+impl Points<DoubleDouble> for Wide {
+    fn row(&mut self, cells: &mut Vec<Dd>) {
+        let integrals = self.orbit.integrals();
+        cells.extend(self.orbit.point().iter().chain(&integrals).map(DoubleDouble::cell));
+    }
+
+    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+        let Wide { map, scheme, orbit } = self;
+        in_parts(steps, 1 << 12, told, |steps| {
+            orbit
+                .advance_while_finite(steps)
+                .map_err(|End { steps, is_pole }| Halt::Ended(steps, why(map, *scheme, is_pole)))
+        })
+    }
+
+    fn at_once(&self, every: u64) -> usize {
+        moment(self.orbit.point().len(), every)
+    }
+
+    fn point(&self) -> Vec<Number> {
+        self.orbit.point().iter().map(DoubleDouble::number).collect()
+    }
+
+    fn is_code(&self) -> Option<bool> {
+        Some(self.orbit.is_code())
+    }
+}
+
+impl Points<Exact> for ExactOrbit {
+    fn row(&mut self, cells: &mut Vec<rows::Exact>) {
+        let (coordinates, integrals) = self.values();
+        let cell = |value: Option<Fraction>| value.map_or(rows::Exact::Undefined, rows::Exact::Number);
+        cells.extend(coordinates.into_iter().map(Some).chain(integrals).map(cell));
+    }
+
+    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+        in_parts(
+            steps,
+            1,
+            told,
+            |_| {
+                if self.advance() { Ok(()) } else { Err(Halt::Ended(0, pole(self.map()))) }
+            },
+        )
+    }
+
+    fn point(&self) -> Vec<Number> {
+        self.point().into_iter().map(Number::Exact).collect()
+    }
+}
+
+/// The orbit through poles at its first point.
+pub(super) fn projective<A: Moving>(
+    map: &Map,
+    eps: &Rational,
+    start: &[Rational],
+) -> Result<Box<dyn Points<A>>, StudyError> {
+    let orbit = map.projective_orbit::<A::Scalar>(eps, start);
+    Ok(Box::new(orbit.map_err(|why| StudyError::Orbit(NoOrbit::Projective(why)))?))
+}
+
+impl<A: Moving> Points<A> for Box<dyn ProjectiveOrbit<A::Scalar>> {
+    fn row(&mut self, cells: &mut Vec<A::Cell>) {
+        let is_infinite = self.is_infinite();
+        cells.extend(self.coordinates().iter().map(|x| match is_infinite {
+            false => A::cell_of(x),
+            true if x.is_zero() => A::UNDEFINED,
+            true => A::INFINITE,
+        }));
+        let integral = |value: Option<A::Scalar>| {
+            value.filter(|_| !is_infinite).map_or(A::UNDEFINED, |value| A::cell_of(&value))
+        };
+        cells.extend(self.integrals().into_iter().map(integral));
+    }
+
+    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+        in_parts(steps, 1, told, |_| {
+            ProjectiveOrbit::advance(&mut **self).map_err(|why| Halt::Ended(0, Why::NoLimit(why)))
+        })
+    }
+
+    /// Nothing: the last point may be at infinity.
+    fn point(&self) -> Vec<Number> {
+        Vec::new()
+    }
+}

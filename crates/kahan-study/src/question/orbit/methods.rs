@@ -1,0 +1,249 @@
+//! What Kahan's map is compared with: explicit methods on the field, and the flow itself.
+
+use kahan_algebra::derived::Derived;
+use kahan_algebra::plan::Plan;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbol;
+use kahan_core::nalgebra::{SMatrix, SVector};
+use kahan_core::{Dd, Flow, QuadraticField};
+use kahan_runtime::Map;
+use kahan_runtime::interpreted::{LARGEST_DIMENSION, Padded};
+
+use crate::error::StudyError;
+use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind};
+
+use super::maps::Moving;
+use super::points::{Halt, Points, Told, Why, in_parts, moment};
+use super::{Method, NoOrbit};
+
+/// An explicit method in any numbers.
+struct Explicit<'a, A: Moving> {
+    arithmetic: &'a A,
+    derived: &'a Derived,
+    method: Method,
+    parameters: Vec<A::Value>,
+    eps: A::Value,
+    x: Vec<A::Value>,
+}
+
+/// The orbit of an explicit method at its first point.
+pub(super) fn explicit<'a, A: Moving>(
+    arithmetic: &'a A,
+    map: &'a Map,
+    method: Method,
+    parameters: Vec<A::Value>,
+    eps: &Rational,
+    start: &[Rational],
+) -> Box<dyn Points<A> + 'a> {
+    let x = start.iter().map(A::round).collect();
+    let derived = map.field().derived();
+    Box::new(Explicit { arithmetic, derived, method, parameters, eps: A::round(eps), x })
+}
+
+impl<A: Moving> Explicit<'_, A> {
+    /// The results of a plan at a point.
+    fn values(&self, plan: &Plan, x: &[A::Value]) -> Vec<Option<A::Value>> {
+        let symbols = &self.derived.system.field.symbols;
+        plan.evaluate(self.arithmetic, |variable| match symbols.symbol(variable) {
+            Symbol::State(i) | Symbol::SecondState(i) => x[i].clone(),
+            Symbol::Parameter(k) => self.parameters[k].clone(),
+            Symbol::Epsilon => self.eps.clone(),
+        })
+    }
+
+    /// f(x)
+    fn field(&self, x: &[A::Value]) -> Vec<A::Value> {
+        let values = self.values(&self.derived.field, x).into_iter();
+        values.map(|value| value.expect("the field is defined at its parameters")).collect()
+    }
+
+    /// x + h·k
+    fn moved(&self, h: &A::Value, k: &[A::Value]) -> Vec<A::Value> {
+        let arithmetic = self.arithmetic;
+        let entry = |(x, k)| arithmetic.add(x, &arithmetic.multiply(h, k));
+        self.x.iter().zip(k).map(entry).collect()
+    }
+
+    /// The point one time step h = 2ε later.
+    fn next(&self) -> Vec<A::Value> {
+        let arithmetic = self.arithmetic;
+        // h/2 is ε.
+        let (half, h) = (&self.eps, arithmetic.add(&self.eps, &self.eps));
+        let first = self.field(&self.x);
+        if self.method == Method::Euler {
+            return self.moved(&h, &first);
+        }
+        let second = self.field(&self.moved(half, &first));
+        let third = self.field(&self.moved(half, &second));
+        let fourth = self.field(&self.moved(&h, &third));
+        // (k₁ + 2k₂ + 2k₃ + k₄)/6
+        let sixth = A::round(&Rational::new(1, 6));
+        let mean = |i: usize| {
+            let inner = arithmetic.add(&second[i], &third[i]);
+            let outer = arithmetic.add(&first[i], &fourth[i]);
+            arithmetic.multiply(&sixth, &arithmetic.add(&outer, &arithmetic.add(&inner, &inner)))
+        };
+        self.moved(&h, &(0..first.len()).map(mean).collect::<Vec<_>>())
+    }
+}
+
+impl<A: Moving> Points<A> for Explicit<'_, A> {
+    fn row(&mut self, cells: &mut Vec<A::Cell>) {
+        cells.extend(self.x.iter().map(A::cell));
+        let integrals = self.values(&self.derived.integrals, &self.x).into_iter();
+        cells.extend(integrals.map(|value| value.map_or(A::UNDEFINED, |value| A::cell(&value))));
+    }
+
+    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+        in_parts(steps, 1, told, |_| {
+            let next = self.next();
+            if !next.iter().all(A::is_finite) {
+                return Err(Halt::Ended(0, Why::TooLarge));
+            }
+            self.x = next;
+            Ok(())
+        })
+    }
+
+    fn at_once(&self, every: u64) -> usize {
+        // Exact numbers double their digits from step to step.
+        if A::KIND == ScalarKind::Exact { 1 } else { moment(self.x.len(), every) }
+    }
+
+    fn point(&self) -> Vec<Number> {
+        self.x.iter().map(A::number).collect()
+    }
+}
+
+/// The flow, or where ε is below 0 the flow backwards, whose field is −f.
+struct Directed {
+    map: Padded<Dd>,
+    sign: Dd,
+}
+
+type Point = SVector<Dd, LARGEST_DIMENSION>;
+type Square = SMatrix<Dd, LARGEST_DIMENSION, LARGEST_DIMENSION>;
+
+impl QuadraticField<Dd, LARGEST_DIMENSION> for Directed {
+    fn field(&self, x: &Point) -> Point {
+        self.map.field(x) * self.sign
+    }
+
+    fn field_jacobian(&self, x: &Point) -> Square {
+        self.map.field_jacobian(x) * self.sign
+    }
+
+    fn bilinear(&self, x: &Point, y: &Point) -> Point {
+        self.map.bilinear(x, y) * self.sign
+    }
+
+    fn polarized(&self, x: &Point, y: &Point) -> Point {
+        self.map.polarized(x, y) * self.sign
+    }
+}
+
+/// The flow, as Taylor series in double-double.
+struct Solution {
+    field: Directed,
+    eps: Dd,
+    /// |2ε|
+    step: Dd,
+    x: Point,
+}
+
+/// The flow at its first point, at times 2ε apart.
+pub(super) fn flow<A: Moving>(
+    map: &Map,
+    eps: &Rational,
+    start: &[Rational],
+) -> Result<Box<dyn Points<A>>, StudyError> {
+    let padded = map.as_padded_kahan_map::<Dd>();
+    let map = padded.map_err(|why| StudyError::Orbit(NoOrbit::Flow(why)))?;
+    let sign = Dd::from(if eps.is_negative() { -1.0 } else { 1.0 });
+    let eps = DoubleDouble::round(eps);
+    let x = Point::from_fn(|i, _| start.get(i).map_or_else(Dd::default, DoubleDouble::round));
+    Ok(Box::new(Solution { field: Directed { map, sign }, eps, step: eps * sign * Dd::from(2.0), x }))
+}
+
+impl Solution {
+    /// Goes so many steps on, and shows each point. The solution is followed over many steps at
+    /// once, and over fewer where that leads to infinity.
+    fn walk<A: Moving>(
+        &mut self,
+        steps: u64,
+        told: &mut Told<'_>,
+        mut see: impl FnMut(&Self, u64),
+    ) -> Result<(), Halt> {
+        /// A series takes some kilobytes.
+        const MOST_SERIES: usize = 1 << 16;
+
+        let (mut made, mut span) = (0, 1 << 10);
+        while made < steps {
+            span = span.min(steps - made);
+            let end = self.step * Dd::from(span as f64);
+            let go_on = &mut |series| series < MOST_SERIES && told.steps(0).is_continue();
+            match Flow::through(&self.field, self.x, f64::from(end), 0.0, go_on) {
+                Ok(flow) => {
+                    for step in 1..=span {
+                        let x = flow.at(self.step * Dd::from(step as f64));
+                        if !x.iter().all(|x| A::narrow(*x).is_some_and(|x| A::is_finite(&x))) {
+                            return Err(Halt::Ended(made, Why::Escapes));
+                        }
+                        self.x.copy_from_slice(&x);
+                        made += 1;
+                        see(self, made);
+                    }
+                    if told.steps(span).is_break() && made < steps {
+                        return Err(Halt::Stopped);
+                    }
+                }
+                Err(_) if told.flow.is_break() => return Err(Halt::Stopped),
+                Err(_) if span > 1 => span /= 2,
+                Err(_) => return Err(Halt::Ended(made, Why::Escapes)),
+            }
+        }
+        Ok(())
+    }
+
+    fn append<A: Moving>(&self, cells: &mut Vec<A::Cell>) {
+        let cell = |number: Dd| A::narrow(number).map_or(A::UNDEFINED, |number| A::cell(&number));
+        let variables = self.field.map.variables().len();
+        cells.extend(self.x.iter().take(variables).copied().map(cell));
+        let integrals = self.field.map.integrals(&self.x, &self.eps).into_iter();
+        cells.extend(integrals.map(|value| value.map_or(A::UNDEFINED, cell)));
+    }
+}
+
+impl<A: Moving> Points<A> for Solution {
+    fn row(&mut self, cells: &mut Vec<A::Cell>) {
+        self.append::<A>(cells);
+    }
+
+    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+        self.walk::<A>(steps, told, |_, _| {})
+    }
+
+    fn rows(
+        &mut self,
+        every: u64,
+        count: usize,
+        cells: &mut Vec<A::Cell>,
+        told: &mut Told<'_>,
+    ) -> Result<(), Halt> {
+        self.walk::<A>(every * count as u64, told, |solution, made| {
+            if made.is_multiple_of(every) {
+                solution.append::<A>(cells);
+            }
+        })
+    }
+
+    fn at_once(&self, every: u64) -> usize {
+        moment(self.field.map.variables().len(), every)
+    }
+
+    fn point(&self) -> Vec<Number> {
+        let variables = self.field.map.variables().len();
+        let numbers = self.x.iter().take(variables).filter_map(|x| A::narrow(*x));
+        numbers.map(|number| A::number(&number)).collect()
+    }
+}

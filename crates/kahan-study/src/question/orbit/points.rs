@@ -1,0 +1,281 @@
+//! Rows of whatever moves from point to point, in blocks.
+//!
+//! In: points that advance, and which of them become rows. Out: blocks, handed on as they are full,
+//! and how it ended. What a step is, this module must not know.
+
+use std::ops::{ControlFlow, Range};
+
+use kahan_algebra::kahan::TERM_BUDGET;
+use kahan_algebra::rational::Rational;
+use kahan_core::SingularStep;
+use kahan_discover::{Progress, Watch};
+
+use crate::numbers::{Number, Printable};
+use crate::rows::{Column, End, Last, Rows, Values};
+use crate::study::Study;
+
+use super::Orbit;
+
+/// An arithmetic whose numbers are cells of tables.
+pub(super) trait Tabular: Printable {
+    /// A cell.
+    type Cell: Clone;
+
+    /// The cell of a number; one that is not finite has no value.
+    fn cell(number: &Self::Value) -> Self::Cell;
+
+    /// Cells of a column.
+    fn values(cells: &[Self::Cell]) -> Values<'_>;
+}
+
+/// Why points do not go on.
+pub(super) enum Halt {
+    /// The watch stopped them.
+    Stopped,
+    /// There is no next point: after so many steps, and why.
+    Ended(u64, Why),
+}
+
+/// Why there is no next point.
+#[derive(Clone, Copy)]
+pub(super) enum Why {
+    /// det A = 0; whether the map is reduced, so that it has no value there.
+    Pole { is_reduced: bool },
+    /// det A = 0 at a stage of a composition.
+    StagePole,
+    /// The map has no value whatever the direction.
+    NoLimit(Option<SingularStep>),
+    /// A step of the map leaves the range of the scalar.
+    Range,
+    /// So does one of another method.
+    TooLarge,
+    /// The flow escapes.
+    Escapes,
+}
+
+/// Who hears of steps; once stopped, it hears no more.
+pub(super) struct Told<'a> {
+    watch: &'a dyn Watch,
+    done: u64,
+    of: u64,
+    /// What the watch said last.
+    pub(super) flow: ControlFlow<()>,
+}
+
+impl Told<'_> {
+    /// So many more steps were made.
+    pub(super) fn steps(&mut self, steps: u64) -> ControlFlow<()> {
+        self.done += steps;
+        if self.flow.is_continue() {
+            let progress = Progress { what: "steps", done: self.done, of: Some(self.of) };
+            self.flow = self.watch.look(&progress);
+        }
+        self.flow
+    }
+}
+
+/// Points that move on.
+pub(super) trait Points<A: Tabular> {
+    /// Appends the cells of the point: coordinates, then integrals.
+    fn row(&mut self, cells: &mut Vec<A::Cell>);
+
+    /// Goes so many steps on, or to the last point that there is.
+    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt>;
+
+    /// The same for so many rows, each after so many steps; the steps of a [`Halt`] are those since
+    /// the call.
+    fn rows(
+        &mut self,
+        every: u64,
+        count: usize,
+        cells: &mut Vec<A::Cell>,
+        told: &mut Told<'_>,
+    ) -> Result<(), Halt> {
+        for row in 0..count as u64 {
+            self.advance(every, told).map_err(|halt| halt.after(row * every))?;
+            self.row(cells);
+        }
+        Ok(())
+    }
+
+    /// How many rows make a block: so many as take a moment, so that a reader sees them soon.
+    fn at_once(&self, _every: u64) -> usize {
+        1
+    }
+
+    /// The coordinates.
+    fn point(&self) -> Vec<Number>;
+
+    /// Whether steps of floats are machine code, where it is asked.
+    fn is_code(&self) -> Option<bool> {
+        None
+    }
+}
+
+/// How many rows in floats, each after so many steps, take some milliseconds.
+pub(super) fn moment(variables: usize, every: u64) -> usize {
+    const MOST: u64 = 1024;
+    // A step takes longer in more variables.
+    let steps = (1 << 20) / (variables as u64).pow(2);
+    (steps / every).clamp(1, MOST) as usize
+}
+
+/// Makes so many steps, some at once, and tells the watch of them.
+pub(super) fn in_parts(
+    steps: u64,
+    at_once: u64,
+    told: &mut Told<'_>,
+    mut advance: impl FnMut(u64) -> Result<(), Halt>,
+) -> Result<(), Halt> {
+    let mut made = 0;
+    while made < steps {
+        let now = at_once.min(steps - made);
+        advance(now).map_err(|halt| halt.after(made))?;
+        made += now;
+        if told.steps(now).is_break() && made < steps {
+            return Err(Halt::Stopped);
+        }
+    }
+    Ok(())
+}
+
+impl Halt {
+    pub(super) fn after(self, steps: u64) -> Self {
+        match self {
+            Self::Stopped => Self::Stopped,
+            Self::Ended(more, why) => Self::Ended(steps + more, why),
+        }
+    }
+}
+
+/// Which points become rows of what table.
+pub(super) struct Course<'a, A: Tabular> {
+    pub(super) arithmetic: &'a A,
+    pub(super) columns: &'a [Column],
+    pub(super) eps: A::Value,
+    pub(super) steps: u64,
+    pub(super) every: u64,
+}
+
+impl<A: Tabular> Course<'_, A> {
+    /// Hands on a range of rows, in blocks of columns that are filled again and again. Where the
+    /// points end before that, the steps of the [`Halt`] are those from the first point.
+    pub(super) fn hand_on(
+        &self,
+        points: &mut dyn Points<A>,
+        range: Range<u64>,
+        rows: &mut dyn Rows,
+        watch: &dyn Watch,
+    ) -> Result<(), Halt> {
+        let Course { steps, every, .. } = *self;
+        let count = (steps / every).saturating_add(1);
+        let end = range.end.min(count);
+        if range.start >= end {
+            return Ok(());
+        }
+        let mut told = Told { watch, done: 0, of: steps, flow: ControlFlow::Continue(()) };
+        let numbers = vec![Vec::new(); self.columns.len() - 2];
+        let mut block = Block::<A> { counts: Vec::new(), times: Vec::new(), numbers };
+        let (mut cells, mut next, mut gone) = (Vec::new(), range.start, Ok(()));
+        points.advance(next * every, &mut told)?;
+        points.row(&mut cells);
+        loop {
+            block.fill(self, next, &mut cells);
+            next += block.counts.len() as u64;
+            if block.hand_on(self.columns, rows).is_break() {
+                return Err(Halt::Stopped);
+            }
+            gone?;
+            let made = (next - 1) * every;
+            if next == end {
+                // The steps behind the last row may have no value.
+                let left = if end == count { steps - made } else { 0 };
+                return points.advance(left, &mut told).map_err(|halt| halt.after(made));
+            }
+            if told.flow.is_break() {
+                return Err(Halt::Stopped);
+            }
+            let now = (end - next).min(points.at_once(every) as u64) as usize;
+            gone = points.rows(every, now, &mut cells, &mut told).map_err(|halt| halt.after(made));
+        }
+    }
+}
+
+/// Rows as columns.
+struct Block<A: Tabular> {
+    counts: Vec<i64>,
+    times: Vec<A::Cell>,
+    numbers: Vec<Vec<A::Cell>>,
+}
+
+impl<A: Tabular> Block<A> {
+    /// Takes the rows of these cells, the first of which has this number, in place of those before.
+    fn fill(&mut self, course: &Course<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
+        let Course { arithmetic, eps, every, .. } = course;
+        let time_step = arithmetic.add(eps, eps);
+        let time = |n: &i64| A::cell(&arithmetic.multiply(&A::round(&Rational::from(*n)), &time_step));
+        let width = self.numbers.len();
+        let rows = first..first + (cells.len() / width) as u64;
+        self.counts.clear();
+        self.counts.extend(rows.map(|row| i64::try_from(row * every).expect("nobody makes so many steps")));
+        self.times.clear();
+        self.times.extend(self.counts.iter().map(time));
+        self.numbers.iter_mut().for_each(Vec::clear);
+        cells.drain(..).enumerate().for_each(|(place, cell)| self.numbers[place % width].push(cell));
+    }
+
+    /// Hands on the rows, if there are some.
+    fn hand_on(&self, columns: &[Column], rows: &mut dyn Rows) -> ControlFlow<()> {
+        if self.counts.is_empty() {
+            return ControlFlow::Continue(());
+        }
+        let numbers = self.numbers.iter().map(|cells| A::values(cells));
+        let values = [Values::Integer(&self.counts), A::values(&self.times)].into_iter();
+        rows.block(columns, &values.chain(numbers).collect::<Vec<_>>())
+    }
+}
+
+/// How an orbit ended, after so many steps, at a point.
+pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number]) -> End {
+    let (name, next, scalar) = (study.name(), n + 1, asked.scalar.name());
+    let place = study.place(at, &asked.eps);
+    let kept = "the rows up to it are kept";
+    let why_ended = match why {
+        Why::Pole { is_reduced } => {
+            let by_convention = if is_reduced {
+                String::new()
+            } else {
+                format!(
+                    " (its closed form is beyond the budget of {TERM_BUDGET} terms, so every such point counts as a pole)"
+                )
+            };
+            format!(
+                "ends at a pole: at n = {n} det A = 0{by_convention}, so step {next} has no value. The point is {place}; {kept}"
+            )
+        }
+        Why::StagePole => format!(
+            "ends at a pole: det A = 0 at a stage of step {next}, so the step has no value. The point before it is {place}; \
+             {kept}; try order 2, which takes no step back"
+        ),
+        Why::NoLimit(singular) => {
+            let singular = singular.map_or_else(String::new, |why| format!(": {why}"));
+            format!("ends at n = {n}{singular}; {kept}")
+        }
+        Why::Range => format!(
+            "leaves the range of {scalar} at step {next}: at n = {n} det A = 0 nearly or the numbers are too large. The point \
+             is {place}; {kept}; try scalar exact"
+        ),
+        Why::TooLarge => format!(
+            "leaves the range of {scalar} at step {next}: at n = {n} the numbers are too large. The point is {place}; {kept}"
+        ),
+        Why::Escapes => format!(
+            "ends at n = {n}: the solution escapes to infinity, or leaves the range of {scalar}, before step {next}. The \
+             point is {place}; {kept}"
+        ),
+    };
+    let last = Last { step: n, why: format!("the orbit of {name} {why_ended}") };
+    match why {
+        Why::Pole { .. } | Why::StagePole | Why::NoLimit(_) => End::Pole(last),
+        Why::Range | Why::TooLarge | Why::Escapes => End::Range(last),
+    }
+}

@@ -1,0 +1,254 @@
+//! The cells of a question over axes, each found from its number.
+//!
+//! In: the field, and the question. Out: where each cell is, exactly and in doubles, and the columns
+//! that say it. What is asked there, this module must not know.
+
+use kahan_algebra::rational::Rational;
+
+use super::axis::{Values, Varied};
+use super::{Over, Question};
+use crate::error::StudyError;
+use crate::rows::{Column, Kept};
+use crate::study::Study;
+
+/// What an axis gives a value to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Target {
+    Variable(usize),
+    Parameter(usize),
+    Epsilon,
+    Order,
+    Bits,
+}
+
+/// An axis of a field.
+pub(super) struct Along<'a> {
+    axis: &'a Varied,
+    pub(super) target: Target,
+    values: Values<'a>,
+}
+
+/// Where a cell is.
+#[derive(Clone, Debug)]
+pub(super) struct Place<V> {
+    pub(super) at: Vec<V>,
+    pub(super) parameters: Vec<V>,
+    pub(super) eps: V,
+}
+
+/// All cells: the last axis runs fastest, but for the draws, and first points most slowly.
+pub(super) struct Cells<'a> {
+    pub(super) axes: Vec<Along<'a>>,
+    starts: &'a [Vec<Rational>],
+    starts_in_doubles: Vec<Vec<f64>>,
+    /// What no axis changes.
+    exactly: Place<Rational>,
+    in_doubles: Place<f64>,
+    /// Values of each drawn axis.
+    draws: u64,
+    /// How many cells there are.
+    pub(super) count: u64,
+}
+
+/// The most cells: beyond, a number has no place in a column.
+const MOST: u64 = 1 << 62;
+
+impl<'a> Cells<'a> {
+    pub(super) fn of(over: &'a Over, study: &Study) -> Result<Self, StudyError> {
+        let (eps, at) = over.begins(study)?;
+        let of = |place: usize| along(over, place, study);
+        let axes = (0..over.axes.len()).map(of).collect::<Result<Vec<_>, _>>()?;
+        over.starts.iter().try_for_each(|start| study.point(start).map(drop))?;
+        for (place, along) in axes.iter().enumerate() {
+            let is_start = matches!(along.target, Target::Variable(_)) && !over.starts.is_empty();
+            if is_start || axes[..place].iter().any(|other| other.target == along.target) {
+                return Err(StudyError::AxisTwice { name: along.axis.name.clone() });
+            }
+        }
+        let exactly = Place { at, parameters: parameters(&axes, study)?, eps };
+        let rounded = |numbers: &[Rational]| numbers.iter().map(Rational::to_f64).collect::<Vec<_>>();
+        let in_doubles = Place {
+            at: rounded(&exactly.at),
+            parameters: rounded(&exactly.parameters),
+            eps: exactly.eps.to_f64(),
+        };
+        let draws = if axes.iter().any(|along| along.values.count().is_none()) { over.draws } else { 1 };
+        let counts = axes.iter().filter_map(|along| along.values.count());
+        let counts = counts.chain([draws, over.starts.len().max(1) as u64]);
+        let count = counts.fold(1, |count: u64, own| count.saturating_mul(own));
+        match count {
+            0 => Err(StudyError::NotPositive { what: "draws", value: Rational::zero() }),
+            1..=MOST => Ok(Cells {
+                axes,
+                starts: &over.starts,
+                starts_in_doubles: over.starts.iter().map(|start| rounded(start)).collect(),
+                exactly,
+                in_doubles,
+                draws,
+                count,
+            }),
+            _ => Err(StudyError::ManyPoints { most: MOST as usize }),
+        }
+    }
+
+    /// Whether cells that follow each other mostly differ in their first points alone.
+    pub(super) fn neighbours_share_a_map(&self) -> bool {
+        let is_start = |along: &Along<'_>| matches!(along.target, Target::Variable(_));
+        if self.draws > 1 {
+            return self.axes.iter().filter(|along| along.values.count().is_none()).all(is_start);
+        }
+        let last = self.axes.iter().rev().find(|along| along.varies());
+        last.map_or(!self.starts.is_empty(), is_start)
+    }
+
+    /// The columns that say where a cell is: its number, its first point where these go through a
+    /// list, and the axes of more than one value.
+    pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
+        let column =
+            |name: &str, meaning: &str| Column { name: name.to_owned(), meaning: meaning.to_owned() };
+        let index = (column("index", "place of the point in the plan, from 0 on"), Kept::Integer(Vec::new()));
+        let starts = if self.starts.is_empty() { &[] } else { variables };
+        let starts = starts.iter().map(|name| (column(name, STARTS), Kept::F64(Vec::new())));
+        let axes = self.axes.iter().filter(|along| along.varies()).map(|along| {
+            let (meaning, kept) = match along.target {
+                Target::Variable(_) => (STARTS, Kept::F64(Vec::new())),
+                Target::Parameter(_) => ("value of the parameter", Kept::F64(Vec::new())),
+                Target::Epsilon => ("half the time step, in units of time", Kept::F64(Vec::new())),
+                Target::Order => ("order of the method", Kept::Integer(Vec::new())),
+                Target::Bits => ("bits of the scalar", Kept::Integer(Vec::new())),
+            };
+            (column(&along.axis.name, meaning), kept)
+        });
+        [index].into_iter().chain(starts).chain(axes).collect()
+    }
+
+    /// The entries of these columns.
+    pub(super) fn entries(&self, index: u64, place: &Place<f64>, values: &[f64]) -> Vec<Entry> {
+        let starts = if self.starts.is_empty() { &[] } else { &place.at[..] };
+        let varying = self.axes.iter().zip(values).filter(|(along, _)| along.varies());
+        let axes = varying.map(|(along, &value)| match along.target {
+            Target::Order | Target::Bits => Entry::Integer(value as i64),
+            _ => Entry::Float(value),
+        });
+        let starts = starts.iter().map(|value| Entry::Float(*value));
+        [Entry::Integer(index as i64)].into_iter().chain(starts).chain(axes).collect()
+    }
+
+    /// Where a cell is, in doubles, with the value of each axis.
+    pub(super) fn in_doubles(&self, index: u64) -> (Place<f64>, Vec<f64>) {
+        self.place(index, &self.in_doubles, &self.starts_in_doubles, Values::double)
+    }
+
+    /// The same, exactly.
+    pub(super) fn exactly(&self, index: u64) -> Place<Rational> {
+        self.place(index, &self.exactly, self.starts, Values::exactly).0
+    }
+
+    fn place<V: Clone>(
+        &self,
+        index: u64,
+        base: &Place<V>,
+        starts: &[Vec<V>],
+        value: fn(&Values<'a>, u64) -> V,
+    ) -> (Place<V>, Vec<V>) {
+        let (draw, mut rest) = (index % self.draws, index / self.draws);
+        let (mut place, mut values) = (base.clone(), Vec::with_capacity(self.axes.len()));
+        for along in self.axes.iter().rev() {
+            let index = match along.values.count() {
+                None => draw,
+                Some(count) => {
+                    let index = rest % count;
+                    rest /= count;
+                    index
+                }
+            };
+            let value = value(&along.values, index);
+            match along.target {
+                Target::Variable(k) => place.at[k] = value.clone(),
+                Target::Parameter(k) => place.parameters[k] = value.clone(),
+                Target::Epsilon => place.eps = value.clone(),
+                Target::Order | Target::Bits => {}
+            }
+            values.push(value);
+        }
+        if let Some(start) = starts.get(rest as usize) {
+            place.at.clone_from(start);
+        }
+        values.reverse();
+        (place, values)
+    }
+}
+
+const STARTS: &str = "first value of the variable";
+
+impl Along<'_> {
+    /// Whether it has more than one value.
+    fn varies(&self) -> bool {
+        self.values.count() != Some(1)
+    }
+}
+
+/// The axis at a place, of what the field and the question have.
+fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, StudyError> {
+    let (axis, observes) = (&over.axes[place], matches!(*over.question, Question::Observe(_)));
+    let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
+    let values = Values::of(&over.axes, place, over.seed).map_err(wrong)?;
+    let named = |names: &[String]| names.iter().position(|name| *name == axis.name);
+    let target = named(study.variables()).map(Target::Variable);
+    let target = target.or_else(|| named(study.parameters()).map(Target::Parameter));
+    let target = target.or(match &*axis.name {
+        "eps" => Some(Target::Epsilon),
+        "order" if observes => Some(Target::Order),
+        "bits" if observes => Some(Target::Bits),
+        _ => None,
+    });
+    let Some(target) = target else {
+        let known = study.variables().iter().chain(study.parameters()).map(String::as_str);
+        return Err(StudyError::UnknownAxis {
+            what: "neither a variable nor a parameter",
+            system: study.name().to_owned(),
+            name: axis.name.clone(),
+            known: known.chain(["eps"]).map(str::to_owned).collect(),
+        });
+    };
+    let known: &[f64] = match target {
+        Target::Variable(_) if matches!(*over.question, Question::Discover(_)) => {
+            return Err(wrong("is a start, and a search has none; leave it out".to_owned()));
+        }
+        Target::Order => &[2.0, 4.0, 6.0, 8.0],
+        Target::Bits => &[32.0, 64.0],
+        _ => return Ok(Along { axis, target, values }),
+    };
+    let mut own = (0..values.count().unwrap_or(1)).map(|index| match values.count() {
+        Some(_) => values.double(index),
+        // What is drawn may be anything.
+        None => f64::NAN,
+    });
+    match own.find(|value| !known.contains(value)) {
+        Some(value) => {
+            let known: Vec<String> = known.iter().map(f64::to_string).collect();
+            Err(wrong(format!("{value} is none of {}", known.join(", "))))
+        }
+        None => Ok(Along { axis, target, values }),
+    }
+}
+
+/// The values of the parameters; those that go through others need none.
+fn parameters(axes: &[Along<'_>], study: &Study) -> Result<Vec<Rational>, StudyError> {
+    let is_varied = |k: usize| axes.iter().any(|along| along.target == Target::Parameter(k));
+    let missing = (0..study.parameters().len()).filter(|k| study.given()[*k].is_none() && !is_varied(*k));
+    let names: Vec<String> = missing.map(|k| study.parameters()[k].clone()).collect();
+    if names.is_empty() {
+        Ok(study.given().iter().map(|given| given.clone().unwrap_or_default()).collect())
+    } else {
+        Err(StudyError::MissingParameters { system: study.name().to_owned(), names })
+    }
+}
+
+/// An entry of a row.
+#[derive(Clone, Debug)]
+pub(super) enum Entry {
+    Integer(i64),
+    Float(f64),
+    Text(String),
+}

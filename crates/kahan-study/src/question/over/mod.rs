@@ -1,0 +1,191 @@
+//! A question at every value of some axes: a chart, or a sweep.
+//!
+//! In: a question, and what goes through values. Out: a table with a row a cell. Cells are numbered:
+//! first points run most slowly, then the axes, of which the last runs fastest, and the draws, which
+//! go through all drawn axes together, run fastest of all. A row depends on its number alone, and
+//! not on where, when, and beside what it is computed.
+
+mod axis;
+mod cells;
+mod exactly;
+mod orbits;
+mod waves;
+
+use std::ops::Range;
+
+use kahan_algebra::rational::Rational;
+use kahan_discover::Watch;
+use serde::{Deserialize, Serialize};
+
+use super::Question;
+use crate::error::StudyError;
+use crate::numbers::exact;
+use crate::rows::{Column, End, Kept, MOST_CELLS, Rows, Table};
+use crate::study::Study;
+
+use cells::{Cells, Entry};
+use orbits::Orbits;
+use waves::in_waves;
+
+pub use axis::{Source, Through, Varied};
+
+/// Asks a question at every value of some axes: [`Observe`](super::Observe),
+/// [`Heights`](super::Heights), [`Evaluate`](super::Evaluate) or [`Discover`](super::Discover).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Over {
+    /// What is asked; what goes through values takes the place of what stands there.
+    pub question: Box<Question>,
+    /// What goes through which values. All are multiplied with each other, but for those that are
+    /// drawn.
+    #[serde(default)]
+    pub axes: Vec<Varied>,
+    /// First points that are gone through, a coordinate for each variable; none where the
+    /// question's is the only one.
+    #[serde(default, with = "exact")]
+    pub starts: Vec<Vec<Rational>>,
+    /// How many values each drawn axis has.
+    #[serde(default = "one")]
+    pub draws: u64,
+    /// The seed of what is drawn at random.
+    #[serde(default = "one")]
+    pub seed: u64,
+}
+
+fn one() -> u64 {
+    1
+}
+
+/// A row a cell: where it is, and what was found there. What is not a number is null in JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct OverFound {
+    /// The name of the system.
+    pub system: String,
+    /// The columns by name.
+    pub columns: Vec<String>,
+    /// The rows.
+    pub rows: Table,
+}
+
+impl Over {
+    /// Of one draw.
+    #[must_use]
+    pub fn new(question: Question, axes: Vec<Varied>) -> Self {
+        Over { question: Box::new(question), axes, starts: Vec::new(), draws: 1, seed: 1 }
+    }
+
+    /// All cells. Costs the question at each.
+    ///
+    /// # Errors
+    /// [`StudyError`]: as [`rows`](Study::rows), and more than [`MOST_CELLS`] cells.
+    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<OverFound, StudyError> {
+        let cells = self.cells(study)?;
+        if cells > MOST_CELLS {
+            return Err(StudyError::TooLong { cells });
+        }
+        let mut rows = Table::default();
+        self.rows(study, 0..cells, &mut rows, watch)?;
+        let columns = rows.columns.iter().map(|column| column.name.clone()).collect();
+        Ok(OverFound { system: study.name().to_owned(), columns, rows })
+    }
+
+    /// How many cells there are.
+    ///
+    /// # Errors
+    /// [`StudyError`]: axes that the field does not have, or that are given twice, or without
+    /// values; more than 2⁶² cells.
+    pub fn cells(&self, study: &Study) -> Result<u64, StudyError> {
+        Ok(Cells::of(self, study)?.count)
+    }
+
+    /// The rows of these cells, a block after the other. Of no cells there is one block without
+    /// rows, which says what the columns are.
+    pub(super) fn rows(
+        &self,
+        study: &Study,
+        range: Range<u64>,
+        rows: &mut dyn Rows,
+        watch: &dyn Watch,
+    ) -> Result<End, StudyError> {
+        let cells = Cells::of(self, study)?;
+        let orbits = match &*self.question {
+            Question::Observe(asked) => Some(Orbits::of(study, &cells, asked)?),
+            _ => None,
+        };
+        let found = match &orbits {
+            Some(orbits) => orbits.columns(),
+            None => exactly::columns(&self.question, study.variables()),
+        };
+        if found.is_empty() {
+            return Err(StudyError::NoRows(self.question.name()));
+        }
+        let (columns, kept): (Vec<Column>, Vec<Kept>) =
+            cells.columns(study.variables()).into_iter().chain(found).unzip();
+        let empty = Table { columns, values: kept };
+        let range = range.start.min(cells.count)..range.end.min(cells.count);
+        if range.is_empty() {
+            let _ = empty.hand_to(rows);
+            return Ok(End::Complete);
+        }
+        let make = |own: Range<u64>, goes_on: &dyn Fn(u64) -> bool| {
+            let (mut table, mut field) = (empty.clone(), None);
+            match &orbits {
+                Some(orbits) if goes_on(0) => {
+                    orbits.rows(own).into_iter().for_each(|row| push(&mut table, row));
+                    goes_on(table.count() as u64);
+                }
+                Some(_) => {}
+                None => {
+                    for index in own.take_while(|_| goes_on(0)) {
+                        push(&mut table, self.row(study, &cells, index, &mut field));
+                        goes_on(1);
+                    }
+                }
+            }
+            table
+        };
+        let block = orbits.as_ref().map_or([1, 256], Orbits::at_once);
+        Ok(in_waves(range, block, &make, rows, watch))
+    }
+
+    /// What is found at a cell; `field` is the one at the parameters before.
+    fn row(&self, study: &Study, cells: &Cells<'_>, index: u64, field: &mut Option<Study>) -> Vec<Entry> {
+        let (place, (in_doubles, values)) = (cells.exactly(index), cells.in_doubles(index));
+        let given: Vec<_> = place.parameters.into_iter().map(Some).collect();
+        let known = field.take().filter(|known| *known.given() == given);
+        let own = field.insert(known.unwrap_or_else(|| study.at(given)));
+        let question = exactly::at(&self.question, &place.eps, &place.at, own);
+        let mut row = cells.entries(index, &in_doubles, &values);
+        row.extend(exactly::entries(&question, own));
+        row
+    }
+
+    /// ε and the first point where no axis changes them.
+    fn begins(&self, study: &Study) -> Result<(Rational, Vec<Rational>), StudyError> {
+        let point = |eps: &Rational, at: &[Rational]| Ok((eps.clone(), study.point(at)?));
+        match &*self.question {
+            Question::Observe(asked) => point(&asked.eps, &asked.at),
+            Question::Heights(asked) => point(&asked.eps, &asked.at),
+            Question::Evaluate(asked) => point(&asked.eps, &asked.at),
+            Question::Discover(asked) => {
+                let is_varied = self.axes.iter().any(|axis| axis.name == "eps");
+                let eps = asked.eps.clone().or(is_varied.then(Rational::zero));
+                let eps = eps.ok_or(StudyError::MissingStep)?;
+                Ok((eps, vec![Rational::zero(); study.variables().len()]))
+            }
+            other => Err(StudyError::NoRows(other.name())),
+        }
+    }
+}
+
+/// Adds a row.
+fn push(table: &mut Table, row: Vec<Entry>) {
+    for (kept, entry) in table.values.iter_mut().zip(row) {
+        match (kept, entry) {
+            (Kept::Integer(list), Entry::Integer(entry)) => list.push(entry),
+            (Kept::F64(list), Entry::Float(entry)) => list.push(entry),
+            (Kept::Text(list), Entry::Text(entry)) => list.push(entry),
+            (kept, entry) => unreachable!("{entry:?} in {kept:?}"),
+        }
+    }
+}

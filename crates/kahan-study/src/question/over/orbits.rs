@@ -1,0 +1,199 @@
+//! What is observed of the orbits of cells.
+//!
+//! In: cells, and what is asked of their orbits. Out: a row a cell. Orbits are followed side by
+//! side, whatever maps they have; a cell where the field divides by zero has none.
+
+use std::ops::ControlFlow;
+
+use kahan_core::Composition;
+use kahan_runtime::{Follow, Followed, MachineFloat, Map, MapAt};
+
+use super::cells::{Cells, Entry, Place, Target};
+use crate::error::StudyError;
+use crate::question::observe::{FITTING, Observable, Observe, Seen, abreast, alone};
+use crate::rows::{Column, Kept};
+use crate::study::Study;
+
+/// Orbits that fill registers.
+const LANES: u64 = 16;
+/// Steps of all orbits that are followed at once.
+const AT_ONCE: u64 = 1 << 24;
+
+/// The orbits of all cells.
+pub(super) struct Orbits<'a> {
+    study: &'a Study,
+    cells: &'a Cells<'a>,
+    asked: &'a Observe,
+    /// How many columns hold what is seen.
+    numbers: usize,
+}
+
+/// Where an orbit begins, and the order of its method.
+struct Begun {
+    index: u64,
+    place: Place<f64>,
+    values: Vec<f64>,
+    order: u32,
+    bits: u32,
+}
+
+impl<'a> Orbits<'a> {
+    pub(super) fn of(study: &'a Study, cells: &'a Cells<'a>, asked: &'a Observe) -> Result<Self, StudyError> {
+        study.proved()?;
+        asked.composition()?;
+        let (Place { at, eps, .. }, _) = cells.in_doubles(0);
+        study.within_range(&at, eps)?;
+        // What is wrong everywhere is told once.
+        let is_one_field = !cells.axes.iter().any(|along| matches!(along.target, Target::Parameter(_)));
+        if is_one_field {
+            study.map()?;
+        }
+        let mut orbits = Orbits { study, cells, asked, numbers: 0 };
+        orbits.numbers = orbits.columns().len() - 1;
+        Ok(orbits)
+    }
+
+    pub(super) fn columns(&self) -> Vec<(Column, Kept)> {
+        let steps = Column {
+            name: "steps".to_owned(),
+            meaning: "steps that were made, fewer where numbers leave their range".to_owned(),
+        };
+        let (variables, integrals) = (self.study.variables(), self.study.field().integrals());
+        let seen = self.asked.observables().flat_map(|one| one.columns(variables, integrals));
+        let seen = seen.map(|column| (column, Kept::F64(Vec::new())));
+        [(steps, Kept::Integer(Vec::new()))].into_iter().chain(seen).collect()
+    }
+
+    /// How many cells should be done at once, at least and at most: enough to fill registers, and
+    /// few enough that they are done in a moment.
+    pub(super) fn at_once(&self) -> [u64; 2] {
+        [LANES, (AT_ONCE / self.asked.steps.max(1)).clamp(LANES, 256)]
+    }
+
+    /// The rows of cells that follow each other.
+    pub(super) fn rows(&self, cells: std::ops::Range<u64>) -> Vec<Vec<Entry>> {
+        let begun: Vec<Begun> = cells.map(|index| self.begun(index)).collect();
+        let (mut map, mut rows) = (Known::default(), Vec::with_capacity(begun.len()));
+        for same in begun.chunk_by(|a, b| (a.order, a.bits) == (b.order, b.bits)) {
+            let found = match same[0].bits {
+                32 => self.found(same, &mut map, |value| value as f32),
+                _ => self.found(same, &mut map, |value| value),
+            };
+            for (begun, found) in same.iter().zip(found) {
+                let mut row = self.cells.entries(begun.index, &begun.place, &begun.values);
+                let (steps, seen) = found.map_or((0, Vec::new()), |found| (found.steps, found.report));
+                row.push(Entry::Integer(steps as i64));
+                let numbers = seen.iter().flat_map(Seen::numbers).chain(std::iter::repeat(f64::NAN));
+                row.extend(numbers.take(self.numbers).map(Entry::Float));
+                rows.push(row);
+            }
+        }
+        rows
+    }
+
+    fn begun(&self, index: u64) -> Begun {
+        let (place, values) = self.cells.in_doubles(index);
+        let of = |target: Target, usual: u32| {
+            let axis = self.cells.axes.iter().position(|along| along.target == target);
+            axis.map_or(usual, |axis| values[axis] as u32)
+        };
+        let (order, bits) = (of(Target::Order, self.asked.order), of(Target::Bits, 64));
+        Begun { index, place, values, order, bits }
+    }
+
+    /// What is seen of orbits of one order in one scalar.
+    fn found<T: MachineFloat + PartialOrd>(
+        &self,
+        begun: &[Begun],
+        known: &mut Known,
+        nearest: fn(f64) -> T,
+    ) -> Vec<Option<Followed<Vec<Seen>>>> {
+        let composition = Composition::of_order(begun[0].order).expect("orders were looked at");
+        let (mut maps, mut map_of): (Vec<MapAt<T>>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
+        let mut last: Option<&Place<f64>> = None;
+        for Begun { index, place, .. } in begun {
+            let has_map_of = |last: &Place<f64>| {
+                is_same(&last.parameters, &place.parameters) && is_same(&[last.eps], &[place.eps])
+            };
+            if !last.is_some_and(has_map_of) {
+                let map = known.at(&place.parameters, || {
+                    let exactly = self.cells.exactly(*index).parameters;
+                    self.study.field().with(self.study.parameters().iter().zip(&exactly)).ok()
+                });
+                maps.extend(map.map(|map| map.at(nearest(place.eps)).composed(composition)));
+                map_of.push(map.map(|_| maps.len() - 1));
+            } else {
+                map_of.push(map_of[map_of.len() - 1]);
+            }
+            last = Some(place);
+        }
+        let defined = || begun.iter().zip(&map_of).filter_map(|(begun, map)| Some((begun, (*map)?)));
+        let own: Vec<&MapAt<T>> = defined().map(|(_, map)| &maps[map]).collect();
+        let column = |k: usize| defined().map(|(begun, _)| nearest(begun.place.at[k])).collect();
+        let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
+        let found = match own[..] {
+            [] => Vec::new(),
+            _ if self.asked.of.iter().all(|one| *one == Observable::Last) => self.ends(&own, starts),
+            [one] => {
+                let start: Vec<T> = starts.iter().map(|column| column[0]).collect();
+                vec![alone(one, &start, self.asked, |_| ControlFlow::Continue(()))]
+            }
+            _ => abreast(&own, &starts, self.asked),
+        };
+        let mut found = found.into_iter();
+        map_of.iter().map(|map| map.and_then(|_| found.next())).collect()
+    }
+
+    /// The last point of each orbit; nothing is looked at on the way.
+    ///
+    /// Where neighbours share a map these orbits go through its step for columns, which is faster,
+    /// and whose last digits differ from those of single steps; so the question chooses, and not
+    /// what happens to stand together.
+    fn ends<T: MachineFloat>(
+        &self,
+        maps: &[&MapAt<T>],
+        mut columns: Vec<Vec<T>>,
+    ) -> Vec<Followed<Vec<Seen>>> {
+        let steps = self.asked.steps;
+        let is_short = steps <= AT_ONCE / LANES;
+        let mut found = Vec::with_capacity(maps.len());
+        for same in maps.chunk_by(|a, b| std::ptr::eq(*a, *b)) {
+            let orbits = found.len()..found.len() + same.len();
+            if self.cells.neighbours_share_a_map() && is_short {
+                let mut own: Vec<&mut [T]> =
+                    columns.iter_mut().map(|column| &mut column[orbits.clone()]).collect();
+                found.extend(same[0].follow_columns(&mut own, &[], &[], steps).expect(FITTING));
+                continue;
+            }
+            for orbit in orbits {
+                let mut x: Vec<T> = columns.iter().map(|column| column[orbit]).collect();
+                let followed = same[0].follow(&mut x, steps, |_| ControlFlow::Continue(()));
+                found.push(followed.expect(FITTING));
+                columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
+            }
+        }
+        let told = found.into_iter().enumerate().map(|(orbit, Followed { steps, ended, .. })| {
+            let point = || Seen::Point(columns.iter().map(|column| column[orbit].approximate()).collect());
+            Followed { report: self.asked.observables().map(|_| point()).collect(), steps, ended }
+        });
+        told.collect()
+    }
+}
+
+/// The map at the parameters that were met last; there is none where the field divides by zero.
+#[derive(Default)]
+struct Known(Option<(Vec<f64>, Option<Map>)>);
+
+impl Known {
+    fn at(&mut self, parameters: &[f64], make: impl FnOnce() -> Option<Map>) -> Option<&Map> {
+        if !self.0.as_ref().is_some_and(|(known, _)| is_same(known, parameters)) {
+            self.0 = Some((parameters.to_vec(), make()));
+        }
+        self.0.as_ref().and_then(|(_, map)| map.as_ref())
+    }
+}
+
+/// Whether these are the same numbers, bit for bit.
+fn is_same(a: &[f64], b: &[f64]) -> bool {
+    a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()))
+}

@@ -1,0 +1,60 @@
+//! Blocks of rows on all threads that a watch has, handed on in their order.
+//!
+//! In: what makes the rows of some cells. Out: blocks. What rows are made of, this module must not
+//! know.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+use kahan_discover::{Progress, Watch};
+use kahan_runtime::threads;
+
+use crate::rows::{End, Rows, Table};
+
+/// Blocks that are made before their rows are handed on, for each thread.
+const WAVE: u64 = 64;
+
+/// Makes the rows of cells: it tells how many are done, and ends where that is answered by `false`.
+pub(super) type Make<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
+
+/// Hands on the rows of a range, up to the first that is missing. Threads have blocks of a number
+/// between these two, and several each, so that none is left with much where others are done.
+pub(super) fn in_waves(
+    range: Range<u64>,
+    [least, most]: [u64; 2],
+    make: &Make<'_>,
+    rows: &mut dyn Rows,
+    watch: &dyn Watch,
+) -> End {
+    let (threads, count) = (watch.threads() as u64, range.end - range.start);
+    let block = match threads {
+        1 => most,
+        _ => (count / (8 * threads)).next_multiple_of(least).clamp(least, most),
+    };
+    let (done, is_over) = (AtomicU64::new(0), AtomicBool::new(false));
+    let goes_on = |more: u64| {
+        let done = done.fetch_add(more, Ordering::Relaxed) + more;
+        let progress = Progress { what: "cells", done, of: Some(count) };
+        if !is_over.load(Ordering::Relaxed) && watch.look(&progress).is_break() {
+            is_over.store(true, Ordering::Relaxed);
+        }
+        !is_over.load(Ordering::Relaxed)
+    };
+    let blocks = count.div_ceil(block);
+    for first in (0..blocks).step_by((WAVE * threads) as usize) {
+        let cells = |place: usize| {
+            let start = range.start + (first + place as u64) * block;
+            start..range.end.min(start + block)
+        };
+        let wave = (WAVE * threads).min(blocks - first) as usize;
+        let tables = threads::map(wave, Some(threads as usize), |place| make(cells(place), &goes_on));
+        for (place, table) in tables.iter().enumerate() {
+            let own = cells(place);
+            let has_ended = table.count() > 0 && table.hand_to(rows).is_break();
+            if has_ended || (table.count() as u64) < own.end - own.start {
+                return End::Stopped;
+            }
+        }
+    }
+    End::Complete
+}

@@ -1,0 +1,290 @@
+//! ε and a first point, chosen where they are not given, so that there is an orbit to see.
+//!
+//! What is chosen is in units of the field's own: other units of length and time change a choice by
+//! powers of two, and so nothing of what is drawn.
+
+use std::ops::ControlFlow;
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational::Rational;
+use kahan_core::observe::{Escape, Visit};
+use kahan_runtime::{Ended, Field, Follow, MapAt};
+
+use crate::error::StudyError;
+use crate::study::Study;
+
+/// An orbit that figures show.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// ε, half the time step.
+    pub eps: Rational,
+    /// The first point.
+    pub start: Vec<Rational>,
+    /// The least and the greatest value of each variable on the orbit.
+    pub extremes: Vec<[f64; 2]>,
+    /// The size of the first point, or a length of the field where all of its coordinates are 0.
+    pub size: f64,
+    /// Whether it stays within reach for as long as it was followed.
+    pub stays: bool,
+}
+
+/// Steps that an orbit is followed.
+const STEPS: u64 = 4000;
+/// The size, seen from the first point, beyond which an orbit is lost to a picture.
+const REACH: f64 = 1e3;
+/// Numbers that first points are made of: of small height, so that exact orbits can be followed,
+/// and different, so that no symmetry holds them.
+const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
+/// Sizes that first points have in units of the field's length, in the order in which they are
+/// tried.
+const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 100)];
+
+impl Study {
+    /// An orbit to see. What is not given is chosen: ε as a power of two, up to a fifth of what the
+    /// field's rates allow, and the first point as the first of some small fractions of the field's
+    /// length whose orbit stays and goes on moving. Costs some orbits of four thousand steps.
+    ///
+    /// # Errors
+    /// [`StudyError`]: values that are missing, a point that does not fit, a field that is not
+    /// defined at its parameters.
+    pub fn scene(&self, eps: Option<&Rational>, start: Option<&[Rational]>) -> Result<Scene, StudyError> {
+        let start = start.map(|start| self.point(start)).transpose()?;
+        let (field, values) = (Field::of(self.system()), self.values()?);
+        Scene::of(&field, &values, eps, start.as_deref()).ok_or_else(|| self.undefined_field())
+    }
+}
+
+impl Scene {
+    /// The scene of a field at these values of its parameters; `None` where it divides by zero.
+    fn of(
+        field: &Field,
+        parameters: &[Rational],
+        eps: Option<&Rational>,
+        start: Option<&[Rational]>,
+    ) -> Option<Self> {
+        let map = field.with(field.parameters().iter().zip(parameters)).ok()?;
+        let length = length(field, parameters, eps);
+        let starts =
+            start.map_or_else(|| starts(field.variables().len(), length), |start| vec![start.to_vec()]);
+        let mut best: Option<Followed> = None;
+        for start in starts {
+            let mut rate = Followed::rate(&map.at(0.0), &floats(&start));
+            // A second look, at the rates where the orbit went.
+            for _ in 0..2 {
+                let eps = eps.cloned().unwrap_or_else(|| round_below(0.2 / rate));
+                let followed = Followed::of(&map.at(eps.to_f64()), eps, &start, length);
+                rate = rate.max(followed.rate);
+                if best.as_ref().is_none_or(|best| best.rank() < followed.rank()) {
+                    best = Some(followed);
+                }
+            }
+            if best.as_ref().is_some_and(|best| best.scene.stays && best.moves) {
+                break;
+            }
+        }
+        best.map(|best| best.scene)
+    }
+}
+
+/// A scene, and what there is to choose it by.
+struct Followed {
+    scene: Scene,
+    steps: u64,
+    /// Whether it still moves in the second half.
+    moves: bool,
+    /// The largest size of f′ on it.
+    rate: f64,
+}
+
+impl Followed {
+    fn of(at: &MapAt<f64>, eps: Rational, start: &[Rational], length: f64) -> Self {
+        let mut x = floats(start);
+        let size = x.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let size = if size > 0.0 { size } else { length };
+        let is_within = |x: &[f64]| x.iter().all(|x| x.abs() <= REACH * size);
+        let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
+        let (mut late, mut rate) = (extremes.clone(), 0.0f64);
+        let look = Visit::by(|step, x: &[f64]| {
+            if !is_within(x) {
+                return;
+            }
+            widen(&mut extremes, x);
+            if step == STEPS / 2 {
+                late = x.iter().map(|&x| [x, x]).collect();
+            }
+            widen(&mut late, x);
+            if step % 16 == 0 {
+                rate = rate.max(Followed::rate(at, x));
+            }
+        });
+        let lost = Escape::when(|x: &[f64]| !is_within(x)).ending();
+        let followed = at.observe(&mut x, STEPS - 1, (look, lost), |_| ControlFlow::Continue(()));
+        let followed = followed.expect("the start is of the field");
+        // A point that is lost is none of them.
+        let steps = followed.steps + u64::from(followed.ended != Ended::Done);
+        let spread = |ends: &[[f64; 2]]| ends.iter().fold(0.0, |most: f64, [low, high]| most.max(high - low));
+        let moves = spread(&late) > 1e-3 * size;
+        let scene = Scene { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };
+        Followed { scene, steps, moves, rate }
+    }
+
+    /// The largest sum of a row of |f′|.
+    fn rate(at: &MapAt<f64>, x: &[f64]) -> f64 {
+        let mut jacobian = vec![0.0; x.len() * x.len()];
+        // Both are as long as the field has variables.
+        let _ = at.field_jacobian(x, &mut jacobian);
+        let rows = jacobian.chunks(x.len().max(1));
+        rows.map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
+    }
+
+    /// Larger for what is better: an orbit that stays and moves, then one that stays, then a longer
+    /// one.
+    fn rank(&self) -> (bool, bool, u64) {
+        (self.scene.stays && self.moves, self.scene.stays, self.steps)
+    }
+}
+
+fn widen(extremes: &mut [[f64; 2]], x: &[f64]) {
+    for (ends, x) in extremes.iter_mut().zip(x) {
+        *ends = [ends[0].min(*x), ends[1].max(*x)];
+    }
+}
+
+fn floats(start: &[Rational]) -> Vec<f64> {
+    start.iter().map(Rational::to_f64).collect()
+}
+
+/// A length of the field, a power of two: where its terms of different degrees are about equal. A
+/// homogeneous field has none, but moves by its own length in a time; here in ε, or in a unit.
+fn length(field: &Field, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
+    let [constant, linear, quadratic] = [0, 1, 2].map(|degree| coefficient(field, parameters, degree));
+    let time = eps.map_or(1.0, |eps| eps.to_f64().abs());
+    power_below(match (constant > 0.0, linear > 0.0, quadratic > 0.0) {
+        (false, false, true) => 1.0 / (quadratic * time),
+        (_, _, true) => (linear / quadratic).max((constant / quadratic).sqrt()),
+        (true, true, false) => constant / linear,
+        (_, _, false) => 1.0,
+    })
+    .unwrap_or(1.0)
+}
+
+/// The largest coefficient of this degree in the variables, in size.
+fn coefficient(field: &Field, parameters: &[Rational], degree: u32) -> f64 {
+    let quadratic = &field.system().field;
+    let at = |polynomial: &Polynomial| {
+        let places = parameters.iter().enumerate();
+        places.fold(polynomial.clone(), |polynomial, (k, value)| {
+            polynomial.substitute(quadratic.symbols.parameter(k), value)
+        })
+    };
+    let sizes = quadratic.components.iter().enumerate().flat_map(|(i, component)| {
+        let below = at(&component.denominator).as_constant().unwrap_or_default();
+        let above = at(&quadratic.homogeneous_part(i, degree));
+        let sizes = above.terms().filter_map(|(_, above)| above.checked_div(&below));
+        sizes.map(|size| size.abs().to_f64()).collect::<Vec<_>>()
+    });
+    sizes.fold(0.0, f64::max)
+}
+
+/// The largest power of two that is no larger than a number; `None` where there is none.
+fn power_below(number: f64) -> Option<f64> {
+    const EXPONENT: u64 = 0x7ff << 52;
+    let power = f64::from_bits(number.to_bits() & EXPONENT);
+    (number > 0.0 && power > 0.0 && power.is_finite()).then_some(power)
+}
+
+/// First points to be tried, in units of a length: of each size, with all coordinates above 0, then
+/// with signs in turn.
+fn starts(variables: usize, length: f64) -> Vec<Vec<Rational>> {
+    let signs = [[1, 1], [1, -1]];
+    let starts = SIZES.iter().flat_map(|size| signs.iter().map(move |signs| (size, signs)));
+    let length = Rational::from_f64(length).expect("a length is finite");
+    let coordinate = |size: &(i64, i64), sign: i64, k: usize| {
+        let (above, below) = NUMBERS[k % NUMBERS.len()];
+        &Rational::new(sign * above * size.0, below * size.1) * &length
+    };
+    starts.map(|(size, signs)| (0..variables).map(|k| coordinate(size, signs[k % 2], k)).collect()).collect()
+}
+
+/// The largest power of two that is at most this: of few digits in every unit of time. 1 where
+/// there is no bound, and something small where there is no number.
+fn round_below(bound: f64) -> Rational {
+    const SMALL: f64 = 1.0 / (1_u64 << 30) as f64;
+    let eps = power_below(bound).unwrap_or(if bound > 0.0 { 1.0 } else { SMALL });
+    Rational::from_f64(eps).expect("a power of two is finite")
+}
+
+#[cfg(test)]
+mod tests {
+    use kahan_runtime::Field;
+
+    use super::*;
+
+    #[test]
+    fn eps_is_a_power_of_two_below_its_bound() {
+        for (bound, below) in [(3.0, (2, 1)), (1.0, (1, 1)), (0.7, (1, 2)), (0.19, (1, 8)), (0.004, (1, 256))]
+        {
+            assert_eq!(round_below(bound), Rational::new(below.0, below.1), "{bound}");
+        }
+        assert!(round_below(f64::NAN).to_f64() > 0.0 && round_below(0.0).to_f64() > 0.0);
+        assert_eq!(round_below(f64::INFINITY), Rational::one());
+    }
+
+    /// A scene in units of length and time that are 2^−k and 2^−j of the ordinary ones, brought
+    /// back to these.
+    fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
+        let field = Field::parse(text).unwrap();
+        let power = |exponent: i32| f64::from(exponent).exp2();
+        let value = |name: &String| Rational::from_f64(power(if name == "q" { k } else { j })).unwrap();
+        let values: Vec<Rational> = field.parameters().iter().map(value).collect();
+        let eps = eps.map(|eps| Rational::from_f64(eps * power(-j)).unwrap());
+        let scene = Scene::of(&field, &values, eps.as_ref(), None).unwrap();
+        let lengths = scene.start.iter().map(Rational::to_f64).chain([scene.size]);
+        let lengths = lengths.chain(scene.extremes.into_iter().flatten()).map(|x| x * power(k));
+        (lengths.collect(), vec![scene.eps.to_f64() * power(j)], scene.stays)
+    }
+
+    #[test]
+    fn scenes_are_the_same_in_every_unit() {
+        let fields = [
+            "xdot = nu*x*(1 - q*y); ydot = nu*y*(q*x - 1);",
+            "xdot = nu*y; ydot = nu*(q*x^2 - x);",
+            "xdot = nu*10*(y - x); ydot = nu*(x*(28 - q*z) - y); zdot = nu*(q*x*y - 8/3*z);",
+            "xdot = nu*(-y - z); ydot = nu*(x + 0.2*y); zdot = nu*(0.2/q + z*(q*x - 5.7));",
+            "xdot = nu*(1/q + q*x^2);",
+            "xdot = nu*(y - x); ydot = nu*(0.3/q - y);",
+        ];
+        for text in fields {
+            for eps in [None, Some(0.01)] {
+                let ordinary = in_unit(text, [0, 0], eps);
+                for unit in [[300, 0], [-300, 0], [0, 50], [0, -50], [-77, 13]] {
+                    assert_eq!(in_unit(text, unit, eps), ordinary, "{text} in {unit:?}");
+                }
+            }
+        }
+        // A homogeneous field alone does not tell a change of length from one of time.
+        let text = "xdot = q*nu*x*(y - z); ydot = q*nu*y*(z - x); zdot = q*nu*z*(x - y);";
+        for unit in [[300, 0], [-300, 0], [0, 50], [-77, 13]] {
+            assert_eq!(in_unit(text, unit, Some(0.01)), in_unit(text, [0, 0], Some(0.01)), "{unit:?}");
+        }
+        assert_eq!(in_unit(text, [300, 0], None), in_unit(text, [0, 0], None));
+    }
+
+    #[test]
+    fn an_orbit_that_stays_is_found() {
+        // Half of the plane escapes; the start of size 1 does.
+        let field = Field::parse("xdot = y; ydot = x^2 - x;").unwrap();
+        let scene = Scene::of(&field, &[], None, None).unwrap();
+        assert!(scene.stays && scene.start[0] != Rational::one(), "{scene:?}");
+        let given = [Rational::new(1, 7), Rational::new(0, 1)];
+        let scene = Scene::of(&field, &[], Some(&Rational::new(1, 9)), Some(&given)).unwrap();
+        assert_eq!((scene.start.as_slice(), scene.eps), (&given[..], Rational::new(1, 9)));
+    }
+
+    #[test]
+    fn where_none_stays_the_longest_is_taken() {
+        let field = Field::parse("xdot = x^2 + 1;").unwrap();
+        let scene = Scene::of(&field, &[], None, None).unwrap();
+        assert_eq!(scene.start.len(), 1);
+    }
+}

@@ -1,0 +1,249 @@
+//! Orbits as tables: rows in blocks and in memory, ranges of them, bits, methods, and what stops
+//! them.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use kahan_algebra::rational::Rational;
+use kahan_runtime::{Field, Follow};
+use kahan_study::numbers::ScalarKind;
+use kahan_study::{
+    Answer, Column, End, Exact, Kept, Method, NoOrbit, Orbit, Orbited, Progress, Question, Rows, Study,
+    StudyError, Subject, Systems, Table, Unwatched, Values, Watch,
+};
+use serde_json::json;
+
+fn study(subject: Subject) -> Study {
+    subject.study(&Systems).expect("a subject")
+}
+
+fn lv() -> Study {
+    study(Subject::named("lv"))
+}
+
+fn rational(p: i64, q: i64) -> Rational {
+    Rational::new(p, q)
+}
+
+/// An orbit of the Lotka-Volterra map.
+fn asked(steps: u64) -> Orbit {
+    Orbit::new(rational(1, 7), vec![rational(1, 2), rational(5, 3)], steps)
+}
+
+fn answer(study: &Study, asked: &Orbit) -> Orbited {
+    let Ok(Answer::Orbit(orbit)) = study.ask(&Question::Orbit(asked.clone()), &Unwatched) else {
+        panic!("an orbit")
+    };
+    *orbit
+}
+
+/// All rows of a range.
+fn rows(study: &Study, asked: &Orbit, range: std::ops::Range<u64>) -> Table {
+    let mut table = Table::default();
+    study.rows(&Question::Orbit(asked.clone()), range, &mut table, &Unwatched).expect("rows");
+    table
+}
+
+fn doubles(table: &Table, column: usize) -> &[f64] {
+    let Kept::F64(list) = &table.values[column] else { panic!("doubles") };
+    list
+}
+
+/// Each scalar, each method that goes with it, through poles and not.
+fn every_sort(steps: u64) -> Vec<Orbit> {
+    let mut sorts = Vec::new();
+    for scalar in ScalarKind::ALL {
+        let orbit = Orbit { scalar, ..asked(steps) };
+        sorts.push(Orbit { projective: true, ..orbit.clone() });
+        for method in Method::ALL {
+            // A step of Runge and Kutta makes numbers sixteen times as long.
+            if scalar != ScalarKind::Exact || [Method::Kahan, Method::Euler].contains(&method) {
+                sorts.push(Orbit { method, ..orbit.clone() });
+            }
+        }
+    }
+    sorts
+}
+
+#[test]
+fn a_range_of_rows_is_the_slice_of_all_of_them() {
+    for plain in every_sort(7) {
+        let orbit = Orbit { every: 2, ..plain.clone() };
+        let (whole, steps) = (rows(&lv(), &orbit, 0..u64::MAX), rows(&lv(), &plain, 0..u64::MAX));
+        assert_eq!(whole, answer(&lv(), &orbit).rows);
+        // n = 0, 2, 4, 6: the seventh step has no row.
+        let Kept::Integer(counts) = &whole.values[0] else { panic!("counts") };
+        assert_eq!(counts[..], [0, 2, 4, 6]);
+        let cells = |table: &Table, row: usize| -> Vec<String> {
+            table.values.iter().map(|kept| kept.values().cell(row).to_string()).collect()
+        };
+        for row in 0..4 {
+            assert_eq!(cells(&whole, row), cells(&steps, 2 * row), "{orbit:?}");
+            let one = rows(&lv(), &orbit, row as u64..row as u64 + 1);
+            assert_eq!(cells(&one, 0), cells(&whole, row), "{orbit:?}");
+        }
+        assert_eq!(rows(&lv(), &orbit, 4..9), Table::default());
+    }
+}
+
+/// Counts blocks and rows, and wants no more than some of them.
+struct Blocks {
+    most: usize,
+    blocks: Vec<usize>,
+}
+
+impl Rows for Blocks {
+    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        assert_eq!(columns.len(), values.len());
+        let count = values[0].count();
+        assert!(values.iter().all(|values| values.count() == count));
+        self.blocks.push(count);
+        if self.blocks.len() < self.most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+}
+
+#[test]
+fn rows_of_floats_come_some_thousand_at_once_as_long_as_they_are_wanted() {
+    let mut all = Blocks { most: usize::MAX, blocks: Vec::new() };
+    let orbit = asked(10_000);
+    assert_eq!(orbit.begin(&lv()).expect("an orbit").rows(0..u64::MAX, &mut all, &Unwatched), End::Complete);
+    assert_eq!(all.blocks.iter().sum::<usize>(), 10_001);
+    assert!(all.blocks.len() < 20 && all.blocks.iter().all(|rows| *rows <= 4096), "{:?}", all.blocks);
+    let mut two = Blocks { most: 2, blocks: Vec::new() };
+    assert_eq!(orbit.begin(&lv()).expect("an orbit").rows(0..u64::MAX, &mut two, &Unwatched), End::Stopped);
+    assert_eq!(two.blocks.len(), 2);
+}
+
+#[test]
+fn rows_of_doubles_have_the_bits_of_the_library() {
+    let field = Field::parse(lv().text()).expect("a field");
+    let map = field.map().expect("no parameters").at(1.0 / 7.0);
+    let (mut x, mut points) = ([0.5, 5.0 / 3.0], [[0.0_f64; 2]; 3000]);
+    let every = std::num::NonZeroU64::MIN;
+    map.rows(&mut x, every, points.as_flattened_mut(), |_| ControlFlow::Continue(())).expect("fits");
+    let table = answer(&lv(), &asked(3000)).rows;
+    for i in 0..2 {
+        let expected: Vec<u64> = points.iter().map(|point| point[i].to_bits()).collect();
+        let found: Vec<u64> = doubles(&table, 2 + i)[1..].iter().map(|x| x.to_bits()).collect();
+        assert_eq!(found, expected);
+    }
+}
+
+/// Breaks at the second look, and counts the looks.
+struct Impatient(AtomicU32);
+
+impl Watch for Impatient {
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        assert!(progress.done <= 1_000_000 && progress.of == Some(1_000_000));
+        if self.0.fetch_add(1, Ordering::Relaxed) == 0 {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    }
+}
+
+#[test]
+fn a_watch_that_breaks_leaves_what_is_known() {
+    for orbit in every_sort(1_000_000) {
+        let orbit = Orbit { every: 10, eps: rational(1, 1000), ..orbit };
+        let watch = Impatient(AtomicU32::new(0));
+        let mut table = Table::default();
+        assert_eq!(
+            orbit.begin(&lv()).expect("an orbit").rows(0..u64::MAX, &mut table, &watch),
+            End::Stopped,
+            "{orbit:?}"
+        );
+        assert!(table.values[0].values().count() >= 1);
+        assert_eq!(watch.0.into_inner(), 2, "{orbit:?}");
+    }
+}
+
+/// ẋ = x over a time step of 1: Euler's factor is 2, that of Runge and Kutta 65/24, the flow's e,
+/// Kahan's 3.
+#[test]
+fn each_method_is_what_it_is_called() {
+    let growth = study(Subject::text("xdot = x;"));
+    let orbit = Orbit::new(rational(1, 2), vec![Rational::from(1)], 2);
+    for (method, factor) in [
+        (Method::Kahan, 3.0),
+        (Method::Euler, 2.0),
+        (Method::Rk4, 65.0 / 24.0),
+        (Method::Flow, std::f64::consts::E),
+    ] {
+        let table = answer(&growth, &Orbit { method, ..orbit.clone() }).rows;
+        for (n, x) in [(0, 1.0), (1, factor), (2, factor * factor)] {
+            // Some roundings a step.
+            assert!((doubles(&table, 2)[n] - x).abs() <= 8.0 * f64::EPSILON * x, "{method:?} {n}");
+        }
+    }
+    let exact = Orbit { scalar: ScalarKind::Exact, method: Method::Rk4, ..orbit.clone() };
+    let Kept::Exact(values) = &answer(&growth, &exact).rows.values[2] else { panic!("exact numbers") };
+    assert_eq!(values[1], Exact::Number((&rational(65, 24)).into()));
+    // Backwards the flow comes back.
+    let back = Orbit { eps: rational(-1, 2), method: Method::Flow, ..orbit };
+    assert!((doubles(&answer(&growth, &back).rows, 2)[2] - (-2.0_f64).exp()).abs() < 1e-16);
+}
+
+/// The solution of ẋ = x² + 1 from 0 is tan t, which is infinite at π/2; Kahan's map goes over it.
+#[test]
+fn the_flow_ends_where_it_escapes() {
+    let away = study(Subject::text("xdot = x^2 + 1;"));
+    let orbit = Orbit { method: Method::Flow, ..Orbit::new(rational(1, 20), vec![Rational::zero()], 100) };
+    let found = answer(&away, &orbit);
+    let End::Range(last) = &found.end else { panic!("{:?}", found.end) };
+    assert_eq!(last.step, 15);
+    assert!(last.why.contains("escapes to infinity") && last.why.contains("x = 14.1"), "{}", last.why);
+    for (t, x) in doubles(&found.rows, 1).iter().zip(doubles(&found.rows, 2)) {
+        // Near its pole tan makes much of the rounding of t.
+        assert!((x - t.tan()).abs() <= 1e-15 * (1.0 + x * x), "{t}: {x}");
+    }
+    assert_eq!(doubles(&found.rows, 1).len(), 16);
+}
+
+#[test]
+fn what_does_not_go_together_says_so() {
+    let error = |orbit: Orbit| lv().ask(&Question::Orbit(orbit), &Unwatched).expect_err("a mistake");
+    let (order, scalar) = (4, ScalarKind::Exact);
+    let refused = |orbit: Orbit| match error(orbit) {
+        StudyError::Orbit(why) => why,
+        other => panic!("{other:?}"),
+    };
+    let plain = || asked(5);
+    assert_eq!(refused(Orbit { order, scalar, ..plain() }), NoOrbit::Irrational(4));
+    assert_eq!(refused(Orbit { order, projective: true, ..plain() }), NoOrbit::ProjectiveOrder);
+    let method = Method::Euler;
+    assert_eq!(refused(Orbit { method, projective: true, ..plain() }), NoOrbit::ProjectiveMethod);
+    assert_eq!(refused(Orbit { method, order, ..plain() }), NoOrbit::OwnOrder(method));
+    assert_eq!(refused(Orbit { method: Method::Flow, scalar, ..plain() }), NoOrbit::ExactFlow);
+    assert!(matches!(error(Orbit { order: 3, ..plain() }), StudyError::Order(3)));
+    assert!(matches!(error(Orbit { every: 0, ..plain() }), StudyError::NotPositive { what: "every", .. }));
+    assert!(matches!(error(asked(1 << 23)), StudyError::TooLong { cells } if cells > 1 << 24));
+    let far = Orbit { scalar: ScalarKind::F32, eps: rational(10_i64.pow(18), 1), ..plain() };
+    let far =
+        Orbit { at: vec![rational(10_i64.pow(18), 1), Rational::typed("1e40").expect("a number")], ..far };
+    assert!(matches!(
+        error(far),
+        StudyError::BeyondRange { what: "at", name, scalar: ScalarKind::F32 } if name == "y"
+    ));
+    let heights = serde_json::from_value(json!({"ask": "heights", "eps": 1, "at": [1, 2], "steps": 3}));
+    let none = lv().rows(&heights.expect("a question"), 0..9, &mut Table::default(), &Unwatched);
+    assert!(matches!(none, Err(StudyError::NoRows("heights"))));
+}
+
+#[test]
+fn crossings_are_rows_too() {
+    let asked =
+        json!({"ask": "section", "eps": "1/100", "at": [1, "1/2"], "steps": 5000, "plane": "y - x/2"});
+    let question: Question = serde_json::from_value(asked).expect("a question");
+    let turning = study(Subject::text("xdot = y; ydot = -x;"));
+    let Ok(Answer::Section(found)) = turning.ask(&question, &Unwatched) else { panic!("crossings") };
+    assert!(found.crossings.len() > 10);
+    let mut table = Table::default();
+    let end = turning.rows(&question, 3..7, &mut table, &Unwatched).expect("rows");
+    assert_eq!((end, doubles(&table, 1).len()), (End::Complete, 4));
+    for (row, crossing) in found.crossings[3..7].iter().enumerate() {
+        let own = [doubles(&table, 1)[row], doubles(&table, 2)[row], doubles(&table, 3)[row]];
+        assert_eq!(own, [crossing.time, crossing.point[0], crossing.point[1]]);
+    }
+}

@@ -1,0 +1,227 @@
+//! Questions over axes: their numbering, their rows, and that nothing but the question decides them.
+
+use std::ops::{ControlFlow, Range};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use kahan_algebra::rational::Rational;
+use kahan_study::{
+    Answer, Column, End, Kept, Observed, Over, Progress, Question, Rows, Study, StudyError, Subject, Systems,
+    Table, Unwatched, Values, Watch,
+};
+use serde_json::{Value, json};
+
+fn study(subject: Subject) -> Study {
+    subject.study(&Systems).expect("a subject")
+}
+
+fn over(object: Value) -> Over {
+    let Ok(Question::Over(over)) = serde_json::from_value(object) else { panic!("a question over axes") };
+    over
+}
+
+/// Drawn starts, two orders, both scalars, a parameter that the field divides by at 0, and points
+/// from which orbits leave the range.
+fn mixed() -> (Study, Over) {
+    let field = "xdot = y/r; ydot = x^2 + r;";
+    let over = over(json!({
+        "ask": "over", "seed": 3, "draws": 5, "starts": [[1, 0], ["1e200", 2]],
+        "axes": [
+            {"name": "r", "range": "-1:1:+1"}, {"name": "eps", "values": ["1/10", 0.2]},
+            {"name": "order", "values": [2, 4]}, {"name": "bits", "values": [64, 32]},
+        ],
+        "question": {
+            "ask": "observe", "eps": 0, "at": [0, 0], "steps": 40, "escape": 5, "of": [
+                "final", "drift", "extrema", "lyapunov", "spectrum", "log_det", "fli", "megno", "sali", "rotation", "escape",
+            ],
+        },
+    }));
+    (study(Subject::text(field)), over)
+}
+
+/// Takes blocks, at most so many rows of them.
+struct Few(Table, usize);
+
+impl Rows for Few {
+    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        let _ = self.0.block(columns, values);
+        if self.0.count() < self.1 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+}
+
+/// So many threads, and an end after so many looks.
+struct Hands {
+    threads: usize,
+    looks: AtomicU64,
+}
+
+impl Hands {
+    fn of(threads: usize, looks: u64) -> Self {
+        Hands { threads, looks: looks.into() }
+    }
+}
+
+impl Watch for Hands {
+    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
+        match self.looks.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1)) {
+            Ok(_) => ControlFlow::Continue(()),
+            Err(_) => ControlFlow::Break(()),
+        }
+    }
+
+    fn threads(&self) -> usize {
+        self.threads
+    }
+}
+
+fn rows(study: &Study, over: &Over, range: Range<u64>, watch: &dyn Watch) -> (Table, End) {
+    let mut table = Table::default();
+    let end = study.rows(&Question::Over(over.clone()), range, &mut table, watch).expect("rows");
+    (table, end)
+}
+
+/// Bits, as what is not a number equals nothing.
+fn bits(table: &Table, cells: Range<usize>) -> Vec<Vec<u64>> {
+    let column = |kept: &Kept| match kept {
+        Kept::F64(list) => list[cells.clone()].iter().map(|value| value.to_bits()).collect(),
+        Kept::Integer(list) => list[cells.clone()].iter().map(|value| *value as u64).collect(),
+        other => panic!("{other:?}"),
+    };
+    table.values.iter().map(column).collect()
+}
+
+#[test]
+fn a_row_depends_on_its_number_alone() {
+    let (study, over) = mixed();
+    let count = over.cells(&study).expect("cells");
+    assert_eq!(count, 2 * 3 * 2 * 2 * 2, "no axis is drawn");
+    let (all, end) = rows(&study, &over, 0..count, &Unwatched);
+    assert_eq!((all.count() as u64, end), (count, End::Complete));
+    for threads in [2, 3] {
+        let (other, _) = rows(&study, &over, 0..count + 9, &Hands::of(threads, u64::MAX));
+        assert_eq!(bits(&other, 0..count as usize), bits(&all, 0..count as usize), "{threads}");
+    }
+    for range in [0..1, 5..6, 7..31, 40..48] {
+        let own = range.start as usize..range.end as usize;
+        let (part, _) = rows(&study, &over, range, &Unwatched);
+        assert_eq!(bits(&part, 0..own.len()), bits(&all, own));
+    }
+    let Answer::Over(found) = study.ask(&Question::Over(over), &Unwatched).expect("an answer") else {
+        unreachable!("the answer to this question")
+    };
+    assert_eq!(bits(&found.rows, 0..count as usize), bits(&all, 0..count as usize));
+}
+
+/// In doubles, and where there is an orbit: the numbers of the question itself.
+#[test]
+fn a_cell_has_what_the_question_answers_there() {
+    let (study, over) = mixed();
+    let (all, _) = rows(&study, &over, 0..48, &Unwatched);
+    let column = |name: &str| {
+        let place = all.columns.iter().position(|column| column.name == name).expect(name);
+        match &all.values[place] {
+            Kept::F64(list) => list.clone(),
+            Kept::Integer(list) => list.iter().map(|value| *value as f64).collect(),
+            other => panic!("{other:?}"),
+        }
+    };
+    let [x, y, r, eps, order, bits] = ["x", "y", "r", "eps", "order", "bits"].map(column);
+    let (steps, fli, turns, last) = (column("steps"), column("fli"), column("rotation_x"), column("final_x"));
+    assert_eq!(x[..24], [1.0; 24]);
+    assert_eq!(
+        (&r[..8], &bits[..3], &order[..3]),
+        (&[-1.0; 8][..], &[64.0, 32.0, 64.0][..], &[2.0, 2.0, 4.0][..])
+    );
+    let (mut compared, mut left) = (0, 0);
+    for cell in (0..48).filter(|cell| bits[*cell] == 64.0) {
+        if r[cell] == 0.0 {
+            assert!(steps[cell] == 0.0 && fli[cell].is_nan());
+            continue;
+        }
+        let Question::Observe(asked) = &*over.question else { unreachable!("it is one") };
+        let mut asked = asked.clone();
+        let exactly = |value: f64| Rational::typed(&value.to_string()).expect("a number");
+        (asked.eps, asked.at) = (exactly(eps[cell]), vec![exactly(x[cell]), exactly(y[cell])]);
+        asked.order = order[cell] as u32;
+        let own = Subject::text("xdot = y/r; ydot = x^2 + r;").with("r", exactly(r[cell]));
+        let observed: Observed = asked.ask(&self::study(own), &Unwatched).expect("an answer");
+        let object = json!(observed);
+        let number = |of: &Value| of.as_f64().map(f64::to_bits);
+        assert_eq!(object["steps"], steps[cell] as u64);
+        for (own, found) in [(&object["fli"], fli[cell]), (&object["rotation"]["x"]["value"], turns[cell])] {
+            assert_eq!(number(own), Some(found).filter(|found| found.is_finite()).map(f64::to_bits));
+        }
+        assert_eq!(number(&object["final"]["x"]), Some(last[cell].to_bits()));
+        compared += 1;
+        left += usize::from(observed.left_range);
+    }
+    assert!(compared == 16 && left > 0, "{compared} {left}");
+}
+
+#[test]
+fn who_watches_or_takes_rows_can_stop_them() {
+    let lv = study(Subject::named("lv"));
+    let over = over(json!({
+        "ask": "over", "axes": [{"name": "x", "range": "1/10:2:/4000"}],
+        "question": {"ask": "observe", "eps": "1/10", "at": [1, 1], "steps": 9, "of": ["sali"]},
+    }));
+    let (all, _) = rows(&lv, &over, 0..4000, &Unwatched);
+    for threads in [1, 2] {
+        let (some, end) = rows(&lv, &over, 0..4000, &Hands::of(threads, 7));
+        assert!(end == End::Stopped && some.count() < 4000, "{end:?}: {}", some.count());
+        assert_eq!(bits(&some, 0..some.count()), bits(&all, 0..some.count()));
+    }
+    let mut few = Few(Table::default(), 300);
+    let end = lv.rows(&Question::Over(over), 0..4000, &mut few, &Unwatched).expect("rows");
+    assert!(end == End::Stopped && few.0.count() < 1000);
+}
+
+#[test]
+fn other_questions_have_rows_too() {
+    let of = |question: Value| {
+        let over = over(json!({
+            "ask": "over", "axes": [{"name": "a", "values": [0, 1]}, {"name": "eps", "values": ["1/10"]}], "question": question,
+        }));
+        let study = study(Subject::text("xdot = y; ydot = 1/a - x^2;"));
+        study.ask(&Question::Over(over), &Unwatched)
+    };
+    let found = of(json!({"ask": "evaluate", "eps": 1, "at": [1, "1/2"]})).expect("an answer");
+    let found = json!(found);
+    assert_eq!(found["columns"], json!(["index", "a", "next_x", "next_y", "det_A", "det_jacobian"]));
+    assert_eq!(found["rows"][0], json!([0, 0.0, null, null, null, null]));
+    // A = [[1, −ε], [2εx, 1]]
+    assert_eq!(found["rows"][1][4], json!(1.02));
+    let found =
+        json!(of(json!({"ask": "heights", "eps": 1, "at": [1, "1/2"], "steps": 4})).expect("an answer"));
+    assert_eq!((&found["rows"][0][2], &found["rows"][0][3]), (&json!(0), &json!("undefined")));
+    assert_eq!(found["rows"][1][2], json!(4));
+    let refused = of(json!({"ask": "poles"})).expect_err("no rows");
+    assert!(matches!(refused, StudyError::NoRows("poles")), "{refused}");
+}
+
+#[test]
+fn axes_that_do_not_fit_say_so() {
+    let refused = |axes: Value| {
+        let over = over(json!({
+            "ask": "over", "axes": axes, "draws": 3,
+            "question": {"ask": "observe", "eps": 1, "at": [1, 1], "steps": 4},
+        }));
+        study(Subject::named("lv")).ask(&Question::Over(over), &Unwatched).expect_err("a mistake").to_string()
+    };
+    for (axes, part) in [
+        (
+            json!([{"name": "w", "values": [1]}]),
+            "`w` is neither a variable nor a parameter of lv; there is x, y, eps",
+        ),
+        (json!([{"name": "x", "values": [1]}, {"name": "x", "values": [2]}]), "`x` is gone through twice"),
+        (json!([{"name": "order", "values": [2, 3]}]), "order: 3 is none of 2, 4, 6, 8"),
+        (json!([{"name": "bits", "values": [16]}]), "bits: 16 is none of 32, 64"),
+        (json!([{"name": "x", "draw": "uniform", "low": 1, "high": 0}]), "x: low is below high"),
+        (
+            json!([{"name": "x", "range": "0:1:/100000"}, {"name": "y", "range": "0:1:/1000"}]),
+            "100000000 cells",
+        ),
+    ] {
+        let said = refused(axes);
+        assert!(said.contains(part), "{part}: {said}");
+    }
+}
