@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use kahan_algebra::rational::Rational;
-use kahan_runtime::{Field as Compiled, Map, MapAt};
+use kahan_runtime::{Map, MapAt};
 use kahan_study::numbers::number;
 use kahan_study::{Question, Study, Subject, Systems};
 use pyo3::exceptions::PyValueError;
@@ -58,10 +58,7 @@ impl Float for f32 {
 impl Field {
     /// The field at its parameters.
     pub(crate) fn map(&self, py: Python<'_>) -> PyResult<Map> {
-        let values = self.study.values().map_err(|error| of_study(py, &error))?;
-        let field = Compiled::of(self.study.system());
-        let map = field.with(field.parameters().iter().zip(&values));
-        map.map_err(|error| PyValueError::new_err(error.to_string()))
+        self.study.map().cloned().map_err(|error| of_study(py, &error))
     }
 
     /// The map at ε, which is kept for the next call.
@@ -79,6 +76,11 @@ impl Field {
 }
 
 impl Field {
+    /// The field with its parameters.
+    pub(crate) fn study(&self) -> &Study {
+        &self.study
+    }
+
     /// How many variables there are.
     pub(crate) fn dimension(&self) -> usize {
         self.study.variables().len()
@@ -94,7 +96,7 @@ impl Field {
         if self.study.given().iter().all(Option::is_some) {
             return self.map(py);
         }
-        let field = Compiled::of(self.study.system());
+        let field = self.study.field();
         let values =
             self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
                 let other = first.get(k).and_then(|values| values.first());

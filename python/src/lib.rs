@@ -13,6 +13,7 @@ mod errors;
 mod field;
 mod lattice;
 mod orbit;
+mod table;
 
 use std::ffi::OsString;
 
