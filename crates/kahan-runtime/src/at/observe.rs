@@ -169,9 +169,9 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
         T: EnsembleScalar,
     {
         let Some((last, points)) = burst.steps().last() else { return };
-        let are_finite = |lane: usize| is_finite(points.of(lane).as_ref());
-        let mut lanes = group.iter().flatten().enumerate();
-        if O::MAY_END || !lanes.all(|(lane, own)| own.ended == Ended::Complete && are_finite(lane)) {
+        // All lanes of a variable lie side by side.
+        let are_finite = points.as_ref().iter().all(|lanes| is_finite(lanes));
+        if O::MAY_END || !are_finite || !group.iter().flatten().all(|own| own.ended == Ended::Complete) {
             for (lane, own) in group.iter_mut().flatten().enumerate() {
                 burst.show(lane, 0, |step, x| own.observe(step, x));
             }
