@@ -96,6 +96,11 @@ commands! {
 /// Runs the command with these arguments, the program's name first; what it prints goes to standard
 /// output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    ExitCode::from(status(arguments))
+}
+
+/// The same for programs of other languages: the exit status as a number.
+pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     if arguments.get(1).is_some_and(|command| command == BEFORE_CHART) {
         warn("`kahan map` is called `kahan chart` now");

@@ -4,7 +4,7 @@ use core::fmt;
 use std::ops::Range;
 
 use kahan_algebra::diagnostics::Diagnostic;
-use kahan_algebra::render::report;
+use kahan_algebra::render::{place, report};
 
 /// The mistakes of a text in the language of `kahan!`: those that the macro reports, at the same
 /// places and in the same words.
@@ -14,6 +14,7 @@ use kahan_algebra::render::report;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
     mistakes: Vec<Diagnostic>,
+    places: Vec<[usize; 2]>,
     reports: Vec<String>,
 }
 
@@ -22,13 +23,20 @@ impl Diagnostics {
         /// Nobody reads more at once.
         const MOST: usize = 8;
         let reports = mistakes.iter().take(MOST).map(|mistake| report(mistake, text, ranges, origin));
-        Diagnostics { reports: reports.collect(), mistakes }
+        let places = mistakes.iter().map(|mistake| place(mistake, text, ranges));
+        Diagnostics { places: places.collect(), reports: reports.collect(), mistakes }
     }
 
     /// The mistakes, in the order of their places.
     #[must_use]
     pub fn mistakes(&self) -> &[Diagnostic] {
         &self.mistakes
+    }
+
+    /// The line and the column where each of them begins, counted from 1.
+    #[must_use]
+    pub fn places(&self) -> &[[usize; 2]] {
+        &self.places
     }
 }
 

@@ -273,12 +273,16 @@ impl Study {
     }
 
     /// The field with its plans, which are made when it is first asked for.
-    pub(crate) fn field(&self) -> &Field {
+    #[must_use]
+    pub fn field(&self) -> &Field {
         self.0.field.get_or_init(|| Field::of(self.system()))
     }
 
     /// The map at the values of the parameters, with what was planned and compiled for it.
-    pub(crate) fn map(&self) -> Result<&Map, StudyError> {
+    ///
+    /// # Errors
+    /// Where a value is missing, or the field divides by zero at them.
+    pub fn map(&self) -> Result<&Map, StudyError> {
         if let Some(map) = self.0.map.get() {
             return Ok(map);
         }

@@ -1,8 +1,10 @@
 //! The objects of a system as formulas.
 
 use crate::field::{Component, Field};
-use crate::kahan::{RationalMap, bilinear_form, field_jacobian, scaled_matrix, scaled_rhs};
-use crate::poly::Polynomial;
+use crate::kahan::{RationalMap, TERM_BUDGET, bilinear_form, field_jacobian, scaled_matrix, scaled_rhs};
+use crate::poly::{Budget, Polynomial};
+use crate::rational::Rational;
+use crate::rational_function::RationalFunction;
 
 use super::notation::Notation;
 
@@ -83,6 +85,32 @@ impl Formulas<'_> {
             self.notation.moved(symbols, state, increment, &map.reduced.denominator)
         });
         Some(rows.collect())
+    }
+
+    /// ∂x̃/∂x, each entry in lowest terms; `None` where the map or an entry is beyond the budget.
+    /// Costs a greatest common divisor an entry.
+    #[must_use]
+    pub fn jacobian(&self) -> Option<MatrixText> {
+        /// Term products of an entry: some tenths of a second.
+        const WORK: u64 = 1 << 20;
+
+        let map = &self.map?.reduced;
+        let symbols = &self.field.symbols;
+        let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
+        let entry = |i: usize, j: usize| {
+            let budget = &mut Budget::new(TERM_BUDGET, WORK);
+            let increment = two_eps.mul_within(&map.increments[i], budget).ok()?;
+            let moved = RationalFunction::new_within(increment, map.denominator.clone(), budget).ok()??;
+            let slope = moved.derivative_within(symbols.state(j), budget).ok()?;
+            let identity = if i == j { RationalFunction::one() } else { RationalFunction::zero() };
+            let entry = identity.add_within(&slope, budget).ok()?;
+            Some(match entry.as_polynomial() {
+                Some(polynomial) => self.polynomial(polynomial),
+                None => self.notation.fraction(symbols, entry.numerator(), entry.denominator()),
+            })
+        };
+        let variables = 0..map.increments.len();
+        variables.clone().map(|i| variables.clone().map(|j| entry(i, j)).collect()).collect()
     }
 
     /// det A(x,ε); `None` beyond the budget.

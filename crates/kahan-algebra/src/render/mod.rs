@@ -14,4 +14,4 @@ pub use expression::{Level, expression_text, sum_of};
 pub use formula::{Formulas, MatrixText};
 pub use lines::{folded, lines};
 pub use notation::{Notation, Text};
-pub use report::report;
+pub use report::{place, report};

@@ -11,15 +11,12 @@ use kahan_syntax::diagnostics::Diagnostic;
 #[must_use]
 pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], origin: &str) -> String {
     let mut out = format!("error: {}\n", diagnostic.message);
-    let end_of_text = text.len()..text.len();
-    let last = ranges.len().saturating_sub(1);
-    let first_range = ranges.get(diagnostic.span.first.min(last)).cloned().unwrap_or(end_of_text);
-    let last_range = ranges.get(diagnostic.span.last.min(last)).cloned().unwrap_or(first_range.clone());
+    let first_range = range(diagnostic.span.first, text, ranges);
+    let last_range = range(diagnostic.span.last, text, ranges);
     let line_start = text[..first_range.start].rfind('\n').map_or(0, |at| at + 1);
     let line_end = text[first_range.start..].find('\n').map_or(text.len(), |at| first_range.start + at);
-    let number = text[..first_range.start].matches('\n').count() + 1;
-    let line = &text[line_start..line_end];
-    let column = text[line_start..first_range.start].chars().count();
+    let [number, place] = place(diagnostic, text, ranges);
+    let (line, column) = (&text[line_start..line_end], place - 1);
     let marked = &text[first_range.start..last_range.end.clamp(first_range.start, line_end)];
     let gutter = number.to_string();
     let (line, column) = shorten(line, column, WIDTH.saturating_sub(gutter.len() + 3));
@@ -28,11 +25,7 @@ pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], orig
     let indent: String = line.chars().take(column).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
     let room = line.chars().count().saturating_sub(column).max(1);
     let carets = "^".repeat(marked.chars().count().clamp(1, room));
-    let _ = writeln!(
-        out,
-        "{margin}--> {origin}:{number}:{}",
-        text[line_start..first_range.start].chars().count() + 1
-    );
+    let _ = writeln!(out, "{margin}--> {origin}:{number}:{place}");
     let _ = writeln!(out, "{margin} |");
     let _ = writeln!(out, "{gutter} | {line}");
     let _ = writeln!(out, "{margin} | {indent}{carets}");
@@ -40,6 +33,21 @@ pub fn report(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>], orig
         let _ = writeln!(out, "help: {}", diagnostic.help);
     }
     out
+}
+
+/// The line and the column of the text where the mistake begins, each counted from 1.
+#[must_use]
+pub fn place(diagnostic: &Diagnostic, text: &str, ranges: &[Range<usize>]) -> [usize; 2] {
+    let before = &text[..range(diagnostic.span.first, text, ranges).start];
+    let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+    [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
+}
+
+/// The bytes of a token; behind the last one, those of the last, and of a text without tokens its
+/// end.
+fn range(token: usize, text: &str, ranges: &[Range<usize>]) -> Range<usize> {
+    let last = ranges.len().saturating_sub(1);
+    ranges.get(token.min(last)).cloned().unwrap_or(text.len()..text.len())
 }
 
 /// The columns of a screen, which the line with the caret takes at most.

@@ -157,7 +157,7 @@ mod tests {
         };
 
         let forms = [Form::Text, Form::Latex, Form::Sympy, Form::Kahan, Form::Plan];
-        reads_back::<Show>(forms.map(|form| study::Show { form }));
+        reads_back::<Show>(forms.map(|form| study::Show { form, jacobian: form == Form::Latex }));
         let plain = Evaluate::new(eps.clone(), at.clone());
         reads_back::<Eval>([Evaluate { scalar: ScalarKind::Dd, ..plain.clone() }, plain]);
         let plain = study::Orbit::new(eps.clone(), at.clone(), 99);

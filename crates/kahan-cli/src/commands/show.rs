@@ -34,6 +34,10 @@ pub(crate) struct Show {
     #[arg(long, conflicts_with_all = ["latex", "as_macro"])]
     sympy: bool,
 
+    /// Write the map's Jacobian out, entry by entry.
+    #[arg(long, conflicts_with_all = ["as_macro", "plan", "expand"])]
+    jacobian: bool,
+
     /// Print the block of `kahan!`, ready to paste.
     #[arg(long = "macro")]
     as_macro: bool,
@@ -77,10 +81,11 @@ impl Asking for Show {
             (self.as_macro && !self.json, Form::Kahan),
         ];
         let form = flags.into_iter().find(|(is_set, _)| *is_set).map(|(_, form)| form).unwrap_or_default();
-        Ok((self.source.study()?, Question { form }))
+        Ok((self.source.study()?, Question { form, jacobian: self.jacobian }))
     }
 
     fn options(asked: &Question, line: Line) -> Line {
+        let line = if asked.jacobian { line.with_flag("--jacobian") } else { line };
         match asked.form {
             Form::Text => line,
             Form::Latex => line.with_flag("--latex"),

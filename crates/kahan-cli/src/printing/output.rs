@@ -1,7 +1,6 @@
 //! What a command hands back, how it is printed, and rows of columns.
 
 use std::io::{self, ErrorKind, Write};
-use std::process::ExitCode;
 
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::render::folded;
@@ -71,7 +70,7 @@ pub(crate) fn warn(note: &str) {
 
 /// Prints a result and chooses the exit status. A reader that has gone away (`kahan | head`) is no
 /// error.
-pub(crate) fn finish(result: Result<Answer, Refusal>) -> ExitCode {
+pub(crate) fn finish(result: Result<Answer, Refusal>) -> u8 {
     let (text, complaint, status) = match result {
         Ok(Answer { text, breaks, complaint }) => {
             let width = terminal_width().filter(|_| breaks);
@@ -87,9 +86,9 @@ pub(crate) fn finish(result: Result<Answer, Refusal>) -> ExitCode {
     match written {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             let _ = writeln!(io::stderr(), "error: cannot write the answer: {error}");
-            ExitCode::from(1)
+            1
         }
-        _ => ExitCode::from(status),
+        _ => status,
     }
 }
 

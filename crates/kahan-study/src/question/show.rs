@@ -25,6 +25,9 @@ pub struct Show {
     /// As what they are shown.
     #[serde(rename = "as", default)]
     pub form: Form,
+    /// Whether the Jacobian of the map is among the formulas, which may be long.
+    #[serde(default)]
+    pub jacobian: bool,
 }
 
 /// As what a field is shown.
@@ -91,6 +94,9 @@ pub struct Sheet {
     pub determinant: Option<String>,
     /// The reduced map, x̃ = x + 2ε n/d in lowest terms.
     pub map: Option<Vec<String>>,
+    /// ∂x̃/∂x of the map, row by row, where it is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub jacobian: Option<MatrixText>,
     /// What was divided out of the map; `None` if nothing was.
     pub removed_factor: Option<String>,
     /// The claims, which are proved.
@@ -160,6 +166,7 @@ impl Show {
             bilinear: formulas.bilinear(),
             determinant: formulas.determinant(),
             map: formulas.map(),
+            jacobian: if self.jacobian { formulas.jacobian() } else { None },
             removed_factor: formulas.removed_factor(),
             claims: claims.collect(),
             block: macro_block(&system),

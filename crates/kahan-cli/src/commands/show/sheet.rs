@@ -46,6 +46,9 @@ pub(super) fn text(sheet: &Sheet) -> String {
     if let Some(factor) = &sheet.removed_factor {
         page.section("divided out of N and D (a removable pole where it vanishes)", vec![factor.clone()]);
     }
+    if let Some(jacobian) = &sheet.jacobian {
+        page.section("dx~/dx", matrix(jacobian, '[', ']'));
+    }
     page.section(
         "Jacobian",
         vec![
@@ -100,6 +103,9 @@ pub(super) fn latex(sheet: &Sheet) -> String {
          \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
          \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}",
     );
+    if let Some(jacobian) = &sheet.jacobian {
+        page.display(&matrix_latex("\\frac{\\partial\\widetilde x}{\\partial x}", "pmatrix", jacobian));
+    }
     sheet.claims.iter().for_each(|claim| page.claim(claim));
     page.text
 }

@@ -22,13 +22,12 @@ pub(in crate::question) const FITTING: &str = "a column a variable, all of one l
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 /// A number of a point.
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
-/// A condition on a point.
-type Condition<T> = Box<dyn Fn(&[T]) -> bool>;
 
 macro_rules! observers {
     ($at:ident, $asked:ident, $middles:ident: $($name:ident($type:ty) = $new:expr, $one:ident => $seen:expr;)*) => {
-        /// An observer of one thing; `M` sees what the rotation turns about.
-        enum Running<'a, T: MachineFloat, M> {
+        /// An observer of one thing; `M` sees what the rotation turns about, and `B` tells what is
+        /// beyond the size of an escape.
+        enum Running<'a, T: MachineFloat, M, B> {
             $($name($type),)*
         }
 
@@ -36,16 +35,17 @@ macro_rules! observers {
             observable: Observable,
             $at: &'a MapAt<T>,
             $asked: &Observe,
-        ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>> {
+        ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
             match observable {
                 $(Observable::$name => Running::$name($new),)*
             }
         }
 
-        impl<T, M> Running<'_, T, M>
+        impl<T, M, B> Running<'_, T, M, B>
         where
             T: MachineFloat + PartialOrd,
             M: Observer<T, Report = Middles<T>>,
+            B: Fn(&[T]) -> bool,
         {
             fn observe(&mut self, step: u64, x: &[T]) {
                 match self {
@@ -95,10 +95,9 @@ observers! {
         // The second run finds them.
         Seen::Turns(Vec::new())
     };
-    Escape(Escape<Condition<T>>) = {
+    Escape(Escape<B>) = {
         let size = asked.escape;
-        let is_beyond = move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size);
-        Escape::when(Box::new(is_beyond) as Condition<T>)
+        Escape::when(move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size))
     }, one => Seen::Step(Observer::<T>::report(one));
 }
 
@@ -132,19 +131,20 @@ impl<T: MachineFloat> Observer<T> for Last<T> {
 }
 
 /// All that is asked of an orbit. Its report is what was seen, and what a second run turns about.
-struct All<'a, T: MachineFloat, M>(Vec<Running<'a, T, M>>);
+struct All<'a, T: MachineFloat, M, B>(Vec<Running<'a, T, M, B>>);
 
 fn all<'a, T: MachineFloat + PartialOrd>(
     at: &'a MapAt<T>,
     asked: &Observe,
-) -> All<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>> {
+) -> All<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
     All(asked.observables().map(|observable| running(observable, at, asked)).collect())
 }
 
-impl<T, M> Observer<T> for All<'_, T, M>
+impl<T, M, B> Observer<T> for All<'_, T, M, B>
 where
     T: MachineFloat + PartialOrd,
     M: Observer<T, Report = Middles<T>>,
+    B: Fn(&[T]) -> bool,
 {
     type Report = (Vec<Seen>, Option<Middles<T>>);
 

@@ -1,0 +1,35 @@
+"""Kahan's method for quadratic differential equations.
+
+A quadratic vector field x' = f(x) has a birational map that approximates its flow over the time
+step 2 eps, runs forwards and backwards, and often keeps integrals and volume forms exactly.
+
+>>> import kahan
+>>> s = kahan.System("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);")
+>>> o = s.orbit([1, 2, 3], eps=0.05, steps=1000)
+>>> o.x.shape
+(1001, 3)
+"""
+
+from . import catalog
+from ._answer import Answer
+from ._errors import FieldError, Mistake, SingularStep
+from ._formula import Formula
+from ._lattice import Lattice
+from ._orbit import Chart, Ensemble, Orbit, Section
+from ._system import Discovery, System
+
+__all__ = [
+    "Answer",
+    "Chart",
+    "Discovery",
+    "Ensemble",
+    "FieldError",
+    "Formula",
+    "Lattice",
+    "Mistake",
+    "Orbit",
+    "Section",
+    "SingularStep",
+    "System",
+    "catalog",
+]

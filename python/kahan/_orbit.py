@@ -1,0 +1,203 @@
+"""Orbits and what is seen of them, as arrays."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ._system import System
+
+__all__ = ["Chart", "Ensemble", "Orbit", "Section"]
+
+Array = np.ndarray[Any, Any]
+
+
+class Orbit:
+    """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps."""
+
+    system: System
+    """The field, with its parameters."""
+    eps: float
+    """Half the time step."""
+    x: Array
+    """The points, of shape (rows, variables); the first is the start."""
+    x_low: Array | None = None
+    """What the points lack, where they are double-doubles: these are ``x + x_low``."""
+    every: int
+    """Steps from row to row."""
+    steps: int
+    """The steps that were made; fewer than were asked where the orbit ends."""
+    ended: str
+    """``"complete"``; ``"range"`` where the next point is not finite, ``"pole"`` where it has no
+    value (det A = 0)."""
+
+    def __init__(
+        self, system: System, eps: float, x: Array, every: int, steps: int, ended: str,
+        integrals: dict[str, Array] | None = None,
+    ) -> None:
+        self.system, self.eps, self.x, self.every = system, eps, x, every
+        self.steps, self.ended = steps, ended
+        if integrals is not None:
+            self.__dict__["integrals"] = integrals
+
+    @property
+    def n(self) -> Array:
+        """The number of steps that leads to each row."""
+        return self.every * np.arange(len(self.x))
+
+    @property
+    def t(self) -> Array:
+        """The time of each row, 2 eps n."""
+        return 2 * self.eps * self.n
+
+    @cached_property
+    def integrals(self) -> dict[str, Array]:
+        """The claimed integrals on each row, by name. What is claimed ``when`` a condition holds is left out."""
+        return self.system.integral_values(self.x, self.eps)
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return np.array(self.x, dtype=dtype) if copy or dtype is not None else self.x
+
+    def __repr__(self) -> str:
+        end = "" if self.ended == "complete" else f", then {self.ended}"
+        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{end}>"
+
+    def to_pandas(self) -> Any:
+        """A data frame with n, t, the variables and the integrals. Needs pandas."""
+        import pandas
+
+        variables = {name: self.x[:, k] for k, name in enumerate(self.system.variables)}
+        return pandas.DataFrame({"n": self.n, "t": self.t, **variables, **self.integrals})
+
+    def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the orbit over two or three of ``t`` and the variables; by default the first three.
+
+        Needs matplotlib. ``style`` goes to ``Axes.plot``; returns the axes.
+        """
+        from ._plot import orbit
+
+        return orbit(self, axes, ax, style)
+
+
+class Ensemble:
+    """Many trajectories: where they ended, and what was observed of them, an entry a trajectory.
+
+    Each column of what was observed is an attribute and in ``observed``, as ``lyapunov``,
+    ``drift_H``; ``numpy.asarray`` of it is ``x``.
+    """
+
+    x: Array
+    """The last points, of shape (trajectories, variables)."""
+    steps: Array | None
+    """With observers, the steps that each made: fewer than asked where numbers leave their range."""
+    observed: dict[str, Array]
+    """What was observed, by name."""
+
+    def __init__(self, x: Array, steps: Array | None, observed: dict[str, Array]) -> None:
+        self.x, self.steps, self.observed = x, steps, observed
+
+    def __getattr__(self, name: str) -> Array:
+        observed = self.__dict__.get("observed", {})
+        if name in observed:
+            found: Array = observed[name]
+            return found
+        raise AttributeError(f"there is no `{name}` here; there is {', '.join(['x', 'steps', *observed])}")
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return np.array(self.x, dtype=dtype) if copy or dtype is not None else self.x
+
+    def __repr__(self) -> str:
+        seen = f"; observed: {', '.join(self.observed)}" if self.observed else ""
+        return f"<Ensemble of {len(self.x)} trajectories{seen}>"
+
+    def to_pandas(self) -> Any:
+        """A data frame with the last points (x_0, x_1, ...), the steps, and what was observed. Needs pandas."""
+        import pandas
+
+        points = {f"x_{k}": column for k, column in enumerate(self.x.T)}
+        steps = {} if self.steps is None else {"steps": self.steps}
+        return pandas.DataFrame({**points, **steps, **self.observed})
+
+
+class Chart:
+    """What orbits do over one or more parameters or first values: ``values[i, j]`` at ``axes``' i-th and j-th."""
+
+    system: System
+    """The field, with its parameters."""
+    axes: dict[str, Array]
+    """What is gone through, in the order of the axes of ``values``, with its values."""
+    color: str
+    """What is shown."""
+    values: Array
+    """The numbers; not a number where an orbit leaves the range of floats."""
+
+    def __init__(self, system: System, axes: dict[str, Array], color: str, values: Array) -> None:
+        self.system, self.axes, self.color, self.values = system, axes, color, values
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return np.array(self.values, dtype=dtype) if copy or dtype is not None else self.values
+
+    def __repr__(self) -> str:
+        sizes = " x ".join(f"{name}: {len(values)}" for name, values in self.axes.items())
+        return f"<Chart of {self.color} of {self.system.name} over {sizes}>"
+
+    def to_pandas(self) -> Any:
+        """A data frame with a row a cell. Needs pandas."""
+        import pandas
+
+        grid = np.meshgrid(*self.axes.values(), indexing="ij")
+        places = {name: axis.ravel() for name, axis in zip(self.axes, grid)}
+        return pandas.DataFrame({**places, self.color: self.values.ravel()})
+
+    def plot(self, *, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws one axis as a curve, two in colours, the first across. Needs matplotlib; returns the axes."""
+        from ._plot import chart
+
+        return chart(self, ax, style)
+
+
+class Section:
+    """Where an orbit crosses a section: a row a crossing."""
+
+    system: System
+    """The field, with its parameters."""
+    plane: str
+    """What vanishes on the section."""
+    x: Array
+    """The crossings, of shape (crossings, variables)."""
+    t: Array
+    """Their times."""
+    steps: int
+    """The steps of the orbit."""
+
+    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int) -> None:
+        self.system, self.plane, self.x, self.t, self.steps = system, plane, x, t, steps
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def __repr__(self) -> str:
+        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings>"
+
+    def to_pandas(self) -> Any:
+        """A data frame with t and the variables. Needs pandas."""
+        import pandas
+
+        return pandas.DataFrame({"t": self.t, **{name: self.x[:, k] for k, name in enumerate(self.system.variables)}})
+
+    def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws the crossings over two of the variables. Needs matplotlib; returns the axes."""
+        from ._plot import section
+
+        return section(self, axes, ax, style)

@@ -1,0 +1,27 @@
+"""How far long work is: a bar of tqdm where it is installed, else nothing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+__all__ = ["listener"]
+
+
+def listener() -> Any:
+    """What the border calls with what is counted, how many are done, and of how many."""
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    bar: Any = tqdm(leave=False)
+
+    def hear(what: str, done: Any, of: Any) -> None:
+        if what == "found":
+            kind, name, _ = done
+            bar.write(f"found: {kind} {name}")
+            return
+        bar.total, bar.n = of, done if of else 0
+        bar.set_description_str(what)
+        bar.refresh()
+
+    return hear

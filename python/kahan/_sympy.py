@@ -1,0 +1,43 @@
+"""Fields from SymPy and formulas to it; SymPy is loaded by whoever brings or wants its objects."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+__all__ = ["expression", "field_text"]
+
+
+def field_text(equations: Mapping[Any, Any]) -> str:
+    """The equations ``{x: expression of dx/dt}`` in the language of ``kahan!``."""
+    import sympy
+    from sympy.printing.str import StrPrinter
+
+    class Printer(StrPrinter):  # type: ignore[misc]
+        def _print_Float(self, number: Any) -> str:
+            # All digits, exactly: a decimal, or the fraction that the float is.
+            return str(sympy.Rational(str(number)))
+
+    printer = Printer({"sympy_integers": False})
+    lines = []
+    for variable, rate in equations.items():
+        text = printer.doprint(sympy.expand(sympy.sympify(rate))).replace("**", "^")
+        lines.append(f"{variable}dot = {text};")
+    return " ".join(lines)
+
+
+def expression(text: str) -> Any:
+    """A formula of the language of ``kahan!`` as an expression of SymPy, its names as symbols."""
+    import re
+
+    import sympy
+
+    names = set(re.findall(r"[A-Za-z_]\w*", text))
+    symbols = {name: sympy.Symbol(name) for name in names}
+    return sympy.parse_expr(text.replace("^", "**"), local_dict=symbols, transformations=_RATIONAL(sympy))
+
+
+def _RATIONAL(sympy: Any) -> Any:
+    from sympy.parsing.sympy_parser import auto_number, rationalize
+
+    return (auto_number, rationalize)

@@ -1,0 +1,530 @@
+"""A field, and everything that is asked of it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._answer import Answer
+from ._exact import Number, _number, answer, exact, point
+from ._kahan import Field
+from ._formula import Formula
+from ._orbit import Array, Chart, Ensemble, Orbit, Section
+
+if TYPE_CHECKING:
+    from ._lattice import Lattice
+
+__all__ = ["Discovery", "System"]
+
+Range = str | tuple[Number, Number, int]
+"""Values with both ends: (low, high, count), or text in the grammar of the command, as "0:1:/20"."""
+
+
+class System(Field):
+    """A quadratic vector field x' = f(x) with its Kahan map.
+
+    ``field`` is the text of the equations in the language of ``kahan!``, or a mapping of SymPy's
+    symbols to expressions. Free names are parameters; their values are given by name, exactly
+    where they are integers, fractions or text. A float means the decimal that Python prints.
+    ``sites`` writes out a chain of a family ``for i in … { … }``.
+
+    >>> import kahan
+    >>> s = kahan.System("xdot = y; ydot = a - x^2;", a="1/2")
+    >>> s.variables, s.parameters
+    (('x', 'y'), {'a': Fraction(1, 2)})
+
+    Raises ``FieldError`` with the place of each mistake, and ``TypeError`` for a value of what is
+    no parameter. Costs some milliseconds; the first orbit costs some more.
+    """
+
+    _call: tuple[str, bool, int | None, dict[str, str]]
+
+    def __new__(
+        cls, field: str | Mapping[Any, Any], /, *, sites: int | None = None, **parameters: Number
+    ) -> System:
+        if isinstance(field, Mapping):
+            from ._sympy import field_text
+
+            field = field_text(field)
+        if not isinstance(field, str):
+            raise TypeError(f"a field is text or a mapping of SymPy's symbols, not {type(field).__name__}")
+        return cls._of(field, False, sites, {name: exact(value, name) for name, value in parameters.items()})
+
+    @classmethod
+    def _of(cls, text: str, is_name: bool, sites: int | None, parameters: dict[str, str]) -> System:
+        system: System = Field.__new__(cls, text, is_name=is_name, sites=sites, parameters=list(parameters.items()))
+        system._call = (text, is_name, sites, parameters)
+        return system
+
+    @classmethod
+    def _named(cls, name: str) -> System:
+        return cls._of(name, True, None, {})
+
+    def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
+        return (type(self)._of, self._call)
+
+    def __call__(self, *, sites: int | None = None, **parameters: Number) -> System:
+        """The same field with these values of its parameters, beside those that it has.
+
+        >>> import kahan
+        >>> kahan.catalog.euler(a1=1, a2=-3, a3=1).parameters["a2"]
+        Fraction(-3, 1)
+        """
+        text, is_name, own_sites, own = self._call
+        given = {name: exact(value, name) for name, value in parameters.items()}
+        return self._of(text, is_name, own_sites if sites is None else sites, own | given)
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name}={value}" for name, value in self.parameters.items() if value is not None)
+        return f"<System {self.name}: {', '.join(self.variables)}{'; ' + values if values else ''}>"
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """The state variables, in order."""
+        return tuple(super().variables)
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """The parameters with their values as fractions; ``None`` for one that has none."""
+        return {name: None if value is None else _number(value) for name, value in self.given}
+
+    # Formulas.
+
+    def _sheet(self, form: str) -> dict[str, Any]:
+        """All formulas of a notation, read once."""
+        sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
+        if form not in sheets:
+            sheets[form] = json.loads(super().ask(json.dumps({"ask": "show", "as": form, "jacobian": True})))
+        return sheets[form]
+
+    def _formula(self, key: str) -> Formula:
+        if self._sheet("text").get(key) is None:
+            raise ValueError(f"{self.name} has no {key} as a formula: it is beyond the budget of terms")
+        return Formula(lambda form: self._sheet(form)[key])
+
+    @property
+    def field(self) -> Formula:
+        """f(x), a vector."""
+        return self._formula("field")
+
+    @property
+    def field_jacobian(self) -> Formula:
+        """f'(x), a matrix."""
+        return self._formula("field_jacobian")
+
+    @property
+    def A(self) -> Formula:
+        """The matrix A(x, eps): the map is the solution of A(x, eps) x~ = b(x, eps)."""
+        return self._formula("A")
+
+    @property
+    def b(self) -> Formula:
+        """The right side b(x, eps), a vector."""
+        return self._formula("b")
+
+    @property
+    def det_A(self) -> Formula:
+        """det A(x, eps), whose zeros are the poles of the map, but for factors that cancel."""
+        return self._formula("det_A")
+
+    @property
+    def map(self) -> Formula:
+        """Kahan's map x -> x~ in lowest terms, a vector."""
+        return self._formula("map")
+
+    @property
+    def jacobian(self) -> Formula:
+        """The Jacobian of the map, dx~/dx, a matrix of fractions in lowest terms."""
+        return self._formula("jacobian")
+
+    def _claims(self, kind: str) -> dict[str, tuple[dict[str, Any], Callable[[str], Any]]]:
+        """The claims of a kind by name, each with the right sides of its equations in a notation."""
+        def sides(place: int) -> Callable[[str], Any]:
+            return lambda form: [right for _, right in self._sheet(form)["claims"][place]["equations"]]
+
+        claims = enumerate(self._sheet("text")["claims"])
+        return {claim["name"]: (claim, sides(k)) for k, claim in claims if claim["kind"] == kind}
+
+    def _single(self, kind: str) -> dict[str, Formula]:
+        def formula(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
+            text = claim["statement"].partition(" = ")[2].rstrip(";")
+            text = text.partition(" when ")[0]
+            return Formula(lambda form: text if form == "text" else sides(form)[0], claim["name"], claim["when"])
+
+        return {name: formula(*found) for name, found in self._claims(kind).items()}
+
+    @property
+    def integrals(self) -> dict[str, Formula]:
+        """The claimed integrals, by name; each was proved when the field was read."""
+        return self._single("integral")
+
+    @property
+    def densities(self) -> dict[str, Formula]:
+        """The claimed invariant densities, by name: the map keeps the volume form density dx."""
+        return self._single("density")
+
+    def _repr_latex_(self) -> str:
+        """The field, its map where that is short, and the integrals that are known."""
+        def lines(accent: str, formula: Formula) -> list[str]:
+            return [rf"\{accent}{{{name}}} &= {right.latex}" for name, right in zip(self.variables, formula)]
+
+        rows = lines("dot", self.field)
+        if self._sheet("text")["map"] is not None and len(str(self.map)) < 400:
+            rows += lines("widetilde", self.map)
+        known = self.__dict__.get("_found", self)
+        rows += [f"{formula.name} &= {formula.latex}" for formula in known.integrals.values()]
+        return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
+
+    # What is called in loops: arrays in, arrays out.
+
+    def integral_values(self, x: Any, eps: float) -> dict[str, Array]:
+        """The claimed integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
+
+        Those of the map depend on eps. What is claimed ``when`` a condition holds is left out.
+        """
+        names, values = self.integrals_at(x, eps)
+        return {name: values[..., k] for k, name in enumerate(names)}
+
+    def orbit(
+        self,
+        x: Any,
+        eps: Number,
+        steps: int,
+        *,
+        every: int = 1,
+        order: int = 2,
+        scalar: str = "f64",
+        compensated: bool = False,
+        method: str = "kahan",
+        projective: bool = False,
+        out: Array | None = None,
+        progress: bool = False,
+    ) -> Orbit:
+        """The orbit of a point: its start, and every ``every``-th point after it.
+
+        ``x`` has shape (variables,). A step takes the time 2 eps. ``order`` 4, 6 and 8 compose steps
+        of Kahan's map. ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading doubles, and
+        ``x_low`` what they lack) or exact (fractions in an array of objects); float32 points are
+        stepped in float32. ``compensated`` carries what rounding takes from a point into the next
+        step. ``method`` is kahan, or for comparison euler, rk4 or flow (the solution itself, by
+        certified Taylor series). ``projective`` goes on at poles, through points at infinity.
+        ``out`` of shape (1 + steps // every, variables) takes the rows in place of a new array.
+
+        An orbit ends before a point that is not finite or has no value; ``ended`` says so, and
+        ``x`` has the rows up to there. Costs the steps, some ten nanoseconds each for three
+        variables in f64.
+        """
+        steps, every = _count(steps, "steps"), _count(every, "every")
+        if scalar in ("f64", "f32") and method == "kahan" and not projective:
+            x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
+            half = _float(eps)
+            rows, made, ended = self.points(
+                x, half, steps, every=every, order=order, compensated=compensated, out=out, listener=_listener(progress)
+            )
+            return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended)
+        if compensated or out is not None:
+            raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
+        question = {"ask": "orbit", "at": point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
+                    "scalar": scalar, "order": order, "method": method, "projective": projective}
+        columns, ended, last = self.table(json.dumps(question), listener=_listener(progress))
+        count = len(self.variables)
+        values = [np.array(value, dtype=object) if isinstance(value, list) else value for _, _, value in columns]
+        states = np.stack(values[2 : 2 + count], axis=1)
+        low = states[:, :, 1] if scalar == "dd" else None
+        integrals = {name: value[:, 0] if scalar == "dd" else value
+                     for (name, _, _), value in zip(columns[2 + count :], values[2 + count :])}
+        orbit = Orbit(self, _float(eps), states if low is None else states[:, :, 0], every,
+                      steps if last is None else last, ended, integrals)
+        orbit.x_low = low
+        return orbit
+
+    def ensemble(
+        self,
+        points: Any,
+        eps: float | Array,
+        steps: int,
+        *,
+        params: Mapping[str, float | Array] | None = None,
+        observe: Sequence[str] = (),
+        order: int = 2,
+        every: int = 10,
+        escape: float = 1e6,
+        threads: int | None = None,
+        out: Array | None = None,
+        progress: bool = False,
+    ) -> Ensemble:
+        """Many trajectories: their points after so many steps, and what is observed on the way.
+
+        ``points`` has shape (trajectories, variables); ``eps`` and each of ``params`` are one number
+        or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
+        else is computed: drift, extrema, lyapunov, spectrum, log_det, fli, megno, sali, rotation,
+        escape. Exponents are per unit of time; tangent vectors are made orthogonal every
+        ``every`` steps; an orbit escapes where a variable is beyond ``escape``.
+
+        Work is spread over ``threads``, by default all processors; the numbers do not depend on how
+        many. A trajectory that meets a pole ends as NaN, observed ones at the last finite point.
+        """
+        names = list(self.parameters)
+        given: list[Any] = []
+        if params:
+            for name in params:
+                if name not in names:
+                    raise TypeError(f"{self.name} has no parameter `{name}`{_near(name, names)}")
+            given = [params.get(name) for name in names]
+        steps = _count(steps, "steps")
+        if not observe:
+            x = self.advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
+                             listener=_listener(progress))
+            return Ensemble(x, None, {})
+        if isinstance(observe, str):
+            observe = (observe,)
+        if out is not None:
+            raise ValueError("out is for ensembles without observers")
+        of = ["final", *(name for name in observe if name != "final")]
+        seen, values, made = self.observed(points, eps, steps, of, parameters=given, order=order,
+                                           every=_count(every, "every"), escape=escape, threads=threads,
+                                           listener=_listener(progress))
+        count = len(self.variables)
+        return Ensemble(values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
+
+    # Questions.
+
+    def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
+        asked = {name: value for name, value in fields.items() if value is not None}
+        text = super().ask(json.dumps({"ask": ask, **asked}), listener=_listener(progress))
+        return answer(text)
+
+    def evaluate(self, x: Any, eps: Number, *, exact: bool = False) -> Answer:
+        """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
+
+        ``field``, ``field_jacobian``, ``A``, ``b``, ``det_A``, ``x_next``, ``jacobian``,
+        ``det_jacobian``, ``integrals``, ``density``, ``brackets``: arrays of float64, or with
+        ``exact`` of fractions. What is undefined at the point is ``None``.
+        """
+        found = self._ask("evaluate", at=point(x), eps=_exact(eps, "eps"), scalar="exact" if exact else "f64")
+        kind = object if exact else float
+        arrays = {name: np.array(value, dtype=kind) if isinstance(value, list) and name != "variables" else value
+                  for name, value in found.items()}
+        return Answer(arrays)
+
+    def observe(
+        self, x: Any, eps: Number, steps: int, *, order: int = 2, every: int = 10, escape: float = 1e6,
+        progress: bool = False,
+    ) -> Answer:
+        """What the orbit of a point does: Lyapunov exponents, chaos indicators, rotation, drift, escape.
+
+        Exponents are per unit of time, the largest first; tangent vectors are made orthogonal every
+        ``every`` steps. See ``kahan help dynamics`` for what each indicator means.
+        """
+        return Answer(self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
+                                order=order, every=every, escape=escape))
+
+    def section(
+        self, x: Any, eps: Number, steps: int, plane: str, *, direction: str = "rising", points: int = 100_000,
+        progress: bool = False,
+    ) -> Section:
+        """Where the orbit of a point crosses ``plane`` = 0, a formula of the variables and integrals.
+
+        ``direction`` is rising, falling or both. Each crossing is refined on the curve that the map
+        draws as eps grows from 0.
+        """
+        found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
+                          plane=plane, side=direction, points=points)
+        x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
+        return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]))
+
+    def chart(
+        self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
+        color: str = "sali", order: int = 2, escape: float = 1e6, threads: int | None = None, progress: bool = False,
+    ) -> Chart:
+        """What orbits do over parameters, eps or first values: an observable at every value of ``over``.
+
+        ``over`` has for each name (low, high, count), text as "0:1:/20", or an array of values; what
+        it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
+        number: sali, fli, megno, lyapunov, escape, or a column of another one, as drift_H or
+        lyapunov_2. Costs an orbit a cell, in lanes and on all threads.
+        """
+        if not over:
+            raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
+        axes = _axes(over)
+        if eps is None and "eps" in over:
+            eps = axes[list(over).index("eps")].get("values", [1])[0]
+        if eps is None:
+            raise TypeError("chart needs eps, half the time step, or goes through it")
+        observable, column = _observable(color)
+        question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": _count(steps, "steps"),
+                    "order": order, "escape": escape, "of": [observable]}
+        columns, _, _ = self.table(json.dumps({"ask": "over", "axes": axes, "question": question}),
+                                   threads=threads, listener=_listener(progress))
+        found = {name: values for name, _, values in columns}
+        if column not in found:
+            known = ", ".join(name for name in found if name not in ("index", "steps", *over))
+            raise ValueError(f"color: there is no `{column}`; there is {known}")
+        # Cells are numbered with the last axis fastest; what has one value only is no column.
+        sizes = [_size(values) or len(np.unique(found[name])) for name, values in over.items()]
+        values = found[column].reshape(sizes)
+        along = {}
+        for k, name in enumerate(over):
+            places = found[name].reshape(sizes) if name in found else np.full(sizes, np.nan)
+            along[name] = np.moveaxis(places, k, 0).reshape(sizes[k], -1)[:, 0]
+        return Chart(self, along, color, values)
+
+    def verify(self, *, progress: bool = False) -> Answer:
+        """Whether the claims of the field hold: each is proved, as when it was read; of a system of
+        the catalog as it stands those of the paper about it."""
+        return Answer(self._ask("verify", progress, mutate=False))
+
+    def periodic(self, x: Any, eps: Number | None = None, *, period: int = 1, over: Mapping[str, Range] | None = None) -> Answer:
+        """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps."""
+        axes = _axes(over)
+        if len(axes) > 1:
+            raise ValueError("over: a cycle is followed along one parameter")
+        return Answer(self._ask("periodic", at=point(x), eps=_exact(eps, "eps"), period=period, over=axes[0] if axes else None))
+
+    def heights(self, x: Any, eps: Number, steps: int, *, max_digits: int | None = None, seconds: float | None = None,
+                progress: bool = False) -> Answer:
+        """How the heights of an exact orbit grow: exponentially where the map is not integrable."""
+        return Answer(self._ask("heights", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
+                                max_digits=max_digits, seconds=seconds))
+
+    def poles(self, eps: Number | None = None, *, steps: int | None = None, seconds: float | None = None,
+              progress: bool = False) -> Answer:
+        """What becomes of curves that the map sends to infinity or blows down: whether they come back."""
+        return Answer(self._ask("poles", progress, eps=_exact(eps, "eps"), steps=steps, seconds=seconds))
+
+    def discover(self, *, eps: Number | None = None, degree: int | None = None, seconds: float | None = None,
+                 progress: bool = False) -> Answer:
+        """What the map preserves, found from the equations alone and proved: integrals, densities, brackets.
+
+        Parameters without a value and ``eps`` are generic. Where integrals may be missing, the
+        search goes on to higher degrees until ``seconds`` are over, 60 by default.
+        """
+        found = self._ask("discover", progress, eps=_exact(eps, "eps"), degree=degree, seconds=seconds)
+        discovery = Discovery(found, self)
+        self.__dict__["_found"] = discovery
+        return discovery
+
+    def scan(self, over: Mapping[str, Range], *, eps: Number | None = None, degree: int | None = None,
+             seconds: float | None = None, progress: bool = False) -> Answer:
+        """Which values of parameters and of eps are special: where the map keeps more than it does elsewhere."""
+        return Answer(self._ask("scan", progress, axes=_axes(over), eps=_exact(eps, "eps"), degree=degree, seconds=seconds))
+
+    def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,
+              progress: bool = False) -> Answer:
+        """The cheapest setting (scalar, order, eps) that follows the flow, or keeps the integrals, to a tolerance."""
+        return Answer(self._ask("trade", progress, at=point(x), horizon=_exact(horizon, "horizon"), need=need,
+                                tolerance=_exact(tolerance, "tolerance"), seconds=float(seconds)))
+
+
+    def extremes(self, *, trials: int = 4000, seed: int = 1, progress: bool = False) -> Answer:
+        """How far floats can be trusted near poles, of mixed magnitudes, with subnormal and infinite numbers.
+
+        Steps are judged by exact arithmetic; ``trials`` of each scalar.
+        """
+        return Answer(self._ask("extremes", progress, trials=_count(trials, "trials"), seed=_count(seed, "seed")))
+
+    def lattice(self, sites: int, eps: float, **values: float | Array) -> Lattice:
+        """The chain of so many sites of a family, stepped as an array; see ``Lattice``."""
+        from ._lattice import Lattice
+
+        text, is_name, _, own = self._call
+        return Lattice._of(text, sites, float(eps), {name: float(_number(value)) for name, value in own.items()} | values, is_name)
+
+
+class Discovery(Answer):
+    """What a map preserves, as it was found: by the names of ``kahan discover --json``, and as formulas."""
+
+    def __init__(self, found: Mapping[str, Any], of: System) -> None:
+        super().__init__(found)
+        self.__dict__["_of"] = of
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name in super().__iter__() if not name.startswith("_"))
+
+    @cached_property
+    def _claimed(self) -> System:
+        """The field with what was found as its claims, which are proved once more."""
+        sheet = self._of._sheet("text")
+        equations = [f"{name}dot = {right};" for name, right in zip(self.variables, sheet["field"])]
+        claims = [*self["integrals"], *self["densities"], *self["brackets"]]
+        return System("\n".join([*equations, *claims]))
+
+    @property
+    def integrals(self) -> dict[str, Formula]:
+        """The integrals, by name; each is proved."""
+        return self._claimed.integrals
+
+    @property
+    def densities(self) -> dict[str, Formula]:
+        """The invariant densities, by name."""
+        return self._claimed.densities
+
+
+_COLUMNS = {"escape": "escaped"}
+
+
+def _observable(color: str) -> tuple[str, str]:
+    """The observable that has a column, and the column."""
+    for start, observable in (("drift", "drift"), ("lyapunov_", "spectrum"), ("least_", "extrema"), ("greatest_", "extrema"),
+                              ("rotation_", "rotation"), ("final_", "final"), ("mean_log_det", "log_det")):
+        if color.startswith(start) and color != "lyapunov_error":
+            return observable, color
+    return ("lyapunov" if color == "lyapunov_error" else color), _COLUMNS.get(color, color)
+
+
+def _exact(value: Number | None, name: str) -> str | None:
+    return None if value is None else exact(value, name)
+
+
+def _float(eps: Number) -> float:
+    return float(Fraction(eps)) if isinstance(eps, str) else float(eps)
+
+
+def _count(value: int, name: str) -> int:
+    from operator import index
+
+    count = index(value)
+    if count < 0:
+        raise ValueError(f"{name}: {count} is below 0")
+    return count
+
+
+def _size(values: Range | Array) -> int | None:
+    """How many values an axis has; of text the library counts them."""
+    if isinstance(values, str):
+        return None
+    return int(values[2]) if isinstance(values, tuple) else np.asarray(values).size
+
+
+def _axes(over: Mapping[str, Range | Array] | None) -> list[dict[str, Any]]:
+    def axis(name: str, values: Range | Array) -> dict[str, Any]:
+        if isinstance(values, str):
+            return {"name": name, "range": values}
+        if not isinstance(values, tuple):
+            return {"name": name, "values": [exact(value, name) for value in np.asarray(values).ravel()]}
+        if len(values) != 3:
+            raise TypeError(f'over: {name} is (low, high, count), an array, or text as "0:1:+1/10"')
+        low, high, count = values
+        return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{_count(count, name)}"}
+
+    return [axis(name, values) for name, values in (over or {}).items()]
+
+
+def _near(name: str, names: list[str]) -> str:
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, names, 1)
+    return f"; did you mean `{near[0]}`?" if near else f"; it has {', '.join(names) or 'none'}"
+
+
+def _listener(progress: bool) -> Any:
+    if not progress:
+        return None
+    from ._progress import listener
+
+    return listener()

@@ -1,0 +1,5 @@
+"""``python -m kahan_command`` is the command ``kahan``."""
+
+from . import main
+
+main()

@@ -1,0 +1,83 @@
+//! Arrays of NumPy's as slices, and what is refused.
+//!
+//! Arrays of `float64` and `float32` in C order are taken as they are; lists, integers and other
+//! layouts are copied by NumPy itself first.
+
+use numpy::{
+    Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods,
+};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+
+/// An array that is read.
+pub(crate) enum Floats<'py> {
+    /// Of doubles.
+    Double(PyReadonlyArrayDyn<'py, f64>),
+    /// Of single precision.
+    Single(PyReadonlyArrayDyn<'py, f32>),
+}
+
+/// What a caller gave as numbers; `name` is the argument.
+pub(crate) fn floats<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Floats<'py>> {
+    let is_usable = |array: &Bound<'py, PyArrayDyn<f64>>| array.is_c_contiguous();
+    if let Ok(array) = given.cast::<PyArrayDyn<f64>>()
+        && is_usable(array)
+    {
+        return Ok(Floats::Double(readonly(array, name)?));
+    }
+    let converted = converted(given, name)?;
+    if let Ok(array) = converted.cast::<PyArrayDyn<f32>>() {
+        return Ok(Floats::Single(readonly(array, name)?));
+    }
+    let array = converted.cast::<PyArrayDyn<f64>>()?;
+    Ok(Floats::Double(readonly(array, name)?))
+}
+
+/// The same as doubles, whatever floats were given.
+pub(crate) fn doubles<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
+    match floats(given, name)? {
+        Floats::Double(array) => Ok(array),
+        Floats::Single(array) => {
+            let wide = array.call_method1("astype", ("float64",))?;
+            readonly(wide.cast::<PyArrayDyn<f64>>()?, name)
+        }
+    }
+}
+
+/// An array of floats in C order, made by `kahan._arrays`.
+fn converted<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    static FLOATS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    FLOATS.import(given.py(), "kahan._arrays", "floats")?.call1((given, name))
+}
+
+fn readonly<'py, T: Element>(
+    array: &Bound<'py, PyArrayDyn<T>>,
+    name: &str,
+) -> PyResult<PyReadonlyArrayDyn<'py, T>> {
+    let borrowed = array.try_readonly();
+    borrowed.map_err(|error| PyValueError::new_err(format!("{name}: {error}; give a copy of it")))
+}
+
+/// The array that a result is to be written into: of these sizes and this type, in C order.
+pub(crate) fn out<'py, T: Element>(
+    given: &Bound<'py, PyAny>,
+    sizes: &[usize],
+) -> PyResult<PyReadwriteArrayDyn<'py, T>> {
+    let dtype = T::get_dtype(given.py());
+    let array = given.cast::<PyArrayDyn<T>>().map_err(|_| {
+        PyTypeError::new_err(format!("out: an array of {dtype} is needed, as the points are of that type"))
+    })?;
+    if array.shape() != sizes {
+        return Err(PyValueError::new_err(format!(
+            "out has the shape {:?}, and the result {sizes:?}",
+            array.shape()
+        )));
+    }
+    if !array.is_c_contiguous() {
+        return Err(PyValueError::new_err("out: an array in C order is needed; see numpy.ascontiguousarray"));
+    }
+    array.try_readwrite().map_err(|error| {
+        PyValueError::new_err(format!("out: {error}; give an array that can be written, and is no argument"))
+    })
+}

@@ -1,0 +1,158 @@
+//! Long work beside the interpreter: its lock is released, Ctrl-C ends the work within a moment, and
+//! whoever wants to see how far it is hears it.
+//!
+//! Python handles signals on its main thread only, and only where that thread runs Python's code.
+//! So the work has a thread of its own, while the caller's looks at signals a hundred times a
+//! second.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use kahan_runtime::threads;
+use kahan_study::{Finding, Progress, Watch};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+
+/// How often the caller's thread looks at signals.
+const LOOK: Duration = Duration::from_millis(10);
+/// How often a program is told how far work is.
+const TOLD: Duration = Duration::from_millis(100);
+/// Recursions over long formulas need more than threads usually have.
+const STACK: usize = 64 << 20;
+
+/// What work sees of its caller, as its [`Watch`].
+pub(crate) struct Caller {
+    stop: AtomicBool,
+    since: Instant,
+    threads: usize,
+    /// What there is to tell, since it was told last.
+    news: Mutex<News>,
+}
+
+#[derive(Default)]
+struct News {
+    progress: Option<(String, u64, Option<u64>)>,
+    found: Vec<[String; 3]>,
+}
+
+impl Caller {
+    fn new(threads: Option<usize>) -> Self {
+        Caller {
+            stop: AtomicBool::new(false),
+            since: Instant::now(),
+            threads: threads.unwrap_or_else(threads::available).max(1),
+            news: Mutex::default(),
+        }
+    }
+
+    /// Whether the work is to end.
+    pub(crate) fn wants_no_more(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    /// `Break` where the work is to end.
+    pub(crate) fn goes_on(&self) -> ControlFlow<()> {
+        if self.wants_no_more() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn news(&self) -> News {
+        std::mem::take(&mut self.news.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn tell(&self, add: impl FnOnce(&mut News)) {
+        add(&mut self.news.lock().unwrap_or_else(PoisonError::into_inner));
+    }
+}
+
+impl Watch for Caller {
+    fn now(&self) -> Option<Duration> {
+        Some(self.since.elapsed())
+    }
+
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        self.tell(|news| news.progress = Some((progress.what.to_owned(), progress.done, progress.of)));
+        self.goes_on()
+    }
+
+    fn found(&self, finding: &Finding) {
+        let Finding { kind, name, text } = finding;
+        self.tell(|news| news.found.push([kind.keyword().to_owned(), name.clone(), text.clone()]));
+    }
+
+    fn threads(&self) -> usize {
+        self.threads
+    }
+}
+
+/// Who in Python hears how far work is: called with what is counted, how many are done, and of how
+/// many; and with `found`, kind, name and text of a finding.
+pub(crate) struct Listener<'py>(pub(crate) Option<Bound<'py, PyAny>>);
+
+impl Listener<'_> {
+    fn hears(&self, news: News) -> PyResult<()> {
+        let Some(listener) = &self.0 else { return Ok(()) };
+        for finding in news.found {
+            listener.call1(("found", finding, ()))?;
+        }
+        match news.progress {
+            Some((what, done, of)) => listener.call1((what, done, of)).map(|_| ()),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Does the work on another thread, with the interpreter's lock released.
+///
+/// # Errors
+/// What a signal's handler or the listener raised: then the work was told to end, and its result is
+/// dropped. A panic of the work, which is a mistake of this package.
+pub(crate) fn beside<R: Send>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    listener: &Listener<'_>,
+    work: impl FnOnce(&Caller) -> R + Send,
+) -> PyResult<R> {
+    let caller = Caller::new(threads);
+    let (waiting, is_done) = (thread::current(), AtomicBool::new(false));
+    thread::scope(|scope| {
+        let worker = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, || {
+            // Also a panic wakes whoever waits.
+            let _woken = Woken(&waiting, &is_done);
+            work(&caller)
+        });
+        let worker =
+            worker.map_err(|error| PyRuntimeError::new_err(format!("no thread can be had: {error}")))?;
+        let (mut raised, mut told) = (Ok(()), Instant::now());
+        while !is_done.load(Ordering::Acquire) {
+            py.detach(|| thread::park_timeout(LOOK));
+            if raised.is_err() {
+                continue;
+            }
+            raised = py.check_signals();
+            if raised.is_ok() && told.elapsed() >= TOLD {
+                told = Instant::now();
+                raised = listener.hears(caller.news());
+            }
+            if raised.is_err() {
+                caller.stop.store(true, Ordering::Relaxed);
+            }
+        }
+        let result = worker.join();
+        raised?;
+        listener.hears(caller.news())?;
+        result.map_err(|_| PyRuntimeError::new_err("kahan has a mistake here; please report what was asked"))
+    })
+}
+
+/// When it is dropped, says that the work is done, and wakes the thread that waits for it.
+struct Woken<'a>(&'a thread::Thread, &'a AtomicBool);
+
+impl Drop for Woken<'_> {
+    fn drop(&mut self) {
+        self.1.store(true, Ordering::Release);
+        self.0.unpark();
+    }
+}

@@ -1,0 +1,48 @@
+//! Exceptions of Python for the errors of the libraries.
+
+use kahan_runtime::{Diagnostics, DimensionError};
+use kahan_study::StudyError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyType;
+
+/// A class of `kahan._errors`.
+fn class<'py>(
+    py: Python<'py>,
+    cell: &'static PyOnceLock<Py<PyType>>,
+    name: &str,
+) -> PyResult<&'py Bound<'py, PyType>> {
+    cell.import(py, "kahan._errors", name)
+}
+
+/// `kahan.FieldError`, with the place of each mistake.
+fn field_error(py: Python<'_>, mistakes: &Diagnostics) -> PyResult<PyErr> {
+    static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let places = mistakes.mistakes().iter().zip(mistakes.places());
+    let places = places.map(|(mistake, [line, column])| (&mistake.message, line, column, &mistake.help));
+    let places: Vec<_> = places.collect();
+    let error = class(py, &CLASS, "FieldError")?.call1((mistakes.to_string().trim_end(), places))?;
+    Ok(PyErr::from_value(error))
+}
+
+/// `kahan.SingularStep`: the map has no value at a point.
+pub(crate) fn singular_step(py: Python<'_>, message: &str) -> PyErr {
+    static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let error = class(py, &CLASS, "SingularStep").and_then(|class| class.call1((message,)));
+    error.map_or_else(|failed| failed, PyErr::from_value)
+}
+
+/// What was wrong with a field or a question.
+pub(crate) fn of_study(py: Python<'_>, error: &StudyError) -> PyErr {
+    match error {
+        StudyError::Field(mistakes) => field_error(py, mistakes).unwrap_or_else(|failed| failed),
+        StudyError::UnknownParameter { .. } => PyTypeError::new_err(error.to_string()),
+        other => PyValueError::new_err(other.to_string()),
+    }
+}
+
+/// Numbers of numbers that do not fit.
+pub(crate) fn of_dimension(error: &DimensionError) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}

@@ -1,0 +1,185 @@
+//! A field that Python holds: its names, and questions about it.
+
+use std::sync::Mutex;
+
+use kahan_algebra::rational::Rational;
+use kahan_runtime::{Map, MapAt};
+use kahan_study::numbers::number;
+use kahan_study::{Question, Study, Subject, Systems};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::beside::{Listener, beside};
+use crate::errors::of_study;
+
+/// A field with the values of its parameters: what `kahan.System` stands on.
+#[pyclass(subclass, frozen, module = "kahan._kahan")]
+pub(crate) struct Field {
+    study: Study,
+    /// The map at the ε of the call before.
+    last: Mutex<Last>,
+}
+
+/// What the call before was about.
+#[derive(Default)]
+pub(crate) struct Last {
+    double: Option<MapAt<f64>>,
+    single: Option<MapAt<f32>>,
+}
+
+/// A float of NumPy's that steps are made in.
+pub(crate) trait Float: kahan_runtime::MachineFloat + numpy::Element {
+    /// The float nearest to one of Python's, which are doubles.
+    fn near(number: f64) -> Self;
+    /// The map at the ε of the call before.
+    fn last(last: &mut Last) -> &mut Option<MapAt<Self>>;
+}
+
+impl Float for f64 {
+    fn near(number: f64) -> Self {
+        number
+    }
+
+    fn last(last: &mut Last) -> &mut Option<MapAt<f64>> {
+        &mut last.double
+    }
+}
+
+impl Float for f32 {
+    fn near(number: f64) -> Self {
+        number as f32
+    }
+
+    fn last(last: &mut Last) -> &mut Option<MapAt<f32>> {
+        &mut last.single
+    }
+}
+
+impl Field {
+    /// The field at its parameters.
+    pub(crate) fn map(&self, py: Python<'_>) -> PyResult<Map> {
+        self.study.map().cloned().map_err(|error| of_study(py, &error))
+    }
+
+    /// The map at ε, which is kept for the next call.
+    pub(crate) fn at<T: Float>(&self, py: Python<'_>, eps: f64) -> PyResult<MapAt<T>> {
+        let mut last = self.last.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let last = T::last(&mut last);
+        let eps = T::near(eps);
+        match last {
+            Some(at) if at.eps() == eps => return Ok(at.clone()),
+            Some(at) => *last = Some(at.map().at(eps)),
+            None => *last = Some(self.map(py)?.at(eps)),
+        }
+        Ok(last.clone().expect("it was put there"))
+    }
+}
+
+impl Field {
+    /// The field with its parameters.
+    pub(crate) fn study(&self) -> &Study {
+        &self.study
+    }
+
+    /// How many variables there are.
+    pub(crate) fn dimension(&self) -> usize {
+        self.study.variables().len()
+    }
+
+    /// The name of a parameter.
+    pub(crate) fn parameter(&self, k: usize) -> &str {
+        &self.study.parameters()[k]
+    }
+
+    /// The map where parameters without a value have the first of these.
+    pub(crate) fn map_with<T: Float>(&self, py: Python<'_>, first: &[Vec<T>]) -> PyResult<Map> {
+        if self.study.given().iter().all(Option::is_some) {
+            return self.map(py);
+        }
+        let field = self.study.field();
+        let values =
+            self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
+                let other = first.get(k).and_then(|values| values.first());
+                let other = other.and_then(|value| Rational::from_f64(value.approximate()));
+                Ok((name, given.clone().or(other).ok_or(name)?))
+            });
+        match values.collect::<Result<Vec<_>, &String>>() {
+            Ok(values) => field.with(values).map_err(|error| PyValueError::new_err(error.to_string())),
+            Err(_) => self.map(py),
+        }
+    }
+}
+
+#[pymethods]
+impl Field {
+    /// Reads a field: its name in the catalog, or its text; of a family the number of sites. Values
+    /// of parameters are exact numbers as text.
+    #[new]
+    #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new()))]
+    fn new(
+        py: Python<'_>,
+        text: &str,
+        is_name: bool,
+        sites: Option<usize>,
+        parameters: Vec<(String, String)>,
+    ) -> PyResult<Self> {
+        let subject = if is_name { Subject::named(text) } else { Subject::text(text) };
+        let subject = sites.into_iter().fold(subject, Subject::sites);
+        let exactly = |(name, value): (String, String)| match number(&value) {
+            Ok(value) => Ok((name, value)),
+            Err(why) => Err(PyValueError::new_err(format!("{name}: {why}"))),
+        };
+        let parameters = parameters.into_iter().map(exactly).collect::<PyResult<Vec<_>>>()?;
+        let subject =
+            parameters.into_iter().fold(subject, |subject, (name, value)| subject.with(name, value));
+        let study = py.detach(|| {
+            let study = subject.study(&Systems)?;
+            study.proved()?;
+            Ok(study)
+        });
+        Ok(Field { study: study.map_err(|error| of_study(py, &error))?, last: Mutex::default() })
+    }
+
+    /// Its name in answers.
+    #[getter]
+    fn name(&self) -> &str {
+        self.study.name()
+    }
+
+    /// Its text.
+    #[getter]
+    fn text(&self) -> &str {
+        self.study.text()
+    }
+
+    /// The state variables.
+    #[getter]
+    fn variables(&self) -> Vec<&str> {
+        self.study.variables().iter().map(String::as_str).collect()
+    }
+
+    /// The parameters with their values as text, `None` for one that has none.
+    #[getter]
+    fn given(&self) -> Vec<(&str, Option<String>)> {
+        let values = self.study.given().iter().map(|value| value.as_ref().map(Rational::to_string));
+        self.study.parameters().iter().map(String::as_str).zip(values).collect()
+    }
+
+    /// The answer to a question, both as JSON. `listener` hears how far the work is.
+    #[pyo3(signature = (question, *, threads = None, listener = None))]
+    fn ask(
+        &self,
+        py: Python<'_>,
+        question: &str,
+        threads: Option<usize>,
+        listener: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<String> {
+        let question: Question =
+            serde_json::from_str(question).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let answer = beside(py, threads, &Listener(listener), |caller| {
+            let answer = self.study.ask(&question, caller)?;
+            Ok(serde_json::to_string(&answer).expect("answers are JSON"))
+        })?;
+        answer.map_err(|error| of_study(py, &error))
+    }
+}

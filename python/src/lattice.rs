@@ -1,0 +1,126 @@
+//! Chains of any number of sites, stepped as arrays with a row a site.
+
+use std::sync::{Mutex, PoisonError};
+
+use kahan_runtime::{ChainAt, FieldText, Follow, Lattice};
+use kahan_study::{Catalog, StudyError, Systems};
+use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::arrays::doubles;
+use crate::beside::{Listener, beside};
+use crate::errors::{of_dimension, of_study};
+
+/// A chain at one eps: what `kahan.Lattice` stands on.
+#[pyclass(subclass, frozen, module = "kahan._kahan")]
+pub(crate) struct Chain {
+    lattice: Lattice,
+    sites: usize,
+    /// Its scratch is its own, so one call at a time has it.
+    at: Mutex<ChainAt>,
+}
+
+#[pymethods]
+impl Chain {
+    /// Reads the family of a text, or that of the catalog with a name. Each value is one number, or
+    /// one a site.
+    #[new]
+    #[pyo3(signature = (text, sites, eps, values, *, is_name = false))]
+    fn new(
+        py: Python<'_>,
+        text: &str,
+        sites: usize,
+        eps: f64,
+        values: Vec<(String, Bound<'_, PyAny>)>,
+        is_name: bool,
+    ) -> PyResult<Self> {
+        let text = match is_name.then(|| Systems.find(text)).flatten() {
+            Some(named) => FieldText::new(named.text.to_owned(), named.name.to_owned()),
+            None => FieldText::new(text.to_owned(), "field".to_owned()),
+        };
+        let family = text.family().map_err(StudyError::Field);
+        let family = family.and_then(|family| family.ok_or(StudyError::NoFamily));
+        let lattice = Lattice::of(&family.map_err(|error| of_study(py, &error))?);
+        let values = values.into_iter().map(|(name, given)| {
+            let numbers = doubles(&given, &name)?.as_slice()?.to_vec();
+            Ok((name, numbers))
+        });
+        let values = values.collect::<PyResult<Vec<_>>>()?;
+        let at = lattice.at(eps, sites, values).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok(Chain { lattice, sites, at: Mutex::new(at) })
+    }
+
+    /// The arrays, in their order within a site.
+    #[getter]
+    fn arrays(&self) -> &[String] {
+        self.lattice.arrays()
+    }
+
+    /// The number of sites.
+    #[getter]
+    fn sites(&self) -> usize {
+        self.sites
+    }
+
+    /// The state so many steps later, of the shape that the state has.
+    #[pyo3(signature = (state, steps = 1, *, listener = None))]
+    fn advance<'py>(
+        &self,
+        state: &Bound<'py, PyAny>,
+        steps: u64,
+        listener: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let py = state.py();
+        let state = doubles(state, "state")?;
+        let mut x = self.state(&state)?;
+        let followed = beside(py, Some(1), &Listener(listener), |caller| {
+            let at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
+            at.follow(&mut x, steps, |_| caller.goes_on())
+        })?;
+        let followed = followed.map_err(|error| of_dimension(&error))?;
+        if followed.steps < steps {
+            // What is not finite stays so.
+            x.fill(f64::NAN);
+        }
+        x.into_pyarray(py).reshape(state.shape())
+    }
+
+    /// The sums that the chain claims at a state, by name: its integrals, the Hamiltonian, and the
+    /// energy that the map keeps in its place.
+    fn sums(&self, state: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
+        let state = doubles(state, "state")?;
+        let x = self.state(&state)?;
+        let mut at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
+        let failed = |error| of_dimension(&error);
+        let integrals = at.integrals(&x).map_err(failed)?;
+        let mut sums: Vec<(String, f64)> =
+            self.lattice.integrals().into_iter().map(str::to_owned).zip(integrals).collect();
+        if let Some(name) = self.lattice.hamiltonian() {
+            let energies = [at.hamiltonian(&x).map_err(failed)?, at.modified_energy(&x).map_err(failed)?];
+            let names = [name.to_owned(), format!("{name}_modified")];
+            sums.extend(names.into_iter().zip(energies).filter_map(|(name, energy)| Some((name, energy?))));
+        }
+        Ok(sums)
+    }
+}
+
+impl Chain {
+    /// The numbers of a state, site by site.
+    fn state(&self, state: &numpy::PyReadonlyArrayDyn<'_, f64>) -> PyResult<Vec<f64>> {
+        let arrays = self.lattice.arrays().len();
+        let fits = match state.shape() {
+            [sites] => arrays == 1 && *sites == self.sites,
+            shape => shape == [self.sites, arrays],
+        };
+        if !fits {
+            let alone = if arrays == 1 { format!(", or ({},)", self.sites) } else { String::new() };
+            return Err(PyValueError::new_err(format!(
+                "a state has the shape ({}, {arrays}){alone}, a row a site, and this is {:?}",
+                self.sites,
+                state.shape()
+            )));
+        }
+        Ok(state.as_slice()?.to_vec())
+    }
+}

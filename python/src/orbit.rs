@@ -1,0 +1,252 @@
+//! Steps and orbits of points in floats.
+
+use std::num::NonZeroU64;
+
+use kahan_core::num_traits::Zero;
+use kahan_core::{Composition, Increments, Step};
+use kahan_runtime::{Ended, Follow, Followed};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyMemoryError, PyValueError};
+use pyo3::prelude::*;
+
+use crate::arrays::{Floats, doubles, floats, out as writable};
+use crate::beside::{Listener, beside};
+use crate::errors::{of_dimension, singular_step};
+use crate::field::{Field, Float};
+
+/// Points that are stepped at once without a look at signals.
+const MOMENT: usize = 4096;
+
+#[pymethods]
+impl Field {
+    /// The points one time step of 2 eps later.
+    #[pyo3(signature = (x, eps, *, out = None))]
+    fn step<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.stepped(x, eps, out, false)
+    }
+
+    /// The same; refused where a point has no next one.
+    #[pyo3(signature = (x, eps, *, out = None))]
+    fn try_step<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.stepped(x, eps, out, true)
+    }
+
+    /// The rows of an orbit as far as it goes, how many steps it made, and how it ended: complete,
+    /// or range.
+    #[pyo3(signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, out = None, listener = None))]
+    #[expect(clippy::too_many_arguments, reason = "Python names them")]
+    fn points<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+        steps: u64,
+        every: u64,
+        order: u32,
+        compensated: bool,
+        out: Option<&Bound<'py, PyAny>>,
+        listener: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyAny>, u64, &'static str)> {
+        let asked = Asked { eps, steps, every, order, compensated, listener: Listener(listener) };
+        match floats(x, "x")? {
+            Floats::Double(x) => self.rows(&x, &asked, out),
+            Floats::Single(x) => self.rows(&x, &asked, out),
+        }
+    }
+
+    /// The names of the claimed integrals, and their values at points: an axis more than the points
+    /// have, in the place of their last.
+    fn integrals_at<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+    ) -> PyResult<(Vec<String>, Bound<'py, PyAny>)> {
+        let py = x.py();
+        let (x, at) = (doubles(x, "x")?, self.at::<f64>(py, eps)?);
+        let (n, names) = (at.dimension().max(1), at.map().field().integrals());
+        let mut sizes = x.shape().to_vec();
+        if sizes.pop() != Some(at.dimension()) {
+            return Err(points_of(at.dimension(), x.shape()));
+        }
+        let points = x.as_slice()?;
+        let mut values = vec![0.0; points.len() / n * names.len()];
+        for (x, values) in points.chunks_exact(n).zip(values.chunks_exact_mut(names.len().max(1))) {
+            at.integrals(x, values).map_err(|error| of_dimension(&error))?;
+        }
+        sizes.push(names.len());
+        Ok((names.to_vec(), PyArray1::from_vec(py, values).reshape(sizes)?.into_any()))
+    }
+}
+
+/// What is asked of an orbit.
+struct Asked<'py> {
+    eps: f64,
+    steps: u64,
+    every: u64,
+    order: u32,
+    compensated: bool,
+    listener: Listener<'py>,
+}
+
+impl Field {
+    fn stepped<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+        out: Option<&Bound<'py, PyAny>>,
+        checked: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        // The next points may replace these.
+        let copied = out.filter(|out| out.is(x)).map(|x| x.call_method0("copy")).transpose()?;
+        match floats(copied.as_ref().unwrap_or(x), "x")? {
+            Floats::Double(x) => self.next(&x, eps, out, checked),
+            Floats::Single(x) => self.next(&x, eps, out, checked),
+        }
+    }
+
+    fn next<'py, T: Float>(
+        &self,
+        x: &Bound<'py, PyArrayDyn<T>>,
+        eps: f64,
+        out: Option<&Bound<'py, PyAny>>,
+        checked: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = x.py();
+        let at = self.at::<T>(py, eps)?;
+        let x = x.readonly();
+        let (points, n) = (x.as_slice()?, at.dimension());
+        if x.shape().last() != Some(&n) {
+            return Err(points_of(n, x.shape()));
+        }
+        let step = |next: &mut [T]| {
+            for (x, next) in points.chunks_exact(n.max(1)).zip(next.chunks_exact_mut(n.max(1))) {
+                at.step(x, next).expect("a point has an entry a variable");
+            }
+        };
+        let run = |next: &mut [T]| if points.len() > MOMENT { py.detach(|| step(next)) } else { step(next) };
+        let is_lost = |next: &[T]| checked && !next.iter().all(|x| x.approximate().is_finite());
+        let lost = || {
+            Err(singular_step(
+                py,
+                "the map has no value at a point: a pole (det A = 0), or numbers beyond the range",
+            ))
+        };
+        if let Some(out) = out {
+            let mut next = writable::<T>(out, x.shape())?;
+            run(next.as_slice_mut()?);
+            return if is_lost(next.as_slice()?) { lost() } else { Ok(out.clone()) };
+        }
+        let mut next = vec![T::zero(); points.len()];
+        run(&mut next);
+        if is_lost(&next) {
+            return lost();
+        }
+        let next = PyArray1::from_vec(py, next);
+        Ok(if x.ndim() == 1 { next.into_any() } else { next.reshape(x.shape())?.into_any() })
+    }
+
+    fn rows<'py, T: Float>(
+        &self,
+        x: &Bound<'py, PyArrayDyn<T>>,
+        asked: &Asked<'py>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyAny>, u64, &'static str)> {
+        let py = x.py();
+        let composition = composition(asked.order)?;
+        let at = self.at::<T>(py, asked.eps)?.composed(composition);
+        let n = at.dimension();
+        if x.shape() != [n] {
+            return Err(points_of(n, x.shape()));
+        }
+        let mut x = x.readonly().as_slice()?.to_vec();
+        if asked.compensated {
+            let at = at.compensated();
+            x.resize(2 * n, T::zero());
+            return follow(py, &at, x, asked, out);
+        }
+        follow(py, &at, x, asked, out)
+    }
+}
+
+/// The rows of one orbit.
+fn follow<'py, S>(
+    py: Python<'py>,
+    at: &S,
+    mut x: Vec<S::Scalar>,
+    asked: &Asked<'py>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(Bound<'py, PyAny>, u64, &'static str)>
+where
+    S: Follow<Scalar: Float> + Sync,
+{
+    let every =
+        NonZeroU64::new(asked.every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))?;
+    let (width, steps) = (x.len(), asked.steps);
+    let count = steps / every;
+    let sizes = usize::try_from(count).ok().and_then(|count| count.checked_add(1));
+    let too_long = || {
+        PyMemoryError::new_err(format!("{count} points do not fit into memory; choose every, or fewer steps"))
+    };
+    let rows = sizes.ok_or_else(too_long)?;
+    let mut run = |all: &mut [S::Scalar]| -> PyResult<Followed<usize>> {
+        let (first, rest) = all.split_at_mut(width);
+        first.copy_from_slice(&x);
+        beside(py, Some(1), &asked.listener, |caller| {
+            let rows = at.rows(&mut x, every, rest, |_| caller.goes_on())?;
+            // The steps behind the last row show whether the orbit goes as far as it was asked.
+            let left = steps % every.get();
+            if rows.ended != Ended::Complete || left == 0 {
+                return Ok(rows);
+            }
+            let end = at.follow(&mut x, left, |_| caller.goes_on())?;
+            Ok(Followed { report: rows.report, steps: rows.steps + end.steps, ended: end.ended })
+        })?
+        .map_err(|error| of_dimension(&error))
+    };
+    let (array, followed) = match out {
+        Some(out) => {
+            let mut array = writable::<S::Scalar>(out, &[rows, width])?;
+            let followed = run(array.as_slice_mut()?)?;
+            (out.clone(), followed)
+        }
+        None => {
+            let mut all = Vec::new();
+            let length = rows.checked_mul(width).ok_or_else(too_long)?;
+            all.try_reserve_exact(length).map_err(|_| too_long())?;
+            all.resize(length, S::Scalar::zero());
+            let followed = run(&mut all)?;
+            let array: Bound<'py, PyArray2<S::Scalar>> = all.into_pyarray(py).reshape([rows, width])?;
+            (array.into_any(), followed)
+        }
+    };
+    let made = followed.report + 1;
+    let array = if made == rows {
+        array
+    } else {
+        array.get_item(pyo3::types::PySlice::new(py, 0, made as isize, 1))?
+    };
+    let ended = if followed.ended == Ended::Range { "range" } else { "complete" };
+    Ok((array, followed.steps, ended))
+}
+
+/// The composition of an order.
+pub(crate) fn composition(order: u32) -> PyResult<Composition> {
+    Composition::of_order(order)
+        .ok_or_else(|| PyValueError::new_err(format!("order {order} is not there; choose 2, 4, 6 or 8")))
+}
+
+/// Points of another number of variables.
+pub(crate) fn points_of(variables: usize, found: &[usize]) -> PyErr {
+    PyValueError::new_err(format!(
+        "a point has {variables} coordinates, one a variable, and the last axis of the shape {found:?} has another length"
+    ))
+}

@@ -1,0 +1,80 @@
+//! Tables as arrays: the rows of a question, a column each.
+
+use kahan_algebra::rational::Rational;
+use kahan_study::{End, Exact, Kept, Question, Table};
+use numpy::IntoPyArray;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyList;
+
+use crate::beside::{Listener, beside};
+use crate::errors::of_study;
+use crate::field::Field;
+
+#[pymethods]
+impl Field {
+    /// The rows of a question, which is JSON: for each column its name, its meaning and its values;
+    /// how the table ended, and after how many steps, where a point has no next one.
+    #[pyo3(signature = (question, *, threads = None, listener = None))]
+    #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
+    fn table<'py>(
+        &self,
+        py: Python<'py>,
+        question: &str,
+        threads: Option<usize>,
+        listener: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, Option<u64>)> {
+        let question: Question =
+            serde_json::from_str(question).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let (table, end) = beside(py, threads, &Listener(listener), |caller| {
+            let mut table = Table::default();
+            let end = self.study().rows(&question, 0..u64::MAX, &mut table, caller);
+            end.map(|end| (table, end))
+        })?
+        .map_err(|error| of_study(py, &error))?;
+        let columns = table.columns.into_iter().zip(table.values);
+        let columns = columns.map(|(column, kept)| Ok((column.name, column.meaning, array(py, kept)?)));
+        let ended = match &end {
+            End::Complete => "complete",
+            End::Pole(_) => "pole",
+            End::Range(_) => "range",
+            End::Time => "time",
+            End::Stopped => "stopped",
+        };
+        Ok((columns.collect::<PyResult<_>>()?, ended, end.last().map(|last| last.step)))
+    }
+}
+
+/// The values of a column: floats and counts as an array, of double-doubles a row of two, the rest
+/// as a list.
+fn array(py: Python<'_>, kept: Kept) -> PyResult<Bound<'_, PyAny>> {
+    Ok(match kept {
+        Kept::F64(values) => values.into_pyarray(py).into_any(),
+        Kept::F32(values) => values.into_pyarray(py).into_any(),
+        Kept::Integer(values) => values.into_pyarray(py).into_any(),
+        Kept::Dd(values) => {
+            let parts: Vec<f64> = values.iter().flat_map(|value| [value.high(), value.low()]).collect();
+            parts.into_pyarray(py).call_method1("reshape", ((-1, 2),))?
+        }
+        Kept::Text(values) => PyList::new(py, values)?.into_any(),
+        Kept::Exact(values) => {
+            let values = values.iter().map(|value| fraction(py, value)).collect::<PyResult<Vec<_>>>()?;
+            PyList::new(py, values)?.into_any()
+        }
+    })
+}
+
+/// A fraction of Python's; what has no value is `None`, and what is infinite the float.
+fn fraction<'py>(py: Python<'py>, value: &Exact) -> PyResult<Bound<'py, PyAny>> {
+    static FRACTION: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    match value {
+        Exact::Number(value) => {
+            let value = Rational::from(value);
+            let parts = (value.numerator().clone(), value.denominator().clone());
+            FRACTION.import(py, "fractions", "Fraction")?.call1(parts)
+        }
+        Exact::Infinite => Ok(f64::INFINITY.into_pyobject(py)?.into_any()),
+        Exact::Undefined => Ok(py.None().into_bound(py)),
+    }
+}

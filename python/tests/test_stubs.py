@@ -1,0 +1,26 @@
+"""Types: the package is strict, and the stub of the compiled module is what that module has."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import kahan
+
+PACKAGE = Path(kahan.__file__).parent
+
+
+def run(*arguments):
+    done = subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_package_is_typed():
+    pytest.importorskip("mypy")
+    run("mypy", "--strict", "--no-error-summary", "--ignore-missing-imports", "--cache-dir", "/dev/null", str(PACKAGE))
+
+
+def test_the_stub_is_true():
+    pytest.importorskip("mypy")
+    run("mypy.stubtest", "kahan._kahan", "--ignore-missing-stub", "--concise")
