@@ -3,8 +3,8 @@
 use crate::field::{Component, Field};
 use crate::kahan::{RationalMap, TERM_BUDGET, bilinear_form, field_jacobian, scaled_matrix, scaled_rhs};
 use crate::poly::{Budget, Polynomial};
-use crate::rational::Rational;
 use crate::rational_function::RationalFunction;
+use kahan_syntax::rational::Rational;
 
 use super::notation::Notation;
 
