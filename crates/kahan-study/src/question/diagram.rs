@@ -20,10 +20,10 @@ use crate::study::Study;
 #[serde(deny_unknown_fields)]
 pub struct Diagram {
     /// ε, half the time step; not looked at where `over` is of ε.
-    #[serde(with = "exact::optional", default)]
+    #[serde(with = "exact", default)]
     pub eps: Option<Rational>,
     /// The first point of each orbit, a coordinate for each variable.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub at: Vec<Rational>,
     /// The parameter that goes through values, or `eps`.
     pub over: Axis,
@@ -51,7 +51,7 @@ pub struct DiagramFound {
     /// What is shown.
     pub variable: String,
     /// The values that were gone through: all of them, unless the watch stopped the work.
-    #[serde(with = "exact::list")]
+    #[serde(with = "exact")]
     pub values: Vec<Rational>,
     /// At each of them the values of the variable: fewer than asked, or none, where the orbit ends
     /// at a pole or beyond the range of doubles, or the field is not defined.
