@@ -15,12 +15,14 @@ from ._answer import Answer
 from ._errors import FieldError, Mistake, SingularStep
 from ._formula import Formula
 from ._lattice import Lattice
-from ._orbit import Orbit, Section
+from ._orbit import Chart, Ensemble, Orbit, Section
 from ._system import Discovery, System
 
 __all__ = [
     "Answer",
+    "Chart",
     "Discovery",
+    "Ensemble",
     "FieldError",
     "Formula",
     "Lattice",

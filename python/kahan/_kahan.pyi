@@ -36,6 +36,13 @@ class Field:
         self, points: Any, eps: Any, steps: int, *, parameters: Sequence[Any] = ..., order: int = 2,
         threads: int | None = None, out: _Array | None = None, listener: _Listener = None,
     ) -> _Array: ...
+    def observed(
+        self, points: Any, eps: Any, steps: int, of: Sequence[str], *, parameters: Sequence[Any] = ..., order: int = 2,
+        every: int = 10, escape: float = 1e6, threads: int | None = None, listener: _Listener = None,
+    ) -> tuple[list[str], _Array, _Array]: ...
+    def table(
+        self, question: str, *, threads: int | None = None, listener: _Listener = None
+    ) -> tuple[list[tuple[str, str, Any]], str, int | None]: ...
 
 @disjoint_base
 class Chain:

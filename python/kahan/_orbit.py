@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from ._system import System
 
-__all__ = ["Orbit", "Section"]
+__all__ = ["Chart", "Ensemble", "Orbit", "Section"]
 
 Array = np.ndarray[Any, Any]
 
@@ -26,17 +26,24 @@ class Orbit:
     """Half the time step."""
     x: Array
     """The points, of shape (rows, variables); the first is the start."""
+    x_low: Array | None = None
+    """What the points lack, where they are double-doubles: these are ``x + x_low``."""
     every: int
     """Steps from row to row."""
     steps: int
     """The steps that were made; fewer than were asked where the orbit ends."""
     ended: str
-    """``"complete"``, or ``"range"`` where the next point is not finite: a pole (det A = 0), or
-    numbers too large."""
+    """``"complete"``; ``"range"`` where the next point is not finite, ``"pole"`` where it has no
+    value (det A = 0)."""
 
-    def __init__(self, system: System, eps: float, x: Array, every: int, steps: int, ended: str) -> None:
+    def __init__(
+        self, system: System, eps: float, x: Array, every: int, steps: int, ended: str,
+        integrals: dict[str, Array] | None = None,
+    ) -> None:
         self.system, self.eps, self.x, self.every = system, eps, x, every
         self.steps, self.ended = steps, ended
+        if integrals is not None:
+            self.__dict__["integrals"] = integrals
 
     @property
     def n(self) -> Array:
@@ -60,7 +67,7 @@ class Orbit:
         return np.array(self.x, dtype=dtype) if copy or dtype is not None else self.x
 
     def __repr__(self) -> str:
-        end = "" if self.ended == "complete" else f", then out of range: {self.ended}"
+        end = "" if self.ended == "complete" else f", then {self.ended}"
         return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{end}>"
 
     def to_pandas(self) -> Any:
@@ -78,6 +85,86 @@ class Orbit:
         from ._plot import orbit
 
         return orbit(self, axes, ax, style)
+
+
+class Ensemble:
+    """Many trajectories: where they ended, and what was observed of them, an entry a trajectory.
+
+    Each column of what was observed is an attribute and in ``observed``, as ``lyapunov``,
+    ``drift_H``; ``numpy.asarray`` of it is ``x``.
+    """
+
+    x: Array
+    """The last points, of shape (trajectories, variables)."""
+    steps: Array | None
+    """With observers, the steps that each made: fewer than asked where numbers leave their range."""
+    observed: dict[str, Array]
+    """What was observed, by name."""
+
+    def __init__(self, x: Array, steps: Array | None, observed: dict[str, Array]) -> None:
+        self.x, self.steps, self.observed = x, steps, observed
+
+    def __getattr__(self, name: str) -> Array:
+        observed = self.__dict__.get("observed", {})
+        if name in observed:
+            found: Array = observed[name]
+            return found
+        raise AttributeError(f"there is no `{name}` here; there is {', '.join(['x', 'steps', *observed])}")
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return np.array(self.x, dtype=dtype) if copy or dtype is not None else self.x
+
+    def __repr__(self) -> str:
+        seen = f"; observed: {', '.join(self.observed)}" if self.observed else ""
+        return f"<Ensemble of {len(self.x)} trajectories{seen}>"
+
+    def to_pandas(self) -> Any:
+        """A data frame with the last points (x_0, x_1, ...), the steps, and what was observed. Needs pandas."""
+        import pandas
+
+        points = {f"x_{k}": column for k, column in enumerate(self.x.T)}
+        steps = {} if self.steps is None else {"steps": self.steps}
+        return pandas.DataFrame({**points, **steps, **self.observed})
+
+
+class Chart:
+    """What orbits do over one or more parameters or first values: ``values[i, j]`` at ``axes``' i-th and j-th."""
+
+    system: System
+    """The field, with its parameters."""
+    axes: dict[str, Array]
+    """What is gone through, in the order of the axes of ``values``, with its values."""
+    color: str
+    """What is shown."""
+    values: Array
+    """The numbers; not a number where an orbit leaves the range of floats."""
+
+    def __init__(self, system: System, axes: dict[str, Array], color: str, values: Array) -> None:
+        self.system, self.axes, self.color, self.values = system, axes, color, values
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return np.array(self.values, dtype=dtype) if copy or dtype is not None else self.values
+
+    def __repr__(self) -> str:
+        sizes = " x ".join(f"{name}: {len(values)}" for name, values in self.axes.items())
+        return f"<Chart of {self.color} of {self.system.name} over {sizes}>"
+
+    def to_pandas(self) -> Any:
+        """A data frame with a row a cell. Needs pandas."""
+        import pandas
+
+        grid = np.meshgrid(*self.axes.values(), indexing="ij")
+        places = {name: axis.ravel() for name, axis in zip(self.axes, grid)}
+        return pandas.DataFrame({**places, self.color: self.values.ravel()})
+
+    def plot(self, *, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws one axis as a curve, two in colours, the first across. Needs matplotlib; returns the axes."""
+        from ._plot import chart
+
+        return chart(self, ax, style)
 
 
 class Section:

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ._orbit import Orbit, Section
+    from ._orbit import Chart, Orbit, Section
 
-__all__ = ["orbit", "section"]
+__all__ = ["chart", "orbit", "section"]
 
 _DOTS: dict[str, Any] = {"marker": ".", "markersize": 2, "linestyle": ""}
 _LINE: dict[str, Any] = {"linewidth": 0.7}
@@ -58,4 +58,20 @@ def section(found: Section, names: tuple[str, ...], ax: Axes | None, style: dict
     ax.plot(*columns, **(_DOTS | style))
     _label(ax, names)
     ax.set_title(f"{found.plane} = 0")
+    return ax
+
+
+def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
+    """A curve over one axis; over two the cells in colours, with a bar that says what they mean."""
+    names, values = list(found.axes), list(found.axes.values())
+    if len(names) > 2:
+        raise ValueError("a picture has two axes; take a part of `values`")
+    ax = _axes(ax, 2)
+    if len(names) == 1:
+        ax.plot(values[0], found.values, **(_LINE | style))
+        _label(ax, (names[0], found.color))
+        return ax
+    mesh = ax.pcolormesh(values[0], values[1], found.values.T, **({"shading": "nearest"} | style))
+    ax.figure.colorbar(mesh, ax=ax, label=found.color)
+    _label(ax, (names[0], names[1]))
     return ax

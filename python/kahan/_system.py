@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from ._answer import Answer
 from ._exact import Number, _number, answer, exact, point
 from ._kahan import Field
 from ._formula import Formula
-from ._orbit import Array, Orbit, Section
+from ._orbit import Array, Chart, Ensemble, Orbit, Section
 
 if TYPE_CHECKING:
     from ._lattice import Lattice
@@ -192,29 +193,55 @@ class System(Field):
     def orbit(
         self,
         x: Any,
-        eps: float,
+        eps: Number,
         steps: int,
         *,
         every: int = 1,
         order: int = 2,
+        scalar: str = "f64",
         compensated: bool = False,
+        method: str = "kahan",
+        projective: bool = False,
         out: Array | None = None,
         progress: bool = False,
     ) -> Orbit:
         """The orbit of a point: its start, and every ``every``-th point after it.
 
-        ``x`` has shape (variables,); float32 is stepped in float32, all else in float64. A step
-        takes the time 2 eps. ``order`` 4, 6 and 8 compose steps of Kahan's map. ``compensated``
-        carries what rounding takes from a point into the next step. ``out`` of shape
-        (1 + steps // every, variables) takes the rows in place of a new array.
+        ``x`` has shape (variables,). A step takes the time 2 eps. ``order`` 4, 6 and 8 compose steps
+        of Kahan's map. ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading doubles, and
+        ``x_low`` what they lack) or exact (fractions in an array of objects); float32 points are
+        stepped in float32. ``compensated`` carries what rounding takes from a point into the next
+        step. ``method`` is kahan, or for comparison euler, rk4 or flow (the solution itself, by
+        certified Taylor series). ``projective`` goes on at poles, through points at infinity.
+        ``out`` of shape (1 + steps // every, variables) takes the rows in place of a new array.
 
-        An orbit ends before a point that is not finite; ``ended`` says so, and ``x`` has the rows
-        up to there. Costs the steps, some ten nanoseconds each for three variables.
+        An orbit ends before a point that is not finite or has no value; ``ended`` says so, and
+        ``x`` has the rows up to there. Costs the steps, some ten nanoseconds each for three
+        variables in f64.
         """
-        rows, made, ended = self.points(
-            x, eps, steps, every=every, order=order, compensated=compensated, out=out, listener=_listener(progress)
-        )
-        return Orbit(self, float(eps), rows[:, : len(self.variables)], every, made, ended)
+        steps, every = _count(steps, "steps"), _count(every, "every")
+        if scalar in ("f64", "f32") and method == "kahan" and not projective:
+            x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
+            half = _float(eps)
+            rows, made, ended = self.points(
+                x, half, steps, every=every, order=order, compensated=compensated, out=out, listener=_listener(progress)
+            )
+            return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended)
+        if compensated or out is not None:
+            raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
+        question = {"ask": "orbit", "at": point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
+                    "scalar": scalar, "order": order, "method": method, "projective": projective}
+        columns, ended, last = self.table(json.dumps(question), listener=_listener(progress))
+        count = len(self.variables)
+        values = [np.array(value, dtype=object) if isinstance(value, list) else value for _, _, value in columns]
+        states = np.stack(values[2 : 2 + count], axis=1)
+        low = states[:, :, 1] if scalar == "dd" else None
+        integrals = {name: value[:, 0] if scalar == "dd" else value
+                     for (name, _, _), value in zip(columns[2 + count :], values[2 + count :])}
+        orbit = Orbit(self, _float(eps), states if low is None else states[:, :, 0], every,
+                      steps if last is None else last, ended, integrals)
+        orbit.x_low = low
+        return orbit
 
     def ensemble(
         self,
@@ -223,16 +250,24 @@ class System(Field):
         steps: int,
         *,
         params: Mapping[str, float | Array] | None = None,
+        observe: Sequence[str] = (),
         order: int = 2,
+        every: int = 10,
+        escape: float = 1e6,
         threads: int | None = None,
         out: Array | None = None,
         progress: bool = False,
-    ) -> Array:
-        """The points of many trajectories after so many steps, a row a trajectory.
+    ) -> Ensemble:
+        """Many trajectories: their points after so many steps, and what is observed on the way.
 
         ``points`` has shape (trajectories, variables); ``eps`` and each of ``params`` are one number
-        or have shape (trajectories,). Work is spread over ``threads``, by default all processors;
-        the numbers do not depend on how many. A trajectory that meets a pole ends as NaN.
+        or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
+        else is computed: drift, extrema, lyapunov, spectrum, log_det, fli, megno, sali, rotation,
+        escape. Exponents are per unit of time; tangent vectors are made orthogonal every
+        ``every`` steps; an orbit escapes where a variable is beyond ``escape``.
+
+        Work is spread over ``threads``, by default all processors; the numbers do not depend on how
+        many. A trajectory that meets a pole ends as NaN, observed ones at the last finite point.
         """
         names = list(self.parameters)
         given: list[Any] = []
@@ -241,9 +276,21 @@ class System(Field):
                 if name not in names:
                     raise TypeError(f"{self.name} has no parameter `{name}`{_near(name, names)}")
             given = [params.get(name) for name in names]
-        return self.advance(
-            points, eps, steps, parameters=given, order=order, threads=threads, out=out, listener=_listener(progress)
-        )
+        steps = _count(steps, "steps")
+        if not observe:
+            x = self.advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
+                             listener=_listener(progress))
+            return Ensemble(x, None, {})
+        if isinstance(observe, str):
+            observe = (observe,)
+        if out is not None:
+            raise ValueError("out is for ensembles without observers")
+        of = ["final", *(name for name in observe if name != "final")]
+        seen, values, made = self.observed(points, eps, steps, of, parameters=given, order=order,
+                                           every=_count(every, "every"), escape=escape, threads=threads,
+                                           listener=_listener(progress))
+        count = len(self.variables)
+        return Ensemble(values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
 
     # Questions.
 
@@ -290,6 +337,47 @@ class System(Field):
                           plane=plane, side=direction, points=points)
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
         return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]))
+
+    def chart(
+        self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
+        color: str = "sali", order: int = 2, escape: float = 1e6, threads: int | None = None, progress: bool = False,
+    ) -> Chart:
+        """What orbits do over parameters, eps or first values: an observable at every value of ``over``.
+
+        ``over`` has for each name (low, high, count), text as "0:1:/20", or an array of values; what
+        it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
+        number: sali, fli, megno, lyapunov, escape, or a column of another one, as drift_H or
+        lyapunov_2. Costs an orbit a cell, in lanes and on all threads.
+        """
+        if not over:
+            raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
+        axes = _axes(over)
+        if eps is None and "eps" in over:
+            eps = axes[list(over).index("eps")].get("values", [1])[0]
+        if eps is None:
+            raise TypeError("chart needs eps, half the time step, or goes through it")
+        observable, column = _observable(color)
+        question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": _count(steps, "steps"),
+                    "order": order, "escape": escape, "of": [observable]}
+        columns, _, _ = self.table(json.dumps({"ask": "over", "axes": axes, "question": question}),
+                                   threads=threads, listener=_listener(progress))
+        found = {name: values for name, _, values in columns}
+        if column not in found:
+            known = ", ".join(name for name in found if name not in ("index", "steps", *over))
+            raise ValueError(f"color: there is no `{column}`; there is {known}")
+        # Cells are numbered with the last axis fastest; what has one value only is no column.
+        sizes = [_size(values) or len(np.unique(found[name])) for name, values in over.items()]
+        values = found[column].reshape(sizes)
+        along = {}
+        for k, name in enumerate(over):
+            places = found[name].reshape(sizes) if name in found else np.full(sizes, np.nan)
+            along[name] = np.moveaxis(places, k, 0).reshape(sizes[k], -1)[:, 0]
+        return Chart(self, along, color, values)
+
+    def verify(self, *, progress: bool = False) -> Answer:
+        """Whether the claims of the field hold: each is proved, as when it was read; of a system of
+        the catalog as it stands those of the paper about it."""
+        return Answer(self._ask("verify", progress, mutate=False))
 
     def periodic(self, x: Any, eps: Number | None = None, *, period: int = 1, over: Mapping[str, Range] | None = None) -> Answer:
         """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps."""
@@ -377,8 +465,24 @@ class Discovery(Answer):
         return self._claimed.densities
 
 
+_COLUMNS = {"escape": "escaped"}
+
+
+def _observable(color: str) -> tuple[str, str]:
+    """The observable that has a column, and the column."""
+    for start, observable in (("drift", "drift"), ("lyapunov_", "spectrum"), ("least_", "extrema"), ("greatest_", "extrema"),
+                              ("rotation_", "rotation"), ("final_", "final"), ("mean_log_det", "log_det")):
+        if color.startswith(start) and color != "lyapunov_error":
+            return observable, color
+    return ("lyapunov" if color == "lyapunov_error" else color), _COLUMNS.get(color, color)
+
+
 def _exact(value: Number | None, name: str) -> str | None:
     return None if value is None else exact(value, name)
+
+
+def _float(eps: Number) -> float:
+    return float(Fraction(eps)) if isinstance(eps, str) else float(eps)
 
 
 def _count(value: int, name: str) -> int:
@@ -390,16 +494,25 @@ def _count(value: int, name: str) -> int:
     return count
 
 
-def _axes(over: Mapping[str, Range] | None) -> list[dict[str, str]]:
-    def text(name: str, values: Range) -> str:
-        if isinstance(values, str):
-            return values
-        if not isinstance(values, tuple) or len(values) != 3:
-            raise TypeError(f'over: {name} is (low, high, count), or text as "0:1:+1/10"')
-        low, high, count = values
-        return f"{exact(low, name)}:{exact(high, name)}:{_count(count, name)}"
+def _size(values: Range | Array) -> int | None:
+    """How many values an axis has; of text the library counts them."""
+    if isinstance(values, str):
+        return None
+    return int(values[2]) if isinstance(values, tuple) else np.asarray(values).size
 
-    return [{"name": name, "range": text(name, values)} for name, values in (over or {}).items()]
+
+def _axes(over: Mapping[str, Range | Array] | None) -> list[dict[str, Any]]:
+    def axis(name: str, values: Range | Array) -> dict[str, Any]:
+        if isinstance(values, str):
+            return {"name": name, "range": values}
+        if not isinstance(values, tuple):
+            return {"name": name, "values": [exact(value, name) for value in np.asarray(values).ravel()]}
+        if len(values) != 3:
+            raise TypeError(f'over: {name} is (low, high, count), an array, or text as "0:1:+1/10"')
+        low, high, count = values
+        return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{_count(count, name)}"}
+
+    return [axis(name, values) for name, values in (over or {}).items()]
 
 
 def _near(name: str, names: list[str]) -> str:

@@ -3,8 +3,10 @@
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use kahan_runtime::{MapAt, threads};
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use kahan_algebra::rational::Rational;
+use kahan_runtime::{Followed, MapAt, threads};
+use kahan_study::{Observable, Observe, Watch};
+use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -42,6 +44,53 @@ impl Field {
             Floats::Single(points) => self.advanced(&points, &asked, out),
         }
     }
+
+    /// What is seen of the orbits of many points: names, numbers with a row an orbit, and how many
+    /// steps each makes. `of` are names of observables; arguments as for `advance`.
+    #[pyo3(signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = 1e6, threads = None, listener = None))]
+    #[expect(clippy::too_many_arguments, reason = "Python names them")]
+    #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
+    fn observed<'py>(
+        &self,
+        points: &Bound<'py, PyAny>,
+        eps: &Bound<'py, PyAny>,
+        steps: u64,
+        of: Vec<String>,
+        parameters: Vec<Option<Bound<'py, PyAny>>>,
+        order: u32,
+        every: u64,
+        escape: f64,
+        threads: Option<usize>,
+        listener: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(Vec<String>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>)> {
+        let py = points.py();
+        let of = of.iter().map(|name| {
+            let known = Observable::ALL.iter().find(|one| one.name() == name);
+            let names = || Observable::ALL.iter().map(|one| one.name()).collect::<Vec<_>>().join(", ");
+            known.copied().ok_or_else(|| {
+                PyValueError::new_err(format!("observe: there is no `{name}`; there is {}", names()))
+            })
+        });
+        let of = of.collect::<PyResult<Vec<_>>>()?;
+        if every == 0 {
+            return Err(PyValueError::new_err("every must be 1 or more"));
+        }
+        let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
+        let points = doubles(points, "points")?;
+        let many = self.many::<f64>(py, points.shape(), &asked)?;
+        let observe = Observe { every, escape, of, ..Observe::new(Rational::zero(), Vec::new(), steps) };
+        let names: Vec<String> =
+            observe.columns(self.study()).into_iter().map(|column| column.name).collect();
+        let (count, from) = (points.shape()[0], points.as_slice()?);
+        let seen = beside(py, asked.threads, &asked.listener, |caller| {
+            many.observed(from, self.dimension(), &observe, caller)
+        })?;
+        let seen = seen.map_err(|error| of_dimension(&error))?;
+        let made: Vec<i64> = seen.iter().map(|followed| followed.steps as i64).collect();
+        let numbers: Vec<f64> = seen.into_iter().flat_map(|followed| followed.report).collect();
+        let numbers = PyArray1::from_vec(py, numbers).reshape([count, names.len()])?;
+        Ok((names, numbers, PyArray1::from_vec(py, made)))
+    }
 }
 
 /// What is asked of an ensemble.
@@ -55,6 +104,28 @@ struct Asked<'a, 'py> {
 }
 
 impl Field {
+    /// The map and the constants of points of this shape.
+    fn many<T: Float>(&self, py: Python<'_>, shape: &[usize], asked: &Asked<'_, '_>) -> PyResult<Many<T>> {
+        if shape.len() != 2 || shape[1] != self.dimension() {
+            return Err(points_of(self.dimension(), shape));
+        }
+        let eps = constants::<T>(asked.eps, shape[0], "eps")?;
+        let values = asked.parameters.iter().enumerate().map(|(k, given)| match given {
+            Some(given) => constants::<T>(given, shape[0], self.parameter(k)),
+            None => Ok(Vec::new()),
+        });
+        let mut values = values.collect::<PyResult<Vec<Vec<T>>>>()?;
+        // Those that are given here may have no value in the field.
+        let at: MapAt<T> = self.map_with(py, &values)?.at(eps.first().copied().unwrap_or_else(T::zero));
+        let at = at.composed(composition(asked.order)?);
+        for (own, values) in at.map().parameters().iter().zip(&mut values) {
+            if values.is_empty() {
+                values.push(T::near(own.to_f64()));
+            }
+        }
+        Ok(Many { at, eps, constants: values, steps: asked.steps })
+    }
+
     fn advanced<'py, T: Float>(
         &self,
         points: &Bound<'py, PyArrayDyn<T>>,
@@ -63,34 +134,11 @@ impl Field {
     ) -> PyResult<Bound<'py, PyAny>> {
         let py = points.py();
         let points = points.readonly();
-        let (variables, shape) = (self.dimension(), points.shape());
-        if shape.len() != 2 || shape[1] != variables {
-            return Err(points_of(variables, shape));
-        }
-        let eps = constants::<T>(asked.eps, shape[0], "eps")?;
-        let constants = asked.parameters.iter().enumerate().map(|(k, given)| match given {
-            Some(given) => constants::<T>(given, shape[0], self.parameter(k)),
-            None => Ok(Vec::new()),
-        });
-        let mut constants = constants.collect::<PyResult<Vec<Vec<T>>>>()?;
-        // Those that are given here may have no value in the field.
-        let at: MapAt<T> = self.map_with(py, &constants)?.at(eps.first().copied().unwrap_or_else(T::zero));
-        let at = at.composed(composition(asked.order)?);
-        for (own, values) in at.map().parameters().iter().zip(&mut constants) {
-            if values.is_empty() {
-                values.push(T::near(own.to_f64()));
-            }
-        }
-        let many = Many {
-            at,
-            eps,
-            constants: if asked.parameters.is_empty() { Vec::new() } else { constants },
-            steps: asked.steps,
-        };
+        let (many, shape) = (self.many::<T>(py, points.shape(), asked)?, points.shape());
         let from = points.as_slice()?;
         let run = |to: &mut [T]| {
             to.copy_from_slice(from);
-            beside(py, asked.threads, &asked.listener, |caller| many.advance(to, variables, caller))?
+            beside(py, asked.threads, &asked.listener, |caller| many.advance(to, self.dimension(), caller))?
                 .map_err(|error| of_dimension(&error))
         };
         match out {
@@ -128,7 +176,7 @@ impl<T: Float> Many<T> {
         let width = variables.max(1);
         let pieces: Vec<Mutex<&mut [T]>> = rows.chunks_mut(TOGETHER * width).map(Mutex::new).collect();
         let failed = Mutex::new(Ok(()));
-        threads::for_each(pieces.len(), Some(kahan_study::Watch::threads(caller)), &|piece| {
+        threads::for_each(pieces.len(), Some(caller.threads()), &|piece| {
             let mut rows = pieces[piece].lock().unwrap_or_else(PoisonError::into_inner);
             if let Err(error) = self.piece(&mut rows, width, piece * TOGETHER, caller) {
                 *failed.lock().unwrap_or_else(PoisonError::into_inner) = Err(error);
@@ -167,6 +215,37 @@ impl<T: Float> Many<T> {
             row.iter_mut().zip(&columns).for_each(|(x, column)| *x = column[k]);
         }
         Ok(())
+    }
+}
+
+impl Many<f64> {
+    /// What is seen of the orbits of points that stand row by row.
+    fn observed(
+        &self,
+        rows: &[f64],
+        variables: usize,
+        asked: &Observe,
+        caller: &Caller,
+    ) -> Result<Vec<Followed<Vec<f64>>>, kahan_runtime::DimensionError> {
+        let width = variables.max(1);
+        // Few enough that Ctrl-C need not wait for long.
+        let together = (AT_ONCE / self.steps.max(1)).clamp(16, 256) as usize;
+        let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();
+        let seen = threads::map(pieces.len(), Some(caller.threads()), |piece| {
+            if caller.wants_no_more() {
+                return Ok(Vec::new());
+            }
+            let (rows, first) = (pieces[piece], piece * together);
+            let count = rows.len() / width;
+            let starts: Vec<Vec<f64>> =
+                (0..width).map(|k| rows.iter().skip(k).step_by(width).copied().collect()).collect();
+            let own = |values: &[f64]| if values.len() > 1 { first..first + count } else { 0..values.len() };
+            let parameters: Vec<&[f64]> = self.constants.iter().map(|values| &values[own(values)]).collect();
+            let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
+            let maps: Vec<&MapAt<f64>> = (0..count).map(|orbit| &maps[orbit.min(maps.len() - 1)]).collect();
+            Ok(asked.of_orbits(&maps, &starts))
+        });
+        Ok(seen.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
     }
 }
 

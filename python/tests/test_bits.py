@@ -49,7 +49,7 @@ def test_an_ensemble_is_its_trajectories():
     points = random.uniform(0.1, 0.5, (3000, 2))
     eps, a = random.uniform(0.001, 0.01, 3000), random.uniform(0.5, 1.5, 3000)
     for threads in (1, 3, None):
-        found = s.ensemble(points, eps, 50, params={"a": a}, threads=threads)
+        found = s.ensemble(points, eps, 50, params={"a": a}, threads=threads).x
         if threads == 1:
             first = found
         assert np.array_equal(found, first)

@@ -13,13 +13,14 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_core::Composition;
 use kahan_discover::{Progress, Watch};
-use kahan_runtime::{Ended, Followed};
+use kahan_runtime::{Ended, Followed, MachineFloat, MapAt};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use crate::error::StudyError;
 use crate::numbers::exact;
+use crate::rows::Column;
 use crate::study::Study;
 
 pub use observable::{Observable, Seen};
@@ -138,6 +139,31 @@ impl Observe {
     pub fn observables(&self) -> impl Iterator<Item = Observable> {
         let is_first = |(place, one): &(usize, &Observable)| !self.of[..*place].contains(one);
         self.of.iter().enumerate().filter(is_first).map(|(_, one)| *one)
+    }
+
+    /// The columns of a table that hold what is observed in a field, an orbit a row.
+    #[must_use]
+    pub fn columns(&self, study: &Study) -> Vec<Column> {
+        let (variables, integrals) = (study.variables(), study.field().integrals());
+        self.observables().flat_map(|one| one.columns(variables, integrals)).collect()
+    }
+
+    /// What is seen of many orbits, side by side where there is code for that: the numbers of the
+    /// columns, as far as each orbit goes. `maps` has a map an orbit, and `starts` a column a
+    /// variable; ε, order and first point of the question do not count.
+    ///
+    /// # Panics
+    /// Where these do not fit each other.
+    pub fn of_orbits<T: MachineFloat + PartialOrd>(
+        &self,
+        maps: &[&MapAt<T>],
+        starts: &[Vec<T>],
+    ) -> Vec<Followed<Vec<f64>>> {
+        let numbers = |Followed { report, steps, ended }: Followed<Vec<Seen>>| {
+            let report = report.iter().flat_map(Seen::numbers).collect();
+            Followed { report, steps, ended }
+        };
+        abreast(maps, starts, self).into_iter().map(numbers).collect()
     }
 
     /// The method of its order, if all else can be observed, too.

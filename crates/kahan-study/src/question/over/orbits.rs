@@ -58,8 +58,7 @@ impl<'a> Orbits<'a> {
             name: "steps".to_owned(),
             meaning: "steps that were made, fewer where numbers leave their range".to_owned(),
         };
-        let (variables, integrals) = (self.study.variables(), self.study.field().integrals());
-        let seen = self.asked.observables().flat_map(|one| one.columns(variables, integrals));
+        let seen = self.asked.columns(self.study).into_iter();
         let seen = seen.map(|column| (column, Kept::F64(Vec::new())));
         [(steps, Kept::Integer(Vec::new()))].into_iter().chain(seen).collect()
     }

@@ -1,0 +1,92 @@
+"""Orbits in other numbers and by other methods, charts, and observed ensembles."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import kahan
+
+E6 = kahan.catalog.e6
+LORENZ = kahan.catalog.lorenz
+
+
+def test_exact_orbits_are_fractions():
+    orbit = E6.orbit([Fraction(1, 3), "2/5", 3], "1/7", 4, scalar="exact")
+    x = [Fraction(1, 3), Fraction(2, 5), Fraction(3)]
+    for row in orbit.x:
+        assert row.tolist() == list(x)
+        x = E6.evaluate(x, "1/7", exact=True).x_next.tolist()
+    assert len(set(orbit.integrals["H"])) == 1
+
+
+def test_double_doubles_have_what_doubles_lack():
+    orbit = E6.orbit([1, 2, 3], "1/20", 50, scalar="dd")
+    plain = E6.orbit([1, 2, 3], 0.05, 50)
+    # The orbit is unstable: later on digits are lost that doubles have not.
+    assert np.allclose(orbit.x[:10], plain.x[:10], rtol=1e-13) and 0 < np.abs(orbit.x_low).max() < 1e-15
+    assert orbit.x.shape == orbit.x_low.shape == (51, 3)
+
+
+def test_other_methods_are_there_to_compare_with():
+    ends = {method: E6.orbit([1, 2, 3], "1/200", 100, method=method, scalar="f64").x[-1]
+            for method in ("kahan", "euler", "rk4", "flow")}
+    far = {method: np.abs(end - ends["flow"]).max() for method, end in ends.items()}
+    assert far["rk4"] < far["kahan"] < far["euler"]
+    with pytest.raises(ValueError):
+        E6.orbit([1, 2, 3], 0.1, 5, method="eular")
+
+
+def test_projective_orbits_go_through_poles():
+    orbit = kahan.catalog.e1.orbit([-1, "2/3", "5/7"], "1/2", 5, scalar="exact", projective=True)
+    assert len(orbit) == 6 and float("inf") in orbit.x.ravel().tolist()
+
+
+def test_charts_are_their_cells():
+    start = [1.0, 1.0, 1.0]
+    chart = LORENZ(s=10, b="8/3").chart({"r": (20, 30, 4), "eps": np.array([0.001, 0.002])}, start, steps=300, color="lyapunov")
+    assert chart.values.shape == (4, 2)
+    assert chart.axes["r"].tolist() == [20, 20 + 10 / 3, 20 + 20 / 3, 30] and chart.axes["eps"].tolist() == [0.001, 0.002]
+    for i, r in enumerate(["20", "70/3", "80/3", "30"]):
+        for j, eps in enumerate([0.001, 0.002]):
+            alone = LORENZ(s=10, b="8/3", r=r).ensemble([start], eps, 300, observe=["lyapunov"])
+            assert alone.lyapunov[0] == chart.values[i, j]
+    again = LORENZ(s=10, b="8/3").chart({"r": "20:30:4", "eps": [0.001, 0.002]}, start, steps=300, color="lyapunov", threads=1)
+    assert np.array_equal(again.values, chart.values)
+    one = E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color="drift_H")
+    assert one.values.shape == (5,)
+    with pytest.raises(ValueError, match="there is"):
+        E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color="drift_Q")
+    with pytest.raises(TypeError):
+        E6.chart({"x": (-1, 1, 5)}, [0, 1, 1])
+
+
+def test_observed_ensembles_are_their_orbits():
+    random = np.random.default_rng(3)
+    points, eps = random.uniform(0.2, 1, (300, 3)), random.uniform(0.01, 0.05, 300)
+    many = E6.ensemble(points, eps, 200, observe=("drift", "fli", "escape"))
+    assert many.x.shape == (300, 3) and (many.steps == 200).all()
+    for k in (0, 17, 299):
+        alone = E6.ensemble(points[k : k + 1], eps[k], 200, observe=("drift", "fli"))
+        assert alone.drift_H[0] == many.drift_H[k] and alone.fli[0] == many.fli[k]
+        assert np.array_equal(E6.orbit(points[k], eps[k], 200).x[-1], many.x[k])
+    with pytest.raises(ValueError, match="there is no `lyapunow`"):
+        E6.ensemble(points, eps, 2, observe=["lyapunow"])
+    with pytest.raises(AttributeError, match="fli"):
+        many.megno
+
+
+def test_plots():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    E6.orbit([1, 2, 3], 0.05, 100).plot()
+    assert E6.orbit([1, 2, 3], 0.05, 100).plot("t", "x").get_ylabel() == "x"
+    E6.section([1, 2, 3], 0.05, 1000, "x - y").plot()
+    E6.chart({"x": (-1, 1, 5), "y": (-1, 1, 5)}, [0, 1, 1], 0.1).plot()
+    E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1).plot()
+    with pytest.raises(ValueError, match="no axis `w`"):
+        E6.orbit([1, 2, 3], 0.05, 10).plot("x", "w")
+
+
+def test_claims_are_verified():
+    assert kahan.System("xdot = y; ydot = -x; integral H = x^2 + y^2;").verify().failed == 0
