@@ -32,7 +32,7 @@ fn answer(study: &Study, object: Value) -> Value {
 #[test]
 fn a_question_writes_itself_as_it_was_read() {
     for object in [
-        json!({"ask": "show", "as": "latex"}),
+        json!({"ask": "show", "as": "latex", "jacobian": true}),
         json!({"ask": "evaluate", "eps": "1/2", "at": ["-2", "1", "1/3"], "scalar": "dd"}),
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
         json!({
