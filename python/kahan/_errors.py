@@ -27,6 +27,8 @@ class FieldError(ValueError):
     ``message``, ``line``, ``column`` and ``help`` are those of the first mistake.
     """
 
+    __module__ = "kahan"  # The name that a traceback shows is the one to catch.
+
     mistakes: tuple[Mistake, ...]
     """All mistakes, in the order of their places."""
 
@@ -60,3 +62,5 @@ class FieldError(ValueError):
 
 class SingularStep(ArithmeticError):
     """The map has no value at a point: a pole, det A = 0, or numbers beyond the range of floats."""
+
+    __module__ = "kahan"

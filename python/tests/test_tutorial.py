@@ -1,0 +1,28 @@
+"""The tutorial runs, cell after cell.
+
+Its stored outputs, which pages of source code show, are renewed by
+``jupyter nbconvert --to notebook --execute --inplace tutorial.ipynb``.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+CELLS = json.loads((Path(__file__).resolve().parents[1] / "tutorial.ipynb").read_text(encoding="utf-8"))["cells"]
+CODE = ["".join(cell["source"]) for cell in CELLS if cell["cell_type"] == "code"]
+
+
+def test_every_cell_runs(monkeypatch):
+    pytest.importorskip("sympy")
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    names = {}
+    for number, code in enumerate(CODE):
+        exec(compile(code, f"code cell {number} of tutorial.ipynb", "exec"), names)
+    # SciPy is compared with, where it is, and not needed.
+    monkeypatch.setitem(sys.modules, "scipy.integrate", None)
+    (compared,) = [code for code in CODE if "scipy" in code]
+    exec(compared, names)
+    matplotlib.pyplot.close("all")
