@@ -29,14 +29,3 @@ pub use reading::{read_csv, read_npy};
 pub fn run_program(bytes: &[u8]) {
     hostile::Case::of(bytes).has_run();
 }
-
-/// What stands in for the command's refusals, which its readers of files return.
-mod printing {
-    pub(crate) struct Refusal(pub(crate) String);
-
-    impl Refusal {
-        pub(crate) fn new(why: impl Into<String>) -> Self {
-            Refusal(why.into())
-        }
-    }
-}

@@ -32,6 +32,8 @@ mod from_toml;
 mod list;
 mod map;
 mod named;
+#[cfg(feature = "files")]
+pub mod number_file;
 pub mod numbers;
 mod question;
 pub mod random_fields;

@@ -391,6 +391,110 @@ fn what_stands_in_a_wrong_place_is_not_missing_besides() {
     }
 }
 
+/// Two first points as NumPy writes them.
+fn array(numbers: [f64; 6]) -> Vec<u8> {
+    let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }\n";
+    let numbers: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+    [b"\x93NUMPY\x01\x00", &[header.len() as u8, 0][..], header.as_bytes(), &numbers].concat()
+}
+
+const OF_FILE: &str = r#"
+starts = "points/F.csv"
+[system]
+name = "e6"
+[axes]
+eps = [0.125, 0.25]
+[task]
+kind = "orbit"
+steps = 3
+observe = ["final"]
+"#;
+
+#[test]
+fn rows_of_files_are_first_points_whatever_the_file() {
+    let folder = folder(OF_FILE);
+    let here = |name: &str| folder.path().join(name);
+    fs::create_dir(here("points")).expect("a folder");
+    // The plan is found from another folder, and its file beside it.
+    let written = |name: &str, bytes: &[u8]| {
+        fs::write(here("points").join(name), bytes).expect("points");
+        fs::write(here("plan.toml"), OF_FILE.replace("F.csv", name)).expect("the plan");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_kahan-sweep"));
+        let run = command.arg(here("plan.toml")).arg("--out").arg(here("r"));
+        run.output().expect("the command runs")
+    };
+    let same = |output: Output| assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    same(written("F.csv", b"z,w,x,y\n1/2,9,1,2\n-0.75,,0.5,1e-3\n"));
+    let mut read = Command::new(env!("CARGO_BIN_EXE_kahan-sweep"));
+    let read = read.arg("--read").arg(here("r/results.parquet")).args(["--columns", "index,x,y,z,eps"]);
+    assert_eq!(
+        text(&read.output().expect("the command runs").stdout),
+        "index,x,y,z,eps\n0,1.0,2.0,0.5,0.125\n1,1.0,2.0,0.5,0.25\n2,0.5,0.001,-0.75,0.125\n3,0.5,0.001,-0.75,0.25\n"
+    );
+    // The same numbers are the same plan, and others are foreign: 0.001 is no double.
+    let foreign = |output: Output| {
+        let said = text(&output.stderr);
+        assert!(output.status.code() == Some(1) && said.contains("belongs to another plan"), "{said}");
+    };
+    foreign(written("F.npy", &array([1.0, 2.0, 0.5, 0.5, 0.001, -0.75])));
+    foreign(written("F.csv", b"1,2,0.5\n1/2,1/8,-3/4\n"));
+    fs::remove_dir_all(here("r")).expect("the results");
+    same(written("F.csv", b"1,2,0.5\n1/2,1/8,-3/4\n"));
+    same(written("F.npy", &array([1.0, 2.0, 0.5, 0.5, 0.125, -0.75])));
+    // A result is a file of points, too: each stands there once for each eps.
+    let swept = fs::read(here("r/results.parquet")).expect("results");
+    foreign(written("F.parquet", &swept));
+    fs::remove_dir_all(here("r")).expect("the results");
+    same(written("F.csv", b"1,2,0.5\n1,2,0.5\n1/2,1/8,-3/4\n1/2,1/8,-3/4\n"));
+    same(written("F.parquet", &swept));
+}
+
+#[test]
+fn what_is_wrong_with_a_file_of_first_points_is_told_where_the_plan_names_it() {
+    let folder = folder(OF_FILE);
+    fs::create_dir(folder.path().join("points")).expect("a folder");
+    let said = |plan: &str| {
+        fs::write(folder.path().join("plan.toml"), plan).expect("the plan");
+        let output = sweep(folder.path(), &["--dry-run"]);
+        assert_eq!(output.status.code(), Some(2), "{plan}");
+        text(&output.stderr)
+    };
+    assert!(said(OF_FILE).contains("plan.toml:2: starts: points/F.csv cannot be read: "));
+    for (file, part) in [
+        ("x,y\n1,2\n", "has no column `z`; it has x, y"),
+        ("x,y,z\n1,2,3\n1,,3\n", "has no number for y in row 2"),
+        ("x,y,z\n1,2,inf\n", "cannot be read: `inf` in line 2 is no number"),
+        ("x,y,z\n", "has no rows"),
+        ("1,2\n", "first points are rows of 3: x,y,z"),
+    ] {
+        fs::write(folder.path().join("points/F.csv"), file).expect("a file");
+        let said = said(OF_FILE);
+        assert!(
+            said.starts_with("error: plan.toml:2: starts: points/F.csv ") && said.contains(part),
+            "{said}"
+        );
+    }
+    fs::write(folder.path().join("points/F.csv"), "1,2,3\n").expect("a file");
+    fs::write(folder.path().join("points/F.parquet"), "1,2,3\n").expect("a file");
+    fs::write(folder.path().join("points/F.npy"), array([1.0, 2.0, 3.0, 1.0, 2.0, f64::INFINITY]))
+        .expect("a file");
+    for (from, to, part) in [
+        ("F.csv", "F.txt", "plan.toml:2: starts: points/F.txt is none of F.parquet, F.csv and F.npy"),
+        ("F.csv", "F.parquet", "plan.toml:2: starts: points/F.parquet cannot be read"),
+        ("F.csv", "F.npy", "plan.toml:2: starts: points/F.npy has no number for z in row 2"),
+        ("[axes]", "[axes]\ny = 1", "plan.toml:1: `y` stands in the file of starts and under [axes]"),
+        ("[axes]", "[axes]\nstarts = 1", "a row of starts = \"F.csv\" at the top of the plan"),
+        (
+            "kind = \"orbit\"\nsteps = 3\nobserve = [\"final\"]",
+            "kind = \"discover\"",
+            "plan.toml:2: starts: \"discover\" has none",
+        ),
+    ] {
+        let said = said(&OF_FILE.replace(from, to));
+        assert!(said.contains(part) && said.matches("plan.toml:").count() == 1, "{part}: {said}");
+    }
+}
+
 #[test]
 fn a_dry_run_and_job_descriptions_run_nothing() {
     let folder = folder(PLAN);

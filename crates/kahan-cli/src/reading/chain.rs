@@ -4,10 +4,11 @@
 
 use kahan_runtime::Lattice;
 use kahan_study::formula::{Formula, Known};
+use kahan_study::number_file::Numbers;
 use kahan_study::{Chain, StudyError};
 
 use super::formula::{formula, formulas};
-use super::number_file::{Numbers, is_number_file, read};
+use super::number_file::{is_number_file, read};
 use super::source::Start;
 use super::values::number;
 use crate::printing::Refusal;

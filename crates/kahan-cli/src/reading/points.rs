@@ -5,25 +5,17 @@
 
 use kahan_algebra::rational::Rational;
 
-use super::number_file::{Entry, Numbers, is_number_file, read};
+use super::number_file::{is_number_file, read};
 use super::values::number;
 use crate::printing::Refusal;
 
-/// An exact number of a file, `None` where there is none: an empty cell, or a float that is not
-/// finite.
-impl Entry for Option<Rational> {
-    fn of_text(cell: &str) -> Option<Self> {
-        if cell.is_empty() { Some(None) } else { Rational::typed(cell).map(Some) }
-    }
-
-    fn of_float(float: f64) -> Self {
-        Rational::from_f64(float)
-    }
-}
-
 /// The points that `--at` gives, at least one.
 pub(crate) fn points(at: &str, states: &[String]) -> Result<Vec<Vec<Rational>>, Refusal> {
-    if is_number_file(at) { of_file(at, states) } else { Ok(vec![coordinates(at, states)?]) }
+    if !is_number_file(at) {
+        return Ok(vec![coordinates(at, states)?]);
+    }
+    let points = read(at, "--at")?.points(states);
+    points.map_err(|why| Refusal::new(format!("--at: the file {at} {why}")))
 }
 
 /// The one point that `--at` gives.
@@ -54,44 +46,4 @@ fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> 
         )));
     }
     parts.iter().zip(states).map(|(part, state)| number(part, &format!("--at, coordinate {state}"))).collect()
-}
-
-/// A row a point: of named columns those of the variables, else a column a variable.
-fn of_file(path: &str, states: &[String]) -> Result<Vec<Vec<Rational>>, Refusal> {
-    let Numbers { names, sizes, values } = read::<Option<Rational>>(path, "--at")?;
-    let refused = |why: String| Refusal::new(format!("--at: the file {path} {why}"));
-    let named = |names: &[String], state: &String| {
-        let mut places = (0..names.len()).filter(|place| names[*place] == *state);
-        match (places.next(), places.next()) {
-            (Some(place), None) => Ok(place),
-            (Some(_), Some(_)) => Err(refused(format!("has two columns `{state}`; leave one of them out"))),
-            (None, _) => Err(refused(format!("has no column `{state}`; it has {}", names.join(", ")))),
-        }
-    };
-    let columns: Vec<usize> = match &names {
-        Some(names) => states.iter().map(|state| named(names, state)).collect::<Result<_, _>>()?,
-        None => (0..states.len()).collect(),
-    };
-    let width = match sizes[..] {
-        [] | [0, _] => return Err(refused("has no rows; a row is a first point".to_owned())),
-        [_, width] if names.is_some() || width == states.len() => width,
-        _ => {
-            let sizes: Vec<String> = sizes.iter().map(usize::to_string).collect();
-            return Err(refused(format!(
-                "has {} numbers, and first points are rows of {}: {}",
-                sizes.join(" x "),
-                states.len(),
-                states.join(",")
-            )));
-        }
-    };
-    let point = |(row, values): (usize, &[Option<Rational>])| {
-        let coordinate = |(column, state): (&usize, &String)| {
-            values[*column].clone().ok_or_else(|| {
-                refused(format!("has no number for {state} in row {}, and a first point needs each", row + 1))
-            })
-        };
-        columns.iter().zip(states).map(coordinate).collect()
-    };
-    values.chunks_exact(width).enumerate().map(point).collect()
 }

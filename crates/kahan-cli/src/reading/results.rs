@@ -5,7 +5,9 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use super::number_file::{self, Numbers};
+use kahan_study::number_file::Numbers;
+
+use super::number_file::read;
 use crate::printing::Refusal;
 
 /// The program that runs sweeps and reads their results: beside this one, or where programs are.
@@ -41,7 +43,7 @@ pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<V
     let shown = path.display().to_string();
     let numbers = match path.extension().and_then(|ending| ending.to_str()) {
         Some("parquet") => swept(path, names, option)?,
-        Some("csv") => number_file::read(&shown, option)?,
+        Some("csv") => read(&shown, option)?,
         _ => {
             return Err(Refusal::new(format!(
                 "{option}: {shown} is no result that can be read; it ends in .parquet or .csv, or is the folder of a sweep"
@@ -77,7 +79,8 @@ fn swept(path: &Path, names: &[&str], option: &str) -> Result<Numbers, Refusal> 
     let refused = |why: &str| Refusal::new(format!("{option}: {}", why.trim()));
     match reader.wait() {
         Ok(status) if status.success() => {
-            let numbers = read.map_err(|error| error.to_string()).and_then(|_| number_file::table(&rows));
+            let numbers =
+                read.map_err(|error| error.to_string()).and_then(|_| Numbers::of("rows.csv", &rows));
             numbers.map_err(|why| refused(&format!("{}: {why}", path.display())))
         }
         Ok(_) => Err(refused(complaint.trim_start_matches("error: "))),

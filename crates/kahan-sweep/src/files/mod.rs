@@ -14,4 +14,4 @@ pub(crate) use journal::Journal;
 pub(crate) use merge::{RESULTS, merge};
 pub(crate) use part::{Part, Unusable, folder_is_writable};
 pub(crate) use status::{ranges, status};
-pub(crate) use table::{NoTable, table};
+pub(crate) use table::{NoTable, numbers, table};

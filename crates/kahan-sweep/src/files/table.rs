@@ -1,10 +1,13 @@
-//! A result as text: commas between the entries, names above them.
+//! A file of Parquet read: a result as text, commas between the entries and names above them, or
+//! columns as exact numbers.
 
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
 
+use kahan_algebra::rational::Rational;
+use kahan_study::number_file::{Entry, Numbers};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -23,14 +26,40 @@ pub(crate) enum NoTable {
 /// short as they can be read back, what is not a number as NaN, texts in quotes.
 pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Result<(), NoTable> {
     let unreadable = |why: String| NoTable::Unreadable(format!("{} {why}", path.display()));
-    let broken = |error: ParquetError| unreadable(format!("cannot be read: {error}"));
-    let file = File::open(path).map_err(|error| unreadable(format!("cannot be read: {error}")))?;
+    let (names, rows) = rows(path, columns).map_err(unreadable)?;
+    let mut write = |line: &str| writeln!(to, "{line}").map_err(NoTable::Unwritten);
+    write(&names.join(","))?;
+    for row in rows {
+        let entries: Vec<String> = row.map_err(unreadable)?.iter().map(shown).collect();
+        write(&entries.join(","))?;
+    }
+    Ok(())
+}
+
+/// The numbers of columns of a file of Parquet, exactly as they stand there, or what is wrong with
+/// the file.
+pub(crate) fn numbers(path: &Path, columns: &[String]) -> Result<Numbers<Option<Rational>>, String> {
+    let (names, rows) = rows(path, columns)?;
+    let mut values = Vec::new();
+    for row in rows {
+        values.extend(row?.iter().map(exactly));
+    }
+    let sizes = vec![values.len() / names.len(), names.len()];
+    Ok(Numbers { names: Some(names), sizes, values })
+}
+
+type Row = Result<Vec<Field>, String>;
+
+/// The names of these columns, or of all where none is named, and their entries row by row.
+fn rows(path: &Path, columns: &[String]) -> Result<(Vec<String>, impl Iterator<Item = Row>), String> {
+    let broken = |error: ParquetError| format!("cannot be read: {error}");
+    let file = File::open(path).map_err(|error| format!("cannot be read: {error}"))?;
     let reader = SerializedFileReader::new(file).map_err(broken)?;
     let schema = reader.metadata().file_metadata().schema_descr().root_schema_ptr();
     let known: Vec<String> = schema.get_fields().iter().map(|field| field.name().to_owned()).collect();
     let names = if columns.is_empty() { &known } else { columns };
     if let Some(name) = names.iter().find(|name| !known.contains(name)) {
-        return Err(unreadable(format!("has no column `{name}`; it has {}", known.join(", "))));
+        return Err(format!("has no column `{name}`; it has {}", known.join(", ")));
     }
     // Rows hold what is asked for, in the order of the file.
     let read: Vec<_> =
@@ -39,16 +68,21 @@ pub(crate) fn table(path: &Path, columns: &[String], to: &mut impl Write) -> Res
     let order: Vec<usize> = names.iter().map(place).collect();
     let fields = read.iter().map(|field| Arc::clone(field)).collect();
     let projection = Type::group_type_builder(schema.name()).with_fields(fields).build().map_err(broken)?;
+    let rows = reader.into_iter().project(Some(projection)).map_err(broken)?;
+    let rows = rows.map(move |row| {
+        let entries = row.map_err(broken)?.into_columns();
+        Ok(order.iter().map(|place| entries[*place].1.clone()).collect())
+    });
+    Ok((names.to_vec(), rows))
+}
 
-    let mut write = |line: &str| writeln!(to, "{line}").map_err(NoTable::Unwritten);
-    write(&names.join(","))?;
-    for row in reader.get_row_iter(Some(projection)).map_err(broken)? {
-        let row = row.map_err(broken)?;
-        let entries: Vec<String> = row.get_column_iter().map(|(_, entry)| shown(entry)).collect();
-        let entries: Vec<&str> = order.iter().map(|place| entries[*place].as_str()).collect();
-        write(&entries.join(","))?;
+fn exactly(entry: &Field) -> Option<Rational> {
+    match entry {
+        Field::Double(value) => Entry::of_float(*value),
+        Field::Float(value) => Entry::of_float(f64::from(*value)),
+        Field::Str(text) => Entry::of_text(text).flatten(),
+        whole => Rational::typed(&whole.to_string()),
     }
-    Ok(())
 }
 
 fn shown(entry: &Field) -> String {

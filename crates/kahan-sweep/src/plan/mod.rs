@@ -25,6 +25,8 @@ pub struct Plan {
     study: Study,
     /// `[system.params]`, in the order of the plan.
     fixed: Vec<(String, Rational)>,
+    /// The line of the plan's one form that tells first points from a file from others.
+    starts: String,
     /// What is asked over the axes; the last runs fastest, but for the draws.
     question: Question,
     points: u64,
@@ -53,7 +55,8 @@ impl Rows for Chosen<'_> {
 }
 
 impl Plan {
-    /// Reads a plan; `origin` is what it is called in reports.
+    /// Reads a plan; `origin` is the name of its file, for reports and to find the file of first
+    /// points beside it.
     ///
     /// # Errors
     /// All that is wrong with it.
@@ -109,6 +112,7 @@ impl Plan {
         for (name, value) in &self.fixed {
             let _ = writeln!(text, "{name} = [{value}]");
         }
+        text.push_str(&self.starts);
         let over = self.over();
         for Varied { name, through } in &over.axes {
             let _ = match through {
@@ -150,10 +154,7 @@ impl Plan {
     /// What tells this plan from others: SHA-256 of its [one form](Self::canonical).
     #[must_use]
     pub fn hash(&self) -> String {
-        Sha256::digest(self.canonical()).iter().fold(String::new(), |mut text, byte| {
-            let _ = write!(text, "{byte:02x}");
-            text
-        })
+        sha256(&self.canonical())
     }
 
     /// The seed of what is drawn.
@@ -161,4 +162,12 @@ impl Plan {
     pub fn seed(&self) -> u64 {
         self.over().seed
     }
+}
+
+/// SHA-256 of a text, in hexadecimal digits.
+fn sha256(text: &str) -> String {
+    Sha256::digest(text).iter().fold(String::new(), |mut digits, byte| {
+        let _ = write!(digits, "{byte:02x}");
+        digits
+    })
 }

@@ -1,18 +1,21 @@
 //! A plan from its text.
 
 use std::ops::Range as Span;
+use std::path::Path;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
+use kahan_study::number_file::Numbers;
 use kahan_study::{
     Discover, Heights, Observable, Observe, Over, Question, Range, Source, Spacing, Study, StudyError,
     Subject, Systems, Table as Rows, Through, Unwatched, Varied,
 };
 use toml::de::{DeTable, DeValue};
 
-use super::Plan;
 use super::mistakes::{Collector, Mistakes};
 use super::table::{Table, Value, each, number, text, whole};
+use super::{Plan, sha256};
+use crate::files::numbers;
 
 /// Rows of a part where the plan does not say.
 const ROWS: u64 = 100_000;
@@ -26,7 +29,7 @@ pub(super) fn plan(source: &str, origin: &str) -> Result<Plan, Mistakes> {
     let read = match DeTable::parse(source) {
         Ok(root) => {
             let root = Table::new("the plan", root.span(), root.get_ref());
-            Reader { mistakes: &mut mistakes, places: Vec::new() }.plan(root)
+            Reader { mistakes: &mut mistakes, origin, places: Vec::new() }.plan(root)
         }
         Err(error) => {
             mistakes.note(&error.span().unwrap_or_default(), error.message());
@@ -39,13 +42,15 @@ pub(super) fn plan(source: &str, origin: &str) -> Result<Plan, Mistakes> {
 
 struct Reader<'m, 's> {
     mistakes: &'m mut Collector<'s>,
+    /// The file of the plan.
+    origin: &'m str,
     /// Where parameters and axes stand.
     places: Vec<(String, Span<usize>)>,
 }
 
 impl Reader<'_, '_> {
     fn plan(&mut self, mut root: Table<'_, '_>) -> Option<Plan> {
-        let (seed, draws) = (root.take("seed"), root.take("draws"));
+        let (seed, draws, file) = (root.take("seed"), root.take("draws"), root.take("starts"));
         let mut of_plan = |name| root.table(name, self.mistakes);
         let (system, axes, task, output) =
             (of_plan("system"), of_plan("axes"), of_plan("task"), of_plan("output"));
@@ -64,6 +69,7 @@ impl Reader<'_, '_> {
                 Vec::new()
             }
         };
+        let starts = file.map_or(Some(Vec::new()), |file| self.starts(file, &study, task.as_ref()));
         let mut question = task?;
         let claims_none = study.system().accessors(ClaimKind::Integral).next().is_none();
         if let Question::Observe(asked) = &mut question {
@@ -78,13 +84,21 @@ impl Reader<'_, '_> {
         if !self.mistakes.is_empty() {
             return None;
         }
-        self.missing(&all, &fixed, &study, &question);
+        let starts = starts?;
+        self.missing(&all, &fixed, (&study, &question, !starts.is_empty()));
         let draws = self.draws(draws, &all)?;
         if !self.mistakes.is_empty() {
             return None;
         }
         all.extend(scheme);
-        let over = Over { question: Box::new(question), axes: all, starts: Vec::new(), draws, seed };
+        let line = match &starts[..] {
+            [] => String::new(),
+            starts => {
+                let numbers: Vec<String> = starts.iter().flatten().map(ToString::to_string).collect();
+                format!("starts = {} of SHA-256 {}\n", starts.len(), sha256(&numbers.join(", ")))
+            }
+        };
+        let over = Over { question: Box::new(question), axes: all, starts, draws, seed };
         let points = over.cells(&study);
         let question = Question::Over(over);
         let mut empty = Rows::default();
@@ -92,8 +106,17 @@ impl Reader<'_, '_> {
         let asked = study.rows(&question, 0..0, &mut empty, &Unwatched);
         let points = asked.and(points).map_err(|why| self.refuse(&why, &(0..0))).ok()?;
         let places = (0..empty.columns.len()).collect();
-        let mut plan =
-            Plan { study, fixed, question, points, rows_per_part: ROWS, columns: None, places, empty };
+        let mut plan = Plan {
+            study,
+            fixed,
+            starts: line,
+            question,
+            points,
+            rows_per_part: ROWS,
+            columns: None,
+            places,
+            empty,
+        };
         if let Some(output) = output {
             self.output(output, &mut plan);
         }
@@ -152,6 +175,33 @@ impl Reader<'_, '_> {
         Some((study.map_err(|why| self.refuse(&why, &span)).ok()?, fixed))
     }
 
+    /// The first points of a file, which lies where the plan says, seen from its own folder.
+    fn starts(
+        &mut self,
+        value: &Value<'_>,
+        study: &Study,
+        asked: Option<&Question>,
+    ) -> Option<Vec<Vec<Rational>>> {
+        if let Some(Question::Discover(_)) = asked {
+            self.mistakes.note(&value.span(), "starts: \"discover\" has none; leave `starts` out");
+            return None;
+        }
+        let name = text(value, "starts", self.mistakes)?;
+        let path = Path::new(self.origin).with_file_name(name);
+        let variables = study.variables();
+        let read = match path.extension().and_then(|ending| ending.to_str()) {
+            Some("parquet") => numbers(&path, variables),
+            Some("csv" | "npy") => {
+                let bytes = std::fs::read(&path).map_err(|error| error.to_string());
+                let read = bytes.and_then(|bytes| Numbers::of(name, &bytes));
+                read.map_err(|why| format!("cannot be read: {why}"))
+            }
+            _ => Err("is none of F.parquet, F.csv and F.npy".to_owned()),
+        };
+        let noted = |why| self.mistakes.note(&value.span(), format!("starts: {} {why}", path.display()));
+        read.and_then(|numbers| numbers.points(variables)).map_err(noted).ok()
+    }
+
     fn axes(&mut self, mut table: Table<'_, '_>, study: &Study) -> Vec<Varied> {
         let mut axes = Vec::new();
         for (name, span, value) in table.rest() {
@@ -159,7 +209,9 @@ impl Reader<'_, '_> {
             if name != "eps" && !known().any(|known| known == name) {
                 let hint = match name {
                     "order" | "scalar" => "; order and scalar are lists in [task]",
-                    "start" | "at" => "; a start is an axis for each variable: values, a range or a draw",
+                    "start" | "starts" | "at" => {
+                        "; a start is an axis for each variable (values, a range or a draw), or a row of starts = \"F.csv\" at the top of the plan"
+                    }
                     _ => "",
                 };
                 let known: Vec<&str> = known().map(String::as_str).collect();
@@ -333,13 +385,17 @@ impl Reader<'_, '_> {
     }
 
     /// Notes what has no value, and what has two.
-    fn missing(&mut self, axes: &[Varied], fixed: &[(String, Rational)], study: &Study, question: &Question) {
+    fn missing(&mut self, axes: &[Varied], fixed: &[(String, Rational)], over: (&Study, &Question, bool)) {
+        let (study, question, has_file) = over;
         let starts = if matches!(question, Question::Discover(_)) { &[] } else { study.variables() };
         for name in starts.iter().chain(study.parameters()).map(String::as_str).chain(["eps"]) {
             let is_fixed = fixed.iter().any(|(own, _)| own == name);
-            match (axes.iter().any(|axis| axis.name == name), is_fixed) {
-                (false, false) => self.note(format!("`{name}` has no value; give it one under [axes], such as {name} = 1 or {name} = [0.1, 0.2]")),
-                (true, true) => self.note(format!("`{name}` stands under [system.params] and under [axes]; leave it out of one")),
+            let is_of_file = has_file && starts.iter().any(|own| own == name);
+            let elsewhere = is_fixed.then_some("under [system.params]");
+            let elsewhere = elsewhere.or(is_of_file.then_some("in the file of starts"));
+            match (axes.iter().any(|axis| axis.name == name), elsewhere) {
+                (false, None) => self.note(format!("`{name}` has no value; give it one under [axes], such as {name} = 1 or {name} = [0.1, 0.2]")),
+                (true, Some(place)) => self.note(format!("`{name}` stands {place} and under [axes]; leave it out of one")),
                 _ => {}
             }
         }

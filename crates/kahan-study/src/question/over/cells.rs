@@ -40,7 +40,6 @@ pub(super) struct Place<V> {
 pub(super) struct Cells<'a> {
     pub(super) axes: Vec<Along<'a>>,
     starts: &'a [Vec<Rational>],
-    starts_in_doubles: Vec<Vec<f64>>,
     /// What no axis changes.
     exactly: Place<Rational>,
     in_doubles: Place<f64>,
@@ -58,7 +57,8 @@ impl<'a> Cells<'a> {
         let (eps, at) = over.begins(study)?;
         let of = |place: usize| along(over, place, study);
         let axes = (0..over.axes.len()).map(of).collect::<Result<Vec<_>, _>>()?;
-        over.starts.iter().try_for_each(|start| study.point(start).map(drop))?;
+        let does_not_fit = |start: &&Vec<Rational>| start.len() != at.len();
+        over.starts.iter().find(does_not_fit).map_or(Ok(()), |start| study.point(start).map(drop))?;
         for (place, along) in axes.iter().enumerate() {
             let is_start = matches!(along.target, Target::Variable(_)) && !over.starts.is_empty();
             if is_start || axes[..place].iter().any(|other| other.target == along.target) {
@@ -78,15 +78,7 @@ impl<'a> Cells<'a> {
         let count = counts.fold(1, |count: u64, own| count.saturating_mul(own));
         match count {
             0 => Err(StudyError::NotPositive { what: "draws", value: Rational::zero() }),
-            1..=MOST => Ok(Cells {
-                axes,
-                starts: &over.starts,
-                starts_in_doubles: over.starts.iter().map(|start| rounded(start)).collect(),
-                exactly,
-                in_doubles,
-                draws,
-                count,
-            }),
+            1..=MOST => Ok(Cells { axes, starts: &over.starts, exactly, in_doubles, draws, count }),
             _ => Err(StudyError::ManyPoints { most: MOST as usize }),
         }
     }
@@ -136,19 +128,19 @@ impl<'a> Cells<'a> {
 
     /// Where a cell is, in doubles, with the value of each axis.
     pub(super) fn in_doubles(&self, index: u64) -> (Place<f64>, Vec<f64>) {
-        self.place(index, &self.in_doubles, &self.starts_in_doubles, Values::double)
+        self.place(index, &self.in_doubles, Rational::to_f64, Values::double)
     }
 
     /// The same, exactly.
     pub(super) fn exactly(&self, index: u64) -> Place<Rational> {
-        self.place(index, &self.exactly, self.starts, Values::exactly).0
+        self.place(index, &self.exactly, Rational::clone, Values::exactly).0
     }
 
     fn place<V: Clone>(
         &self,
         index: u64,
         base: &Place<V>,
-        starts: &[Vec<V>],
+        coordinate: fn(&Rational) -> V,
         value: fn(&Values<'a>, u64) -> V,
     ) -> (Place<V>, Vec<V>) {
         let (draw, mut rest) = (index % self.draws, index / self.draws);
@@ -171,8 +163,8 @@ impl<'a> Cells<'a> {
             }
             values.push(value);
         }
-        if let Some(start) = starts.get(rest as usize) {
-            place.at.clone_from(start);
+        if let Some(start) = self.starts.get(rest as usize) {
+            place.at = start.iter().map(coordinate).collect();
         }
         values.reverse();
         (place, values)

@@ -1,0 +1,271 @@
+//! Files of numbers: CSV, of which the crate `csv` makes cells, and NumPy's arrays (`.npy`,
+//! numpy.lib.format).
+//!
+//! In: the bytes of a file. Out: its numbers, as exact as they stand there if the caller wants that,
+//! with their sizes and the names of their columns; or a first point a row. Where the bytes lie, and
+//! what begins at the points, this module must not know.
+//!
+//! Arrays are read here, and the command writes them, by code of our own. We tried `npyz` 0.9.1,
+//! the best kept of the crates for them: it multiplies the sizes of a header unchecked, so that a
+//! file of a hundred bytes makes it panic; for that header it brings a generator of parsers and a
+//! build script in C; and where the number of rows is known at the end only, its arrays have at
+//! most two directions, while states of chains take three. `ndarray-npy` wants all sizes
+//! beforehand.
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+use kahan_algebra::rational::Rational;
+
+/// A number as files have it.
+pub trait Entry: Sized {
+    /// The number in a cell of text, which may be empty; `None` where the cell has no number.
+    fn of_text(cell: &str) -> Option<Self>;
+
+    /// The number that an array has as a float.
+    fn of_float(float: f64) -> Self;
+}
+
+/// A cell that is empty is not a number.
+impl Entry for f64 {
+    fn of_text(cell: &str) -> Option<Self> {
+        if cell.is_empty() { Some(f64::NAN) } else { cell.parse().ok() }
+    }
+
+    fn of_float(float: f64) -> Self {
+        float
+    }
+}
+
+/// An exact number, `None` where there is none: an empty cell, or a float that is not finite.
+impl Entry for Option<Rational> {
+    fn of_text(cell: &str) -> Option<Self> {
+        if cell.is_empty() { Some(None) } else { Rational::typed(cell).map(Some) }
+    }
+
+    fn of_float(float: f64) -> Self {
+        Rational::from_f64(float)
+    }
+}
+
+/// The numbers of a file, and the names of its columns where it has them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers<V = f64> {
+    /// The names of the columns.
+    pub names: Option<Vec<String>>,
+    /// How many there are in each direction, rows first.
+    pub sizes: Vec<usize>,
+    /// Row by row.
+    pub values: Vec<V>,
+}
+
+impl<V: Entry> Numbers<V> {
+    /// The numbers of a file with this name: an array of NumPy's where it ends in `.npy`, else rows
+    /// of numbers with commas, behind a row of names or not.
+    ///
+    /// # Errors
+    /// Why they cannot be read.
+    pub fn of(name: &str, bytes: &[u8]) -> Result<Self, String> {
+        if name.ends_with(".npy") { array(bytes) } else { table(bytes) }
+    }
+}
+
+impl Numbers<Option<Rational>> {
+    /// A first point a row, with a coordinate a variable: of named columns those of the variables,
+    /// else a column a variable.
+    ///
+    /// # Errors
+    /// What the file has too much or too little of, said of it: "has no rows; …".
+    pub fn points(&self, variables: &[String]) -> Result<Vec<Vec<Rational>>, String> {
+        let Numbers { names, sizes, values } = self;
+        let named = |names: &[String], variable: &String| {
+            let mut places = (0..names.len()).filter(|place| names[*place] == *variable);
+            match (places.next(), places.next()) {
+                (Some(place), None) => Ok(place),
+                (Some(_), Some(_)) => Err(format!("has two columns `{variable}`; leave one of them out")),
+                (None, _) => Err(format!("has no column `{variable}`; it has {}", names.join(", "))),
+            }
+        };
+        let columns: Vec<usize> = match names {
+            Some(names) => {
+                variables.iter().map(|variable| named(names, variable)).collect::<Result<_, _>>()?
+            }
+            None => (0..variables.len()).collect(),
+        };
+        let width = match sizes[..] {
+            [] | [0, _] => return Err("has no rows; a row is a first point".to_owned()),
+            [_, width] if names.is_some() || width == variables.len() => width,
+            _ => {
+                let sizes: Vec<String> = sizes.iter().map(usize::to_string).collect();
+                return Err(format!(
+                    "has {} numbers, and first points are rows of {}: {}",
+                    sizes.join(" x "),
+                    variables.len(),
+                    variables.join(",")
+                ));
+            }
+        };
+        let point = |(row, values): (usize, &[Option<Rational>])| {
+            let coordinate = |(column, variable): (&usize, &String)| {
+                values[*column].clone().ok_or_else(|| {
+                    format!("has no number for {variable} in row {}, and a first point needs each", row + 1)
+                })
+            };
+            columns.iter().zip(variables).map(coordinate).collect()
+        };
+        values.chunks_exact(width).enumerate().map(point).collect()
+    }
+}
+
+/// Rows of numbers with commas, behind a row of names or not.
+fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
+    let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
+    let (mut row, mut is_first) = (StringRecord::new(), true);
+    let mut numbers = Numbers { names: None, sizes: Vec::new(), values: Vec::new() };
+    // Bytes in memory can be read, so all that may be wrong is what they say.
+    while cells.read_record(&mut row).map_err(|_| "it is no text".to_owned())? {
+        // A line of spaces.
+        if row.len() == 1 && row[0].is_empty() {
+            continue;
+        }
+        let line = || line(text, &row);
+        let values: Result<Vec<V>, &str> = row.iter().map(|cell| V::of_text(cell).ok_or(cell)).collect();
+        match values {
+            Ok(values) => {
+                let (found, names) = (values.len(), numbers.names.as_ref().map(Vec::len));
+                match (&mut numbers.sizes[..], names) {
+                    ([_, columns], _) if *columns != found => {
+                        let line = line();
+                        return Err(format!(
+                            "line {line} has {found} numbers, and those before it {columns}"
+                        ));
+                    }
+                    ([rows, _], _) => *rows += 1,
+                    (_, Some(names)) if names != found => {
+                        let line = line();
+                        return Err(format!(
+                            "line {line} has {found} numbers, and above it are {names} names"
+                        ));
+                    }
+                    _ => numbers.sizes = vec![1, found],
+                }
+                numbers.values.extend(values);
+            }
+            Err(_) if is_first => numbers.names = Some(row.iter().map(str::to_owned).collect()),
+            Err(cell) => return Err(format!("`{cell}` in line {} is no number", line())),
+        }
+        is_first = false;
+    }
+    Ok(numbers)
+}
+
+/// The line in which a row begins. The reader does not count what it skips before a row: empty
+/// lines, and the second half of a line break of Windows.
+fn line(text: &[u8], row: &StringRecord) -> usize {
+    let behind = row.position().map_or(0, |place| usize::try_from(place.byte()).unwrap_or(text.len()));
+    let skipped = text[behind..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
+    1 + text[..behind + skipped].iter().filter(|byte| **byte == b'\n').count()
+}
+
+/// An array of NumPy's, in the order in which rows lie one behind the other.
+fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
+    let broken = || "it is no array of NumPy's, or not a whole one".to_owned();
+    let (header, data) = header(bytes).ok_or_else(broken)?;
+    let value = |key: &str| {
+        let rest = header.split_once(&format!("'{key}':"))?.1.trim_start();
+        Some(rest.split_once([',', '}']).map_or(rest, |(value, _)| value).trim())
+    };
+    let shape = header.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or_else(broken)?.0;
+    let sizes = shape.split(',').map(str::trim).filter(|size| !size.is_empty());
+    let sizes: Vec<usize> = sizes.map(str::parse).collect::<Result<_, _>>().map_err(|_| broken())?;
+    if value("fortran_order") != Some("False") && sizes.iter().filter(|size| **size > 1).count() > 1 {
+        return Err("its columns lie one behind the other; save it with np.ascontiguousarray".to_owned());
+    }
+    let values: Vec<V> = match value("descr") {
+        Some("'<f8'") => {
+            data.as_chunks().0.iter().map(|bytes| V::of_float(f64::from_le_bytes(*bytes))).collect()
+        }
+        Some("'<f4'") => {
+            data.as_chunks().0.iter().map(|bytes| V::of_float(f32::from_le_bytes(*bytes).into())).collect()
+        }
+        _ => return Err("its numbers are no floats; save it with .astype(float)".to_owned()),
+    };
+    let count = sizes.iter().try_fold(1, |product: usize, size| product.checked_mul(*size));
+    if count == Some(values.len()) { Ok(Numbers { names: None, sizes, values }) } else { Err(broken()) }
+}
+
+/// The header of an array, as text, and what follows.
+fn header(bytes: &[u8]) -> Option<(&str, &[u8])> {
+    let (version, rest) = bytes.strip_prefix(b"\x93NUMPY")?.split_first_chunk::<2>()?;
+    let (length, rest) = match version {
+        [1, _] => {
+            rest.split_first_chunk().map(|(length, rest)| (u16::from_le_bytes(*length).into(), rest))?
+        }
+        _ => rest.split_first_chunk().map(|(length, rest)| (u32::from_le_bytes(*length), rest))?,
+    };
+    let (header, data) = rest.split_at_checked(usize::try_from(length).ok()?)?;
+    Some((str::from_utf8(header).ok()?, data))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Numbers, array, table};
+
+    #[test]
+    fn tables_have_names_or_not() {
+        let numbers = |names: Option<&[&str]>, values: &[f64]| {
+            let names = names.map(|names| names.iter().map(|name| (*name).to_owned()).collect());
+            let columns = names.as_ref().map_or(1, Vec::len);
+            let sizes = if values.is_empty() { Vec::new() } else { vec![values.len() / columns, columns] };
+            Ok(Numbers { names, sizes, values: values.to_vec() })
+        };
+        let table = |text: &str| table::<f64>(text.as_bytes());
+        assert_eq!(table("a, b\n1, 2\n\n-3,4e-1\n"), numbers(Some(&["a", "b"]), &[1.0, 2.0, -3.0, 0.4]));
+        assert_eq!(table("1\n2"), numbers(None, &[1.0, 2.0]));
+        assert_eq!(table(""), numbers(None, &[]));
+        assert_eq!(table("1,2\n3,x"), Err("`x` in line 2 is no number".to_owned()));
+        assert_eq!(
+            table("a,b\n1,2\n3,4,5\n6\n"),
+            Err("line 3 has 3 numbers, and those before it 2".to_owned())
+        );
+        assert_eq!(table("a,b\n1,2,3\n"), Err("line 2 has 3 numbers, and above it are 2 names".to_owned()));
+        // As spreadsheets write tables: a mark before the text, quotes, line breaks of Windows.
+        assert_eq!(table("\u{feff}\"a\",b\r\n\r\n1,\"2\"\r\n"), numbers(Some(&["a", "b"]), &[1.0, 2.0]));
+        for text in ["1\r\n\r\n \r\nx\r\n", "1\n\n \nx"] {
+            assert_eq!(table(text), Err("`x` in line 4 is no number".to_owned()), "{text:?}");
+        }
+        let left_out = table("a,b\n1,\n").expect("a table").values;
+        assert!(left_out[0] == 1.0 && left_out[1].is_nan());
+    }
+
+    /// What NumPy writes, by the documentation of numpy.lib.format.
+    #[test]
+    fn arrays_are_read_as_numpy_writes_them() {
+        let file = |version: u8, descr: &str, fortran: &str, shape: &str, data: &[u8]| {
+            let header =
+                format!("{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}          \n");
+            let length = u16::try_from(header.len()).expect("short").to_le_bytes();
+            let wide: &[u8] = if version == 1 { &[] } else { &[0, 0] };
+            [b"\x93NUMPY", &[version, 0][..], &length, wide, header.as_bytes(), data].concat()
+        };
+        let doubles: Vec<u8> = [1.0_f64, -2.5, 3.0, 4.0].iter().flat_map(|x| x.to_le_bytes()).collect();
+        let singles: Vec<u8> = [0.5_f32, 8.0].iter().flat_map(|x| x.to_le_bytes()).collect();
+        let numbers = |sizes: &[usize], values: &[f64]| {
+            Ok(Numbers { names: None, sizes: sizes.to_vec(), values: values.to_vec() })
+        };
+        let four = [1.0, -2.5, 3.0, 4.0];
+        assert_eq!(array(&file(1, "<f8", "False", "(4,)", &doubles)), numbers(&[4], &four));
+        assert_eq!(array(&file(2, "<f8", "False", "(2, 2)", &doubles)), numbers(&[2, 2], &four));
+        assert_eq!(array(&file(3, "<f8", "True", "(1, 4)", &doubles)), numbers(&[1, 4], &four));
+        assert_eq!(array(&file(1, "<f4", "False", "(2,)", &singles)), numbers(&[2], &[0.5, 8.0]));
+        for wrong in [
+            file(1, "<f8", "True", "(2, 2)", &doubles),
+            file(1, "<i8", "False", "(4,)", &doubles),
+            file(1, "<f8", "False", "(5,)", &doubles),
+            file(1, "<f8", "False", "(4,)", &doubles[..31]),
+            file(1, "<f8", "False", "(18446744073709551615, 2)", &doubles),
+            b"\x93NUMPY\x01\x00\xff\xff{".to_vec(),
+            b"x,y".to_vec(),
+        ] {
+            assert!(array::<f64>(&wrong).is_err(), "{}", String::from_utf8_lossy(&wrong));
+        }
+    }
+}
