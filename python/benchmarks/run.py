@@ -24,7 +24,7 @@ from peers import lorenz_grid, scenes
 HERE = Path(__file__).resolve().parent
 E6 = "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);"
 START, EPS = [0.3, 0.8, 0.5], 0.005
-ROUNDS = 9
+ROUNDS, TURNS = 9, 25
 THREADS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 # Exceeded limits; the exit status is 1 where there are any.
@@ -63,7 +63,7 @@ def against_rust(s: kahan.System) -> None:
     ]
     for name, (at_most, task, work) in zip(names, works):
         ratios = []
-        for _ in range(ROUNDS + 1):
+        for _ in range(TURNS + 1):
             beside.stdin.write(task + "\n")
             beside.stdin.flush()
             theirs, last = map(float, beside.stdout.readline().split())
