@@ -17,24 +17,29 @@ class Answer(Mapping[str, Any]):
     ('lv', Fraction(8, 9))
     """
 
+    _names: tuple[str, ...] = ()
+
     def __init__(self, found: Mapping[str, Any]) -> None:
         self.__dict__.update(found)
+        self.__dict__["_names"] = tuple(found)
 
     def __getitem__(self, name: str) -> Any:
-        return self.__dict__[name]
+        if name not in self._names:
+            raise KeyError(name)
+        return getattr(self, name)
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self.__dict__)
+        return iter(self._names)
 
     def __len__(self) -> int:
-        return len(self.__dict__)
+        return len(self._names)
 
     def __getattr__(self, name: str) -> Any:
-        names = ", ".join(self.__dict__)
+        names = ", ".join(self._names)
         raise AttributeError(f"there is no `{name}` in this answer; it has {names}", name=name, obj=self)
 
     def __repr__(self) -> str:
-        lines = [f"  {name} = {_short(value)}" for name, value in self.__dict__.items()]
+        lines = [f"  {name} = {_short(value)}" for name, value in self.items()]
         return "\n".join([f"{type(self).__name__}:", *lines])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
@@ -167,6 +168,19 @@ class System(Field):
     def densities(self) -> dict[str, Formula]:
         """The claimed invariant densities, by name: the map keeps the volume form density dx."""
         return self._single("density")
+
+    @property
+    def brackets(self) -> dict[str, dict[tuple[str, str], Formula]]:
+        """The claimed Poisson brackets, by name and pair of variables: brackets["P"]["x", "y"] is {x, y}."""
+        def pairs(claim: dict[str, Any], sides: Callable[[str], Any]) -> dict[tuple[str, str], Formula]:
+            stated = re.findall(r"\{(\w+), ?(\w+)\} = (.*?);", claim["statement"])
+
+            def formula(place: int, text: str) -> Formula:
+                return Formula(lambda form: text if form == "text" else sides(form)[place], claim["name"], claim["when"])
+
+            return {(x, y): formula(place, text) for place, (x, y, text) in enumerate(stated)}
+
+        return {name: pairs(*found) for name, found in self._claims("bracket").items()}
 
     def _repr_latex_(self) -> str:
         """The field, its map where that is short, and the integrals that are known."""
@@ -411,7 +425,8 @@ class System(Field):
 
     def scan(self, over: Mapping[str, Range], *, eps: Number | None = None, degree: int | None = None,
              seconds: float | None = None, progress: bool = False) -> Answer:
-        """Which values of parameters and of eps are special: where the map keeps more than it does elsewhere."""
+        """Which values of parameters and of eps are special: where the map keeps more than it does elsewhere,
+        or its iterates grow more slowly."""
         return Answer(self._ask("scan", progress, axes=_axes(over), eps=_exact(eps, "eps"), degree=degree, seconds=seconds))
 
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,
@@ -437,32 +452,53 @@ class System(Field):
 
 
 class Discovery(Answer):
-    """What a map preserves, as it was found: by the names of ``kahan discover --json``, and as formulas."""
+    """What a map preserves, as it was found: by the names of ``kahan discover --json``.
+
+    ``integrals``, ``densities`` and ``brackets`` are formulas by name, and ``claims`` the same as lines
+    of the language of ``kahan!``; ``claimed`` is the field that has them.
+    """
+
+    claims: list[str]
+    """What was found and proved, a line each, ready to stand in a field's text."""
 
     def __init__(self, found: Mapping[str, Any], of: System) -> None:
-        super().__init__(found)
+        kinds = ("integrals", "densities", "brackets")
+        super().__init__({name: value for name, value in found.items() if name not in kinds})
+        self.__dict__["_names"] = (*found, "claims")
+        self.__dict__["claims"] = [line for kind in kinds for line in found[kind]]
         self.__dict__["_of"] = of
 
-    def __iter__(self) -> Iterator[str]:
-        return (name for name in super().__iter__() if not name.startswith("_"))
-
     @cached_property
-    def _claimed(self) -> System:
-        """The field with what was found as its claims, which are proved once more."""
-        sheet = self._of._sheet("text")
-        equations = [f"{name}dot = {right};" for name, right in zip(self.variables, sheet["field"])]
-        claims = [*self["integrals"], *self["densities"], *self["brackets"]]
-        return System("\n".join([*equations, *claims]))
+    def claimed(self) -> System:
+        """The field with what was found as its claims, which are proved once more; it steps and plots."""
+        of = self._of
+        equations = [f"{name}dot = {right};" for name, right in zip(self.variables, of._sheet("text")["field"])]
+        fixed = {name for name, value in of.parameters.items() if value is not None}
+        return System("\n".join([*equations, *(_without(claim, fixed) for claim in self.claims)]))
 
     @property
     def integrals(self) -> dict[str, Formula]:
         """The integrals, by name; each is proved."""
-        return self._claimed.integrals
+        return self.claimed.integrals
 
     @property
     def densities(self) -> dict[str, Formula]:
         """The invariant densities, by name."""
-        return self._claimed.densities
+        return self.claimed.densities
+
+    @property
+    def brackets(self) -> dict[str, dict[tuple[str, str], Formula]]:
+        """The invariant Poisson brackets, by name and pair of variables."""
+        return self.claimed.brackets
+
+
+def _without(claim: str, fixed: set[str]) -> str:
+    """The claim without its conditions on parameters whose values stand in the field already."""
+    stated, when, condition = claim.removesuffix(";").rpartition(" when ")
+    if not when:
+        return claim
+    kept = [relation for relation in condition.split(", ") if relation.partition(" = ")[0] not in fixed]
+    return f"{stated} when {', '.join(kept)};" if kept else f"{stated};"
 
 
 _COLUMNS = {"escape": "escaped"}

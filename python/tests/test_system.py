@@ -62,11 +62,19 @@ def test_fields_come_from_sympy():
 def test_what_is_found_is_proved_and_in_formulas():
     s = kahan.System("xdot = y; ydot = 6*x^2 - a;")
     found = s.discover()
-    assert found["integrals"] and list(found.integrals) == [part["name"] for part in found.found if part["kind"] == "integral"]
+    assert list(found.integrals) == [part["name"] for part in found.found if part["kind"] == "integral"]
+    assert found["integrals"] == found.integrals and " _of = " not in repr(found) and len(found) == len(list(found))
+    assert found.claimed.integrals == found.integrals and str(found.brackets["P1"]["x", "y"]) == "-(1 - 12*eps^2*x)"
+    claimed = found.claimed(a="1/2")
+    assert np.ptp(claimed.orbit([0, 0.1], 0.05, 1000).integrals["H1"]) < 1e-13
     (integral,) = found.integrals.values()
     assert "eps^2" in str(integral) and r"\varepsilon" in integral.latex
     assert integral.name in s._repr_latex_()
     assert found.densities
+    for given in ({"a": 1}, {"a": "1/2"}):
+        fixed = kahan.System("xdot = y; ydot = 6*x^2 - a;", **given).discover()
+        assert "H1" in fixed.integrals and "H1" in fixed.claimed.orbit([0, 0.1], 0.05, 10).integrals
+    assert kahan.catalog.lv.discover(eps=1).claimed.integrals
 
 
 def test_questions_answer_by_the_names_of_the_command():
