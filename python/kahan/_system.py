@@ -306,6 +306,30 @@ class System(Field):
         count = len(self.variables)
         return Ensemble(values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
 
+    def rhs(self) -> Callable[[float, Any], Array]:
+        """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
+
+        >>> import kahan
+        >>> kahan.System("xdot = y; ydot = -x;").rhs()(0.0, [1.0, 2.0])
+        array([ 2., -1.])
+        """
+        def rate(t: float, y: Any) -> Array:
+            # Solvers have points as columns.
+            y = np.asarray(y)
+            return self.field_at(y.T).T if y.ndim == 2 else self.field_at(y)
+
+        return rate
+
+    def integral_functions(self, eps: float = 0.0) -> dict[str, Callable[[Any], Any]]:
+        """The claimed integrals as functions of a point, for methods that project on their levels.
+
+        At ``eps`` = 0 they are those of the flow, as far as it has them; else those of the map.
+        """
+        def value(name: str) -> Callable[[Any], Any]:
+            return lambda x: self.integral_values(x, eps)[name]
+
+        return {name: value(name) for name in self.integrals_at(np.zeros(len(self.variables)), eps)[0]}
+
     # Questions.
 
     def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
@@ -518,6 +542,8 @@ def _exact(value: Number | None, name: str) -> str | None:
 
 
 def _float(eps: Number) -> float:
+    if isinstance(eps, np.ndarray) and eps.ndim > 0:
+        raise TypeError("eps: one number is needed, and this is an array")
     return float(Fraction(eps)) if isinstance(eps, str) else float(eps)
 
 

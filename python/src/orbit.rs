@@ -63,6 +63,22 @@ impl Field {
         }
     }
 
+    /// f(x) at points, of the shape that they have.
+    fn field_at<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = x.py();
+        let (x, at) = (doubles(x, "x")?, self.at::<f64>(py, 0.0)?);
+        let n = at.dimension();
+        if x.shape().last() != Some(&n) {
+            return Err(points_of(n, x.shape()));
+        }
+        let points = x.as_slice()?;
+        let mut rates = vec![0.0; points.len()];
+        for (x, rate) in points.chunks_exact(n.max(1)).zip(rates.chunks_exact_mut(n.max(1))) {
+            at.field(x, rate).map_err(|error| of_dimension(&error))?;
+        }
+        Ok(PyArray1::from_vec(py, rates).reshape(x.shape())?.into_any())
+    }
+
     /// The names of the claimed integrals, and their values at points: an axis more than the points
     /// have, in the place of their last.
     fn integrals_at<'py>(

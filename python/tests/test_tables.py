@@ -90,3 +90,16 @@ def test_plots():
 
 def test_claims_are_verified():
     assert kahan.System("xdot = y; ydot = -x; integral H = x^2 + y^2;").verify().failed == 0
+
+
+def test_others_take_the_field_and_its_integrals():
+    rate = E6.rhs()
+    x = np.array([1.0, 2.0, 3.0])
+    assert rate(0.0, x).tolist() == E6.evaluate(x, 1, exact=True).field.tolist()
+    assert np.array_equal(rate(0.0, np.stack([x, 2 * x], axis=1))[:, 0], rate(0.0, x))
+    energy = E6.integral_functions()["H"]
+    # E6's H is x z + y^2 at eps = 0, and rk4 keeps it to its order.
+    assert energy(x) == 7
+    scipy = pytest.importorskip("scipy.integrate")
+    end = scipy.solve_ivp(rate, (0, 1), x, rtol=1e-10, atol=1e-10, vectorized=True).y[:, -1]
+    assert abs(energy(end) - 7) < 1e-7
