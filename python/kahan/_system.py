@@ -518,6 +518,8 @@ def _exact(value: Number | None, name: str) -> str | None:
 
 
 def _float(eps: Number) -> float:
+    if isinstance(eps, np.ndarray) and eps.ndim > 0:
+        raise TypeError("eps: one number is needed, and this is an array")
     return float(Fraction(eps)) if isinstance(eps, str) else float(eps)
 
 
