@@ -6,11 +6,11 @@
 use std::ops::ControlFlow;
 
 use kahan_core::Composition;
-use kahan_runtime::{Follow, Followed, MachineFloat, Map, MapAt};
+use kahan_runtime::{Follow, Followed, MachineFloat, Map, MapAt, ObservedFloat};
 
 use super::cells::{Cells, Entry, Place, Target};
 use crate::error::StudyError;
-use crate::question::observe::{FITTING, Observable, Observe, Seen, abreast, alone};
+use crate::question::observe::{FITTING, Observable, Observe, Seen};
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
@@ -101,7 +101,7 @@ impl<'a> Orbits<'a> {
     }
 
     /// What is seen of orbits of one order in one scalar.
-    fn found<T: MachineFloat + PartialOrd>(
+    fn found<T: ObservedFloat>(
         &self,
         begun: &[Begun],
         known: &mut Known,
@@ -130,14 +130,16 @@ impl<'a> Orbits<'a> {
         let own: Vec<&MapAt<T>> = defined().map(|(_, map)| &maps[map]).collect();
         let column = |k: usize| defined().map(|(begun, _)| nearest(begun.place.at[k])).collect();
         let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
+        let of = self.asked.observables();
+        let asked = self.asked.observing(&of);
         let found = match own[..] {
             [] => Vec::new(),
             _ if self.asked.of.iter().all(|one| *one == Observable::Last) => self.ends(&own, starts),
             [one] => {
                 let start: Vec<T> = starts.iter().map(|column| column[0]).collect();
-                vec![alone(one, &start, self.asked, |_| ControlFlow::Continue(()))]
+                vec![T::alone(one, &start, &asked, &|_| ControlFlow::Continue(())).expect(FITTING)]
             }
-            _ => abreast(&own, &starts, self.asked),
+            _ => T::abreast(&own, &starts, &asked).expect(FITTING),
         };
         let mut found = found.into_iter();
         map_of.iter().map(|map| map.and_then(|_| found.next())).collect()
@@ -171,9 +173,10 @@ impl<'a> Orbits<'a> {
                 columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
             }
         }
+        let of = self.asked.observables();
         let told = found.into_iter().enumerate().map(|(orbit, Followed { steps, ended, .. })| {
             let point = || Seen::Point(columns.iter().map(|column| column[orbit].approximate()).collect());
-            Followed { report: self.asked.observables().map(|_| point()).collect(), steps, ended }
+            Followed { report: of.iter().map(|_| point()).collect(), steps, ended }
         });
         told.collect()
     }

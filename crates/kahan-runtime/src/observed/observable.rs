@@ -4,21 +4,21 @@
 //! finds what, its neighbour `running` knows.
 
 use kahan_core::observe::{Drifted, Exponent, Extremes, Turns};
-use serde::{Deserialize, Serialize};
-
-use crate::rows::Column;
 
 macro_rules! observables {
     ($($name:ident, called $text:literal, $meaning:literal, $of:ident: $($column:literal = $what:literal),*;)*) => {
         /// What can be observed of an orbit.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Observable {
-            $(#[doc = $meaning] #[serde(rename = $text)] $name,)*
+            $(#[doc = $meaning] $name,)*
         }
 
         impl Observable {
             /// All of them.
             pub const ALL: &'static [Self] = &[$(Self::$name),*];
+
+            /// Their names, in the same order.
+            pub const NAMES: &'static [&'static str] = &[$($text),*];
 
             /// Its name in questions.
             #[must_use]
@@ -101,8 +101,10 @@ pub enum Seen {
 }
 
 impl Observable {
-    /// The columns that hold it, of a field with these variables and integrals.
-    pub(in crate::question) fn columns(self, variables: &[String], integrals: &[String]) -> Vec<Column> {
+    /// The columns of a table that hold it, of a field with these variables and integrals: names and
+    /// meanings.
+    #[must_use]
+    pub fn columns(self, variables: &[String], integrals: &[String]) -> Vec<(String, &'static str)> {
         let (of, columns) = self.written();
         let names = match of {
             Of::Orbit => vec![String::new()],
@@ -110,18 +112,18 @@ impl Observable {
             Of::Integrals => integrals.to_vec(),
             Of::Numbers => (1..=variables.len()).map(|k| k.to_string()).collect(),
         };
-        let column = |name: &str, (column, meaning): &(&str, &str)| Column {
-            name: column.replace("{}", name),
-            meaning: (*meaning).to_owned(),
+        let each = |name: &String| {
+            let named = columns.iter().map(|(column, meaning)| (column.replace("{}", name), *meaning));
+            named.collect::<Vec<_>>()
         };
-        let each = |name: &String| columns.iter().map(|one| column(name, one)).collect::<Vec<_>>();
         names.iter().flat_map(each).collect()
     }
 }
 
 impl Seen {
     /// The numbers of the columns, in their order; what there is none of is not a number.
-    pub(in crate::question) fn numbers(&self) -> Vec<f64> {
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Point(point) => point.clone(),
             Self::Drift(drifts) => drifts.iter().flat_map(|drifted| [drifted.max, drifted.last]).collect(),

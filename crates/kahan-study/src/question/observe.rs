@@ -4,18 +4,16 @@
 //! orbit is stored; where rotation is asked for it is followed twice, once for the middles of its
 //! extremes.
 
-mod observable;
-mod running;
-
 use std::cell::Cell;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_core::Composition;
 use kahan_discover::{Progress, Watch};
-use kahan_runtime::{Ended, Followed, MachineFloat, MapAt};
+use kahan_runtime::{Ended, Followed, MapAt, ObservedFloat, Observing};
+use serde::de::Error;
 use serde::ser::SerializeMap;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use crate::error::StudyError;
@@ -23,8 +21,10 @@ use crate::numbers::exact;
 use crate::rows::Column;
 use crate::study::Study;
 
-pub use observable::{Observable, Seen};
-pub(super) use running::{FITTING, abreast, alone};
+pub use kahan_runtime::{Observable, Seen};
+
+/// Why calls of a map are not refused.
+pub(super) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
 
 /// Asks what the orbit of a point does, in doubles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -48,7 +48,7 @@ pub struct Observe {
     #[serde(default = "usual_escape")]
     pub escape: f64,
     /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
-    #[serde(default = "usual")]
+    #[serde(default = "usual", serialize_with = "by_name", deserialize_with = "of_names")]
     pub of: Vec<Observable>,
 }
 
@@ -66,6 +66,18 @@ fn usual_escape() -> f64 {
 
 fn usual() -> Vec<Observable> {
     Observe::USUAL.to_vec()
+}
+
+fn by_name<S: Serializer>(of: &[Observable], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(of.iter().map(|one| one.name()))
+}
+
+fn of_names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Observable>, D::Error> {
+    let of_name = |name: &String| {
+        let known = Observable::ALL.iter().find(|one| one.name() == name);
+        known.copied().ok_or_else(|| D::Error::unknown_variant(name, Observable::NAMES))
+    };
+    Vec::<String>::deserialize(deserializer)?.iter().map(of_name).collect()
 }
 
 /// What was observed; exponents are per unit of time, of which a step takes 2ε.
@@ -120,10 +132,13 @@ impl Observe {
         let at = at.composed(self.composition()?);
         let runs = if self.of.contains(&Observable::Rotation) { 2 } else { 1 };
         let done = Cell::new(0);
-        let Followed { report, steps, ended } = alone(&at, &start, self, |steps| {
+        let tell = |steps| {
             done.set(done.get() + steps);
             watch.look(&Progress { what: "steps", done: done.get(), of: Some(runs * self.steps) })
-        });
+        };
+        let of = self.observables();
+        let seen = f64::alone(&at, &start, &self.observing(&of), &tell);
+        let Followed { report, steps, ended } = seen.expect(FITTING);
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
             system: study.name().to_owned(),
@@ -131,21 +146,27 @@ impl Observe {
             integrals: integrals.collect(),
             steps,
             left_range: ended == Ended::Range,
-            seen: self.observables().zip(report).collect(),
+            seen: of.into_iter().zip(report).collect(),
         })
     }
 
     /// What is observed, each once.
-    pub fn observables(&self) -> impl Iterator<Item = Observable> {
+    pub(super) fn observables(&self) -> Vec<Observable> {
         let is_first = |(place, one): &(usize, &Observable)| !self.of[..*place].contains(one);
-        self.of.iter().enumerate().filter(is_first).map(|(_, one)| *one)
+        self.of.iter().enumerate().filter(is_first).map(|(_, one)| *one).collect()
+    }
+
+    /// The same with what observers need to know.
+    pub(super) fn observing<'a>(&self, of: &'a [Observable]) -> Observing<'a> {
+        Observing { of, steps: self.steps, every: self.every, escape: self.escape }
     }
 
     /// The columns of a table that hold what is observed in a field, an orbit a row.
     #[must_use]
     pub fn columns(&self, study: &Study) -> Vec<Column> {
         let (variables, integrals) = (study.variables(), study.field().integrals());
-        self.observables().flat_map(|one| one.columns(variables, integrals)).collect()
+        let columns = self.observables().into_iter().flat_map(|one| one.columns(variables, integrals));
+        columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
 
     /// What is seen of many orbits, side by side where there is code for that: the numbers of the
@@ -154,7 +175,7 @@ impl Observe {
     ///
     /// # Panics
     /// Where these do not fit each other.
-    pub fn of_orbits<T: MachineFloat + PartialOrd>(
+    pub fn of_orbits<T: ObservedFloat>(
         &self,
         maps: &[&MapAt<T>],
         starts: &[Vec<T>],
@@ -163,7 +184,8 @@ impl Observe {
             let report = report.iter().flat_map(Seen::numbers).collect();
             Followed { report, steps, ended }
         };
-        abreast(maps, starts, self).into_iter().map(numbers).collect()
+        let seen = T::abreast(maps, starts, &self.observing(&self.observables())).expect(FITTING);
+        seen.into_iter().map(numbers).collect()
     }
 
     /// The method of its order, if all else can be observed, too.
@@ -183,28 +205,24 @@ impl Observed {
     }
 }
 
-impl Seen {
-    /// With a value for each variable or integral by name.
-    fn json(&self, variables: &[String], integrals: &[String]) -> Value {
-        fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
-            names.iter().cloned().zip(values.iter().map(value)).collect::<Map<_, _>>().into()
+/// What was seen, with a value for each variable or integral by name.
+fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
+    fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
+        names.iter().cloned().zip(values.iter().map(value)).collect::<Map<_, _>>().into()
+    }
+    match seen {
+        Seen::Point(point) => named(variables, point, |value| json!(value)),
+        Seen::Drift(drifts) => {
+            named(integrals, drifts, |drift| json!({"max": drift.max, "final": drift.last}))
         }
-        match self {
-            Self::Point(point) => named(variables, point, |value| json!(value)),
-            Self::Drift(drifts) => {
-                named(integrals, drifts, |drift| json!({"max": drift.max, "final": drift.last}))
-            }
-            Self::Extrema(extrema) => {
-                named(variables, extrema, |of| json!(of.map(|of| [of.least, of.greatest])))
-            }
-            Self::Exponent(one) => json!({"value": one.value, "error": one.error}),
-            Self::Spectrum(all) => json!(all.iter().map(|one| one.value).collect::<Vec<_>>()),
-            Self::Number(number) => json!(number),
-            Self::Turns(turns) => {
-                named(variables, turns, |turns| json!({"value": turns.value, "error": turns.error}))
-            }
-            Self::Step(step) => json!(step),
+        Seen::Extrema(extrema) => named(variables, extrema, |of| json!(of.map(|of| [of.least, of.greatest]))),
+        Seen::Exponent(one) => json!({"value": one.value, "error": one.error}),
+        Seen::Spectrum(all) => json!(all.iter().map(|one| one.value).collect::<Vec<_>>()),
+        Seen::Number(number) => json!(number),
+        Seen::Turns(turns) => {
+            named(variables, turns, |turns| json!({"value": turns.value, "error": turns.error}))
         }
+        Seen::Step(step) => json!(step),
     }
 }
 
@@ -221,7 +239,7 @@ impl Serialize for Observed {
                 Observable::Escape => "escaped",
                 other => other.name(),
             };
-            object.serialize_entry(name, &seen.json(&self.variables, &self.integrals))?;
+            object.serialize_entry(name, &json_of(seen, &self.variables, &self.integrals))?;
             if let Seen::Spectrum(all) = seen {
                 let errors: Vec<f64> = all.iter().map(|one| one.error).collect();
                 object.serialize_entry("lyapunov_errors", &errors)?;

@@ -5,18 +5,14 @@
 
 use std::ops::ControlFlow;
 
+use super::Observing;
+use super::observable::{Observable, Seen};
+use crate::{DimensionError, Ended, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
 use kahan_core::Step;
 use kahan_core::observe::{
     Burst, Escape, Extrema, Extremes, Fli, GROUP, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers,
     Sali, Spectrum,
 };
-use kahan_runtime::{Ended, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
-
-use super::Observe;
-use super::observable::{Observable, Seen};
-
-/// Why calls of a map are not refused.
-pub(in crate::question) const FITTING: &str = "a column a variable, all of one length, and a map an orbit";
 
 /// The extremes of each variable, and of each rate of change.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
@@ -34,7 +30,7 @@ macro_rules! observers {
         fn running<'a, T: MachineFloat + PartialOrd>(
             observable: Observable,
             $at: &'a MapAt<T>,
-            $asked: &Observe,
+            $asked: &Observing<'_>,
         ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
             match observable {
                 $(Observable::$name => Running::$name($new),)*
@@ -135,9 +131,9 @@ struct All<'a, T: MachineFloat, M, B>(Vec<Running<'a, T, M, B>>);
 
 fn all<'a, T: MachineFloat + PartialOrd>(
     at: &'a MapAt<T>,
-    asked: &Observe,
+    asked: &Observing<'_>,
 ) -> All<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
-    All(asked.observables().map(|observable| running(observable, at, asked)).collect())
+    All(asked.of.iter().map(|observable| running(*observable, at, asked)).collect())
 }
 
 impl<T, M, B> Observer<T> for All<'_, T, M, B>
@@ -172,40 +168,39 @@ where
 
 /// What is seen of the orbit of `start`, which goes as far as its points are finite; a second run
 /// counts turns, where they are asked for. `tell` hears of steps, and may stop the orbit.
-pub(in crate::question) fn alone<T: MachineFloat + PartialOrd>(
+pub(super) fn alone<T: MachineFloat + PartialOrd>(
     at: &MapAt<T>,
     start: &[T],
-    asked: &Observe,
-    tell: impl Fn(u64) -> ControlFlow<()>,
-) -> Followed<Vec<Seen>> {
-    let first = at.observe(&mut start.to_vec(), asked.steps, all(at, asked), &tell).expect(FITTING);
+    asked: &Observing<'_>,
+    tell: &dyn Fn(u64) -> ControlFlow<()>,
+) -> Result<Followed<Vec<Seen>>, DimensionError> {
+    let first = at.observe(&mut start.to_vec(), asked.steps, all(at, asked), tell)?;
     let Followed { report: (mut seen, middles), steps, ended } = first;
     if let Some(middles) = middles {
         // Who stopped the first run wants no second one.
         let again = if ended == Ended::Stopped { 0 } else { steps };
-        let turns = at.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), &tell);
-        put(&mut seen, Seen::Turns(turns.expect(FITTING).report));
+        let turns = at.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;
+        put(&mut seen, Seen::Turns(turns.report));
     }
-    Followed { report: seen, steps, ended }
+    Ok(Followed { report: seen, steps, ended })
 }
 
 /// The same of many orbits, side by side where there is code for that: a map an orbit, and column c
 /// has variable c of all first points.
-pub(in crate::question) fn abreast<T: MachineFloat + PartialOrd>(
+pub(super) fn abreast<T: MachineFloat + PartialOrd>(
     maps: &[&MapAt<T>],
     starts: &[Vec<T>],
-    asked: &Observe,
-) -> Vec<Followed<Vec<Seen>>> {
+    asked: &Observing<'_>,
+) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError> {
     let observers = |orbit: usize| WhileFinite::new(all(maps[orbit], asked));
-    let first = MapAt::observe_columns(maps, &mut slices(&mut starts.to_vec()), asked.steps, observers);
-    let first = first.expect(FITTING);
+    let first = MapAt::observe_columns(maps, &mut slices(&mut starts.to_vec()), asked.steps, observers)?;
     let turns = if asked.of.contains(&Observable::Rotation) {
         let observers = |orbit: usize| {
             let Followed { report: (_, middles), steps, .. } = &first[orbit];
             WhileFinite::new(maps[orbit].rotations(*steps, middles.as_ref().expect("rotation is asked for")))
         };
-        let again = MapAt::observe_columns(maps, &mut slices(&mut starts.to_vec()), asked.steps, observers);
-        again.expect(FITTING).into_iter().map(|followed| Some(followed.report)).collect()
+        let again = MapAt::observe_columns(maps, &mut slices(&mut starts.to_vec()), asked.steps, observers)?;
+        again.into_iter().map(|followed| Some(followed.report)).collect()
     } else {
         vec![None; first.len()]
     };
@@ -214,7 +209,7 @@ pub(in crate::question) fn abreast<T: MachineFloat + PartialOrd>(
             turns.into_iter().for_each(|turns| put(&mut seen, Seen::Turns(turns)));
             Followed { report: seen, steps, ended }
         });
-    seen.collect()
+    Ok(seen.collect())
 }
 
 /// Puts turns in their place.

@@ -1,0 +1,78 @@
+//! What can be observed of an orbit, and the loops that observe it.
+//!
+//! In: maps, first points, and what is asked of each orbit. Out: what was seen, in that order. The
+//! loops are compiled here, for the floats of the machine, because the steps and the group of
+//! orbits that they look at are: in another unit of compilation they take up to twice the time.
+
+mod observable;
+mod running;
+
+use std::ops::ControlFlow;
+
+use crate::{DimensionError, Followed, MachineFloat, MapAt};
+
+pub use observable::{Observable, Seen};
+
+/// What is asked of orbits.
+#[derive(Clone, Copy, Debug)]
+pub struct Observing<'a> {
+    /// What is observed, each once.
+    pub of: &'a [Observable],
+    /// The most steps of each orbit.
+    pub steps: u64,
+    /// Steps between two times that tangent vectors are made orthogonal, at least 1.
+    pub every: u64,
+    /// The size of a variable beyond which an orbit has escaped.
+    pub escape: f64,
+}
+
+/// A float of the machine whose orbits are observed.
+pub trait ObservedFloat: MachineFloat + PartialOrd {
+    /// What is seen of the orbit of `start`, which goes as far as its points are finite. `tell`
+    /// hears of steps, and may stop the orbit.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if the start has not an entry a variable.
+    fn alone(
+        at: &MapAt<Self>,
+        start: &[Self],
+        asked: &Observing<'_>,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Result<Followed<Vec<Seen>>, DimensionError>;
+
+    /// The same of many orbits, side by side where there is code for that: a map an orbit, and
+    /// column c has variable c of all first points. An orbit has the same numbers alone.
+    ///
+    /// # Errors
+    /// [`DimensionError`] for columns that do not fit the maps, or each other.
+    fn abreast(
+        maps: &[&MapAt<Self>],
+        starts: &[Vec<Self>],
+        asked: &Observing<'_>,
+    ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError>;
+}
+
+macro_rules! observed {
+    ($($float:ty),*) => {
+        $(impl ObservedFloat for $float {
+            fn alone(
+                at: &MapAt<Self>,
+                start: &[Self],
+                asked: &Observing<'_>,
+                tell: &dyn Fn(u64) -> ControlFlow<()>,
+            ) -> Result<Followed<Vec<Seen>>, DimensionError> {
+                running::alone(at, start, asked, tell)
+            }
+
+            fn abreast(
+                maps: &[&MapAt<Self>],
+                starts: &[Vec<Self>],
+                asked: &Observing<'_>,
+            ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError> {
+                running::abreast(maps, starts, asked)
+            }
+        })*
+    };
+}
+
+observed!(f32, f64);
