@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU32, Ordering};
-use std::time::{Duration, Instant};
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
 use kahan_study::{
@@ -287,7 +287,7 @@ fn what_orbits_do() {
     assert!(observed["drift"]["E"]["max"].as_f64().is_some_and(|drift| drift < 1e-11), "{observed}");
     assert_eq!(observed["extrema"]["y"].as_array().map(Vec::len), Some(2));
     let stopped =
-        Listening { begun: Instant::now(), heard: Mutex::new(vec![String::new()]), stops_at_first: true };
+        Listening { clock: Clock::default(), heard: Mutex::new(vec![String::new()]), stops_at_first: true };
     let Ok(Answer::Observe(part)) = turning.ask(&question(asked).expect("a question"), &stopped) else {
         panic!("observations")
     };
@@ -344,16 +344,26 @@ fn cycles_and_their_branches() {
     ));
 }
 
+/// A clock of the test's own: a microsecond passes each time that it is read.
+#[derive(Default)]
+struct Clock(AtomicU64);
+
+impl Clock {
+    fn read(&self) -> Duration {
+        Duration::from_micros(self.0.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
 /// A clock, and what was heard.
 struct Listening {
-    begun: Instant,
+    clock: Clock,
     heard: Mutex<Vec<String>>,
     stops_at_first: bool,
 }
 
 impl Watch for Listening {
     fn now(&self) -> Option<Duration> {
-        Some(self.begun.elapsed())
+        Some(self.clock.read())
     }
 
     fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
@@ -374,7 +384,7 @@ impl Watch for Listening {
 fn findings_are_told_when_they_are_proved() {
     let e6 = study(Subject::named("e6"));
     for stops_at_first in [false, true] {
-        let watch = Listening { begun: Instant::now(), heard: Mutex::default(), stops_at_first };
+        let watch = Listening { clock: Clock::default(), heard: Mutex::default(), stops_at_first };
         let asked = question(json!({"ask": "discover", "degree": 2})).expect("a question");
         let Ok(Answer::Discover(found)) = e6.ask(&asked, &watch) else { panic!("a report") };
         let heard = watch.heard.into_inner().expect("no listener fails");
@@ -388,13 +398,13 @@ fn findings_are_told_when_they_are_proved() {
 
 /// A clock, and a `Break` at every look; that the watch is asked again after it is a mistake.
 struct Ending {
-    begun: Instant,
+    clock: Clock,
     looks: AtomicU32,
 }
 
 impl Watch for Ending {
     fn now(&self) -> Option<Duration> {
-        Some(self.begun.elapsed())
+        Some(self.clock.read())
     }
 
     fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
@@ -418,7 +428,7 @@ fn a_question_that_was_stopped_asks_no_more() {
         json!({"ask": "scan", "axes": [over]}),
         json!({"ask": "trade", "at": [1, 2], "horizon": 5}),
     ] {
-        let watch = Ending { begun: Instant::now(), looks: AtomicU32::new(0) };
+        let watch = Ending { clock: Clock::default(), looks: AtomicU32::new(0) };
         lv.ask(&question(object.clone()).expect("a question"), &watch).expect("what is known by then");
         assert_eq!(watch.looks.into_inner(), 1, "{object}");
     }

@@ -151,7 +151,8 @@ impl Observe {
     }
 
     /// What is observed, each once.
-    pub(super) fn observables(&self) -> Vec<Observable> {
+    #[must_use]
+    pub fn observables(&self) -> Vec<Observable> {
         let is_first = |(place, one): &(usize, &Observable)| !self.of[..*place].contains(one);
         self.of.iter().enumerate().filter(is_first).map(|(_, one)| *one).collect()
     }

@@ -351,7 +351,7 @@ impl Reader<'_, '_> {
         let of = of.filter_map(|value| self.observable(value)).collect();
         let plain = Observe::new(Rational::zero(), Vec::new(), steps?);
         let asked = Observe { every: every?, escape: escape?, of, ..plain };
-        Some(Observe { of: asked.observables().collect(), ..asked })
+        Some(Observe { of: asked.observables(), ..asked })
     }
 
     fn bits(&mut self, value: &Value<'_>) -> Option<Rational> {
