@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from ._errors import unknown
+
 __all__ = ["Answer"]
 
 
@@ -35,8 +37,7 @@ class Answer(Mapping[str, Any]):
         return len(self._names)
 
     def __getattr__(self, name: str) -> Any:
-        names = ", ".join(self._names)
-        raise AttributeError(f"there is no `{name}` in this answer; it has {names}", name=name, obj=self)
+        raise AttributeError(unknown("part of this answer", name, self._names))
 
     def __repr__(self) -> str:
         lines = [f"  {name} = {_short(value)}" for name, value in self.items()]
