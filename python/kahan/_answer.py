@@ -40,10 +40,9 @@ class Answer(Mapping[str, Any]):
         raise AttributeError(unknown("part of this answer", name, self._names))
 
     def __repr__(self) -> str:
-        lines = [f"  {name} = {_short(value)}" for name, value in self.items()]
+        lines = [f"  {name} = {_short(repr(value))}" for name, value in self.items()]
         return "\n".join([f"{type(self).__name__}:", *lines])
 
 
-def _short(value: Any) -> str:
-    text = repr(value)
+def _short(text: str) -> str:
     return text if len(text) <= 90 else text[:89] + "…"

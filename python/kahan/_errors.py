@@ -84,7 +84,7 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> str:
 def choice(value: str, kind: str) -> str:
     """The value, if arguments of this kind may have it."""
     if value not in CHOICES[kind]:
-        raise ValueError(unknown(kind, value, CHOICES[kind]))
+        raise ValueError(unknown(kind, str(value), CHOICES[kind]))
     return value
 
 

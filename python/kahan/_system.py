@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._answer import Answer
+from ._answer import Answer, _short
 from ._basis import Basis
 from ._errors import choice, spelled, unknown
 from ._exact import Number, _number, answer, exact, point
@@ -307,6 +307,8 @@ class System(Field):
             observe = (observe,)
         if out is not None:
             raise ValueError("out is for ensembles without observers")
+        if "drift" in observe and not self.integrals:
+            raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
         seen, values, made = self.observed(points, eps, steps, of, parameters=given, order=order,
                                            every=_count(every, "every"), escape=escape, threads=threads,
@@ -377,6 +379,8 @@ class System(Field):
         ``direction`` is rising, falling or both. Each crossing is refined on the curve that the map
         draws as eps grows from 0.
         """
+        if not isinstance(plane, str):
+            raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
         found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
                           plane=plane, side=choice(direction, "direction"), points=points)
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
@@ -503,6 +507,11 @@ class Discovery(Answer):
         self.__dict__["_names"] = (*found, "claims")
         self.__dict__["claims"] = [line for kind in kinds for line in found[kind]]
         self.__dict__["_of"] = of
+
+    def __repr__(self) -> str:
+        lines = [*self.claims, *(f"basis {', '.join(basis.monomials)}" for basis in self.bases)]
+        found = [f"  {_short(line)}" for line in lines] or ["  nothing that the map keeps"]
+        return "\n".join([f"Discovery of {self.system}:", *found, f"  with {', '.join(self._names)}"])
 
     @cached_property
     def claimed(self) -> System:

@@ -29,7 +29,7 @@ def test_parameters_are_exact_and_named():
     assert s(b="1/3").parameters["b"] == Fraction(1, 3)
     with pytest.raises(TypeError, match="no parameter"):
         kahan.System("xdot = a*y; ydot = x;", c=1)
-    with pytest.raises(ValueError, match="b=VALUE|needs a value|no value"):
+    with pytest.raises(ValueError, match=r"b is missing; .* s\(b=1\)"):
         s.step([1, 2], 0.1)
     with pytest.raises(TypeError):
         kahan.System(3)
@@ -63,7 +63,7 @@ def test_what_is_found_is_proved_and_in_formulas():
     s = kahan.System("xdot = y; ydot = 6*x^2 - a;")
     found = s.discover()
     assert list(found.integrals) == [part["name"] for part in found.found if part["kind"] == "integral"]
-    assert found["integrals"] == found.integrals and " _of = " not in repr(found) and len(found) == len(list(found))
+    assert found["integrals"] == found.integrals and "  integral H1 = (" in repr(found) and len(found) == len(list(found))
     assert found.claimed.integrals == found.integrals and str(found.brackets["P1"]["x", "y"]) == "-(1 - 12*eps^2*x)"
     claimed = found.claimed(a="1/2")
     assert np.ptp(claimed.orbit([0, 0.1], 0.05, 1000).integrals["H1"]) < 1e-13
@@ -111,6 +111,10 @@ def test_errors_of_a_call_that_is_spelled_right_stay():
         kahan.catalog.e6.orbit([1, 2, 3], 0.1)
     with pytest.raises(TypeError, match="complex"):
         kahan.catalog.e6.step(np.array([1j, 2, 3]), eps=0.1)
+    with pytest.raises(TypeError, match="plane: text"):
+        kahan.catalog.e6.section([1, 2, 3], 0.1, 10, 2)
+    with pytest.raises(ValueError, match="claims no integral"):
+        kahan.System("xdot = y; ydot = -x;").ensemble([[1, 2]], 0.1, 10, observe="drift")
     with pytest.raises(ValueError, match="no direction `risng`; did you mean `rising`"):
         kahan.catalog.e6.section([1, 2, 3], 0.1, 10, "x", direction="risng")
 
