@@ -63,7 +63,6 @@ impl Relation {
     /// The coefficients along orbits, of shape (orbits, monomials), and the condition of the
     /// equations they solve. `orbits` has shape (orbits, points, variables), consecutive points of
     /// each. What the points do not determine is NaN.
-    #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn solve<'py>(
         &self,
         orbits: &Bound<'py, PyAny>,

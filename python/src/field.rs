@@ -28,7 +28,7 @@ pub(crate) struct Last {
 }
 
 /// A float of NumPy's that steps are made in.
-pub(crate) trait Float: kahan_runtime::MachineFloat + numpy::Element {
+pub(crate) trait Float: kahan_runtime::MachineFloat + kahan_core::Pivot + numpy::Element {
     /// The float nearest to one of Python's, which are doubles.
     fn near(number: f64) -> Self;
     /// The map at the ε of the call before.

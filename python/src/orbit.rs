@@ -3,8 +3,8 @@
 use std::num::NonZeroU64;
 
 use kahan_core::num_traits::Zero;
-use kahan_core::{Composition, Increments, Step};
-use kahan_runtime::{Ended, Follow, Followed};
+use kahan_core::{Composition, Increments, SingularStep, Step};
+use kahan_runtime::{DimensionError, Ended, Follow, Followed};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -30,7 +30,8 @@ impl Field {
         self.stepped(x, eps, out, false)
     }
 
-    /// The same; refused where a point has no next one.
+    /// The same with a promise: an error of at most 64 units in the last place of the largest
+    /// component, or `SingularStep`, which says why there is no such point.
     #[pyo3(signature = (x, eps, *, out = None))]
     fn try_step<'py>(
         &self,
@@ -103,6 +104,13 @@ impl Field {
     }
 }
 
+/// Why a point has no next one.
+enum NoStep {
+    Dimension(DimensionError),
+    /// The place of the point among all.
+    Singular(usize, SingularStep),
+}
+
 /// What is asked of an orbit.
 struct Asked<'py> {
     eps: f64,
@@ -144,28 +152,33 @@ impl Field {
             return Err(points_of(n, x.shape()));
         }
         let step = |next: &mut [T]| {
-            for (x, next) in points.chunks_exact(n.max(1)).zip(next.chunks_exact_mut(n.max(1))) {
-                at.step(x, next).expect("a point has an entry a variable");
+            for (place, (x, next)) in
+                points.chunks_exact(n.max(1)).zip(next.chunks_exact_mut(n.max(1))).enumerate()
+            {
+                if !checked {
+                    at.step(x, next).expect("a point has an entry a variable");
+                    continue;
+                }
+                let tried = at.map().try_step(x, at.eps(), next).map_err(NoStep::Dimension)?;
+                tried.map_err(|why| NoStep::Singular(place, why))?;
             }
+            Ok(())
         };
-        let run = |next: &mut [T]| if points.len() > MOMENT { py.detach(|| step(next)) } else { step(next) };
-        let is_lost = |next: &[T]| checked && !next.iter().all(|x| x.approximate().is_finite());
-        let lost = || {
-            Err(singular_step(
-                py,
-                "the map has no value at a point: a pole (det A = 0), or numbers beyond the range",
-            ))
+        let run = |next: &mut [T]| {
+            let stepped = if points.len() > MOMENT { py.detach(|| step(next)) } else { step(next) };
+            stepped.map_err(|why| match why {
+                NoStep::Dimension(error) => of_dimension(&error),
+                NoStep::Singular(_, why) if x.ndim() == 1 => singular_step(py, &why.to_string()),
+                NoStep::Singular(place, why) => singular_step(py, &format!("point {place}: {why}")),
+            })
         };
         if let Some(out) = out {
             let mut next = writable::<T>(out, x.shape())?;
-            run(next.as_slice_mut()?);
-            return if is_lost(next.as_slice()?) { lost() } else { Ok(out.clone()) };
+            run(next.as_slice_mut()?)?;
+            return Ok(out.clone());
         }
         let mut next = vec![T::zero(); points.len()];
-        run(&mut next);
-        if is_lost(&next) {
-            return lost();
-        }
+        run(&mut next)?;
         let next = PyArray1::from_vec(py, next);
         Ok(if x.ndim() == 1 { next.into_any() } else { next.reshape(x.shape())?.into_any() })
     }

@@ -166,6 +166,18 @@ def test_singular_steps_are_said():
     with pytest.raises(kahan.SingularStep):
         s.try_step([0.5, 0.0, 0.5], 1.0)
     assert not np.isfinite(s.step([0.5, 0.0, 0.5], 1.0)).all()
+    with pytest.raises(kahan.SingularStep, match="point 1"):
+        s.try_step([[0.5, 0.25, 0.5], [0.5, 0.0, 0.5]], 1.0)
+
+
+def test_try_step_keeps_its_promise_where_step_loses_digits():
+    s, x, eps = kahan.catalog.e6, [0.45, -0.025, 0.61], 1e9
+    exact = np.array(s.evaluate(x, eps, exact=True).x_next, dtype=object)
+    errors = [max(abs(Fraction(a) - b) for a, b in zip(way(x, eps), exact)) / max(map(abs, exact)) for way in (s.step, s.try_step)]
+    assert errors[1] <= 64 * Fraction(1, 2**53) and errors[0] > 100 * errors[1]
+    chain = kahan.System("".join(f"x{i}dot = x{i}*x{(i + 1) % 17};" for i in range(17)))
+    with pytest.raises(ValueError, match="up to 16 variables"):
+        chain.try_step(np.ones(17), 0.1)
 
 
 def test_the_catalog_knows_its_names():

@@ -28,6 +28,8 @@ pub(crate) enum Argument {
     /// The values of a parameter.
     Parameter(String),
     Type,
+    /// A step with a promise.
+    Promise,
 }
 
 impl DimensionError {
@@ -95,6 +97,12 @@ impl fmt::Display for DimensionError {
                 write!(
                     f,
                     "the parameter `{name}` has {found} {entries}; give one, or {expected}, one a trajectory"
+                )
+            }
+            Argument::Promise => {
+                write!(
+                    f,
+                    "`try_step` is for up to {found} variables, and the field has {expected}; `step` gives what floats give"
                 )
             }
             Argument::Type => {

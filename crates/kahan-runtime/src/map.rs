@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
-use kahan_core::{Scalar, Scheme};
+use kahan_core::nalgebra::SVector;
+use kahan_core::{KahanMap, Pivot, Scalar, Scheme, SingularStep};
 
 use crate::dimension::Argument;
 use crate::interpreted::{Interpreted, round};
@@ -57,6 +58,44 @@ impl Map {
     pub fn as_kahan_map<T: Scalar, const N: usize>(&self) -> Result<Interpreted<T, N>, DimensionError> {
         DimensionError::check_type(N, self.field.variables().len())?;
         Ok(Interpreted::of(&self.field.engine, self.parameters.iter().map(round).collect()))
+    }
+
+    /// Writes x̃ to `next`, with the promise of [`KahanMap::try_step`] and its bits: of a float, an
+    /// error of at most 64 u of the largest component, or else why there is no such x̃.
+    ///
+    /// Cost: some ten interpreted steps where the point is an ordinary one, and many more near
+    /// poles.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` or `next` has not an entry a variable, and for a field of more than
+    /// 16 variables: the widest numbers of a larger one do not fit on the stack.
+    pub fn try_step<T: Pivot + Copy>(
+        &self,
+        x: &[T],
+        eps: T,
+        next: &mut [T],
+    ) -> Result<Result<(), SingularStep>, DimensionError> {
+        // A type of more variables takes the same steps, but that `f32` begins in itself up to four.
+        match self.field.variables().len() {
+            0..=4 => self.try_step_among::<T, 4>(x, eps, next),
+            5..=8 => self.try_step_among::<T, 8>(x, eps, next),
+            _ => self.try_step_among::<T, 16>(x, eps, next),
+        }
+    }
+
+    fn try_step_among<T: Pivot + Copy, const N: usize>(
+        &self,
+        x: &[T],
+        eps: T,
+        next: &mut [T],
+    ) -> Result<Result<(), SingularStep>, DimensionError> {
+        let n = self.field.variables().len();
+        DimensionError::check(Argument::Promise, n.min(N), n)?;
+        let map = self.as_kahan_map::<T, N>()?;
+        DimensionError::check(Argument::State, x.len(), n)?;
+        DimensionError::check(Argument::Out, next.len(), n)?;
+        let point = SVector::from_fn(|i, _| x.get(i).copied().unwrap_or_else(T::zero));
+        Ok(map.try_step(&point, eps).map(|found| next.copy_from_slice(&found.as_slice()[..n])))
     }
 
     /// The orbit in a scheme, with ε, half the time step, from a first point; each number is

@@ -1,7 +1,7 @@
 //! Fields of many variables, and those beyond the budget of terms.
 
-use kahan_core::KahanMap;
 use kahan_core::nalgebra::SVector;
+use kahan_core::{KahanMap, Pivot};
 use kahan_runtime::interpreted::Interpreted;
 use kahan_runtime::{Field, MachineFloat, Map};
 
@@ -58,6 +58,40 @@ fn a_field_beyond_the_budget_is_eliminated_as_by_types() {
     eliminated_as_by_types::<f64, 9>();
     eliminated_as_by_types::<f32, 9>();
     eliminated_as_by_types::<f64, 12>();
+}
+
+fn promised_as_by_types<T: MachineFloat + Pivot, const N: usize>() {
+    let map = map(&chain(N));
+    let typed: Interpreted<T, N> = map.as_kahan_map().unwrap();
+    let mut random = Random(29);
+    let (mut found, mut refused) = (0, 0);
+    // 2/3 is a pole for some points, and next to one for others.
+    for eps in steps::<T>().into_iter().chain([number(2.0 / 3.0), number(1e30), T::zero() / T::zero()]) {
+        for point in [random.point(N), vec![T::one(); N], vec![number(1e-30); N]] {
+            let (x, mut next) = (SVector::<T, N>::from_vec(point), vec![T::zero(); N]);
+            match (map.try_step(x.as_slice(), eps, &mut next).unwrap(), typed.try_step(&x, eps)) {
+                (Ok(()), Ok(by_type)) => assert_same(&next, by_type.as_slice(), ("try_step", N, eps)),
+                (ours, by_type) => {
+                    // A NaN in it is no number's equal.
+                    assert_eq!(format!("{:?}", ours.unwrap_err()), format!("{:?}", by_type.unwrap_err()));
+                    refused += 1;
+                }
+            }
+            found += 1;
+        }
+    }
+    assert!(refused > 0 && refused < found, "{refused} of {found} are refused");
+}
+
+#[test]
+fn slices_have_the_step_with_a_promise() {
+    promised_as_by_types::<f64, 3>();
+    promised_as_by_types::<f32, 3>();
+    promised_as_by_types::<f32, 5>();
+    promised_as_by_types::<f64, 9>();
+    let map = map(&chain(17));
+    assert!(map.try_step(&[1.0; 17], 0.1, &mut [0.0; 17]).is_err());
+    assert!(self::map(&chain(3)).try_step(&[1.0; 4], 0.1, &mut [0.0; 3]).is_err());
 }
 
 /// (x̃ − x)/2ε = Q(x,x̃) + ½B(x + x̃) + c, which for a field without a constant is
