@@ -10,7 +10,7 @@ use kahan_algebra::render::{folded, macro_block};
 use kahan_study::{Discover as Question, Study};
 use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use super::search::Search;
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::number;
@@ -68,12 +68,6 @@ impl Asking for Discover {
         let Search { source, eps, degree, seconds, .. } = &self.search;
         let eps = eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, degree, seconds } = asked;
-        let line = line.with_some("--eps", eps.as_ref()).with_some("--degree", degree.as_ref());
-        line.unless(*seconds == Question::default().seconds, "--seconds", format!("{seconds:?}"))
     }
 }
 

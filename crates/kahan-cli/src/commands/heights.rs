@@ -8,7 +8,7 @@ use kahan_runtime::heights::{Growth, Stop, Survey};
 use kahan_study::{Heights as Question, HeightsFound, NoStep, Study, fifteen_digits};
 use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use crate::printing::layout::table;
 use crate::printing::{Answer, Prompt, Refusal, Sink, warn};
 use crate::reading::{Start, seconds, whole};
@@ -33,11 +33,11 @@ pub(crate) struct Heights {
     start: Start,
 
     /// The number of steps.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, u64::MAX))]
     steps: u64,
 
     /// The greatest number of decimal digits of a numerator or denominator.
-    #[arg(long, value_name = "D", default_value = "1000000", allow_hyphen_values = true, value_parser = digits)]
+    #[arg(long, value_name = "D", default_value = "1000000", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     max_digits: u64,
 
     /// The time that the orbit may take. A step that is likely to end later is not begun.
@@ -65,14 +65,6 @@ Examples:
   kahan heights e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 400 --json
   kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30";
 
-fn steps(text: &str) -> Result<u64, String> {
-    whole(text, 0, u64::MAX)
-}
-
-fn digits(text: &str) -> Result<u64, String> {
-    whole(text, 1, u64::MAX)
-}
-
 /// What was found.
 struct Record(HeightsFound);
 
@@ -84,14 +76,6 @@ impl Asking for Heights {
         let (study, at, eps) = self.start.study()?;
         let Heights { steps, max_digits, seconds, .. } = *self;
         Ok((study, Question { eps, at, steps, max_digits, seconds }))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, at, steps, max_digits, seconds } = asked;
-        let usual = Question::new(eps.clone(), at.clone(), *steps);
-        let line = line.with("--eps", eps).at(at).with("--steps", steps);
-        let line = line.unless(*max_digits == usual.max_digits, "--max-digits", max_digits);
-        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
     }
 }
 

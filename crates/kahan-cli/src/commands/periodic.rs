@@ -9,7 +9,7 @@ use kahan_draw::picture::{Look, branch};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
 use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use super::look::{SheetOptions, file, format, usual};
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
@@ -37,7 +37,7 @@ pub(crate) struct Periodic {
     start: Start,
 
     /// A multiple of the period; the smallest period is told.
-    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = period)]
+    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, 200_usize))]
     period: usize,
 
     /// What changes, a parameter or eps: NAME=FROM:TO:COUNT, or :+STEP.
@@ -65,10 +65,6 @@ Examples:
   kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
   kahan periodic --field 'xdot = a - x^2;' --param a=1 --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg";
 
-fn period(text: &str) -> Result<usize, String> {
-    whole(text, 1, 200)
-}
-
 impl Asking for Periodic {
     const COMMAND: &str = "periodic";
     type Question = Question;
@@ -79,13 +75,6 @@ impl Asking for Periodic {
         let axis = axis.transpose()?;
         let (study, at, eps) = self.start.study_without_values()?;
         Ok((study, Question { eps, at, period: self.period, over: axis }))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, at, period, over } = asked;
-        let line = line.with_some("--eps", eps.as_ref()).at(at);
-        let line = line.unless(*period == 1, "--period", period);
-        line.with_some("--over", over.as_ref().map(|axis| format!("{}={}", axis.name, axis.range)))
     }
 }
 

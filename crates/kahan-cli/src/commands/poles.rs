@@ -7,7 +7,7 @@ use kahan_discover::poles::Pattern;
 use kahan_study::{Poles as Question, PolesFound, Study};
 use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use crate::printing::layout::{Rows, table};
 use crate::printing::{Answer, Prompt, Refusal, shorten};
 use crate::reading::{Source, number, seconds, whole};
@@ -34,7 +34,7 @@ pub(crate) struct Poles {
     eps: Option<String>,
 
     /// How many steps each curve is followed.
-    #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = steps)]
+    #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = whole(1, 100_usize))]
     steps: usize,
 
     /// The time that the search may take; what is not finished then is undecided.
@@ -53,11 +53,6 @@ Examples:
   kahan poles e9 --param xi=-1 --steps 6 --json
   kahan poles --field 'xdot = y; ydot = 6*x^2 - a;'";
 
-/// A whole number of steps that series modulo a prime can follow.
-fn steps(text: &str) -> Result<usize, String> {
-    whole(text, 1, 100)
-}
-
 impl Asking for Poles {
     const COMMAND: &str = "poles";
     type Question = Question;
@@ -65,14 +60,6 @@ impl Asking for Poles {
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         Ok((self.source.study()?, Question { eps, steps: self.steps, seconds: self.seconds }))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, steps, seconds } = asked;
-        let usual = Question::default();
-        let line = line.with_some("--eps", eps.as_ref());
-        let line = line.unless(*steps == usual.steps, "--steps", steps);
-        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
     }
 }
 

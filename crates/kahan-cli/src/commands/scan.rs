@@ -62,14 +62,11 @@ impl Asking for Scan {
     }
 
     fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, axes, degree, seconds } = asked;
-        let line = line.with_some("--eps", eps.as_ref());
-        let line = axes.iter().fold(line, |line, axis| match axis.name.as_str() {
+        let line = asked.axes.iter().fold(line, |line, axis| match axis.name.as_str() {
             "eps" => line.with("--eps", &axis.range),
             name => line.with("--param", format!("{name}={}", axis.range)),
         });
-        let line = line.with_some("--degree", degree.as_ref());
-        line.unless(*seconds == Question::new(Vec::new()).seconds, "--seconds", format!("{seconds:?}"))
+        line.saying::<Self>(asked)
     }
 }
 

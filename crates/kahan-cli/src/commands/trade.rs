@@ -5,18 +5,19 @@ mod table;
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::PossibleValue;
 use kahan_core::Need;
 use kahan_draw::Sheet;
 use kahan_draw::picture::{Look, trade};
 use kahan_study::Study;
-use kahan_study::trade::Trade as Question;
+use kahan_study::trade::{Trade as Question, need_name};
 use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use super::look::{SheetOptions, file, format};
 use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{Source, number, point, seconds};
+use crate::reading::{Source, number, one_of, point, seconds};
 pub(super) use comparison::Comparison;
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
@@ -69,8 +70,8 @@ pub(crate) struct Trade {
     horizon: String,
 
     /// What the orbit is for.
-    #[arg(long, value_enum, default_value = "trajectory")]
-    need: NeedName,
+    #[arg(long, value_parser = one_of(&NEEDS, need), default_value = "trajectory")]
+    need: Need,
 
     /// The largest error that is accepted.
     #[arg(long, value_name = "TOL", default_value = "1e-8", allow_hyphen_values = true)]
@@ -105,12 +106,13 @@ pub(super) fn usual() -> Sheet {
     Sheet::page(720, 480)
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum NeedName {
-    /// To follow the flow's trajectory.
-    Trajectory,
-    /// To keep the integrals.
-    Integrals,
+const NEEDS: [Need; 2] = [Need::Trajectory, Need::Integrals];
+
+fn need(need: Need) -> PossibleValue {
+    PossibleValue::new(need_name(need)).help(match need {
+        Need::Trajectory => "To follow the flow's trajectory",
+        Need::Integrals => "To keep the integrals",
+    })
 }
 
 impl Asking for Trade {
@@ -124,23 +126,11 @@ impl Asking for Trade {
         let asked = Question {
             at: point(&self.at, study.variables())?,
             horizon: number(&self.horizon, "--horizon")?,
-            need: match self.need {
-                NeedName::Trajectory => Need::Trajectory,
-                NeedName::Integrals => Need::Integrals,
-            },
+            need: self.need,
             tolerance: number(&self.tolerance, "--tolerance")?,
             seconds: self.seconds,
         };
         Ok((study, asked))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { at, horizon, need, tolerance, seconds } = asked;
-        let usual = Question::new(at.clone(), horizon.clone());
-        let line = line.at(at).with("--horizon", horizon);
-        let line = line.unless(*need == usual.need, "--need", "integrals");
-        let line = line.unless(*tolerance == usual.tolerance, "--tolerance", tolerance);
-        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
     }
 }
 

@@ -10,7 +10,7 @@ use kahan_study::{Axis, Observable, Observe, Over, Poles, Question, Range, Scene
 use maud::{Markup, html};
 
 use super::super::dynamics::{complaint, tables};
-use super::super::line::{Asking as _, Line};
+use super::super::line::Line;
 use super::super::look::usual as picture_sheet;
 use super::super::picture::Picture;
 use super::super::picture::shown::{Shown, What};

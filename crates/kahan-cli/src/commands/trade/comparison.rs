@@ -1,6 +1,5 @@
 //! Settings compared on one scene: the choice, or why there is none.
 
-use kahan_core::Need;
 use kahan_study::Study;
 use kahan_study::trade::{Measured, Trade, Traded};
 
@@ -13,13 +12,6 @@ impl Comparison {
     /// Measures.
     pub(in super::super) fn of(study: &Study, asked: &Trade) -> Result<Self, Refusal> {
         Ok(Comparison(asked.ask(study, &Prompt::of("settings"))?))
-    }
-
-    pub(super) fn need_name(&self) -> &'static str {
-        match self.0.scene.need() {
-            Need::Trajectory => "trajectory",
-            Need::Integrals => "integrals",
-        }
     }
 
     /// The setting that comes nearest to the tolerance.

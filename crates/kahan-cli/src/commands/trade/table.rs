@@ -2,7 +2,7 @@
 
 use kahan_core::{Composition, Need, Precision};
 use kahan_study::reference::Method;
-use kahan_study::trade::Measured;
+use kahan_study::trade::{Measured, need_name};
 
 use super::comparison::Comparison;
 use crate::printing::layout::{Rows, table};
@@ -21,7 +21,7 @@ impl Comparison {
             format!(
                 "{}: need {}, tolerance {:e}",
                 self.0.title(),
-                self.need_name(),
+                need_name(self.0.scene.need()),
                 self.0.scene.tolerance()
             ),
             String::new(),

@@ -11,7 +11,7 @@ use kahan_paper::Outcome;
 use kahan_study::{Study, Verdict, Verdicts, Verified, Verify as Question};
 use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::Source;
 
@@ -64,10 +64,6 @@ impl Asking for Verify {
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         Ok((self.source().study()?, Question { mutate: self.mutate }))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        if asked.mutate { line.with_flag("--mutate") } else { line }
     }
 }
 
