@@ -82,7 +82,7 @@ impl Page {
         let variables = study.variables();
         let subject =
             Subject { valued: &valued, kept: &valued, generic: &generic, variables, scene: &scene, seconds };
-        let chapters = chapters(&subject, &block);
+        let chapters = chapters(&subject);
         let page = Written { block: &block, study, scene: &scene };
         let again = self.line(&block);
         let making = Making { date: today(), seconds: clock.elapsed().as_secs_f64() };
@@ -134,7 +134,7 @@ struct Chapter {
 }
 
 /// All parts, one after the other.
-fn chapters(subject: &Subject<'_>, block: &Block) -> Vec<Chapter> {
+fn chapters(subject: &Subject<'_>) -> Vec<Chapter> {
     let (generic, valued) = (subject.generic.study.system(), &subject.valued.study);
     let progress = Prompt::stages();
     let mut chapters = Vec::new();
@@ -142,7 +142,7 @@ fn chapters(subject: &Subject<'_>, block: &Block) -> Vec<Chapter> {
         progress.say(title);
         chapters.push(Chapter { id, title, body: make() });
     };
-    chapter("formulas", "Formulas", &|| findings::formulas(subject, block, generic));
+    chapter("formulas", "Formulas", &|| findings::formulas(subject));
     progress.say("What the map preserves");
     let search = Search::of(subject, generic.field.dimension());
     chapter("found", "What the map preserves", &|| search.chapter());

@@ -33,7 +33,7 @@ pub(crate) struct Section {
     plane: String,
 
     /// Which crossings count: those where the formula grows, falls, or both.
-    #[arg(long = "direction", value_parser = one_of(&Side::ALL, |side| side.name().into()), default_value = "rising")]
+    #[arg(long = "direction", value_name = "DIRECTION", value_parser = one_of(&Side::ALL, |side| side.name().into()), default_value = "rising")]
     side: Side,
 
     /// Stop after K crossings.

@@ -12,7 +12,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::plot::{Theme, style, variables};
 
-pub use formulas::{derived, statements};
+pub use formulas::{claim, derived};
 pub use math::{COLUMN, LINE, cell, display, displays, inline};
 pub use readable::readable;
 pub use tables::rows;

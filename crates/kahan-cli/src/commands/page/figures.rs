@@ -1,6 +1,8 @@
 //! The figures of a page. Each draws or tabulates the answer to a question, and is shown with the
 //! call of the command that asks it.
 
+use std::borrow::Borrow;
+
 use kahan_algebra::rational::Rational;
 use kahan_draw::Drawing;
 use kahan_draw::document::rows;
@@ -245,11 +247,11 @@ impl Subject<'_> {
 }
 
 /// What was made, with the line that makes it again; where there is nothing, why.
-fn shown(made: Result<Markup, Refusal>, line: &Line) -> Markup {
+pub(super) fn shown(made: Result<Markup, impl Borrow<Refusal>>, line: &Line) -> Markup {
     html! {
         @match made {
             Ok(made) => (made),
-            Err(refusal) => p.missing { "Left out: " (refusal.message()) },
+            Err(refusal) => p.missing { "Left out: " (refusal.borrow().message()) },
         }
         (command(line))
     }

@@ -2,20 +2,19 @@
 //! `kahan discover` found.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Text, condition_text, macro_block};
+use kahan_algebra::render::{Text, macro_block};
 use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::{Claim, System};
+use kahan_algebra::system::System;
 use kahan_discover::hilbert::default_degree;
 use kahan_latex::{Latex, breaking};
-use kahan_study::{Discover, Question, Systems};
+use kahan_study::{ClaimShown, Discover, Form, Question, Show, Shown, Systems, Unwatched};
 use maud::{Markup, html};
 
 use super::super::discover::{Discovery, discovery, evaluation};
 use super::super::line::Line;
-use super::figures::{Field, Subject, command};
+use super::figures::{Field, Subject, shown};
 use crate::printing::Refusal;
-use crate::reading::Block;
-use kahan_draw::document::{LINE, derived, display, readable, rows, statements};
+use kahan_draw::document::{LINE, claim, derived, display, readable, rows};
 
 /// The share of the time that the search has.
 const SHARE: f64 = 0.35;
@@ -23,29 +22,28 @@ const SHARE: f64 = 0.35;
 const MOST_VARIABLES: usize = 8;
 
 /// Field, A, b, map and Jacobian, and the claims that come with the field.
-pub(super) fn formulas(subject: &Subject<'_>, block: &Block, system: &System) -> Markup {
-    let line = Line::new("show", &subject.generic.words).with_flag("--latex");
-    html! {
-        @if system.field.dimension() <= MOST_VARIABLES {
-            (derived(system))
-            h4 { "Jacobian" }
-            (display(
-                "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
-                 \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
-                 \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}",
-                LINE,
-            ))
-        } @else {
-            p { (system.field.dimension()) " variables have formulas too long for a page; the command below writes them." }
-        }
-        @if !system.claims.is_empty() {
-            h4 { "What is claimed, and proved" }
-            @for claim in &system.claims {
-                (stated(system, claim, block.entry.and_then(|entry| entry.source(&claim.name.text))))
+pub(super) fn formulas(subject: &Subject<'_>) -> Markup {
+    let asked = Show { form: Form::Latex, jacobian: false };
+    let made = asked.ask(&subject.generic.study, &Unwatched).map_err(Refusal::from).map(|answer| {
+        let Shown::Formulas(sheet) = answer else { unreachable!("LaTeX is of formulas") };
+        html! {
+            @if sheet.variables.len() <= MOST_VARIABLES {
+                (derived(&sheet))
+                h4 { "Jacobian" }
+                (display(
+                    "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
+                     \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
+                     \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}",
+                    LINE,
+                ))
+            } @else {
+                p { (sheet.variables.len()) " variables have formulas too long for a page; the command below writes them." }
             }
+            @if !sheet.claims.is_empty() { h4 { "What is claimed, and proved" } }
+            @for shown in &sheet.claims { (claim(shown, &html! {})) }
         }
-        (command(&line))
-    }
+    });
+    shown(made, &Line::asking(&subject.generic.words, &Question::Show(asked)))
 }
 
 /// What the search for what the map preserves found, and the call that makes it.
@@ -70,13 +68,8 @@ impl Search {
 
     /// What the map preserves, found from the equations alone.
     pub(super) fn chapter(&self) -> Markup {
-        html! {
-            @match &self.found {
-                Ok((claimed, discovery)) => (findings(claimed, discovery)),
-                Err(refusal) => p.missing { "Left out: " (refusal.message()) },
-            }
-            (command(&self.line))
-        }
+        let found = self.found.as_ref().map(|(claimed, discovery)| findings(claimed, discovery));
+        shown(found, &self.line)
     }
 
     /// The field with the integrals that were found, at these values of its parameters; `None` where there are none, or too long ones for a line that one reads.
@@ -116,7 +109,7 @@ fn findings(claimed: &System, discovery: &Discovery) -> Markup {
             p { "No integral, density or bracket was found." }
         } @else if !claimed.claims.is_empty() {
             p { "Each formula was proved when this page was written." }
-            @for claim in &claimed.claims { (stated(claimed, claim, None)) }
+            @for found in &claimed.claims { (claim(&ClaimShown::of(claimed, found, Some(&Latex)), &html! {})) }
         }
         @if let Some(hamiltonian) = &report.structure.hamiltonian {
             p { "The flow is Hamiltonian: f = K ∇H with a constant antisymmetric K." }
@@ -134,25 +127,5 @@ fn findings(claimed: &System, discovery: &Discovery) -> Markup {
         }
         ul { @for sentence in &report.sentences { li { (readable(sentence)) } } }
         (rows("Numbers of the search", &numbers))
-    }
-}
-
-/// One claim, with its kind, its condition and its source.
-fn stated(system: &System, claim: &Claim, source: Option<&str>) -> Markup {
-    let kind = match claim.kind {
-        ClaimKind::Integral => "Integral",
-        ClaimKind::Density => "Invariant density",
-        ClaimKind::Bracket => "Invariant Poisson bracket",
-    };
-    let condition = condition_text(system, claim);
-    html! {
-        div.preserved {
-            p.source {
-                (kind)
-                @if !condition.is_empty() { ", when " (readable(&condition)) }
-                @if let Some(source) = source { "; " (readable(source)) }
-            }
-            (statements(claim))
-        }
     }
 }
