@@ -75,8 +75,11 @@ const COMMAND: Layered = Layered {
     layers: &["printing", "reading", "atlas", "commands"],
 };
 
-const DRAW: Layered =
-    Layered { folder: "crates/kahan-draw", name: "kahan_draw", layers: &["plot", "picture", "document"] };
+const DRAW: Layered = Layered {
+    folder: "crates/kahan-draw",
+    name: "kahan_draw",
+    layers: &["plot", "picture", "document", "answer"],
+};
 
 impl Layered {
     fn source(&self) -> PathBuf {

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 
 use super::found::Found;
 use super::words::{badge, link};
-use kahan_draw::document::{claim, derived, inline, readable};
+use kahan_draw::document::{claim, formulas, inline, readable};
 use kahan_paper::Id;
 use kahan_study::{Form, Show, Shown, Subject, Systems, Unwatched};
 use kahan_systems::entry::Entry;
@@ -50,7 +50,7 @@ fn sheet(entry: &Entry, found: &Found<'_>) -> Markup {
     html! {
         details.system id=(format!("system-{}", entry.command)) {
             summary { h3 { (entry.name) } " " span { (readable(entry.title)) } }
-            (derived(&sheet))
+            (formulas(&sheet))
             @if sheet.claims.is_empty() { p { "Nothing is claimed of this map." } }
             @else { h4 { "What is claimed" } }
             @for shown in &sheet.claims {

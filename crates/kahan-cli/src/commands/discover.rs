@@ -14,7 +14,7 @@ use super::line::Asking;
 use super::search::Search;
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::number;
-pub(super) use discovery::{Discovery, evaluation};
+use discovery::Discovery;
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, structure, growth.
@@ -76,7 +76,7 @@ impl Discover {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let (study, asked) = self.asked()?;
-        let discovery = discovery(&study, &asked)?;
+        let discovery = Discovery(asked.ask(&study, &Prompt::stages())?);
         let answer = if self.search.json {
             Answer::json(&json!(discovery.0))
         } else if self.latex {
@@ -91,11 +91,6 @@ impl Discover {
         sink.put(&answer.text)?;
         Ok(Answer { text: String::new(), ..answer })
     }
-}
-
-/// What is found, with the stages on the terminal.
-pub(super) fn discovery(study: &Study, asked: &Question) -> Result<Discovery, Refusal> {
-    Ok(Discovery(asked.ask(study, &Prompt::stages())?))
 }
 
 /// The width of lines of Rust.

@@ -1,16 +1,14 @@
 //! `kahan dynamics`: what one asks of an orbit, answered in the loop.
 
-mod report;
-
 use clap::Args;
-use kahan_study::{Observable, Observe, Observed, Study};
+use kahan_draw::answer::{self, out_of_range};
+use kahan_study::{Observable, Observe, Observed, Seen, Study};
 use serde_json::json;
 
 use super::line::Asking;
+use crate::printing::layout::table;
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Start, observable, order, whole};
-use report::text;
-pub(super) use report::{complaint, tables};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
@@ -87,11 +85,23 @@ impl Dynamics {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let observed = self.observed()?;
         let answer = if self.json { Answer::json(&json!(observed)) } else { Answer::text(text(&observed)) };
-        Ok(Answer { complaint: complaint(&observed), ..answer })
+        Ok(Answer { complaint: out_of_range(&observed), ..answer })
     }
 
     fn observed(&self) -> Result<Observed, Refusal> {
         let (study, asked) = self.asked()?;
         Ok(asked.ask(&study, &Prompt::of("steps"))?)
     }
+}
+
+/// What was observed as text.
+fn text(observed: &Observed) -> String {
+    let mut last = vec![vec!["steps".to_owned(), observed.steps.to_string()]];
+    if let Some(Seen::Step(escaped)) = observed.of(Observable::Escape) {
+        let escaped = escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
+        last.push(vec!["escaped".to_owned(), escaped]);
+    }
+    let tables = answer::observed(observed).into_iter().map(|table| table.rows).chain([last]);
+    let tables: Vec<String> = tables.map(|rows| table(&rows, 1).join("\n") + "\n").collect();
+    tables.join("\n")
 }

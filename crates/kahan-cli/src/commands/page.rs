@@ -142,7 +142,7 @@ fn chapters(subject: &Subject<'_>) -> Vec<Chapter> {
         progress.say(title);
         chapters.push(Chapter { id, title, body: make() });
     };
-    chapter("formulas", "Formulas", &|| findings::formulas(subject));
+    chapter("formulas", "Formulas", &|| subject.formulas());
     progress.say("What the map preserves");
     let search = Search::of(subject, generic.field.dimension());
     chapter("found", "What the map preserves", &|| search.chapter());

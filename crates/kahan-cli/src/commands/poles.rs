@@ -1,15 +1,13 @@
 //! `kahan poles`: what happens after a map sends a curve to infinity or blows it down.
 
 use clap::Args;
-use kahan_algebra::symbols::Symbols;
-use kahan_discover::Poles as Found;
-use kahan_discover::poles::Pattern;
+use kahan_draw::answer::poles;
 use kahan_study::{Poles as Question, PolesFound, Study};
 use serde_json::json;
 
 use super::line::Asking;
-use crate::printing::layout::{Rows, table};
-use crate::printing::{Answer, Prompt, Refusal, shorten};
+use crate::printing::layout::table;
+use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Source, number, seconds, whole};
 
 /// Follows what a map sends to infinity or blows down: whether it comes back, and when.
@@ -67,45 +65,15 @@ impl Poles {
     /// The patterns.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
-        let found = patterns(&study, &asked)?;
+        let found = asked.ask(&study, &Prompt::stages())?;
         Ok(if self.json { Answer::json(&json!(found)) } else { Answer::text(text(&found)) })
     }
-}
-
-/// The patterns, with the stages on the terminal.
-pub(super) fn patterns(study: &Study, asked: &Question) -> Result<PolesFound, Refusal> {
-    Ok(asked.ask(study, &Prompt::stages())?)
-}
-
-/// A longer formula of a curve is cut in the table; JSON has it whole.
-const WIDEST: usize = 48;
-
-fn row(symbols: &Symbols, pattern: &Pattern, bound: usize) -> Vec<String> {
-    let images = pattern.images.iter().take(pattern.steps);
-    let images = images.map(|image| {
-        let dimension = image.dimension.to_string();
-        if image.is_infinite { dimension + "'" } else { dimension }
-    });
-    let verdict = match pattern.confined {
-        Some(true) if !pattern.is_blown_down() => "not blown down".to_owned(),
-        Some(true) => format!("confined after {} steps", pattern.steps),
-        Some(false) => format!("none within {bound} steps"),
-        None => "undecided".to_owned(),
-    };
-    vec![shorten(&pattern.name(symbols), WIDEST), verdict, images.collect::<Vec<_>>().join(" ")]
-}
-
-/// A row a pattern, below headings.
-pub(super) fn rows(found: &Found) -> Rows {
-    let headings = ["curve = 0", "what is lost comes back", "dimensions"].map(str::to_owned);
-    let patterns = found.patterns.iter().map(|pattern| row(&found.symbols, pattern, found.bound));
-    [headings.to_vec()].into_iter().chain(patterns).collect()
 }
 
 fn text(answer: &PolesFound) -> String {
     let PolesFound { system: name, found, growth: verdict, seconds } = answer;
     let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
-    let mut lines = table(&rows(found), 1);
+    let mut lines = table(&poles(answer).rows, 1);
     lines.push(String::new());
     lines.push("dimensions of the images, step by step; ' is at infinity".to_owned());
     lines.push(String::new());

@@ -8,8 +8,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::PossibleValue;
 use kahan_core::Need;
-use kahan_draw::Sheet;
-use kahan_draw::picture::{Look, trade};
+use kahan_draw::picture::{Look, trade, trade_sheet};
 use kahan_study::Study;
 use kahan_study::trade::{Trade as Question, need_name};
 use serde_json::json;
@@ -18,7 +17,7 @@ use super::line::Asking;
 use super::look::{SheetOptions, file, format};
 use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, one_of, point, seconds};
-pub(super) use comparison::Comparison;
+use comparison::Comparison;
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
 ///
@@ -101,11 +100,6 @@ Examples:
   kahan trade e6 --at 1,1/2,1/3 --horizon 1000 --need integrals --tolerance 1e-12
   kahan trade --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --at -1/2,1/5 --horizon 20 --json";
 
-/// What the picture is usually drawn on.
-pub(super) fn usual() -> Sheet {
-    Sheet::page(720, 480)
-}
-
 const NEEDS: [Need; 2] = [Need::Trajectory, Need::Integrals];
 
 fn need(need: Need) -> PossibleValue {
@@ -142,7 +136,7 @@ impl Trade {
         let (study, asked) = self.asked()?;
         let comparison = Comparison::of(&study, &asked)?;
         if let Some((sink, format)) = sink {
-            let picture = trade(&comparison.0, &Look::on(self.look.sheet(usual())));
+            let picture = trade(&comparison.0, &Look::on(self.look.sheet(trade_sheet())));
             sink.put(file(&picture.drawing, format)?)?;
         }
         let answer =

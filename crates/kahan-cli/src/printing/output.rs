@@ -117,12 +117,3 @@ pub(crate) fn columns(row: &[String], widths: &[usize]) -> String {
         row.iter().zip(widths).map(|(cell, &width)| cell.clone() + &gap(cell, width)).collect();
     cells.join("  ").trim_end().to_owned()
 }
-
-/// At most `width` characters, the last of them `…` where something was cut off.
-pub(crate) fn shorten(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        return text.to_owned();
-    }
-    let kept: String = text.chars().take(width.saturating_sub(1)).collect();
-    format!("{}…", kept.trim_end())
-}

@@ -9,8 +9,14 @@ use maud::{Markup, html};
 use super::math::{LINE, display, displays, inline};
 use super::readable::readable;
 
-/// The field, A and b, the determinant and the map, in lowest terms; b is left out where it is x.
-pub fn derived(sheet: &Sheet) -> Markup {
+/// ∂x̃/∂x and its determinant by A, in LaTeX.
+pub const JACOBIAN: &str = "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
+    \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
+    \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}";
+
+/// The field, A and b, the determinant, the map in lowest terms; b is left out where it is x. The
+/// sheet is one in LaTeX.
+pub fn formulas(sheet: &Sheet) -> Markup {
     let states: Vec<String> = sheet.variables.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {
         states.iter().zip(values).map(|(state, value)| format!("\\{accent}{{{state}}} = {value}")).collect()

@@ -6,11 +6,11 @@ use kahan_study::trade::{Measured, Trade, Traded};
 use crate::printing::{Prompt, Refusal};
 
 /// What was measured, and on what.
-pub(in super::super) struct Comparison(pub(in super::super) Traded);
+pub(super) struct Comparison(pub(super) Traded);
 
 impl Comparison {
     /// Measures.
-    pub(in super::super) fn of(study: &Study, asked: &Trade) -> Result<Self, Refusal> {
+    pub(super) fn of(study: &Study, asked: &Trade) -> Result<Self, Refusal> {
         Ok(Comparison(asked.ask(study, &Prompt::of("settings"))?))
     }
 
@@ -19,7 +19,7 @@ impl Comparison {
         self.0.settings.iter().min_by(|a, b| a.error().total_cmp(&b.error()))
     }
 
-    pub(in super::super) fn complaint(&self) -> Option<String> {
+    pub(super) fn complaint(&self) -> Option<String> {
         if self.0.choice().is_some() {
             return None;
         }

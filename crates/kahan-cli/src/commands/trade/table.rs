@@ -1,11 +1,12 @@
 //! What `kahan trade` says in words.
 
 use kahan_core::{Composition, Need, Precision};
+use kahan_draw::answer::{choice, front};
 use kahan_study::reference::Method;
-use kahan_study::trade::{Measured, need_name};
+use kahan_study::trade::need_name;
 
 use super::comparison::Comparison;
-use crate::printing::layout::{Rows, table};
+use crate::printing::layout::table;
 
 /// Steps beyond which a badly rounded ε shows as a linear drift.
 const LONG_RUN: u64 = 100_000;
@@ -26,58 +27,15 @@ impl Comparison {
             ),
             String::new(),
         ];
-        lines.extend(table(&self.front(), 3));
+        lines.extend(table(&front(&self.0).rows, 3));
         lines.push(String::new());
-        if let Some([chosen, rust]) = self.chosen() {
+        if let Some([chosen, rust]) = choice(&self.0) {
             lines.push(format!("choice     {chosen}"));
             lines.extend(rust.lines().map(|line| format!("           {line}")));
         }
         lines.extend(self.out_of_reach());
         lines.extend(self.notes());
         lines.join("\n") + "\n"
-    }
-
-    /// The choice in words, and as Rust to paste.
-    pub(in super::super) fn chosen(&self) -> Option<[String; 2]> {
-        let choice = self.0.choice()?;
-        let words = format!(
-            "{}, eps = {:?}: {} ns per unit of time, {} {:.1e}",
-            choice.setting.scheme(),
-            choice.setting.eps(),
-            price(choice),
-            self.0.error_name(),
-            choice.error()
-        );
-        Some([words, self.0.rust.clone()?])
-    }
-
-    /// A row for each setting on the front, the cheapest first.
-    pub(in super::super) fn front(&self) -> Rows {
-        let header = [
-            "scalar",
-            "order",
-            "compensated",
-            "eps",
-            "ns per unit time",
-            "trajectory",
-            "integrals",
-            "return",
-        ];
-        let mut rows = vec![header.map(str::to_owned).to_vec()];
-        rows.extend(self.0.settings.iter().filter(|measured| measured.on_front).map(|measured| {
-            let scheme = measured.setting.scheme();
-            vec![
-                scheme.precision.name().to_owned(),
-                scheme.order().to_string(),
-                if scheme.compensated { "yes" } else { "no" }.to_owned(),
-                format!("{:?}", measured.setting.eps()),
-                price(measured),
-                error(measured.trajectory_error),
-                error(measured.integral_drift),
-                error(measured.return_error),
-            ]
-        }));
-        rows
     }
 
     /// The schemes that cannot reach the tolerance, with the best they reached.
@@ -136,28 +94,5 @@ impl Comparison {
             note(format!("no time for {scheme} from eps = {eps:?} on; --seconds gives more"));
         }
         lines
-    }
-}
-
-fn price(measured: &Measured) -> String {
-    let price = measured.nanoseconds_per_unit_time;
-    if price < 0.1 {
-        return format!("{price:.1e}");
-    }
-    let decimals = if price < 10.0 {
-        2
-    } else if price < 100.0 {
-        1
-    } else {
-        0
-    };
-    format!("{price:.decimals$}")
-}
-
-fn error(value: Option<f64>) -> String {
-    match value {
-        Some(value) if value.is_finite() => format!("{value:.1e}"),
-        Some(_) => "not finite".to_owned(),
-        None => "-".to_owned(),
     }
 }
