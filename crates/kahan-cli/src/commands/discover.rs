@@ -8,13 +8,11 @@ use std::path::PathBuf;
 use clap::Args;
 use kahan_algebra::render::{folded, macro_block};
 use kahan_study::{Discover as Question, Study};
-use serde_json::json;
 
 use super::line::Asking;
 use super::search::Search;
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::number;
-use discovery::Discovery;
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, structure, growth.
@@ -76,16 +74,14 @@ impl Discover {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let (study, asked) = self.asked()?;
-        let discovery = Discovery(asked.ask(&study, &Prompt::stages())?);
-        let answer = if self.search.json {
-            Answer::json(&json!(discovery.0))
-        } else if self.latex {
-            Answer::verbatim(discovery.latex()?)
+        let found = asked.ask(&study, &Prompt::stages())?;
+        let answer = if self.latex {
+            Answer::verbatim(discovery::latex(&found)?)
         } else if self.as_macro {
-            let block = folded(&macro_block(&discovery.0.claimed()?), SOURCE_WIDTH);
-            Answer::verbatim(discovery.comments(SOURCE_WIDTH) + &block)
+            let block = folded(&macro_block(&found.claimed()?), SOURCE_WIDTH);
+            Answer::verbatim(discovery::comments(&found, SOURCE_WIDTH) + &block)
         } else {
-            Answer::text(discovery.text())
+            Answer::of(&found, self.search.json, discovery::text)
         };
         let Some(sink) = sink else { return Ok(answer) };
         sink.put(&answer.text)?;

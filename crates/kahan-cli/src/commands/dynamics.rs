@@ -3,7 +3,6 @@
 use clap::Args;
 use kahan_draw::answer::{self, out_of_range};
 use kahan_study::{Observable, Observe, Observed, Seen, Study};
-use serde_json::json;
 
 use super::line::Asking;
 use crate::printing::layout::table;
@@ -83,14 +82,9 @@ impl Asking for Dynamics {
 impl Dynamics {
     /// The answers; a complaint where the orbit ends early.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let observed = self.observed()?;
-        let answer = if self.json { Answer::json(&json!(observed)) } else { Answer::text(text(&observed)) };
-        Ok(Answer { complaint: out_of_range(&observed), ..answer })
-    }
-
-    fn observed(&self) -> Result<Observed, Refusal> {
         let (study, asked) = self.asked()?;
-        Ok(asked.ask(&study, &Prompt::of("steps"))?)
+        let observed = asked.ask(&study, &Prompt::of("steps"))?;
+        Ok(Answer::of(&observed, self.json, text).but(out_of_range(&observed)))
     }
 }
 

@@ -55,9 +55,7 @@ impl Eval {
         let (study, asked) = self.asked()?;
         let values = asked.ask(&study, &Unwatched)?;
         let complaint = values.no_step.map(|why| no_step(&study, &asked, why));
-        let objects = json!(values);
-        let answer = if self.json { Answer::json(&objects) } else { Answer::text(readable(&objects)) };
-        Ok(Answer { complaint, ..answer })
+        Ok(Answer::of(&json!(values), self.json, readable).but(complaint))
     }
 }
 

@@ -4,7 +4,6 @@ mod report;
 
 use clap::Args;
 use kahan_study::{Extremes as Question, Study, Subject, Systems};
-use serde_json::json;
 
 use super::line::Asking;
 use crate::printing::{Answer, Prompt, Refusal};
@@ -113,9 +112,7 @@ impl Extremes {
     /// The table of all cells; a complaint if the stable tier breaks its promise.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let judged = self.question().of(&self.studies()?, &Prompt::of("trials"))?;
-        let answer =
-            if self.json { Answer::json(&json!(judged)) } else { Answer::text(report::text(&judged)) };
-        Ok(Answer { complaint: report::complaint(&judged), ..answer })
+        Ok(Answer::of(&judged, self.json, report::text).but(report::complaint(&judged)))
     }
 
     fn studies(&self) -> Result<Vec<Study>, Refusal> {

@@ -3,7 +3,6 @@
 use clap::Args;
 use kahan_draw::answer::poles;
 use kahan_study::{Poles as Question, PolesFound, Study};
-use serde_json::json;
 
 use super::line::Asking;
 use crate::printing::layout::table;
@@ -66,7 +65,7 @@ impl Poles {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::stages())?;
-        Ok(if self.json { Answer::json(&json!(found)) } else { Answer::text(text(&found)) })
+        Ok(Answer::of(&found, self.json, text))
     }
 }
 

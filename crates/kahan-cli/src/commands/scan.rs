@@ -4,7 +4,6 @@ use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{Proposal, Sight};
 use kahan_study::{Axis, Scan as Question, ScanFound, Spacing, Study};
-use serde_json::json;
 
 use super::line::{Asking, Line};
 use super::search::Search;
@@ -75,7 +74,7 @@ impl Scan {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::of("points"))?;
-        Ok(if self.search.json { Answer::json(&json!(found)) } else { Answer::text(text(&found)) })
+        Ok(Answer::of(&found, self.search.json, text))
     }
 }
 

@@ -85,8 +85,7 @@ impl Section {
         if let Some(sink) = sink.or_else(|| (!self.json).then(Sink::standard)) {
             write(&found, sink)?;
         }
-        let answer = if self.json { Answer::json(&json!(found)) } else { Answer::text(String::new()) };
-        Ok(Answer { complaint, ..answer })
+        Ok(Answer::of(&found, self.json, |_| String::new()).but(complaint))
     }
 }
 

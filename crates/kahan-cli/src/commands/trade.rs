@@ -1,7 +1,6 @@
 //! `kahan trade`: speed against accuracy on one scene, and the cheapest setting that does.
 
-mod comparison;
-mod table;
+mod report;
 
 use std::path::PathBuf;
 
@@ -11,13 +10,11 @@ use kahan_core::Need;
 use kahan_draw::picture::{Look, trade, trade_sheet};
 use kahan_study::Study;
 use kahan_study::trade::{Trade as Question, need_name};
-use serde_json::json;
 
 use super::line::Asking;
 use super::look::{SheetOptions, file, format};
-use crate::printing::{Answer, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Source, number, one_of, point, seconds};
-use comparison::Comparison;
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
 ///
@@ -134,13 +131,11 @@ impl Trade {
         let sink = |path: &PathBuf| Ok::<_, Refusal>((Sink::file(path, "--out")?, format(path)?));
         let sink = self.out.as_ref().map(sink).transpose()?;
         let (study, asked) = self.asked()?;
-        let comparison = Comparison::of(&study, &asked)?;
+        let traded = asked.ask(&study, &Prompt::of("settings"))?;
         if let Some((sink, format)) = sink {
-            let picture = trade(&comparison.0, &Look::on(self.look.sheet(trade_sheet())));
+            let picture = trade(&traded, &Look::on(self.look.sheet(trade_sheet())));
             sink.put(file(&picture.drawing, format)?)?;
         }
-        let answer =
-            if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
-        Ok(Answer { complaint: comparison.complaint(), ..answer })
+        Ok(Answer::of(&traded, self.json, report::text).but(report::complaint(&traded)))
     }
 }
