@@ -178,8 +178,8 @@ fn points(found: &CycleFound) -> Rows {
     let rows = points.flat_map(|point| {
         let row = |(n, x): (usize, &Vec<f64>)| {
             let numbers = x.iter().map(|x| format!("{x:?}"));
-            let [before, after] = [format!("{:?},{n}", point.parameter), point.cycle.stability().to_string()];
-            [before].into_iter().chain(numbers).chain([after]).collect()
+            let before = [format!("{:?}", point.parameter), n.to_string()];
+            before.into_iter().chain(numbers).chain([point.cycle.stability().to_string()]).collect()
         };
         point.cycle.points.iter().enumerate().map(row)
     });

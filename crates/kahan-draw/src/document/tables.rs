@@ -31,17 +31,37 @@ impl Table {
 impl Render for Table {
     fn render(&self) -> Markup {
         let Some((headings, body)) = self.rows.split_first() else { return html! {} };
-        html! {
-            div.scroll tabindex="0" {
-                table.plain {
-                    caption { (self.caption) }
-                    thead { tr { @for heading in headings { th scope="col" { (heading) } } } }
-                    tbody {
-                        @for row in body {
-                            tr {
-                                @for (column, cell) in row.iter().enumerate() {
-                                    @if column == 0 { th scope="row" { (cell) } } @else { td { (cell) } }
-                                }
+        table("plain", None, self.caption, headings, body)
+    }
+}
+
+/// A table of formulas with an anchor; the first cell of a row says what it is about.
+pub fn table_of_formulas(
+    id: &str,
+    caption: &str,
+    headings: &[&str],
+    rows: impl IntoIterator<Item = Vec<Markup>>,
+) -> Markup {
+    table("formulas", Some(id), caption, headings, &rows.into_iter().collect::<Vec<_>>())
+}
+
+fn table<C: Render>(
+    class: &str,
+    id: Option<&str>,
+    caption: &str,
+    headings: &[impl Render],
+    rows: &[Vec<C>],
+) -> Markup {
+    html! {
+        div.scroll tabindex="0" {
+            table.(class) id=[id] {
+                caption { (caption) }
+                thead { tr { @for heading in headings { th scope="col" { (heading) } } } }
+                tbody {
+                    @for row in rows {
+                        tr {
+                            @for (column, cell) in row.iter().enumerate() {
+                                @if column == 0 { th scope="row" { (cell) } } @else { td { (cell) } }
                             }
                         }
                     }
