@@ -107,16 +107,10 @@ const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME 
 
 /// How many claims came out how, in one line without its end.
 fn totals(verdicts: &Verdicts) -> String {
-    let outcomes = || verdicts.claims.iter().map(|verdict| verdict.outcome);
-    let count = |keep: fn(Outcome) -> bool| outcomes().filter(|outcome| keep(*outcome)).count();
-    let kinds = [
-        (count(|o| o == Outcome::Proved), "proved over Q"),
-        (count(|o| o == Outcome::ProvedModP), "proved mod p"),
-        (count(|o| matches!(o, Outcome::Exact(_))), "exact at points"),
-        (count(|o| matches!(o, Outcome::Numerical(_))), "numerical"),
-        (count(|o| o == Outcome::Misprint), "misprinted"),
-    ];
-    let found = kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}, "));
+    let words = ["proved over Q", "proved mod p", "exact at points", "numerical", "misprinted"];
+    let counts = Outcome::counts(verdicts.claims.iter().map(|verdict| verdict.outcome));
+    let found = counts.iter().zip(words).filter(|(count, _)| **count > 0);
+    let found = found.map(|(count, what)| format!("{count} {what}, "));
     let claims = if verdicts.claims.len() == 1 { "claim" } else { "claims" };
     format!("{} {claims}: {}{} failed", verdicts.claims.len(), found.collect::<String>(), verdicts.failed)
 }
