@@ -208,6 +208,15 @@ fn text_of(markup: &str) -> String {
 }
 
 #[test]
+fn b_is_shown_where_it_is_not_x() {
+    let page = page_with(&Paper::new(), good);
+    // The Lagrange top has linear terms, whose coefficients are parameters.
+    for (system, has_b) in [("euler", false), ("lagrange", true), ("lv", true)] {
+        assert_eq!(sheet(&page, system).contains("<mi>b</mi><mo"), has_b, "{system}");
+    }
+}
+
+#[test]
 fn an_opened_system_shows_everything_that_is_claimed_of_it() {
     let paper = Paper::new();
     let page = page_with(&paper, good);
