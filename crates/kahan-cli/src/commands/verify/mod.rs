@@ -30,7 +30,7 @@ pub(crate) struct Verify {
 
     /// The same as SYSTEM; `general` for what holds for every field.
     #[arg(long = "system", value_name = "SYSTEM", conflicts_with_all = ["system", "field", "file"])]
-    of: Option<String>,
+    about: Option<String>,
 
     /// Show every claim with its statement, its source and its time.
     #[arg(long, conflicts_with = "mutate")]
@@ -69,7 +69,7 @@ impl Asking for Verify {
 
 impl Verify {
     fn source(&self) -> Source {
-        self.of.clone().map_or_else(|| self.source.clone(), Source::of_system)
+        self.about.clone().map_or_else(|| self.source.clone(), Source::of_system)
     }
 
     /// One screen, a line a claim, the table, or one object; a complaint if a claim fails.
