@@ -12,8 +12,6 @@
 // The layers from the bottom to the top; each needs those before it only, which
 // `tests/tests/layers.rs` sees to.
 
-mod numbers;
-
 mod printing;
 
 mod reading;

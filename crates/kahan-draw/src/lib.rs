@@ -5,7 +5,8 @@
 //! command, nor any file.
 //!
 //! `plot` draws: a [`Plot`], a [`Space`] or a [`Grid`] becomes a [`Drawing`]. [`picture`] makes such
-//! of answers. [`document`] sets formulas, tables and whole pages, which show drawings.
+//! of answers. [`document`] sets formulas, tables and whole pages, which show drawings; [`answer`]
+//! is what an answer says there.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -14,6 +15,8 @@ mod plot;
 pub mod picture;
 
 pub mod document;
+
+pub mod answer;
 
 pub use plot::{
     Cloud, Drawing, Format, Grid, Mark, NoFile, NumberLine, Plot, Series, Sheet, Side, Space, Theme, decimal,

@@ -85,17 +85,37 @@ pub struct Established {
 }
 
 impl Outcome {
+    /// The keys in `kahan verify --json`, from the strongest outcome to the worst.
+    const KEYS: [&str; Outcome::KINDS] =
+        ["proved", "proved-mod-p", "exact", "numerical", "misprint", "failed"];
+    /// How many kinds of outcomes there are.
+    pub const KINDS: usize = 6;
+
+    /// Its place among the kinds of outcomes, from the strongest to the worst.
+    #[must_use]
+    pub fn place(self) -> usize {
+        match self {
+            Outcome::Proved => 0,
+            Outcome::ProvedModP => 1,
+            Outcome::Exact(_) => 2,
+            Outcome::Numerical(_) => 3,
+            Outcome::Misprint => 4,
+            Outcome::Failed => 5,
+        }
+    }
+
+    /// How many there are of each kind.
+    #[must_use]
+    pub fn counts(outcomes: impl IntoIterator<Item = Self>) -> [usize; Outcome::KINDS] {
+        let mut counts = [0; Outcome::KINDS];
+        outcomes.into_iter().for_each(|outcome| counts[outcome.place()] += 1);
+        counts
+    }
+
     /// The key in `kahan verify --json`.
     #[must_use]
     pub fn key(self) -> &'static str {
-        match self {
-            Outcome::Proved => "proved",
-            Outcome::ProvedModP => "proved-mod-p",
-            Outcome::Exact(_) => "exact",
-            Outcome::Numerical(_) => "numerical",
-            Outcome::Misprint => "misprint",
-            Outcome::Failed => "failed",
-        }
+        Self::KEYS[self.place()]
     }
 
     /// The outcome in words.

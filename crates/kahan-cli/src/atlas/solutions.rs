@@ -5,7 +5,7 @@ use maud::{Markup, html};
 
 use super::found::Found;
 use super::words::{anchor, badge};
-use kahan_draw::document::{cell, inline};
+use kahan_draw::document::{cell, inline, table_of_formulas};
 use kahan_paper::formula::{LatexItem, latex_of};
 use kahan_paper::{Id, Outcome};
 use kahan_systems::entry::Entry;
@@ -34,25 +34,13 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
 fn table(found: &Found<'_>, id: &str, caption: &str, prefix: &str) -> Markup {
     let solved = |system: &&Entry| found.claim(&Id::of([id, system.command, "x"])).is_some();
     let integrals = if prefix.is_empty() { INTEGRALS } else { ["H(ε)", "K(ε)"] };
-    html! {
-        div.scroll tabindex="0" {
-            table.formulas id=(id) {
-                caption { (caption) }
-                thead { tr {
-                    th scope="col" { "System" }
-                    @for title in STATES.iter().chain(&integrals) { th scope="col" { (title) } }
-                } }
-                tbody {
-                    @for system in SYSTEMS.iter().filter(solved) {
-                        tr {
-                            th scope="row" { (prefix) (system.name) }
-                            @for name in STATES.into_iter().chain(INTEGRALS) { td { (entry(found, [id, system.command, name])) } }
-                        }
-                    }
-                }
-            }
-        }
-    }
+    let headings = [&["System"][..], &STATES, &integrals].concat();
+    let cells = |system: &Entry| {
+        let names = STATES.into_iter().chain(INTEGRALS);
+        let entries = names.map(|name| entry(found, [id, system.command, name]));
+        [html! { (prefix) (system.name) }].into_iter().chain(entries).collect()
+    };
+    table_of_formulas(id, caption, &headings, SYSTEMS.iter().filter(solved).map(cells))
 }
 
 /// What a claim says of one cell (table, system, column), linked to the claim.

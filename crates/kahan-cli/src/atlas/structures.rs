@@ -4,8 +4,7 @@ use maud::{Markup, html};
 
 use super::found::{Checked, Found};
 use super::words::{anchor, badge};
-use kahan_draw::document::cell;
-use kahan_draw::document::readable;
+use kahan_draw::document::{cell, readable, table_of_formulas};
 use kahan_paper::formula::latex_of;
 use kahan_paper::{Outcome, Structure, structure};
 use kahan_systems::registry::SYSTEMS;
@@ -70,64 +69,48 @@ pub(super) fn section(found: &Found<'_>) -> Markup {
     }
 }
 
-fn table(id: &str, caption: &str, head: &[&str], body: &Markup) -> Markup {
-    html! {
-        div.scroll tabindex="0" {
-            table.formulas id=(id) {
-                caption { (caption) }
-                thead { tr { @for title in head { th scope="col" { (title) } } } }
-                tbody { (body) }
-            }
-        }
-    }
+fn table1(found: &Found<'_>) -> Markup {
+    let cells = |row: &Structure| {
+        let tensor = |tensor: &str| {
+            html! { div.triple { @for entry in entries(tensor, "") { span { (value(row, &entry)) } } } }
+        };
+        let [h, k, c] = ["H", "K", "c"].map(|name| value(row, name));
+        let algebras = html! { @for algebra in row.algebras { div { (readable(algebra.name)) } } };
+        let checked = verdict(found, &[["table1", row.system], ["section3", row.system]]);
+        vec![html! { (name(row)) }, tensor("P"), tensor("Q"), h, k, c, algebras, checked]
+    };
+    let headings = ["System", "P", "Q", "H", "K", "c", "Algebras of P and Q", "Checked"];
+    let caption = "Table 1. The Lie–Poisson pairs of the flows; E7 to E9 are those of section 6";
+    table_of_formulas("table1", caption, &headings, rows(|_| true).into_iter().map(cells))
 }
 
-fn table1(found: &Found<'_>) -> Markup {
-    let body = html! {
-        @for row in rows(|_| true) {
-            tr {
-                th scope="row" { (name(row)) }
-                @for tensor in ["P", "Q"] {
-                    td { div.triple { @for entry in entries(tensor, "") { span { (value(row, &entry)) } } } }
-                }
-                @for name in ["H", "K", "c"] { td { (value(row, name)) } }
-                td { @for algebra in row.algebras { div { (readable(algebra.name)) } } }
-                td { (verdict(found, &[["table1", row.system], ["section3", row.system]])) }
-            }
-        }
+/// What is defined by these names of every map, and how the claims that begin so came out.
+fn of_maps<'a, const N: usize>(
+    found: &Found<'_>,
+    (id, caption): (&str, &str),
+    columns: &[(&str, &str)],
+    claims: impl Fn(&'a str) -> [[&'a str; 2]; N],
+) -> Markup {
+    let cells = |row: &'a Structure| {
+        let first = html! { "d" (name(row)) };
+        let values = columns.iter().map(|(_, name)| value(row, name));
+        [first].into_iter().chain(values).chain([verdict(found, &claims(row.system))]).collect()
     };
-    let head = ["System", "P", "Q", "H", "K", "c", "Algebras of P and Q", "Checked"];
-    table(
-        "table1",
-        "Table 1. The Lie–Poisson pairs of the flows; E7 to E9 are those of section 6",
-        &head,
-        &body,
-    )
+    let headings = columns.iter().map(|(heading, _)| *heading);
+    let headings: Vec<&str> = ["Map"].into_iter().chain(headings).chain(["Checked"]).collect();
+    table_of_formulas(id, caption, &headings, rows(Structure::has_map).into_iter().map(cells))
 }
 
 fn table2(found: &Found<'_>) -> Markup {
-    let body = html! {
-        @for row in rows(Structure::has_map) {
-            tr {
-                th scope="row" { "d" (name(row)) }
-                @for name in ["H_eps", "K_eps"] { td { (value(row, name)) } }
-                td { (verdict(found, &[[row.system, "H"], [row.system, "K"]])) }
-            }
-        }
-    };
-    table("table2", "Table 2. The integrals of the maps", &["Map", "H(ε)", "K(ε)", "Checked"], &body)
+    let columns = [("H(ε)", "H_eps"), ("K(ε)", "K_eps")];
+    let about = ("table2", "Table 2. The integrals of the maps");
+    of_maps(found, about, &columns, |system| [[system, "H"], [system, "K"]])
 }
 
-fn tensors(found: &Found<'_>, id: &str, caption: &str, tensor: &str) -> Markup {
-    let body = html! {
-        @for row in rows(Structure::has_map) {
-            tr {
-                th scope="row" { "d" (name(row)) }
-                @for entry in entries(tensor, "_eps") { td { (value(row, &entry)) } }
-                td { (verdict(found, &[[id, row.system]])) }
-            }
-        }
-    };
-    let [xy, yz, zx] = ["{x,y}", "{y,z}", "{z,x}"].map(|entry| format!("{tensor}(ε) {entry}"));
-    table(id, caption, &["Map", &xy, &yz, &zx, "Checked"], &body)
+fn tensors(found: &Found<'_>, id: &'static str, caption: &str, tensor: &str) -> Markup {
+    let headings = ["{x,y}", "{y,z}", "{z,x}"].map(|entry| format!("{tensor}(ε) {entry}"));
+    let names = entries(tensor, "_eps");
+    let columns: Vec<(&str, &str)> =
+        headings.iter().zip(&names).map(|(heading, name)| (heading.as_str(), name.as_str())).collect();
+    of_maps(found, (id, caption), &columns, |system| [[id, system]])
 }

@@ -1,23 +1,15 @@
 //! The systems: field, A(x,ε) and map of each, as the library derives them from the blocks of the
 //! catalog, and what it preserves.
 
-use kahan_algebra::lexer::lex;
-use kahan_algebra::render::condition_text;
-use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::{Claim, System};
 use maud::{Markup, html};
 
 use super::found::Found;
 use super::words::{badge, link};
-use kahan_draw::document::{derived, inline, readable, statements};
+use kahan_draw::document::{claim, formulas, inline, readable};
 use kahan_paper::Id;
+use kahan_study::{Form, Show, Shown, Subject, Systems, Unwatched};
 use kahan_systems::entry::Entry;
 use kahan_systems::registry::{FURTHER, SYSTEMS};
-
-/// The system of an entry.
-pub(super) fn read(entry: &Entry) -> System {
-    kahan_algebra::read(&lex(entry.text()).tokens).system().expect("a system")
-}
 
 /// The section.
 pub(super) fn section(found: &Found<'_>) -> Markup {
@@ -50,45 +42,23 @@ pub(super) fn further(found: &Found<'_>) -> Markup {
     }
 }
 
+/// The formulas of a system, and its claims with their outcomes.
 fn sheet(entry: &Entry, found: &Found<'_>) -> Markup {
-    let system = read(entry);
+    let study = Subject::named(entry.command).study(&Systems).expect("a system of the catalog");
+    let asked = Show { form: Form::Latex, jacobian: false };
+    let Ok(Shown::Formulas(sheet)) = asked.ask(&study, &Unwatched) else { unreachable!("its claims hold") };
     html! {
         details.system id=(format!("system-{}", entry.command)) {
             summary { h3 { (entry.name) } " " span { (readable(entry.title)) } }
-            (derived(&system))
-            @for (kind, title) in KINDS {
-                @let claims: Vec<&Claim> = system.claims.iter().filter(|claim| claim.kind == kind).collect();
-                @if !claims.is_empty() {
-                    h4 { (title[usize::from(claims.len() > 1)]) }
-                    @for claim in claims { (preserved(entry, &system, claim, found)) }
-                }
-            }
-            @if system.claims.is_empty() { p { "Nothing is claimed of this map." } }
-        }
-    }
-}
-
-/// What a map may preserve, with the words for one and for several.
-const KINDS: [(ClaimKind, [&str; 2]); 3] = [
-    (ClaimKind::Integral, ["Integral", "Integrals"]),
-    (ClaimKind::Density, ["Invariant density", "Invariant densities"]),
-    (ClaimKind::Bracket, ["Invariant Poisson bracket", "Invariant Poisson brackets"]),
-];
-
-/// One claim as formulas, with its condition, its source and its outcome.
-fn preserved(entry: &Entry, system: &System, claim: &Claim, found: &Found<'_>) -> Markup {
-    let condition = condition_text(system, claim);
-    let id = Id::of([entry.command, &claim.name.text]);
-    html! {
-        div.preserved {
-            (statements(claim))
-            p.source {
-                @if !condition.is_empty() { "when " (readable(&condition)) "; " }
-                @if let Some(source) = entry.source(&claim.name.text) { (readable(source)) "; " }
-                @match found.claim(&id) {
-                    Some(checked) => { (badge(checked.established.outcome)) " (" (link(checked)) ")" },
-                    None => { "proved while compiling" },
-                }
+            (formulas(&sheet))
+            @if sheet.claims.is_empty() { p { "Nothing is claimed of this map." } }
+            @else { h4 { "What is claimed" } }
+            @for shown in &sheet.claims {
+                @let outcome = match found.claim(&Id::of([entry.command, &shown.name])) {
+                    Some(checked) => html! { "; " (badge(checked.established.outcome)) " (" (link(checked)) ")" },
+                    None => html! { "; proved while compiling" },
+                };
+                (claim(shown, &outcome))
             }
         }
     }

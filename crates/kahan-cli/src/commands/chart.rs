@@ -60,7 +60,7 @@ pub(crate) struct Chart {
     over: Vec<String>,
 
     /// The number of steps of each orbit.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value = "1000")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, 1_u64 << 40), default_value = "1000")]
     steps: u64,
 
     /// What is shown.
@@ -104,10 +104,6 @@ Examples:
 const OF_ORBITS: [&str; 9] =
     ["system", "field", "file", "sites", "parameters", "eps", "at", "steps", "escape"];
 
-fn steps(text: &str) -> Result<u64, String> {
-    whole(text, 1, 1 << 40)
-}
-
 impl Asking for Chart {
     const COMMAND: &str = "chart";
     type Question = Over;
@@ -129,18 +125,14 @@ impl Asking for Chart {
     }
 
     fn options(asked: &Over, line: Line) -> Line {
-        let Question::Observe(Observe { eps, at, steps, escape, of, .. }) = &*asked.question else {
-            return line;
-        };
-        let line = line.with("--eps", eps).at(at);
+        let Question::Observe(observe) = &*asked.question else { return line };
+        let line = line.saying::<Self>(observe);
         let line = asked.axes.iter().rev().fold(line, |line, axis| match &axis.through {
             Through::Range(range) => line.with("--over", format!("{}={range}", axis.name)),
             Through::List(_) | Through::Drawn { .. } => line,
         });
-        let line = line.unless(*steps == 1000, "--steps", steps);
-        let colour = of.first().filter(|of| **of != Observable::Sali);
-        let line = line.with_some("--color", colour.map(|of| of.name()));
-        line.unless(*escape == 1e6, "--escape", escape).with("--out", "chart.svg")
+        let colour = observe.of.first().filter(|of| **of != Observable::Sali);
+        line.with_some("--color", colour.map(|of| of.name())).with("--out", "chart.svg")
     }
 }
 

@@ -43,7 +43,7 @@ fn naming_systems(command: Command) -> Command {
     subcommands.iter().fold(command, |command, name| {
         command.mut_subcommand(name, |subcommand| {
             subcommand.mut_args(|argument| match argument.get_id().as_str() {
-                "system" | "of" => argument.value_parser(names()),
+                "system" | "about" => argument.value_parser(names()),
                 _ => argument,
             })
         })

@@ -8,13 +8,11 @@ use std::path::PathBuf;
 use clap::Args;
 use kahan_algebra::render::{folded, macro_block};
 use kahan_study::{Discover as Question, Study};
-use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use super::search::Search;
 use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::number;
-pub(super) use discovery::{Discovery, evaluation};
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, structure, growth.
@@ -69,12 +67,6 @@ impl Asking for Discover {
         let eps = eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
     }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, degree, seconds } = asked;
-        let line = line.with_some("--eps", eps.as_ref()).with_some("--degree", degree.as_ref());
-        line.unless(*seconds == Question::default().seconds, "--seconds", format!("{seconds:?}"))
-    }
 }
 
 impl Discover {
@@ -82,26 +74,19 @@ impl Discover {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let (study, asked) = self.asked()?;
-        let discovery = discovery(&study, &asked)?;
-        let answer = if self.search.json {
-            Answer::json(&json!(discovery.0))
-        } else if self.latex {
-            Answer::verbatim(discovery.latex()?)
+        let found = asked.ask(&study, &Prompt::stages())?;
+        let answer = if self.latex {
+            Answer::verbatim(discovery::latex(&found)?)
         } else if self.as_macro {
-            let block = folded(&macro_block(&discovery.0.claimed()?), SOURCE_WIDTH);
-            Answer::verbatim(discovery.comments(SOURCE_WIDTH) + &block)
+            let block = folded(&macro_block(&found.claimed()?), SOURCE_WIDTH);
+            Answer::verbatim(discovery::comments(&found, SOURCE_WIDTH) + &block)
         } else {
-            Answer::text(discovery.text())
+            Answer::of(&found, self.search.json, discovery::text)
         };
         let Some(sink) = sink else { return Ok(answer) };
         sink.put(&answer.text)?;
         Ok(Answer { text: String::new(), ..answer })
     }
-}
-
-/// What is found, with the stages on the terminal.
-pub(super) fn discovery(study: &Study, asked: &Question) -> Result<Discovery, Refusal> {
-    Ok(Discovery(asked.ask(study, &Prompt::stages())?))
 }
 
 /// The width of lines of Rust.

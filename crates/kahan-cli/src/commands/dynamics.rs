@@ -1,17 +1,13 @@
 //! `kahan dynamics`: what one asks of an orbit, answered in the loop.
 
-mod report;
-
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use kahan_study::{Observable, Observe, Observed, Study};
-use serde_json::json;
+use kahan_draw::answer::{self, out_of_range};
+use kahan_study::{Observable, Observe, Observed, Seen, Study};
 
-use super::line::{Asking, Line};
+use super::line::Asking;
+use crate::printing::layout::table;
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{Start, observable, whole};
-use report::text;
-pub(super) use report::{complaint, tables};
+use crate::reading::{Start, observable, order, whole};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
@@ -32,15 +28,15 @@ pub(crate) struct Dynamics {
     start: Start,
 
     /// The number of steps; rotation numbers need a hundred turns or so.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, 1_u64 << 53))]
     steps: u64,
 
     /// The order of the method: 2 is Kahan's map, the others compose steps of it.
-    #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
+    #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
     order: u32,
 
     /// Tangent vectors are made orthogonal every M steps.
-    #[arg(long, value_name = "M", default_value = "10", allow_hyphen_values = true, value_parser = positive)]
+    #[arg(long, value_name = "M", default_value = "10", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     every: u64,
 
     /// The orbit has escaped where a variable is larger than R in size.
@@ -48,8 +44,8 @@ pub(crate) struct Dynamics {
     escape: f64,
 
     /// What is observed, in this order; nothing else is computed.
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = usual(), value_parser = observable(Observable::ALL))]
-    observe: Vec<Observable>,
+    #[arg(long = "observe", value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = usual(), value_parser = observable(Observable::ALL))]
+    of: Vec<Observable>,
 
     /// Print one JSON object; what has no value is null.
     #[arg(long)]
@@ -67,14 +63,6 @@ fn usual() -> Vec<&'static str> {
     Observe::USUAL.iter().map(|of| of.name()).collect()
 }
 
-fn steps(text: &str) -> Result<u64, String> {
-    whole(text, 1, 1 << 53)
-}
-
-fn positive(text: &str) -> Result<u64, String> {
-    whole(text, 1, u64::MAX)
-}
-
 fn radius(text: &str) -> Result<f64, String> {
     let radius = crate::reading::number(text, "--escape").map_err(|_| "not a number".to_owned())?.to_f64();
     if radius > 0.0 { Ok(radius) } else { Err("it is a size, as in 1e6".to_owned()) }
@@ -86,32 +74,28 @@ impl Asking for Dynamics {
 
     fn asked(&self) -> Result<(Study, Observe), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Dynamics { steps, order, every, escape, ref observe, .. } = *self;
-        Ok((study, Observe { eps, at, steps, order, every, escape, of: observe.clone() }))
-    }
-
-    fn options(asked: &Observe, line: Line) -> Line {
-        let Observe { eps, at, steps, order, every, escape, of } = asked;
-        let usual = Observe::new(eps.clone(), at.clone(), *steps);
-        let line = line.with("--eps", eps).at(at).with("--steps", steps);
-        let line = line.unless(*order == usual.order, "--order", order);
-        let line = line.unless(*every == usual.every, "--every", every);
-        let line = line.unless(*escape == usual.escape, "--escape", escape);
-        let names: Vec<&str> = of.iter().map(|of| of.name()).collect();
-        line.unless(*of == usual.of, "--observe", names.join(","))
+        let Dynamics { steps, order, every, escape, ref of, .. } = *self;
+        Ok((study, Observe { eps, at, steps, order, every, escape, of: of.clone() }))
     }
 }
 
 impl Dynamics {
     /// The answers; a complaint where the orbit ends early.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let observed = self.observed()?;
-        let answer = if self.json { Answer::json(&json!(observed)) } else { Answer::text(text(&observed)) };
-        Ok(Answer { complaint: complaint(&observed), ..answer })
-    }
-
-    fn observed(&self) -> Result<Observed, Refusal> {
         let (study, asked) = self.asked()?;
-        Ok(asked.ask(&study, &Prompt::of("steps"))?)
+        let observed = asked.ask(&study, &Prompt::of("steps"))?;
+        Ok(Answer::of(&observed, self.json, text).but(out_of_range(&observed)))
     }
+}
+
+/// What was observed as text.
+fn text(observed: &Observed) -> String {
+    let mut last = vec![vec!["steps".to_owned(), observed.steps.to_string()]];
+    if let Some(Seen::Step(escaped)) = observed.of(Observable::Escape) {
+        let escaped = escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
+        last.push(vec!["escaped".to_owned(), escaped]);
+    }
+    let tables = answer::observed(observed).into_iter().map(|table| table.rows).chain([last]);
+    let tables: Vec<String> = tables.map(|rows| table(&rows, 1).join("\n") + "\n").collect();
+    tables.join("\n")
 }

@@ -2,14 +2,14 @@
 
 use clap::Args;
 use kahan_algebra::kahan::TERM_BUDGET;
+use kahan_study::numbers::ScalarKind;
 use kahan_study::{Evaluate, NoStep, Study, Unwatched};
 use serde_json::{Value, json};
 
-use super::line::{Asking, Line};
-use crate::numbers::{ScalarKind, scalar};
+use super::line::Asking;
 use crate::printing::layout::{labelled, matrix_within, screen_width};
 use crate::printing::{Answer, Refusal};
-use crate::reading::Start;
+use crate::reading::{Start, scalar};
 
 /// Evaluates every object of a system at a point: field, matrices, Jacobian, claims.
 ///
@@ -47,13 +47,6 @@ impl Asking for Eval {
         let (study, at, eps) = self.start.study()?;
         Ok((study, Evaluate { eps, at, scalar: self.scalar }))
     }
-
-    fn options(asked: &Evaluate, line: Line) -> Line {
-        let Evaluate { eps, at, scalar } = asked;
-        let usual = Evaluate::new(eps.clone(), at.clone());
-        let line = line.with("--eps", eps).at(at);
-        line.unless(*scalar == usual.scalar, "--scalar", scalar.name())
-    }
 }
 
 impl Eval {
@@ -62,9 +55,7 @@ impl Eval {
         let (study, asked) = self.asked()?;
         let values = asked.ask(&study, &Unwatched)?;
         let complaint = values.no_step.map(|why| no_step(&study, &asked, why));
-        let objects = json!(values);
-        let answer = if self.json { Answer::json(&objects) } else { Answer::text(readable(&objects)) };
-        Ok(Answer { complaint, ..answer })
+        Ok(Answer::of(&json!(values), self.json, readable).but(complaint))
     }
 }
 

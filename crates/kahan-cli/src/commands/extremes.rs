@@ -4,9 +4,8 @@ mod report;
 
 use clap::Args;
 use kahan_study::{Extremes as Question, Study, Subject, Systems};
-use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Source, whole};
 
@@ -44,14 +43,14 @@ pub(crate) struct Extremes {
     source: Source,
 
     /// The number of trials of each scalar, besides three thirty-second parts with special inputs.
-    #[arg(long, value_name = "N", default_value = "40000", allow_hyphen_values = true, value_parser = trials)]
+    #[arg(long, value_name = "N", default_value = "40000", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     trials: u64,
 
     /// Besides, so many random fields of two to six variables, which the seed draws, too.
     ///
     /// Sparse ones, with constant and linear terms, with parameters and divisors of them, and dense
     /// ones; interpreted, and listed below the table. They share the trials with the systems.
-    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = fields)]
+    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = whole(0, usize::MAX))]
     random_fields: usize,
 
     /// Besides, so many random fields of odd tempers, of one to eight variables in turn.
@@ -59,16 +58,16 @@ pub(crate) struct Extremes {
     /// Their literals lie anywhere from 2^-1070 to 2^1020, coefficients nearly cancel, parameters
     /// and their differences are divisors; parameters are drawn from the whole range of the scalar.
     /// Each has trials of its own.
-    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = fields)]
+    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = whole(0, usize::MAX))]
     odd_fields: usize,
 
     /// The number of trials of each scalar that each field of odd temper has; every twentieth field
     /// has ten times as many.
-    #[arg(long, value_name = "N", default_value = "300", allow_hyphen_values = true, value_parser = trials)]
+    #[arg(long, value_name = "N", default_value = "300", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     odd_trials: u64,
 
     /// Another seed draws other points; the same seed draws the same, on any number of threads.
-    #[arg(long, value_name = "S", default_value = "1", allow_hyphen_values = true, value_parser = seed)]
+    #[arg(long, value_name = "S", default_value = "1", allow_hyphen_values = true, value_parser = whole(0, u64::MAX))]
     seed: u64,
 
     /// Print one JSON object.
@@ -95,34 +94,12 @@ Examples:
   kahan extremes --trials 10000000 --random-fields 50
   kahan extremes --trials 1 --odd-fields 2000";
 
-fn trials(text: &str) -> Result<u64, String> {
-    whole(text, 1, u64::MAX)
-}
-
-fn seed(text: &str) -> Result<u64, String> {
-    whole(text, 0, u64::MAX)
-}
-
-fn fields(text: &str) -> Result<usize, String> {
-    whole(text, 0, usize::MAX)
-}
-
 impl Asking for Extremes {
     const COMMAND: &str = "extremes";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         Ok((self.source.study()?, self.question()))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { trials, random_fields, odd_fields, odd_trials, seed } = asked;
-        let usual = Question::default();
-        let line = line.unless(*trials == usual.trials, "--trials", trials);
-        let line = line.unless(*random_fields == usual.random_fields, "--random-fields", random_fields);
-        let line = line.unless(*odd_fields == usual.odd_fields, "--odd-fields", odd_fields);
-        let line = line.unless(*odd_trials == usual.odd_trials, "--odd-trials", odd_trials);
-        line.unless(*seed == usual.seed, "--seed", seed)
     }
 }
 
@@ -135,9 +112,7 @@ impl Extremes {
     /// The table of all cells; a complaint if the stable tier breaks its promise.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let judged = self.question().of(&self.studies()?, &Prompt::of("trials"))?;
-        let answer =
-            if self.json { Answer::json(&json!(judged)) } else { Answer::text(report::text(&judged)) };
-        Ok(Answer { complaint: report::complaint(&judged), ..answer })
+        Ok(Answer::of(&judged, self.json, report::text).but(report::complaint(&judged)))
     }
 
     fn studies(&self) -> Result<Vec<Study>, Refusal> {

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_algebra::kahan::TERM_BUDGET;
+use kahan_draw::document::Rows;
 use kahan_runtime::heights::{Growth, Stop, Survey};
 use kahan_study::{Heights as Question, HeightsFound, NoStep, Study, fifteen_digits};
-use serde_json::json;
 
-use super::line::{Asking, Line};
-use crate::printing::layout::table;
-use crate::printing::{Answer, Prompt, Refusal, Sink, warn};
+use super::line::Asking;
+use crate::printing::layout::{headed, table};
+use crate::printing::{Answer, Prompt, Refusal, Sink, csv, warn};
 use crate::reading::{Start, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow.
@@ -33,11 +33,11 @@ pub(crate) struct Heights {
     start: Start,
 
     /// The number of steps.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, u64::MAX))]
     steps: u64,
 
     /// The greatest number of decimal digits of a numerator or denominator.
-    #[arg(long, value_name = "D", default_value = "1000000", allow_hyphen_values = true, value_parser = digits)]
+    #[arg(long, value_name = "D", default_value = "1000000", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     max_digits: u64,
 
     /// The time that the orbit may take. A step that is likely to end later is not begun.
@@ -65,17 +65,6 @@ Examples:
   kahan heights e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 400 --json
   kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30";
 
-fn steps(text: &str) -> Result<u64, String> {
-    whole(text, 0, u64::MAX)
-}
-
-fn digits(text: &str) -> Result<u64, String> {
-    whole(text, 1, u64::MAX)
-}
-
-/// What was found.
-struct Record(HeightsFound);
-
 impl Asking for Heights {
     const COMMAND: &str = "heights";
     type Question = Question;
@@ -84,14 +73,6 @@ impl Asking for Heights {
         let (study, at, eps) = self.start.study()?;
         let Heights { steps, max_digits, seconds, .. } = *self;
         Ok((study, Question { eps, at, steps, max_digits, seconds }))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, at, steps, max_digits, seconds } = asked;
-        let usual = Question::new(eps.clone(), at.clone(), *steps);
-        let line = line.with("--eps", eps).at(at).with("--steps", steps);
-        let line = line.unless(*max_digits == usual.max_digits, "--max-digits", max_digits);
-        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
     }
 }
 
@@ -104,100 +85,82 @@ impl Heights {
         }
         let out = self.out.as_deref().or(self.csv.as_deref());
         let sink = out.map(|path| Sink::file(path, "--out")).transpose()?;
-        let record = Record(asked.ask(&study, &Prompt::of("steps"))?);
+        let found = asked.ask(&study, &Prompt::of("steps"))?;
         if let Some(sink) = sink {
-            record.write(sink)?;
+            let all = (0..found.survey.heights.len()).collect();
+            sink.put(csv(&rows(&found, all, |name| format!("h_{name}"))))?;
         }
-        let answer =
-            if self.json { Answer::json(&json!(record.0)) } else { Answer::text(record.text(&asked)) };
-        Ok(Answer { complaint: record.complaint(), ..answer })
+        Ok(Answer::of(&found, self.json, |found| text(found, &asked)).but(complaint(&found)))
     }
 }
 
-impl Record {
-    fn variables(&self) -> &[String] {
-        &self.0.variables
-    }
-
-    /// A row of the initial point and of each step: n, the heights, the digits of the longest.
-    fn row(&self, index: usize) -> Option<Vec<String>> {
-        let heights = self.0.survey.heights.get(index)?;
+/// Of these steps: n, the heights, the digits of the longest.
+fn rows(found: &HeightsFound, steps: Vec<usize>, name: fn(&String) -> String) -> Rows {
+    let numbers = |step: usize| {
+        let heights = &found.survey.heights[step];
         let logarithms = heights.logarithms.iter().map(|h| fifteen_digits(*h).to_string());
-        let digits = [heights.longest().to_string()];
-        Some([heights.step.to_string()].into_iter().chain(logarithms).chain(digits).collect())
-    }
+        [heights.step.to_string()]
+            .into_iter()
+            .chain(logarithms)
+            .chain([heights.longest().to_string()])
+            .collect()
+    };
+    let names = found.variables.iter().map(name);
+    headed(
+        ["n".to_owned()].into_iter().chain(names).chain(["digits".to_owned()]),
+        steps.into_iter().map(numbers),
+    )
+}
 
-    fn header(&self) -> Vec<String> {
-        let heights = self.variables().iter().map(|name| format!("h({name})"));
-        ["n".to_owned()].into_iter().chain(heights).chain(["digits".to_owned()]).collect()
+fn text(found: &HeightsFound, asked: &Question) -> String {
+    let all = found.survey.heights.len();
+    let shown = shown_rows(all);
+    let is_cut = shown.len() < all;
+    let mut lines = table(&rows(found, shown, |name| format!("h({name})")), 1);
+    if is_cut {
+        lines.push("(--json and --out have every step)".to_owned());
     }
+    lines.push(String::new());
+    let Survey { growth, entropy, .. } = &found.survey;
+    lines.push(format!("growth    {growth}"));
+    lines.push(match growth {
+        Growth::Exponential => format!("entropy   {entropy:.6} = log {:.4}", entropy.exp()),
+        _ => "entropy   0".to_owned(),
+    });
+    lines.push(format!("seconds   {:.3}", found.seconds.unwrap_or_default()));
+    lines.extend(note(found, asked));
+    lines.join("\n") + "\n"
+}
 
-    fn write(&self, mut sink: Sink) -> Result<(), Refusal> {
-        let names = self.variables().iter().map(|name| format!("h_{name}"));
-        let names: Vec<String> =
-            ["n".to_owned()].into_iter().chain(names).chain(["digits".to_owned()]).collect();
-        sink.write(&(names.join(",") + "\n"))?;
-        for row in (0..self.0.survey.heights.len()).filter_map(|index| self.row(index)) {
-            sink.write(&(row.join(",") + "\n"))?;
+/// Which bound ended the orbit, and what to do about it.
+fn note(found: &HeightsFound, asked: &Question) -> Option<String> {
+    let (bound, way_out) = match found.survey.stopped? {
+        Stop::Pole => return None,
+        Stop::Digits => (
+            format!("the next point would have more than --max-digits {} decimal digits", asked.max_digits),
+            "a larger --max-digits",
+        ),
+        Stop::Seconds => {
+            (format!("the next step would end later than --seconds {}", asked.seconds), "a larger --seconds")
         }
-        Ok(sink.finish()?)
-    }
+    };
+    let (done, wanted) = (found.steps(), asked.steps);
+    Some(format!("note      stopped after {done} of {wanted} steps: {bound}; {way_out} goes further"))
+}
 
-    fn text(&self, asked: &Question) -> String {
-        let shown = shown_rows(self.0.survey.heights.len());
-        let is_cut = shown.len() < self.0.survey.heights.len();
-        let mut rows = vec![self.header()];
-        rows.extend(shown.into_iter().filter_map(|index| self.row(index)));
-        let mut lines = table(&rows, 1);
-        if is_cut {
-            lines.push("(--json and --out have every step)".to_owned());
-        }
-        lines.push(String::new());
-        let Survey { growth, entropy, .. } = &self.0.survey;
-        lines.push(format!("growth    {growth}"));
-        lines.push(match growth {
-            Growth::Exponential => format!("entropy   {entropy:.6} = log {:.4}", entropy.exp()),
-            _ => "entropy   0".to_owned(),
-        });
-        lines.push(format!("seconds   {:.3}", self.0.seconds.unwrap_or_default()));
-        lines.extend(self.note(asked));
-        lines.join("\n") + "\n"
-    }
-
-    /// Which bound ended the orbit, and what to do about it.
-    fn note(&self, asked: &Question) -> Option<String> {
-        let (bound, way_out) = match self.0.survey.stopped? {
-            Stop::Pole => return None,
-            Stop::Digits => (
-                format!(
-                    "the next point would have more than --max-digits {} decimal digits",
-                    asked.max_digits
-                ),
-                "a larger --max-digits",
-            ),
-            Stop::Seconds => (
-                format!("the next step would end later than --seconds {}", asked.seconds),
-                "a larger --seconds",
-            ),
-        };
-        let (done, wanted) = (self.0.steps(), asked.steps);
-        Some(format!("note      stopped after {done} of {wanted} steps: {bound}; {way_out} goes further"))
-    }
-
-    fn complaint(&self) -> Option<String> {
-        let pole = self.0.pole?;
-        let (step, name) = (self.0.steps(), &self.0.system);
-        Some(if pole == NoStep::Unreduced {
-            format!(
-                "det A = 0 at step {step} of the orbit, which counts as a pole of the map of {name}: its closed form is beyond \
-                 the budget of {TERM_BUDGET} terms, so it is not reduced, and it may have a value there"
-            )
-        } else {
-            format!(
-                "the orbit ends at step {step} in a pole of the map of {name}: det A = 0 there, and the next point has no value"
-            )
-        })
-    }
+fn complaint(found: &HeightsFound) -> Option<String> {
+    let pole = found.pole?;
+    let (step, name) = (found.steps(), &found.system);
+    Some(if pole == NoStep::Unreduced {
+        format!(
+            "det A = 0 at step {step} of the orbit, which counts as a pole of the map of {name}: its closed form is beyond \
+             the budget of {TERM_BUDGET} terms, so it is not reduced, and it may have a value there"
+        )
+    } else {
+        format!(
+            "the orbit ends at step {step} in a pole of the map of {name}: det A = 0 there, and the next point has no value"
+        )
+    })
 }
 
 /// The rows of a table that fits a screen: all of a short one; of a long one the first, then ever

@@ -3,8 +3,10 @@
 use std::fmt;
 
 use clap::{Args, FromArgMatches};
-use kahan_algebra::rational::Rational;
+use kahan_study::numbers::number;
 use kahan_study::{Question, Study};
+use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::{
     chart::Chart,
@@ -30,13 +32,15 @@ pub(crate) trait Asking: Args + FromArgMatches {
     /// The command's name.
     const COMMAND: &'static str;
     /// What it asks.
-    type Question: PartialEq;
+    type Question: PartialEq + Serialize;
 
     /// What is asked, and of which field.
     fn asked(&self) -> Result<(Study, Self::Question), Refusal>;
 
     /// The line with the options that ask this; what is as usual is left out.
-    fn options(asked: &Self::Question, line: Line) -> Line;
+    fn options(asked: &Self::Question, line: Line) -> Line {
+        line.saying::<Self>(asked)
+    }
 
     /// The call that asks this about the system that these words name.
     fn call(system: &[String], asked: &Self::Question) -> Line {
@@ -78,9 +82,27 @@ impl Line {
         }
     }
 
-    /// With a first point.
-    pub(crate) fn at(self, at: &[Rational]) -> Self {
-        self.with("--at", at.iter().map(ToString::to_string).collect::<Vec<_>>().join(","))
+    /// With the options of a command that say what a question has unlike the usual: an argument
+    /// has the name of the field that it is about.
+    pub(crate) fn saying<A: Args>(self, asked: &impl Serialize) -> Self {
+        let command = A::augment_args(clap::Command::new(self.command));
+        let fields = json!(asked);
+        let said = fields.as_object().into_iter().flatten().filter_map(|(name, value)| {
+            let argument = command.get_arguments().find(|argument| argument.get_id() == name)?;
+            let usual: Vec<&str> =
+                argument.get_default_values().iter().filter_map(|of| of.to_str()).collect();
+            Some((format!("--{}", argument.get_long()?), usual.join(","), value))
+        });
+        said.fold(self, |line, (option, usual, value)| match value {
+            Value::Null | Value::Bool(false) => line,
+            Value::Bool(true) => line.with_flag(&option),
+            value => {
+                let value = words(value);
+                let is_usual =
+                    value == usual || number(&value).is_ok_and(|value| number(&usual) == Ok(value));
+                line.unless(is_usual, &option, value)
+            }
+        })
     }
 
     /// With one more option.
@@ -106,6 +128,16 @@ impl Line {
     }
 }
 
+/// A value as an option has it: a list with commas, an axis as `NAME=RANGE`.
+fn words(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Array(list) => list.iter().map(words).collect::<Vec<_>>().join(","),
+        Value::Object(axis) => axis.values().map(words).collect::<Vec<_>>().join("="),
+        other => other.to_string(),
+    }
+}
+
 impl fmt::Display for Line {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "kahan {}", self.command)?;
@@ -126,6 +158,7 @@ mod tests {
     use super::super::picture::shown::What;
     use super::super::picture::starts::{At, Spread};
     use super::*;
+    use kahan_algebra::rational::Rational;
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
@@ -209,6 +242,10 @@ mod tests {
         let over = What::Over(through("eps", "1/10:1:+1/40"), 77);
         let over = Shown { what: over, eps: None, ..plain.clone() };
         let rich = Shown { at: line, spread, axes, windows, lines: true, ..plain.clone() };
-        reads_back::<Picture>([plain, section, heights, over, rich]);
+        for asked in [plain, section, heights, over, rich] {
+            let line = Picture::call(&["lv".to_owned()], &asked);
+            let read: Picture = read(&line);
+            assert!(read.asked().expect("a picture").1 == asked, "{line}");
+        }
     }
 }

@@ -1,10 +1,9 @@
 //! `kahan list`: the catalog in one table.
 
 use clap::Args;
-use kahan_study::{Systems, list};
-use serde_json::json;
+use kahan_study::{Listed, Systems, list};
 
-use crate::printing::layout::{Rows, table};
+use crate::printing::layout::{headed, table};
 use crate::printing::{Answer, Refusal};
 
 /// Lists the systems of the catalog.
@@ -21,23 +20,22 @@ pub(crate) struct List {
 impl List {
     /// The table, or the catalog as one object.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let listed = list(&Systems)?;
-        if self.json {
-            return Ok(Answer::json(&json!(listed)));
-        }
-        let row = |name: &str, variables: String, parameters: &[String], claims: &[String], title: &str| {
-            vec![name.to_owned(), variables, parameters.join(","), claims.len().to_string(), title.to_owned()]
-        };
-        let systems = listed
-            .systems
-            .iter()
-            .map(|one| row(one.name, one.variables.join(","), &one.parameters, &one.claims, one.title));
-        let families = listed.families.iter().map(|one| {
-            let arrays: Vec<String> = one.arrays.iter().map(|array| format!("{array}[i]")).collect();
-            row(one.name, arrays.join(","), &one.parameters, &one.claims, one.title)
-        });
-        let headings = ["name", "variables", "parameters", "claims", "title"].map(str::to_owned);
-        let rows: Rows = [headings.to_vec()].into_iter().chain(systems).chain(families).collect();
-        Ok(Answer::text(table(&rows, 1).join("\n") + "\n"))
+        Ok(Answer::of(&list(&Systems)?, self.json, text))
     }
+}
+
+fn text(listed: &Listed) -> String {
+    let row = |name: &str, variables: String, parameters: &[String], claims: &[String], title: &str| {
+        vec![name.to_owned(), variables, parameters.join(","), claims.len().to_string(), title.to_owned()]
+    };
+    let systems = listed
+        .systems
+        .iter()
+        .map(|one| row(one.name, one.variables.join(","), &one.parameters, &one.claims, one.title));
+    let families = listed.families.iter().map(|one| {
+        let arrays: Vec<String> = one.arrays.iter().map(|array| format!("{array}[i]")).collect();
+        row(one.name, arrays.join(","), &one.parameters, &one.claims, one.title)
+    });
+    let headings = ["name", "variables", "parameters", "claims", "title"];
+    table(&headed(headings, systems.chain(families)), 1).join("\n") + "\n"
 }

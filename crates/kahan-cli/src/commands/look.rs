@@ -3,11 +3,23 @@
 use std::path::Path;
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_draw::{Drawing, Format, NoFile, Sheet, Theme};
 
 use super::line::Line;
 use crate::printing::Refusal;
+use crate::reading::one_of;
+
+/// The themes for screens.
+const SCREENS: [Theme; 3] = [Theme::Viewer, Theme::Light, Theme::Dark];
+
+/// Their names.
+fn screen(theme: Theme) -> &'static str {
+    match theme {
+        Theme::Light => "light",
+        Theme::Dark => "dark",
+        Theme::Viewer | Theme::Paper => "viewer",
+    }
+}
 
 /// What a picture is drawn on.
 #[derive(Args, Clone, Debug, PartialEq)]
@@ -17,21 +29,12 @@ pub(crate) struct SheetOptions {
     size: Option<(u32, u32)>,
 
     /// light, dark, or as the viewer has it.
-    #[arg(long, value_parser = theme(), default_value = "viewer", hide_possible_values = true)]
+    #[arg(long, value_parser = one_of(&SCREENS, |theme| screen(theme).into()), default_value = "viewer", hide_possible_values = true)]
     theme: Theme,
 
     /// For print: black on white in thin lines, as wide as a column.
     #[arg(long, conflicts_with = "theme")]
     paper: bool,
-}
-
-/// Reads the name of a theme for screens.
-fn theme() -> impl TypedValueParser<Value = Theme> {
-    PossibleValuesParser::new(["viewer", "light", "dark"]).map(|name| match name.as_str() {
-        "light" => Theme::Light,
-        "dark" => Theme::Dark,
-        _ => Theme::Viewer,
-    })
 }
 
 /// Width and height, in the proportions that axes have room in.
@@ -54,11 +57,7 @@ impl SheetOptions {
     /// The line with the options that ask for this.
     pub(super) fn options(&self, line: Line) -> Line {
         let line = line.with_some("--size", self.size.map(|(width, height)| format!("{width}x{height}")));
-        let line = match self.theme {
-            Theme::Light => line.with("--theme", "light"),
-            Theme::Dark => line.with("--theme", "dark"),
-            Theme::Viewer | Theme::Paper => line,
-        };
+        let line = line.unless(screen(self.theme) == "viewer", "--theme", screen(self.theme));
         if self.paper { line.with_flag("--paper") } else { line }
     }
 

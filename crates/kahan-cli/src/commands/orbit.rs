@@ -9,15 +9,15 @@ mod rows;
 use std::path::PathBuf;
 
 use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::PossibleValue;
 use kahan_algebra::rational::Rational;
+use kahan_study::numbers::ScalarKind;
 use kahan_study::{Method, Orbit as Question, Study};
 use serde_json::json;
 
-use super::line::{Asking, Line};
-use crate::numbers::{ScalarKind, scalar};
+use super::line::Asking;
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Start, whole};
+use crate::reading::{Start, one_of, order, scalar, whole};
 use chain::is_array;
 
 /// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
@@ -50,7 +50,7 @@ pub(crate) struct Orbit {
     begin: Option<String>,
 
     /// The number of steps; 0 prints the first point.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, MOST))]
     steps: u64,
 
     /// The numbers to compute with.
@@ -62,14 +62,14 @@ pub(crate) struct Orbit {
     /// Order 2 is Kahan's map; orders 4, 6 and 8, over floats only, compose 5, 9 and 17 steps of it
     /// into one. A composition keeps no integral that depends on eps: its column then oscillates
     /// about a value.
-    #[arg(long, value_name = "P", default_value = "2", value_parser = PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse::<u32>().unwrap_or(2)))]
+    #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
     order: u32,
 
     /// What a step is; each takes the time 2 eps.
     ///
     /// Other methods are there to compare Kahan's map with. `euler` and `rk4` are explicit steps on
     /// the field. `flow` is the solution, by Taylor series in double-double, up to 8 variables.
-    #[arg(long, value_name = "M", value_parser = method(), default_value = "kahan")]
+    #[arg(long, value_name = "M", value_parser = one_of(&Method::ALL, |of| PossibleValue::new(of.name()).help(of.meaning())), default_value = "kahan")]
     method: Method,
 
     /// Go on at poles, through points at infinity.
@@ -84,7 +84,7 @@ pub(crate) struct Orbit {
     projective: bool,
 
     /// Print every K-th point only: n = 0, K, 2K, ….
-    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = positive_count)]
+    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST))]
     every: u64,
 
     /// Write the table to this file, or to F.npy the states of a chain.
@@ -120,23 +120,6 @@ Examples:
 /// Rows count steps in 64 bits with a sign.
 const MOST: u64 = i64::MAX as u64;
 
-fn count(text: &str) -> Result<u64, String> {
-    whole(text, 0, MOST)
-}
-
-fn positive_count(text: &str) -> Result<u64, String> {
-    whole(text, 1, MOST)
-}
-
-/// Reads what a step is.
-fn method() -> impl TypedValueParser<Value = Method> {
-    let names = Method::ALL.map(|method| PossibleValue::new(method.name()).help(method.meaning()));
-    PossibleValuesParser::new(names).map(|name| {
-        let method = Method::ALL.into_iter().find(|method| method.name() == name);
-        method.expect("clap takes no other names")
-    })
-}
-
 impl Asking for Orbit {
     const COMMAND: &str = "orbit";
     type Question = Question;
@@ -144,17 +127,6 @@ impl Asking for Orbit {
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
         Ok((study, self.question(eps, at)))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, at, steps, every, scalar, order, method, projective } = asked;
-        let usual = Question::new(eps.clone(), at.clone(), *steps);
-        let line = line.with("--eps", eps).at(at).with("--steps", steps);
-        let line = line.unless(*every == usual.every, "--every", every);
-        let line = line.unless(*scalar == usual.scalar, "--scalar", scalar.name());
-        let line = line.unless(*order == usual.order, "--order", order);
-        let line = line.unless(*method == usual.method, "--method", method.name());
-        if *projective { line.with_flag("--projective") } else { line }
     }
 }
 

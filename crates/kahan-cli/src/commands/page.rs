@@ -12,6 +12,7 @@ use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_study::{Scene, Study};
+use kahan_systems::entry::Entry;
 use maud::{Markup, html};
 
 use super::atlas::{index_in, today};
@@ -82,11 +83,10 @@ impl Page {
         let variables = study.variables();
         let subject =
             Subject { valued: &valued, kept: &valued, generic: &generic, variables, scene: &scene, seconds };
-        let chapters = chapters(&subject, &block);
-        let page = Written { block: &block, study, scene: &scene };
+        let chapters = chapters(&subject);
         let again = self.line(&block);
         let making = Making { date: today(), seconds: clock.elapsed().as_secs_f64() };
-        let text = page.document(&chapters, &again, &making);
+        let text = written(&subject, block.entry, &chapters, &again, &making);
         Sink::file(&path, "--out")?.put(&text)?;
         Ok(Answer::text(format!(
             "{} written: {:.2} MB, {:.1} s\n",
@@ -134,7 +134,7 @@ struct Chapter {
 }
 
 /// All parts, one after the other.
-fn chapters(subject: &Subject<'_>, block: &Block) -> Vec<Chapter> {
+fn chapters(subject: &Subject<'_>) -> Vec<Chapter> {
     let (generic, valued) = (subject.generic.study.system(), &subject.valued.study);
     let progress = Prompt::stages();
     let mut chapters = Vec::new();
@@ -142,7 +142,7 @@ fn chapters(subject: &Subject<'_>, block: &Block) -> Vec<Chapter> {
         progress.say(title);
         chapters.push(Chapter { id, title, body: make() });
     };
-    chapter("formulas", "Formulas", &|| findings::formulas(subject, block, generic));
+    chapter("formulas", "Formulas", &|| subject.formulas());
     progress.say("What the map preserves");
     let search = Search::of(subject, generic.field.dimension());
     chapter("found", "What the map preserves", &|| search.chapter());
@@ -158,62 +158,55 @@ fn chapters(subject: &Subject<'_>, block: &Block) -> Vec<Chapter> {
     chapters
 }
 
-/// What the page is about.
-struct Written<'a> {
-    block: &'a Block,
-    study: &'a Study,
-    scene: &'a Scene,
+/// The whole page.
+fn written(
+    subject: &Subject<'_>,
+    entry: Option<&Entry>,
+    chapters: &[Chapter],
+    again: &Line,
+    making: &Making,
+) -> String {
+    let study = &subject.valued.study;
+    let title = match entry {
+        Some(entry) => format!("{} and its Kahan map", entry.name),
+        None if study.system().header.is_some() => format!("{} and its Kahan map", study.name()),
+        None => "A field and its Kahan map".to_owned(),
+    };
+    let body = html! {
+        header {
+            h1 { (title) }
+            (introduction(subject))
+            (command(again))
+        }
+        nav aria-label="Contents" {
+            h2 { "Contents" }
+            ol { @for chapter in chapters { li { a href=(format!("#{}", chapter.id)) { (chapter.title) } } } }
+        }
+        main {
+            @for chapter in chapters { section id=(chapter.id) { h2 { (chapter.title) } (chapter.body) } }
+        }
+        (colophon(making, &html! { code { (again) } }))
+    };
+    document(&title, ("formulas", "the formulas"), &body)
 }
 
-impl Written<'_> {
-    fn document(&self, chapters: &[Chapter], again: &Line, making: &Making) -> String {
-        let title = self
-            .block
-            .entry
-            .map_or_else(|| self.own_title(), |entry| format!("{} and its Kahan map", entry.name));
-        let body = html! {
-            header {
-                h1 { (title) }
-                (self.introduction())
-                (command(again))
-            }
-            nav aria-label="Contents" {
-                h2 { "Contents" }
-                ol { @for chapter in chapters { li { a href=(format!("#{}", chapter.id)) { (chapter.title) } } } }
-            }
-            main {
-                @for chapter in chapters { section id=(chapter.id) { h2 { (chapter.title) } (chapter.body) } }
-            }
-            (colophon(making, &html! { code { (again) } }))
-        };
-        document(&title, ("formulas", "the formulas"), &body)
-    }
-
-    fn own_title(&self) -> String {
-        if self.study.system().header.is_some() {
-            format!("{} and its Kahan map", self.study.name())
-        } else {
-            "A field and its Kahan map".to_owned()
+fn introduction(subject: &Subject<'_>) -> Markup {
+    let (study, scene) = (&subject.valued.study, subject.scene);
+    let values = study.fixed().into_iter();
+    let values: Vec<String> = values.map(|(name, value)| format!("{name} = {value}")).collect();
+    let start: Vec<String> = scene.start.iter().map(ToString::to_string).collect();
+    html! {
+        @if let Some(title) = study.title() { p.lead { (readable(title)) } }
+        p.lead {
+            "Kahan’s method turns this quadratic differential equation into a rational map that can be run forwards and "
+            "backwards. All that stands here was computed from the equations when the page was written, and under each figure "
+            "stands the command that makes it again."
         }
-    }
-
-    fn introduction(&self) -> Markup {
-        let values = self.study.fixed().into_iter();
-        let values: Vec<String> = values.map(|(name, value)| format!("{name} = {value}")).collect();
-        let start: Vec<String> = self.scene.start.iter().map(ToString::to_string).collect();
-        html! {
-            @if let Some(entry) = self.block.entry { p.lead { (readable(entry.title)) } }
-            p.lead {
-                "Kahan’s method turns this quadratic differential equation into a rational map that can be run forwards and "
-                "backwards. All that stands here was computed from the equations when the page was written, and under each figure "
-                "stands the command that makes it again."
-            }
-            p {
-                "The figures are at ε = " (self.scene.eps) ", half the time step, and begin at (" (start.join(", ")) ")"
-                @if !values.is_empty() { ", with " (values.join(", ")) }
-                "."
-                @if !self.scene.stays { " This orbit does not stay: it reaches a pole or grows beyond a thousand times its first size." }
-            }
+        p {
+            "The figures are at ε = " (scene.eps) ", half the time step, and begin at (" (start.join(", ")) ")"
+            @if !values.is_empty() { ", with " (values.join(", ")) }
+            "."
+            @if !scene.stays { " This orbit does not stay: it reaches a pole or grows beyond a thousand times its first size." }
         }
     }
 }

@@ -5,14 +5,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_core::periodic::{Branch, PeriodicPoint};
+use kahan_draw::document::Rows;
 use kahan_draw::picture::{Look, branch};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
-use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use super::look::{SheetOptions, file, format, usual};
-use crate::printing::layout::{Rows, table};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::printing::layout::{headed, table};
+use crate::printing::{Answer, Prompt, Refusal, Sink, csv};
 use crate::reading::{Start, over, whole};
 
 /// Finds a periodic point near a first one: its multipliers, and how it changes.
@@ -37,7 +37,7 @@ pub(crate) struct Periodic {
     start: Start,
 
     /// A multiple of the period; the smallest period is told.
-    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = period)]
+    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, 200_usize))]
     period: usize,
 
     /// What changes, a parameter or eps: NAME=FROM:TO:COUNT, or :+STEP.
@@ -65,10 +65,6 @@ Examples:
   kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
   kahan periodic --field 'xdot = a - x^2;' --param a=1 --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg";
 
-fn period(text: &str) -> Result<usize, String> {
-    whole(text, 1, 200)
-}
-
 impl Asking for Periodic {
     const COMMAND: &str = "periodic";
     type Question = Question;
@@ -79,13 +75,6 @@ impl Asking for Periodic {
         let axis = axis.transpose()?;
         let (study, at, eps) = self.start.study_without_values()?;
         Ok((study, Question { eps, at, period: self.period, over: axis }))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, at, period, over } = asked;
-        let line = line.with_some("--eps", eps.as_ref()).at(at);
-        let line = line.unless(*period == 1, "--period", period);
-        line.with_some("--over", over.as_ref().map(|axis| format!("{}={}", axis.name, axis.range)))
     }
 }
 
@@ -106,119 +95,96 @@ impl Periodic {
             Err(why @ StudyError::LongCycle { .. }) => {
                 return Err(Refusal::new(format!("--period {}: {why}", self.period)));
             }
-            found => Found(found?),
+            found => found?,
         };
         if let Some(sink) = sink {
             match format {
                 Some(format) => {
-                    let picture = branch(&found.0, &Look::on(self.look.sheet(usual())));
+                    let picture = branch(&found, &Look::on(self.look.sheet(usual())));
                     sink.put(file(&picture.drawing, format)?)?;
                 }
-                None => sink.put(found.csv())?,
+                None => sink.put(csv(&points(&found)))?,
             }
         }
-        Ok(if self.json { Answer::json(&json!(found.0)) } else { Answer::text(found.text()) })
+        Ok(Answer::of(&found, self.json, text))
     }
 }
 
-/// What was found.
-struct Found(CycleFound);
-
-impl Found {
-    fn variables(&self) -> &[String] {
-        &self.0.variables
-    }
-
-    /// What changes along the branch.
-    fn name(&self) -> &str {
-        self.0.branch.as_ref().map_or("", |(name, _)| name)
-    }
-
-    fn branch(&self) -> Option<&Branch> {
-        self.0.branch.as_ref().map(|(_, branch)| branch)
-    }
-
-    fn text(&self) -> String {
-        let cycle = &self.0.cycle;
-        let mut lines = vec![
-            format!("period       {}", cycle.points.len()),
-            format!("stability    {}", cycle.stability()),
-            format!("multipliers  {}", multipliers(cycle)),
-            format!(
-                "family       {}",
-                match cycle.family {
-                    0 => "it stands alone".to_owned(),
-                    1 => "1 direction leads to neighbours of the same period".to_owned(),
-                    directions => format!("{directions} directions lead to neighbours of the same period"),
-                }
-            ),
-            format!("residual     {:.1e}", cycle.residual),
-            String::new(),
-        ];
-        let heading = ["n".to_owned()].into_iter().chain(self.variables().iter().cloned()).collect();
-        let points = cycle.points.iter().enumerate().map(|(n, point)| {
-            [n.to_string()].into_iter().chain(point.iter().map(|x| format!("{x:?}"))).collect()
+fn text(found: &CycleFound) -> String {
+    let cycle = &found.cycle;
+    let mut lines = vec![
+        format!("period       {}", cycle.points.len()),
+        format!("stability    {}", cycle.stability()),
+        format!("multipliers  {}", multipliers(cycle)),
+        format!(
+            "family       {}",
+            match cycle.family {
+                0 => "it stands alone".to_owned(),
+                1 => "1 direction leads to neighbours of the same period".to_owned(),
+                directions => format!("{directions} directions lead to neighbours of the same period"),
+            }
+        ),
+        format!("residual     {:.1e}", cycle.residual),
+        String::new(),
+    ];
+    let points = cycle.points.iter().enumerate().map(|(n, point)| {
+        [n.to_string()].into_iter().chain(point.iter().map(|x| format!("{x:?}"))).collect()
+    });
+    lines.extend(table(&headed([&"n".to_owned()].into_iter().chain(&found.variables), points), 1));
+    if let Some(exact) = &found.exact {
+        let points = exact.points.iter().map(|point| {
+            format!("({})", point.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
         });
-        lines.extend(table(&[heading].into_iter().chain(points).collect::<Rows>(), 1));
-        if let Some(exact) = &self.0.exact {
-            let points = exact.points.iter().map(|point| {
-                format!("({})", point.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
-            });
-            lines.push(String::new());
-            lines.push(format!("proved exactly: {}", points.collect::<Vec<_>>().join(" → ")));
-            lines.push(format!(
-                "multipliers are the roots of {}: {}",
-                characteristic_polynomial(exact),
-                exact.stability
-            ));
-        }
-        if let Some(branch) = self.branch() {
-            lines.push(String::new());
-            lines.extend(table(&self.rows(branch), 1));
-            lines.push(String::new());
-            let name = self.name();
-            lines.extend(
-                branch
-                    .turns
-                    .iter()
-                    .map(|turn| format!("at {name} = {:.10}: {}", turn.parameter, turn.change)),
+        lines.push(String::new());
+        lines.push(format!("proved exactly: {}", points.collect::<Vec<_>>().join(" → ")));
+        lines.push(format!(
+            "multipliers are the roots of {}: {}",
+            characteristic_polynomial(exact),
+            exact.stability
+        ));
+    }
+    if let Some((name, branch)) = &found.branch {
+        lines.push(String::new());
+        lines.extend(table(&branch_rows(found, name, branch), 1));
+        lines.push(String::new());
+        lines.extend(
+            branch.turns.iter().map(|turn| format!("at {name} = {:.10}: {}", turn.parameter, turn.change)),
+        );
+        if branch.is_cut {
+            lines.push(
+                "the branch ends before the range does: at a pole, where cycles come together, or since it winds"
+                    .to_owned(),
             );
-            if branch.is_cut {
-                lines.push(
-                    "the branch ends before the range does: at a pole, where cycles come together, or since it winds"
-                        .to_owned(),
-                );
-            }
         }
-        lines.join("\n").trim_end().to_owned() + "\n"
     }
+    lines.join("\n").trim_end().to_owned() + "\n"
+}
 
-    /// A row a step of the branch, below headings.
-    fn rows(&self, branch: &Branch) -> Rows {
-        let head = [self.name().to_owned()];
-        let tail = ["stability", "multipliers"].map(str::to_owned);
-        let heading = head.into_iter().chain(self.variables().iter().cloned()).chain(tail).collect();
-        let rows = branch.points.iter().map(|point| {
-            let first = point.cycle.points[0].iter().map(|x| format!("{x:.8}"));
-            let tail = [point.cycle.stability().to_string(), multipliers(&point.cycle)];
-            [format!("{:.8}", point.parameter)].into_iter().chain(first).chain(tail).collect()
-        });
-        [heading].into_iter().chain(rows).collect()
-    }
+/// A row a step of the branch.
+fn branch_rows(found: &CycleFound, name: &str, branch: &Branch) -> Rows {
+    let rows = branch.points.iter().map(|point| {
+        let first = point.cycle.points[0].iter().map(|x| format!("{x:.8}"));
+        let tail = [point.cycle.stability().to_string(), multipliers(&point.cycle)];
+        [format!("{:.8}", point.parameter)].into_iter().chain(first).chain(tail).collect()
+    });
+    let variables = found.variables.iter().map(String::as_str);
+    headed([name].into_iter().chain(variables).chain(["stability", "multipliers"]), rows)
+}
 
-    /// All points of each cycle, one behind the other.
-    fn csv(&self) -> String {
-        let name = self.name();
-        let mut text = format!("{name},n,{},stability\n", self.variables().join(","));
-        for point in self.branch().into_iter().flat_map(|branch| &branch.points) {
-            for (n, x) in point.cycle.points.iter().enumerate() {
-                let numbers: Vec<String> = x.iter().map(|x| format!("{x:?}")).collect();
-                text +=
-                    &format!("{:?},{n},{},{}\n", point.parameter, numbers.join(","), point.cycle.stability());
-            }
-        }
-        text
-    }
+/// All points of each cycle of the branch, one behind the other.
+fn points(found: &CycleFound) -> Rows {
+    let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));
+    let points = branch.into_iter().flat_map(|branch| &branch.points);
+    let rows = points.flat_map(|point| {
+        let row = |(n, x): (usize, &Vec<f64>)| {
+            let numbers = x.iter().map(|x| format!("{x:?}"));
+            let before = [format!("{:?}", point.parameter), n.to_string()];
+            before.into_iter().chain(numbers).chain([point.cycle.stability().to_string()]).collect()
+        };
+        point.cycle.points.iter().enumerate().map(row)
+    });
+    let variables = found.variables.iter().map(String::as_str);
+    headed([name, "n"].into_iter().chain(variables).chain(["stability"]), rows)
 }
 
 fn multipliers(cycle: &PeriodicPoint) -> String {

@@ -12,7 +12,7 @@ use kahan_draw::picture::Picture as Drawing;
 use kahan_study::{Spacing, Study};
 use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Line;
 use super::look::{SheetOptions, file, format};
 use crate::printing::{Answer, Refusal, Sink};
 use crate::reading::{Source, number, over, seconds, whole};
@@ -52,7 +52,7 @@ pub(crate) struct Picture {
     /// So many first points for each --at: along its line, or random ones around it.
     ///
     /// Random ones are at most --radius away in each coordinate, and follow --seed.
-    #[arg(long, value_name = "K", value_parser = count)]
+    #[arg(long, value_name = "K", value_parser = whole(1, 100_000_usize))]
     starts: Option<usize>,
 
     /// How far a random start is from --at, in each coordinate.
@@ -64,7 +64,7 @@ pub(crate) struct Picture {
     seed: u64,
 
     /// The number of steps of each orbit.
-    #[arg(long, value_name = "N", value_parser = steps)]
+    #[arg(long, value_name = "N", value_parser = whole(0, u64::MAX))]
     steps: u64,
 
     /// The file, F.svg, F.png or F.pdf, which appears when it is complete.
@@ -88,7 +88,7 @@ pub(crate) struct Picture {
     over: Option<String>,
 
     /// Steps of an orbit diagram before what it shows.
-    #[arg(long, value_name = "N", default_value = "1000", value_parser = steps)]
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = whole(0, u64::MAX))]
     transient: u64,
 
     /// Joins the points of an orbit by lines.
@@ -131,19 +131,9 @@ enum Kind {
     OrbitsOver,
 }
 
-fn count(text: &str) -> Result<usize, String> {
-    whole(text, 1, 100_000)
-}
-
-fn steps(text: &str) -> Result<u64, String> {
-    whole(text, 0, u64::MAX)
-}
-
-impl Asking for Picture {
-    const COMMAND: &str = "picture";
-    type Question = Shown;
-
-    fn asked(&self) -> Result<(Study, Shown), Refusal> {
+impl Picture {
+    /// What is drawn, and of which field.
+    pub(super) fn asked(&self) -> Result<(Study, Shown), Refusal> {
         let kind = self.kind()?;
         let study = self.source.study()?;
         // A false claim is told before a number that is missing.
@@ -185,7 +175,9 @@ impl Asking for Picture {
         Ok((study, shown))
     }
 
-    fn options(asked: &Shown, line: Line) -> Line {
+    /// The call that draws this of the system that these words name; what is as usual is left out.
+    pub(super) fn call(system: &[String], asked: &Shown) -> Line {
+        let line = Line::new("picture", system);
         let Shown { what, eps, at, spread, steps, axes, windows, lines, seconds, look, out } = asked;
         let usual = Spread::default();
         let line = line.with_some("--eps", eps.as_ref());
@@ -210,9 +202,7 @@ impl Asking for Picture {
         let line = look.options(line.unless(*seconds == 60.0, "--seconds", format!("{seconds:?}")));
         line.with("--out", out.display())
     }
-}
 
-impl Picture {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let kind = self.kind()?;

@@ -1,15 +1,12 @@
 //! `kahan poles`: what happens after a map sends a curve to infinity or blows it down.
 
 use clap::Args;
-use kahan_algebra::symbols::Symbols;
-use kahan_discover::Poles as Found;
-use kahan_discover::poles::Pattern;
+use kahan_draw::answer::poles;
 use kahan_study::{Poles as Question, PolesFound, Study};
-use serde_json::json;
 
-use super::line::{Asking, Line};
-use crate::printing::layout::{Rows, table};
-use crate::printing::{Answer, Prompt, Refusal, shorten};
+use super::line::Asking;
+use crate::printing::layout::table;
+use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Source, number, seconds, whole};
 
 /// Follows what a map sends to infinity or blows down: whether it comes back, and when.
@@ -34,7 +31,7 @@ pub(crate) struct Poles {
     eps: Option<String>,
 
     /// How many steps each curve is followed.
-    #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = steps)]
+    #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = whole(1, 100_usize))]
     steps: usize,
 
     /// The time that the search may take; what is not finished then is undecided.
@@ -53,11 +50,6 @@ Examples:
   kahan poles e9 --param xi=-1 --steps 6 --json
   kahan poles --field 'xdot = y; ydot = 6*x^2 - a;'";
 
-/// A whole number of steps that series modulo a prime can follow.
-fn steps(text: &str) -> Result<usize, String> {
-    whole(text, 1, 100)
-}
-
 impl Asking for Poles {
     const COMMAND: &str = "poles";
     type Question = Question;
@@ -66,59 +58,21 @@ impl Asking for Poles {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         Ok((self.source.study()?, Question { eps, steps: self.steps, seconds: self.seconds }))
     }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, steps, seconds } = asked;
-        let usual = Question::default();
-        let line = line.with_some("--eps", eps.as_ref());
-        let line = line.unless(*steps == usual.steps, "--steps", steps);
-        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
-    }
 }
 
 impl Poles {
     /// The patterns.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
-        let found = patterns(&study, &asked)?;
-        Ok(if self.json { Answer::json(&json!(found)) } else { Answer::text(text(&found)) })
+        let found = asked.ask(&study, &Prompt::stages())?;
+        Ok(Answer::of(&found, self.json, text))
     }
-}
-
-/// The patterns, with the stages on the terminal.
-pub(super) fn patterns(study: &Study, asked: &Question) -> Result<PolesFound, Refusal> {
-    Ok(asked.ask(study, &Prompt::stages())?)
-}
-
-/// A longer formula of a curve is cut in the table; JSON has it whole.
-const WIDEST: usize = 48;
-
-fn row(symbols: &Symbols, pattern: &Pattern, bound: usize) -> Vec<String> {
-    let images = pattern.images.iter().take(pattern.steps);
-    let images = images.map(|image| {
-        let dimension = image.dimension.to_string();
-        if image.is_infinite { dimension + "'" } else { dimension }
-    });
-    let verdict = match pattern.confined {
-        Some(true) if !pattern.is_blown_down() => "not blown down".to_owned(),
-        Some(true) => format!("confined after {} steps", pattern.steps),
-        Some(false) => format!("none within {bound} steps"),
-        None => "undecided".to_owned(),
-    };
-    vec![shorten(&pattern.name(symbols), WIDEST), verdict, images.collect::<Vec<_>>().join(" ")]
-}
-
-/// A row a pattern, below headings.
-pub(super) fn rows(found: &Found) -> Rows {
-    let headings = ["curve = 0", "what is lost comes back", "dimensions"].map(str::to_owned);
-    let patterns = found.patterns.iter().map(|pattern| row(&found.symbols, pattern, found.bound));
-    [headings.to_vec()].into_iter().chain(patterns).collect()
 }
 
 fn text(answer: &PolesFound) -> String {
     let PolesFound { system: name, found, growth: verdict, seconds } = answer;
     let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
-    let mut lines = table(&rows(found), 1);
+    let mut lines = table(&poles(answer).rows, 1);
     lines.push(String::new());
     lines.push("dimensions of the images, step by step; ' is at infinity".to_owned());
     lines.push(String::new());

@@ -4,7 +4,6 @@ use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{Proposal, Sight};
 use kahan_study::{Axis, Scan as Question, ScanFound, Spacing, Study};
-use serde_json::json;
 
 use super::line::{Asking, Line};
 use super::search::Search;
@@ -62,14 +61,11 @@ impl Asking for Scan {
     }
 
     fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, axes, degree, seconds } = asked;
-        let line = line.with_some("--eps", eps.as_ref());
-        let line = axes.iter().fold(line, |line, axis| match axis.name.as_str() {
+        let line = asked.axes.iter().fold(line, |line, axis| match axis.name.as_str() {
             "eps" => line.with("--eps", &axis.range),
             name => line.with("--param", format!("{name}={}", axis.range)),
         });
-        let line = line.with_some("--degree", degree.as_ref());
-        line.unless(*seconds == Question::new(Vec::new()).seconds, "--seconds", format!("{seconds:?}"))
+        line.saying::<Self>(asked)
     }
 }
 
@@ -78,7 +74,7 @@ impl Scan {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::of("points"))?;
-        Ok(if self.search.json { Answer::json(&json!(found)) } else { Answer::text(text(&found)) })
+        Ok(Answer::of(&found, self.search.json, text))
     }
 }
 

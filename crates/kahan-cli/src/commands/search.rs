@@ -19,7 +19,7 @@ pub(crate) struct Search {
     /// Where it is not given, the number of variables chooses: as high as some 200 monomials allow,
     /// in `scan` some 80; and `discover` goes on to higher degrees while integrals may be missing
     /// and there is time.
-    #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = degree)]
+    #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = whole(1, u32::MAX))]
     pub(crate) degree: Option<u32>,
 
     /// The time that the search may take.
@@ -33,9 +33,4 @@ pub(crate) struct Search {
     /// Print one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-/// A whole number that is a degree.
-fn degree(text: &str) -> Result<u32, String> {
-    whole(text, 1, u32::MAX)
 }

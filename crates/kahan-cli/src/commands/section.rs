@@ -3,13 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use kahan_study::{Section as Question, SectionFound, Side, Study};
 use serde_json::{Map, Value, json};
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table};
-use crate::reading::{Start, whole};
+use crate::reading::{Start, one_of, whole};
 
 /// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
 ///
@@ -26,7 +25,7 @@ pub(crate) struct Section {
     start: Start,
 
     /// The most steps of the orbit.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, 1_u64 << 53))]
     steps: u64,
 
     /// What vanishes on the section: z - 27, or x^2 + y^2 - 1.
@@ -34,11 +33,11 @@ pub(crate) struct Section {
     plane: String,
 
     /// Which crossings count: those where the formula grows, falls, or both.
-    #[arg(long, value_parser = side(), default_value = "rising")]
-    direction: Side,
+    #[arg(long = "direction", value_name = "DIRECTION", value_parser = one_of(&Side::ALL, |side| side.name().into()), default_value = "rising")]
+    side: Side,
 
     /// Stop after K crossings.
-    #[arg(long, value_name = "K", default_value = "100000", allow_hyphen_values = true, value_parser = points)]
+    #[arg(long, value_name = "K", default_value = "100000", allow_hyphen_values = true, value_parser = whole(1, 1_usize << 26))]
     points: usize,
 
     /// Write the table to this file, which appears when it is complete.
@@ -57,39 +56,15 @@ Examples:
   kahan section e6 --eps 0.05 --at 1,2,3 --plane 'x - y' --direction both --steps 1e4 --out e6.csv
   kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane y-x/2 --steps 99 --json";
 
-/// Reads which crossings count.
-fn side() -> impl TypedValueParser<Value = Side> {
-    PossibleValuesParser::new(Side::ALL.map(Side::name)).map(|name| {
-        let side = Side::ALL.into_iter().find(|side| side.name() == name);
-        side.expect("clap takes no other names")
-    })
-}
-
-fn steps(text: &str) -> Result<u64, String> {
-    whole(text, 1, 1 << 53)
-}
-
-fn points(text: &str) -> Result<usize, String> {
-    whole(text, 1, 1 << 26)
-}
-
 impl Asking for Section {
     const COMMAND: &str = "section";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let (plane, steps, side, points) = (self.plane.clone(), self.steps, self.direction, self.points);
+        let Section { ref plane, steps, side, points, .. } = *self;
+        let plane = plane.clone();
         Ok((study, Question { eps, at, steps, plane, side, points }))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { eps, at, steps, plane, side, points } = asked;
-        let usual = Question::new(eps.clone(), at.clone(), *steps, plane.clone());
-        let line = line.with("--eps", eps).at(at);
-        let line = line.with("--plane", plane).with("--steps", steps);
-        let line = line.unless(*side == usual.side, "--direction", side.name());
-        line.unless(*points == usual.points, "--points", points)
     }
 }
 
@@ -110,8 +85,7 @@ impl Section {
         if let Some(sink) = sink.or_else(|| (!self.json).then(Sink::standard)) {
             write(&found, sink)?;
         }
-        let answer = if self.json { Answer::json(&json!(found)) } else { Answer::text(String::new()) };
-        Ok(Answer { complaint, ..answer })
+        Ok(Answer::of(&found, self.json, |_| String::new()).but(complaint))
     }
 }
 

@@ -1,23 +1,20 @@
 //! `kahan trade`: speed against accuracy on one scene, and the cheapest setting that does.
 
-mod comparison;
-mod table;
+mod report;
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::PossibleValue;
 use kahan_core::Need;
-use kahan_draw::Sheet;
-use kahan_draw::picture::{Look, trade};
+use kahan_draw::picture::{Look, trade, trade_sheet};
 use kahan_study::Study;
-use kahan_study::trade::Trade as Question;
-use serde_json::json;
+use kahan_study::trade::{Trade as Question, need_name};
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use super::look::{SheetOptions, file, format};
-use crate::printing::{Answer, Refusal, Sink};
-use crate::reading::{Source, number, point, seconds};
-pub(super) use comparison::Comparison;
+use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::reading::{Source, number, one_of, point, seconds};
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
 ///
@@ -69,8 +66,8 @@ pub(crate) struct Trade {
     horizon: String,
 
     /// What the orbit is for.
-    #[arg(long, value_enum, default_value = "trajectory")]
-    need: NeedName,
+    #[arg(long, value_parser = one_of(&NEEDS, need), default_value = "trajectory")]
+    need: Need,
 
     /// The largest error that is accepted.
     #[arg(long, value_name = "TOL", default_value = "1e-8", allow_hyphen_values = true)]
@@ -100,17 +97,13 @@ Examples:
   kahan trade e6 --at 1,1/2,1/3 --horizon 1000 --need integrals --tolerance 1e-12
   kahan trade --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --at -1/2,1/5 --horizon 20 --json";
 
-/// What the picture is usually drawn on.
-pub(super) fn usual() -> Sheet {
-    Sheet::page(720, 480)
-}
+const NEEDS: [Need; 2] = [Need::Trajectory, Need::Integrals];
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum NeedName {
-    /// To follow the flow's trajectory.
-    Trajectory,
-    /// To keep the integrals.
-    Integrals,
+fn need(need: Need) -> PossibleValue {
+    PossibleValue::new(need_name(need)).help(match need {
+        Need::Trajectory => "To follow the flow's trajectory",
+        Need::Integrals => "To keep the integrals",
+    })
 }
 
 impl Asking for Trade {
@@ -124,23 +117,11 @@ impl Asking for Trade {
         let asked = Question {
             at: point(&self.at, study.variables())?,
             horizon: number(&self.horizon, "--horizon")?,
-            need: match self.need {
-                NeedName::Trajectory => Need::Trajectory,
-                NeedName::Integrals => Need::Integrals,
-            },
+            need: self.need,
             tolerance: number(&self.tolerance, "--tolerance")?,
             seconds: self.seconds,
         };
         Ok((study, asked))
-    }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        let Question { at, horizon, need, tolerance, seconds } = asked;
-        let usual = Question::new(at.clone(), horizon.clone());
-        let line = line.at(at).with("--horizon", horizon);
-        let line = line.unless(*need == usual.need, "--need", "integrals");
-        let line = line.unless(*tolerance == usual.tolerance, "--tolerance", tolerance);
-        line.unless(*seconds == usual.seconds, "--seconds", format!("{seconds:?}"))
     }
 }
 
@@ -150,13 +131,11 @@ impl Trade {
         let sink = |path: &PathBuf| Ok::<_, Refusal>((Sink::file(path, "--out")?, format(path)?));
         let sink = self.out.as_ref().map(sink).transpose()?;
         let (study, asked) = self.asked()?;
-        let comparison = Comparison::of(&study, &asked)?;
+        let traded = asked.ask(&study, &Prompt::of("settings"))?;
         if let Some((sink, format)) = sink {
-            let picture = trade(&comparison.0, &Look::on(self.look.sheet(usual())));
+            let picture = trade(&traded, &Look::on(self.look.sheet(trade_sheet())));
             sink.put(file(&picture.drawing, format)?)?;
         }
-        let answer =
-            if self.json { Answer::json(&json!(comparison.0)) } else { Answer::text(comparison.text()) };
-        Ok(Answer { complaint: comparison.complaint(), ..answer })
+        Ok(Answer::of(&traded, self.json, report::text).but(report::complaint(&traded)))
     }
 }

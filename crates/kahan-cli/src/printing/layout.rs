@@ -11,6 +11,7 @@ mod tests;
 use std::io::{IsTerminal, stdout};
 
 use kahan_algebra::render::lines;
+use kahan_draw::document::Rows;
 
 use super::output::{columns, widths};
 
@@ -53,8 +54,14 @@ fn total(widths: &[usize]) -> usize {
     widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)
 }
 
-/// The cells of a table, row by row.
-pub(crate) type Rows = Vec<Vec<String>>;
+/// Rows below headings.
+pub(crate) fn headed<H: ToString>(
+    headings: impl IntoIterator<Item = H>,
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> Rows {
+    let headings = headings.into_iter().map(|heading| heading.to_string()).collect();
+    [headings].into_iter().chain(rows).collect()
+}
 
 /// A table whose first row is its heading, as lines of the screen.
 ///

@@ -10,8 +10,9 @@ mod prompt;
 mod sink;
 mod table;
 
+pub(crate) use kahan_draw::document::shorten;
 pub(crate) use npy::Npy;
-pub(crate) use output::{Answer, Refusal, columns, finish, shorten, warn, widths};
+pub(crate) use output::{Answer, Refusal, columns, csv, finish, warn, widths};
 pub(crate) use prompt::Prompt;
 pub(crate) use sink::{Broken, Sink, has_room_for_progress};
 pub(crate) use table::{Format, Table};

@@ -4,7 +4,8 @@ use std::io::{self, ErrorKind, Write};
 
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::render::folded;
-use serde_json::Value;
+use serde::Serialize;
+use serde_json::json;
 
 use super::layout::terminal_width;
 
@@ -35,8 +36,18 @@ impl Answer {
     }
 
     /// One JSON object.
-    pub(crate) fn json(object: &Value) -> Self {
-        Answer::verbatim(format!("{object:#}\n"))
+    pub(crate) fn json(object: &impl Serialize) -> Self {
+        Answer::verbatim(format!("{:#}\n", json!(object)))
+    }
+
+    /// What was found, as one JSON object where that is asked for, or else as this text.
+    pub(crate) fn of<F: Serialize>(found: &F, as_json: bool, text: impl FnOnce(&F) -> String) -> Self {
+        if as_json { Answer::json(found) } else { Answer::text(text(found)) }
+    }
+
+    /// With a complaint, if there is one.
+    pub(crate) fn but(self, complaint: Option<String>) -> Self {
+        Answer { complaint, ..self }
     }
 }
 
@@ -106,6 +117,11 @@ pub(crate) fn widths<'a>(rows: impl IntoIterator<Item = &'a Vec<String>>) -> Vec
     widths
 }
 
+/// Rows of cells without commas as CSV.
+pub(crate) fn csv(rows: &[Vec<String>]) -> String {
+    rows.iter().map(|row| row.join(",") + "\n").collect()
+}
+
 /// The spaces that bring a cell to its width. (A format's own width ends at 65 535 characters.)
 fn gap(cell: &str, width: usize) -> String {
     " ".repeat(width.saturating_sub(cell.chars().count()))
@@ -116,13 +132,4 @@ pub(crate) fn columns(row: &[String], widths: &[usize]) -> String {
     let cells: Vec<String> =
         row.iter().zip(widths).map(|(cell, &width)| cell.clone() + &gap(cell, width)).collect();
     cells.join("  ").trim_end().to_owned()
-}
-
-/// At most `width` characters, the last of them `…` where something was cut off.
-pub(crate) fn shorten(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        return text.to_owned();
-    }
-    let kept: String = text.chars().take(width.saturating_sub(1)).collect();
-    format!("{}…", kept.trim_end())
 }

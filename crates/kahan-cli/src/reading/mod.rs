@@ -22,4 +22,4 @@ pub(crate) use points::{point, points};
 pub(crate) use range::{axis, over};
 pub(crate) use results::{columns, not_started, sweeper};
 pub(crate) use source::{Source, Start};
-pub(crate) use values::{number, observable, seconds, whole};
+pub(crate) use values::{number, observable, one_of, order, scalar, seconds, whole};

@@ -41,7 +41,7 @@ pub(crate) struct Source {
     ///
     /// The command writes the chain out, up to 200 variables; `orbit` with --start steps any
     /// number.
-    #[arg(long, value_name = "N", value_parser = sites)]
+    #[arg(long, value_name = "N", value_parser = whole(1, usize::MAX))]
     pub(super) sites: Option<usize>,
 
     /// The value of a parameter; once for each.
@@ -210,8 +210,4 @@ impl Source {
             ))
         })
     }
-}
-
-fn sites(text: &str) -> Result<usize, String> {
-    whole(text, 1, usize::MAX)
 }

@@ -47,4 +47,5 @@ fn bash_completes_systems_and_options() {
     assert_eq!(complete(&["kahan", "heights", "lv", "--max"]).trim(), "--max-digits");
     assert_eq!(complete(&["kahan", "dis"]).trim(), "discover");
     assert_eq!(complete(&["kahan", "eval", "--scalar", "e"]).trim(), "exact");
+    assert_eq!(complete(&["kahan", "dynamics", "--observe", "meg"]).trim(), "megno");
 }

@@ -85,6 +85,16 @@ fn the_examples_of_the_help_run() {
 }
 
 #[test]
+fn formulas_have_the_values_that_the_command_below_them_has() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let field = ["--field", "xdot = a*y; ydot = -x^2;", "--param", "a=3", "--seconds", "0.5"];
+    let page = page(folder.path(), &field);
+    let formulas = page.split_once("<section id=\"formulas\">").expect("formulas").1;
+    let (formulas, _) = formulas.split_once("</section>").expect("its end");
+    assert!(formulas.contains("<mn>3</mn><mi>y</mi>") && !formulas.contains("<mi>a</mi>"), "{formulas}");
+}
+
+#[test]
 fn a_page_is_well_formed_and_fetches_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let page = page(folder.path(), &["--field", "xdot = 1/4 - x^2;", "--seconds", "0.5"]);

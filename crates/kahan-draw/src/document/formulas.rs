@@ -1,62 +1,69 @@
-//! The formulas of a system as the library derives them from its field.
+//! The formulas of a field, and what is claimed of it, from the LaTeX of their answers.
 
-use kahan_algebra::kahan::RationalMap;
-use kahan_algebra::render::{Formulas, Notation, claim_statement};
+use kahan_algebra::render::Notation;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::{Claim, System};
 use kahan_latex::{Latex, breaking};
+use kahan_study::{ClaimShown, Sheet};
 use maud::{Markup, html};
 
 use super::math::{LINE, display, displays, inline};
+use super::readable::readable;
 
-/// The field, A and b, the determinant and the map, in lowest terms.
-pub fn derived(system: &System) -> Markup {
-    let map = RationalMap::of(&system.field);
-    let formulas = Formulas { field: &system.field, map: map.as_ref(), notation: &Latex };
-    let states: Vec<String> = system.field.symbols.states.iter().map(|state| Latex.name(state)).collect();
+/// ∂x̃/∂x and its determinant by A, in LaTeX.
+pub const JACOBIAN: &str = "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
+    \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
+    \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}";
+
+/// The field, A and b, the determinant, the map in lowest terms; b is left out where it is x. The
+/// sheet is one in LaTeX.
+pub fn formulas(sheet: &Sheet) -> Markup {
+    let states: Vec<String> = sheet.variables.iter().map(|state| Latex.name(state)).collect();
     let equations = |accent: &str, values: &[String]| -> Vec<String> {
         states.iter().zip(values).map(|(state, value)| format!("\\{accent}{{{state}}} = {value}")).collect()
     };
     html! {
         h4 { "Field" }
-        (displays(&equations("dot", &formulas.field()), LINE))
+        (displays(&equations("dot", &sheet.field), LINE))
         h4 { "Matrix" }
-        (display(&format!("A(x,\\varepsilon) = {}", matrix(&formulas.matrix())), LINE))
-        @if !is_homogeneous(system) {
-            (display(&format!("b(x,\\varepsilon) = {}", matrix(&column(formulas.rhs()))), LINE))
+        (display(&format!("A(x,\\varepsilon) = {}", matrix(&sheet.matrix)), LINE))
+        @if sheet.rhs != states {
+            @let column: Vec<_> = sheet.rhs.iter().map(|entry| vec![entry.clone()]).collect();
+            (display(&format!("b(x,\\varepsilon) = {}", matrix(&column)), LINE))
         }
-        @if let Some(determinant) = formulas.determinant() {
+        @if let Some(determinant) = &sheet.determinant {
             (display(&format!("\\det A(x,\\varepsilon) = {determinant}"), LINE))
         }
-        @if let Some(factor) = formulas.removed_factor() {
+        @if let Some(factor) = &sheet.removed_factor {
             p { "The map has no pole where " (inline(&format!("{factor} = 0"))) ", a factor that cancels." }
         }
-        @if let Some(map) = formulas.map() {
+        @if let Some(map) = &sheet.map {
             h4 { "Map" }
-            (displays(&equations("widetilde", &map), LINE))
+            (displays(&equations("widetilde", map), LINE))
         }
     }
 }
 
-/// Whether b is x.
-fn is_homogeneous(system: &System) -> bool {
-    let mut terms = system.field.components.iter().flat_map(|component| component.numerator.terms());
-    terms.all(|(monomial, _)| monomial.degree() >= 2)
-}
-
-/// What a claim says, a formula each.
-pub fn statements(claim: &Claim) -> Markup {
-    let index = match claim.kind {
-        ClaimKind::Bracket => format!("_{{{}}}", Latex.name(&claim.name.text)),
-        _ => String::new(),
+/// A claim: its kind, its condition and its source, what is said of it besides, and what it says, a
+/// formula each.
+pub fn claim(claim: &ClaimShown, besides: &Markup) -> Markup {
+    let is = |kind: ClaimKind| claim.kind == kind.keyword();
+    let (kind, index) = match &claim.name {
+        name if is(ClaimKind::Bracket) => ("Invariant Poisson bracket", format!("_{{{}}}", Latex.name(name))),
+        _ if is(ClaimKind::Density) => ("Invariant density", String::new()),
+        _ => ("Integral", String::new()),
     };
-    let statements = claim_statement(claim, &Latex).into_iter();
-    let formulas: Vec<String> = statements.map(|(left, right)| format!("{left}{index} = {right}")).collect();
-    displays(&formulas, LINE)
-}
-
-fn column(entries: Vec<String>) -> Vec<Vec<String>> {
-    entries.into_iter().map(|entry| vec![entry]).collect()
+    let formulas = claim.equations.iter().map(|(left, right)| format!("{left}{index} = {right}"));
+    html! {
+        div.preserved {
+            p.source {
+                (kind)
+                @if !claim.when.is_empty() { ", when " (readable(&claim.when)) }
+                @if let Some(source) = claim.source { "; " (readable(source)) }
+                (besides)
+            }
+            (displays(&formulas.collect::<Vec<_>>(), LINE))
+        }
+    }
 }
 
 fn matrix(rows: &[Vec<String>]) -> String {

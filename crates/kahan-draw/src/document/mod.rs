@@ -12,10 +12,10 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::plot::{Theme, style, variables};
 
-pub use formulas::{derived, statements};
+pub use formulas::{JACOBIAN, claim, formulas};
 pub use math::{COLUMN, LINE, cell, display, displays, inline};
-pub use readable::readable;
-pub use tables::rows;
+pub use readable::{readable, shorten};
+pub use tables::{Rows, Table, table_of_formulas};
 
 /// When a page is made, for its foot.
 #[derive(Clone, Debug)]

@@ -1,17 +1,64 @@
 //! Tables of words and numbers.
 
-use maud::{Markup, html};
+use maud::{Markup, Render, html};
 
-/// A table whose first row are headings, and whose first column says what a row is about.
-pub fn rows(caption: &str, rows: &[Vec<String>]) -> Markup {
-    let Some((headings, body)) = rows.split_first() else { return html! {} };
+/// The cells of a table, row by row: the first row has the headings of the columns, the first cell
+/// of another says what that row is about.
+pub type Rows = Vec<Vec<String>>;
+
+/// A table of what an answer says. A page shows it with its caption; text has the rows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// What it is of.
+    pub caption: &'static str,
+    /// Its cells.
+    pub rows: Rows,
+}
+
+impl Table {
+    /// A table with these headings and rows below them.
+    #[must_use]
+    pub fn new<const N: usize>(
+        caption: &'static str,
+        headings: [&str; N],
+        rows: impl IntoIterator<Item = Vec<String>>,
+    ) -> Self {
+        let headings = headings.map(str::to_owned).to_vec();
+        Table { caption, rows: [headings].into_iter().chain(rows).collect() }
+    }
+}
+
+impl Render for Table {
+    fn render(&self) -> Markup {
+        let Some((headings, body)) = self.rows.split_first() else { return html! {} };
+        table("plain", None, self.caption, headings, body)
+    }
+}
+
+/// A table of formulas with an anchor; the first cell of a row says what it is about.
+pub fn table_of_formulas(
+    id: &str,
+    caption: &str,
+    headings: &[&str],
+    rows: impl IntoIterator<Item = Vec<Markup>>,
+) -> Markup {
+    table("formulas", Some(id), caption, headings, &rows.into_iter().collect::<Vec<_>>())
+}
+
+fn table<C: Render>(
+    class: &str,
+    id: Option<&str>,
+    caption: &str,
+    headings: &[impl Render],
+    rows: &[Vec<C>],
+) -> Markup {
     html! {
         div.scroll tabindex="0" {
-            table.plain {
+            table.(class) id=[id] {
                 caption { (caption) }
                 thead { tr { @for heading in headings { th scope="col" { (heading) } } } }
                 tbody {
-                    @for row in body {
+                    @for row in rows {
                         tr {
                             @for (column, cell) in row.iter().enumerate() {
                                 @if column == 0 { th scope="row" { (cell) } } @else { td { (cell) } }

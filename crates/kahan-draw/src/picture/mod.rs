@@ -13,7 +13,7 @@ pub use chart::{Chart, chart};
 pub use heights::heights;
 pub use over::{branch, diagram};
 pub use portrait::{Coordinate, Trace, Visits, portrait};
-pub use trade::trade;
+pub use trade::{trade, trade_sheet};
 
 use crate::plot::{Drawing, NumberLine, Plot, Sheet};
 

@@ -5,7 +5,13 @@ use kahan_core::Precision;
 use kahan_study::trade::{Measured, Traded};
 
 use super::{Look, Picture};
-use crate::plot::{Mark, NumberLine, Plot, Series, Side, Theme};
+use crate::plot::{Mark, NumberLine, Plot, Series, Sheet, Side, Theme};
+
+/// What the picture is usually drawn on.
+#[must_use]
+pub fn trade_sheet() -> Sheet {
+    Sheet::page(720, 480)
+}
 
 /// Every setting that was measured.
 #[must_use]

@@ -38,6 +38,8 @@ use prices::Prices;
 use runner::Runner;
 use search::SHARE;
 
+pub use object::need_name;
+
 /// Asks which setting of the integrator serves one scene, and at what price.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -15,7 +15,7 @@ pub(super) mod need {
     use serde::{Serialize, Serializer};
 
     pub(in super::super) fn serialize<S: Serializer>(need: &Need, serializer: S) -> Result<S::Ok, S::Error> {
-        super::word(*need).serialize(serializer)
+        super::need_name(*need).serialize(serializer)
     }
 
     pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(
@@ -29,8 +29,9 @@ pub(super) mod need {
     }
 }
 
-/// A need in questions and answers.
-fn word(need: Need) -> &'static str {
+/// The name of a need in questions and answers.
+#[must_use]
+pub fn need_name(need: Need) -> &'static str {
     match need {
         Need::Trajectory => "trajectory",
         Need::Integrals => "integrals",
@@ -128,7 +129,7 @@ impl Serialize for Traded {
             parameters: parameters.collect(),
             x: texts(&self.start),
             horizon: self.scene.horizon(),
-            need: word(self.scene.need()),
+            need: need_name(self.scene.need()),
             tolerance: self.scene.tolerance(),
             scale: self.scale,
             reference: self.certificate.map(|certificate| Agreement {

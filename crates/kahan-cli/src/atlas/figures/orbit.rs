@@ -3,10 +3,10 @@
 use maud::{Markup, html};
 
 use super::super::found::Orbits;
-use super::super::systems;
 use kahan_draw::document::readable;
 use kahan_paper::figures::{Figure, Measurement, slope};
 use kahan_paper::structure;
+use kahan_study::{Study, Subject, Systems};
 use kahan_systems::registry::find;
 
 /// A measured orbit with its data.
@@ -90,10 +90,10 @@ impl<'a> Orbit<'a> {
             if *q == 1 { p.to_string() } else { format!("{p}/{q}").replace('-', "−") }
         };
         let list = |values: &[(i64, i64)]| values.iter().map(fraction).collect::<Vec<_>>().join(", ");
-        let parameters = find(figure.system).map(|entry| systems::read(entry).field.symbols.parameters);
+        let study = Subject::named(figure.system).study(&Systems).ok();
         html! {
             (map_name(figure))
-            @for (name, value) in parameters.iter().flatten().zip(figure.parameters) {
+            @for (name, value) in study.iter().flat_map(Study::parameters).zip(figure.parameters) {
                 ", " (readable(name)) " = " (fraction(value))
             }
             ", ε = " (fraction(&figure.eps)) ", "

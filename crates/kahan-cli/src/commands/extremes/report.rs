@@ -3,17 +3,15 @@
 use kahan_study::Judged;
 use kahan_study::extremes::{Broken, Cell, Place};
 
-use crate::printing::layout::{labelled, table};
+use crate::printing::layout::{headed, labelled, table};
 
 /// The columns of the labels below the table.
 const LABELS: usize = 15;
 
 pub(super) fn text(judged: &Judged) -> String {
-    const HEADER: [&str; 8] =
+    let headings =
         ["regime", "tier", "scalar", "trials", "largest error", "flagged", "without right", "silently wrong"];
-    let mut rows = vec![HEADER.map(str::to_owned).to_vec()];
-    rows.extend(judged.tally.cells.iter().map(row));
-    let mut lines = table(&rows, 3);
+    let mut lines = table(&headed(headings, judged.tally.cells.iter().map(row)), 3);
     lines.push(String::new());
     lines.extend(labelled("systems", &judged.systems.join(", "), LABELS));
     let removable = match judged.removable.as_slice() {

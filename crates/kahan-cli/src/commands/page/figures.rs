@@ -3,26 +3,49 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_draw::Drawing;
-use kahan_draw::document::rows;
-use kahan_draw::picture::{Chart, Look, Visits, chart, trade};
+use kahan_draw::answer;
+use kahan_draw::picture::{Chart, Look, Visits, chart};
 use kahan_study::trade::Trade;
-use kahan_study::{Axis, Observable, Observe, Over, Poles, Question, Range, Scene, Study};
+use kahan_study::{
+    Answer, Axis, Form, Observable, Observe, Over, Poles, Question, Range, Scene, Show, Study, StudyError,
+};
 use maud::{Markup, html};
 
-use super::super::dynamics::{complaint, tables};
-use super::super::line::{Asking as _, Line};
+use super::super::line::Line;
 use super::super::look::usual as picture_sheet;
 use super::super::picture::Picture;
 use super::super::picture::shown::{Shown, What};
 use super::super::picture::starts::{At, Spread};
-use super::super::poles::{patterns, rows as table_of};
-use super::super::trade::{Comparison, usual};
 use crate::printing::{Prompt, Refusal};
 
 /// A field, and the words that name it.
 pub(super) struct Field {
     pub(super) words: Vec<String>,
     pub(super) study: Study,
+}
+
+/// A question about a field: the call that asks it, and its answer.
+pub(super) struct Asked {
+    line: Line,
+    pub(super) answer: Result<Answer, StudyError>,
+}
+
+impl Asked {
+    pub(super) fn of(field: &Field, question: Question) -> Self {
+        let answer = field.study.ask(&question, &Prompt::stages());
+        Asked { line: Line::asking(&field.words, &question), answer }
+    }
+
+    /// The answer above its call; where there is none, why.
+    pub(super) fn html(&self) -> Markup {
+        html! {
+            @match &self.answer {
+                Ok(answer) => (answer::html(answer).expect("pages ask what they show")),
+                Err(why) => p.missing { "Left out: " (Refusal::from(why.clone()).message()) },
+            }
+            (command(&self.line))
+        }
+    }
 }
 
 /// What the figures are of.
@@ -60,20 +83,18 @@ impl Subject<'_> {
         (10.0 * share * self.seconds).round().max(1.0) / 10.0
     }
 
+    /// Field, A, b, map and Jacobian, and the claims that come with the field.
+    pub(super) fn formulas(&self) -> Markup {
+        let asked = Show { form: Form::Latex, jacobian: false };
+        Asked::of(self.generic, Question::Show(asked)).html()
+    }
+
     /// What becomes of singularities, and of the heights of an exact orbit.
     pub(super) fn growth(&self) -> Markup {
-        let asked = Poles { seconds: self.share(POLES), ..Poles::default() };
-        let poles = Line::asking(&self.generic.words, &Question::Poles(asked.clone()));
+        let poles = Poles { seconds: self.share(POLES), ..Poles::default() };
         let heights = Shown { what: What::Heights, seconds: self.share(HEIGHTS), ..self.one_orbit(400) };
         html! {
-            (shown(patterns(&self.generic.study, &asked).map(|answer| {
-                let table = table_of(&answer.found);
-                if table.len() > 1 {
-                    rows("Curves that the map sends to infinity or blows down, and whether what is lost comes back", &table)
-                } else {
-                    html! { p { "The map sends no curve to infinity and blows none down." } }
-                }
-            }), &poles))
+            (Asked::of(self.generic, Question::Poles(poles)).html())
             (self.picture("heights", "Heights of an exact orbit", &heights, |_| html! {
                 "The logarithmic height of a fraction is about 2.3 times the number of its digits. A straight line is growth like "
                 "a power of the number of steps; where the axis below is n, growth is exponential."
@@ -102,21 +123,7 @@ impl Subject<'_> {
     /// Exponents, indicators, rotation numbers, drift.
     pub(super) fn dynamics(&self) -> Markup {
         let asked = Observe::new(self.scene.eps.clone(), self.scene.start.clone(), self.steps());
-        let line = Line::asking(&self.kept.words, &Question::Observe(asked.clone()));
-        let captions = [
-            "Lyapunov exponents, per unit of time",
-            "Indicators",
-            "Extremes and rotation",
-            "Drift of the integrals",
-        ];
-        let observed = asked.ask(&self.kept.study, &Prompt::new(2 * asked.steps, "steps"));
-        let made = observed.map_err(Refusal::from).map(|observed| {
-            html! {
-                @for (table, caption) in tables(&observed).iter().zip(captions) { (rows(caption, table)) }
-                @if let Some(complaint) = complaint(&observed) { p.missing { (complaint) } }
-            }
-        });
-        shown(made, &line)
+        Asked::of(self.kept, Question::Observe(asked)).html()
     }
 
     /// Which orbits are chaotic.
@@ -156,19 +163,8 @@ impl Subject<'_> {
         let horizon = Rational::typed(&decimal(2.0 * self.scene.eps.to_f64() * STEPS));
         let asked = Trade::new(self.scene.start.clone(), horizon.expect("a printed number is one"));
         let asked = Trade { seconds: self.share(TRADE), ..asked };
-        let line = Line::asking(&self.kept.words, &Question::Trade(asked.clone())).with("--out", "trade.svg");
-        let made = Comparison::of(&self.kept.study, &asked).map(|comparison| html! {
-            figure #trade {
-                div.drawings { (trade(&comparison.0, &Look::on(usual())).drawing.inline()) }
-                figcaption { p { "Each dot is a setting: its price on this machine, and its error against a trajectory in 32 digits." } }
-            }
-            @match comparison.chosen() {
-                Some([words, rust]) => { p { "The cheapest that does: " (words) "." } pre { code { (rust) } } },
-                None => p.missing { (comparison.complaint().unwrap_or_default()) },
-            }
-            (rows("Settings that no other one beats in price and error together", &comparison.front()))
-        });
-        shown(made, &line)
+        let asked = Asked::of(self.kept, Question::Trade(asked));
+        Asked { line: asked.line.with("--out", "trade.svg"), ..asked }.html()
     }
 
     /// A picture of `kahan picture`, with words on what it shows.
@@ -241,17 +237,6 @@ impl Subject<'_> {
         let [low, high] = self.scene.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.scene.size);
         (self.variables[k].clone(), format!("{}:{}:/{cells}", decimal(low - room), decimal(high + room)))
-    }
-}
-
-/// What was made, with the line that makes it again; where there is nothing, why.
-fn shown(made: Result<Markup, Refusal>, line: &Line) -> Markup {
-    html! {
-        @match made {
-            Ok(made) => (made),
-            Err(refusal) => p.missing { "Left out: " (refusal.message()) },
-        }
-        (command(line))
     }
 }
 

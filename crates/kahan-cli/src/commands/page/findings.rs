@@ -1,58 +1,20 @@
-//! The formulas of a page: what is derived from the field, what is claimed of it, and what
-//! `kahan discover` found.
+//! What `kahan discover` found, for a page, and the field that goes on with it.
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Text, condition_text, macro_block};
+use kahan_algebra::render::macro_block;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_algebra::system::{Claim, System};
+use kahan_algebra::system::System;
 use kahan_discover::hilbert::default_degree;
-use kahan_latex::{Latex, breaking};
-use kahan_study::{Discover, Question, Systems};
-use maud::{Markup, html};
+use kahan_study::{Answer, Discover, Discovered, Question, Systems};
+use maud::Markup;
 
-use super::super::discover::{Discovery, discovery, evaluation};
-use super::super::line::Line;
-use super::figures::{Field, Subject, command};
-use crate::printing::Refusal;
-use crate::reading::Block;
-use kahan_draw::document::{LINE, derived, display, readable, rows, statements};
+use super::figures::{Asked, Field, Subject};
 
 /// The share of the time that the search has.
 const SHARE: f64 = 0.35;
-/// Larger matrices are no reading.
-const MOST_VARIABLES: usize = 8;
 
-/// Field, A, b, map and Jacobian, and the claims that come with the field.
-pub(super) fn formulas(subject: &Subject<'_>, block: &Block, system: &System) -> Markup {
-    let line = Line::new("show", &subject.generic.words).with_flag("--latex");
-    html! {
-        @if system.field.dimension() <= MOST_VARIABLES {
-            (derived(system))
-            h4 { "Jacobian" }
-            (display(
-                "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
-                 \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
-                 \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}",
-                LINE,
-            ))
-        } @else {
-            p { (system.field.dimension()) " variables have formulas too long for a page; the command below writes them." }
-        }
-        @if !system.claims.is_empty() {
-            h4 { "What is claimed, and proved" }
-            @for claim in &system.claims {
-                (stated(system, claim, block.entry.and_then(|entry| entry.source(&claim.name.text))))
-            }
-        }
-        (command(&line))
-    }
-}
-
-/// What the search for what the map preserves found, and the call that makes it.
-pub(super) struct Search {
-    line: Line,
-    found: Result<(System, Discovery), Refusal>,
-}
+/// What the search for what the map preserves found.
+pub(super) struct Search(Asked);
 
 impl Search {
     pub(super) fn of(subject: &Subject<'_>, dimension: usize) -> Self {
@@ -62,20 +24,18 @@ impl Search {
             seconds: subject.share(SHARE),
             ..Discover::default()
         };
-        let line = Line::asking(&subject.generic.words, &Question::Discover(asked.clone()));
-        let found = discovery(&subject.generic.study, &asked);
-        let found = found.and_then(|discovery| Ok((discovery.0.readable()?, discovery)));
-        Search { line, found }
+        Search(Asked::of(subject.generic, Question::Discover(asked)))
     }
 
     /// What the map preserves, found from the equations alone.
     pub(super) fn chapter(&self) -> Markup {
-        html! {
-            @match &self.found {
-                Ok((claimed, discovery)) => (findings(claimed, discovery)),
-                Err(refusal) => p.missing { "Left out: " (refusal.message()) },
-            }
-            (command(&self.line))
+        self.0.html()
+    }
+
+    fn found(&self) -> Option<&Discovered> {
+        match &self.0.answer {
+            Ok(Answer::Discover(found)) => Some(found),
+            _ => None,
         }
     }
 
@@ -84,7 +44,7 @@ impl Search {
         /// Longer lines are no reading.
         const LONGEST: usize = 800;
 
-        let (claimed, _) = self.found.as_ref().ok()?;
+        let claimed = &self.found()?.readable().ok()?;
         let claims = claimed.claims.iter().filter(|claim| claim.kind == ClaimKind::Integral);
         let claimed = System { claims: claims.cloned().collect(), ..claimed.clone() };
         let names = claimed.field.symbols.parameters.iter().enumerate();
@@ -103,56 +63,5 @@ impl Search {
         }
         let study = kahan_study::Subject::text(&text).study(&Systems).ok()?;
         Some(Field { words: vec!["--field".to_owned(), text], study })
-    }
-}
-
-fn findings(claimed: &System, discovery: &Discovery) -> Markup {
-    let report = &discovery.0.report;
-    let numbers = discovery.head().into_iter().map(|row| row.to_vec());
-    let numbers: Vec<Vec<String>> =
-        [["what", "found"].map(str::to_owned).to_vec()].into_iter().chain(numbers).collect();
-    html! {
-        @if claimed.claims.is_empty() && report.bases.is_empty() && report.compact().is_none() {
-            p { "No integral, density or bracket was found." }
-        } @else if !claimed.claims.is_empty() {
-            p { "Each formula was proved when this page was written." }
-            @for claim in &claimed.claims { (stated(claimed, claim, None)) }
-        }
-        @if let Some(hamiltonian) = &report.structure.hamiltonian {
-            p { "The flow is Hamiltonian: f = K ∇H with a constant antisymmetric K." }
-            (display(&format!("K = {}", breaking::matrix("pmatrix", &hamiltonian.tensor, LINE)), LINE))
-        }
-        @if let Some(hamiltonian) = report.compact() {
-            @let [states, images] = discovery.states_and_images(&Text);
-            p { "The modified Hamiltonian, where " (readable(&images)) " is the image of " (readable(&states)) ":" }
-            (display(&format!("\\widetilde{{H}} = {}", hamiltonian.modified(&Latex)), LINE))
-        }
-        @for basis in &report.bases {
-            p { "A Hirota–Kimura basis, " @if basis.proof.is_none() { "as seen modulo primes" } @else { "proved" } ":" }
-            (display(&basis.relation(&report.variables, &Latex), LINE))
-            p { (readable(&evaluation(basis, &Text, ""))) }
-        }
-        ul { @for sentence in &report.sentences { li { (readable(sentence)) } } }
-        (rows("Numbers of the search", &numbers))
-    }
-}
-
-/// One claim, with its kind, its condition and its source.
-fn stated(system: &System, claim: &Claim, source: Option<&str>) -> Markup {
-    let kind = match claim.kind {
-        ClaimKind::Integral => "Integral",
-        ClaimKind::Density => "Invariant density",
-        ClaimKind::Bracket => "Invariant Poisson bracket",
-    };
-    let condition = condition_text(system, claim);
-    html! {
-        div.preserved {
-            p.source {
-                (kind)
-                @if !condition.is_empty() { ", when " (readable(&condition)) }
-                @if let Some(source) = source { "; " (readable(source)) }
-            }
-            (statements(claim))
-        }
     }
 }

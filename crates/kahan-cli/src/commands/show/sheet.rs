@@ -2,6 +2,7 @@
 
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_algebra::render::Notation;
+use kahan_draw::document::JACOBIAN;
 use kahan_latex::Latex;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
 use kahan_study::{ClaimShown, Sheet};
@@ -98,11 +99,7 @@ pub(super) fn latex(sheet: &Sheet) -> String {
         page.line("% divided out of the numerators and D:");
         page.display(&breaking::boxed(factor, PAGE_WIDTH));
     }
-    page.display(
-        "\\frac{\\partial\\widetilde x}{\\partial x} = A(x,\\varepsilon)^{-1} A(\\widetilde x,-\\varepsilon), \\qquad \
-         \\det\\frac{\\partial\\widetilde x}{\\partial x} = \
-         \\frac{\\det A(\\widetilde x,-\\varepsilon)}{\\det A(x,\\varepsilon)}",
-    );
+    page.display(JACOBIAN);
     if let Some(jacobian) = &sheet.jacobian {
         page.display(&matrix_latex("\\frac{\\partial\\widetilde x}{\\partial x}", "pmatrix", jacobian));
     }

@@ -11,7 +11,7 @@ use kahan_paper::Outcome;
 use kahan_study::{Study, Verdict, Verdicts, Verified, Verify as Question};
 use serde_json::json;
 
-use super::line::{Asking, Line};
+use super::line::Asking;
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::Source;
 
@@ -30,7 +30,7 @@ pub(crate) struct Verify {
 
     /// The same as SYSTEM; `general` for what holds for every field.
     #[arg(long = "system", value_name = "SYSTEM", conflicts_with_all = ["system", "field", "file"])]
-    of: Option<String>,
+    about: Option<String>,
 
     /// Show every claim with its statement, its source and its time.
     #[arg(long, conflicts_with = "mutate")]
@@ -65,15 +65,11 @@ impl Asking for Verify {
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         Ok((self.source().study()?, Question { mutate: self.mutate }))
     }
-
-    fn options(asked: &Question, line: Line) -> Line {
-        if asked.mutate { line.with_flag("--mutate") } else { line }
-    }
 }
 
 impl Verify {
     fn source(&self) -> Source {
-        self.of.clone().map_or_else(|| self.source.clone(), Source::of_system)
+        self.about.clone().map_or_else(|| self.source.clone(), Source::of_system)
     }
 
     /// One screen, a line a claim, the table, or one object; a complaint if a claim fails.
@@ -111,16 +107,10 @@ const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME 
 
 /// How many claims came out how, in one line without its end.
 fn totals(verdicts: &Verdicts) -> String {
-    let outcomes = || verdicts.claims.iter().map(|verdict| verdict.outcome);
-    let count = |keep: fn(Outcome) -> bool| outcomes().filter(|outcome| keep(*outcome)).count();
-    let kinds = [
-        (count(|o| o == Outcome::Proved), "proved over Q"),
-        (count(|o| o == Outcome::ProvedModP), "proved mod p"),
-        (count(|o| matches!(o, Outcome::Exact(_))), "exact at points"),
-        (count(|o| matches!(o, Outcome::Numerical(_))), "numerical"),
-        (count(|o| o == Outcome::Misprint), "misprinted"),
-    ];
-    let found = kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| format!("{n} {what}, "));
+    let words = ["proved over Q", "proved mod p", "exact at points", "numerical", "misprinted"];
+    let counts = Outcome::counts(verdicts.claims.iter().map(|verdict| verdict.outcome));
+    let found = counts.iter().zip(words).filter(|(count, _)| **count > 0);
+    let found = found.map(|(count, what)| format!("{count} {what}, "));
     let claims = if verdicts.claims.len() == 1 { "claim" } else { "claims" };
     format!("{} {claims}: {}{} failed", verdicts.claims.len(), found.collect::<String>(), verdicts.failed)
 }

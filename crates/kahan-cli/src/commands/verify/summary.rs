@@ -12,7 +12,7 @@ use crate::printing::{columns, shorten, widths};
 const MOST_LINES: usize = 40;
 
 /// The headings of the outcomes, in the order in which they are counted.
-const OUTCOMES: [&str; 6] = ["proved", "mod p", "exact", "numerical", "misprint", "failed"];
+const OUTCOMES: [&str; Outcome::KINDS] = ["proved", "mod p", "exact", "numerical", "misprint", "failed"];
 
 const MORE: &str = "\
 kahan verify --all      every claim with its statement, its place in the paper and its time
@@ -34,29 +34,14 @@ pub(super) fn text(verdicts: &Verdicts) -> String {
     [text, more].concat().join("\n") + "\n"
 }
 
-/// The place of an outcome in the table.
-fn column(outcome: Outcome) -> usize {
-    match outcome {
-        Outcome::Proved => 0,
-        Outcome::ProvedModP => 1,
-        Outcome::Exact(_) => 2,
-        Outcome::Numerical(_) => 3,
-        Outcome::Misprint => 4,
-        Outcome::Failed => 5,
-    }
-}
-
 /// The counts by section and outcome; nobody misses a column of failures where there are none.
 fn sections(verdicts: &Verdicts) -> Vec<String> {
     let count = |keep: &dyn Fn(&Claim) -> bool| {
-        let mut counts = [0; OUTCOMES.len()];
-        for row in verdicts.claims.iter().filter(|row| row.claim.as_ref().is_some_and(keep)) {
-            counts[column(row.outcome)] += 1;
-        }
-        counts
+        let kept = verdicts.claims.iter().filter(|row| row.claim.as_ref().is_some_and(keep));
+        Outcome::counts(kept.map(|row| row.outcome))
     };
     let total = count(&|_| true);
-    let shown = OUTCOMES.len() - usize::from(total[column(Outcome::Failed)] == 0);
+    let shown = OUTCOMES.len() - usize::from(total[Outcome::Failed.place()] == 0);
     let row = |place: &str, subject: &str, counts: [usize; OUTCOMES.len()]| {
         let numbers = counts.iter().zip(OUTCOMES).map(|(count, heading)| {
             let count = if *count == 0 { "·".to_owned() } else { count.to_string() };

@@ -1,24 +1,13 @@
-//! What was observed as tables.
+//! What an orbit does, as tables.
 
 use kahan_core::observe::Extremes;
 use kahan_study::{Observable, Observed, Seen};
 
-use crate::printing::layout::{Rows, table};
+use crate::document::Table;
 
-/// What was observed as text.
-pub(super) fn text(observed: &Observed) -> String {
-    let mut last = vec![vec!["steps".to_owned(), observed.steps.to_string()]];
-    if let Some(Seen::Step(escaped)) = observed.of(Observable::Escape) {
-        let escaped = escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
-        last.push(vec!["escaped".to_owned(), escaped]);
-    }
-    let tables = tables(observed).into_iter().chain([last]);
-    let tables: Vec<String> = tables.map(|rows| table(&rows, 1).join("\n") + "\n").collect();
-    tables.join("\n")
-}
-
-/// The same as tables, each with its headings first; there is none of what was not asked for.
-pub(in super::super) fn tables(observed: &Observed) -> Vec<Rows> {
+/// What was observed as tables; there is none of what was not asked for.
+#[must_use]
+pub fn observed(observed: &Observed) -> Vec<Table> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
     let mut exponents = vec![row(&["Lyapunov exponent", "value", "converged to"])];
     let mut indicators = vec![row(&["indicator", "value"])];
@@ -71,12 +60,19 @@ pub(in super::super) fn tables(observed: &Observed) -> Vec<Rows> {
             Seen::Step(_) => {}
         }
     }
-    let is_told = |table: &Rows| table.len() > 1 && table[0].len() > 1;
-    [exponents, indicators, variables, drifts].into_iter().filter(is_told).collect()
+    let tables = [
+        ("Lyapunov exponents, per unit of time", exponents),
+        ("Indicators", indicators),
+        ("Extremes and rotation", variables),
+        ("Drift of the integrals", drifts),
+    ];
+    let tables = tables.into_iter().filter(|(_, rows)| rows.len() > 1 && rows[0].len() > 1);
+    tables.map(|(caption, rows)| Table { caption, rows }).collect()
 }
 
 /// Why there are fewer steps than asked.
-pub(in super::super) fn complaint(observed: &Observed) -> Option<String> {
+#[must_use]
+pub fn out_of_range(observed: &Observed) -> Option<String> {
     observed.left_range.then(|| {
         format!(
             "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; what is said is of the steps \

@@ -1,0 +1,115 @@
+//! What a map preserves, with the formulas that were proved, and the numbers of the search.
+
+use kahan_algebra::render::{Notation, Text};
+use kahan_discover::Report;
+use kahan_discover::basis::Basis;
+use kahan_latex::{Latex, breaking};
+use kahan_study::{ClaimShown, Discovered};
+use maud::{Markup, html};
+
+use crate::document::{LINE, Table, claim, display, readable};
+
+/// What was found, each formula as it was proved.
+///
+/// # Panics
+/// Never: the search reads the text of its claims, and proves them.
+pub(super) fn html(found: &Discovered) -> Markup {
+    let claimed = &found.readable().expect("the search has read the text of its claims");
+    let report = &found.report;
+    html! {
+        @if claimed.claims.is_empty() && report.bases.is_empty() && report.compact().is_none() {
+            p { "No integral, density or bracket was found." }
+        } @else if !claimed.claims.is_empty() {
+            p { "Each formula was proved when this page was written." }
+            @for one in &claimed.claims { (claim(&ClaimShown::of(claimed, one, Some(&Latex)), &html! {})) }
+        }
+        @if let Some(hamiltonian) = &report.structure.hamiltonian {
+            p { "The flow is Hamiltonian: f = K ∇H with a constant antisymmetric K." }
+            (display(&format!("K = {}", breaking::matrix("pmatrix", &hamiltonian.tensor, LINE)), LINE))
+        }
+        @if let Some(hamiltonian) = report.compact() {
+            @let [states, images] = states_and_images(report, &Text);
+            p { "The modified Hamiltonian, where " (readable(&images)) " is the image of " (readable(&states)) ":" }
+            (display(&format!("\\widetilde{{H}} = {}", hamiltonian.modified(&Latex)), LINE))
+        }
+        @for basis in &report.bases {
+            p { "A Hirota–Kimura basis, " @if basis.proof.is_none() { "as seen modulo primes" } @else { "proved" } ":" }
+            (display(&basis.relation(&report.variables, &Latex), LINE))
+            p { (readable(&evaluation(basis, &Text, ""))) }
+        }
+        ul { @for sentence in &report.sentences { li { (readable(sentence)) } } }
+        (numbers(found))
+    }
+}
+
+/// The numbers of the search, one kind a row.
+#[must_use]
+pub fn numbers(found: &Discovered) -> Table {
+    let report = &found.report;
+    let listing = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let listed = |texts: &[String]| if texts.is_empty() { "none".to_owned() } else { texts.join(", ") };
+    let mut fixed: Vec<String> =
+        found.fixed.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let mut generic = report.parameters.clone();
+    match &found.eps {
+        Some(eps) => fixed.push(format!("eps = {eps}")),
+        None => generic.push("eps".to_owned()),
+    }
+    let mut rows = vec![
+        ["system".to_owned(), found.system.clone()],
+        ["variables".to_owned(), report.variables.join(", ")],
+        ["generic".to_owned(), listed(&generic)],
+    ];
+    if !fixed.is_empty() {
+        rows.push(["fixed".to_owned(), fixed.join(", ")]);
+    }
+    rows.push(["degrees of iterates".to_owned(), listing(&report.degrees)]);
+    if let Some(hilbert) = &report.hilbert {
+        let degrees: Vec<usize> = (1..=hilbert.values.len()).collect();
+        rows.push(["monomials of degree".to_owned(), format!("≤ {}", listing(&degrees))]);
+        rows.push(["  on an orbit".to_owned(), listing(&hilbert.values)]);
+        rows.push(["  of all".to_owned(), listing(&hilbert.full)]);
+    }
+    let structure = &report.structure;
+    // Those of higher degree are not looked for, so that silence says nothing of them.
+    let of_flow = [structure.linear_integrals.as_slice(), &structure.quadratic_integrals].concat();
+    if !of_flow.is_empty() {
+        rows.push(["integrals of the flow".to_owned(), of_flow.join(", ")]);
+    }
+    rows.push(["seconds".to_owned(), format!("{:.2}", found.seconds.unwrap_or_default())]);
+    Table::new("Numbers of the search", ["what", "found"], rows.into_iter().map(Vec::from))
+}
+
+/// A point and its image, as vectors.
+#[must_use]
+pub fn states_and_images(report: &Report, notation: &dyn Notation) -> [String; 2] {
+    let states = report.variables.iter();
+    let vector = |entries: Vec<String>| format!("({})", entries.join(", "));
+    [
+        vector(states.clone().map(|state| notation.name(state)).collect()),
+        vector(states.map(|state| notation.image(state)).collect()),
+    ]
+}
+
+/// Which coefficients of a basis are integrals, and how they are found from an orbit; formulas
+/// stand between marks.
+#[must_use]
+pub fn evaluation(basis: &Basis, notation: &dyn Notation, mark: &str) -> String {
+    let quotient = |(above, below): (usize, usize)| {
+        let [above, below] = [above, below].map(|number| notation.name(&format!("c{number}")));
+        format!("{mark}{above}/{below}{mark}")
+    };
+    let quotients: Vec<String> = basis.quotients().into_iter().map(quotient).collect();
+    let are = match quotients.len() {
+        1 => "is an integral",
+        _ => "are independent integrals",
+    };
+    let points = match basis.points() {
+        1 => "one point".to_owned(),
+        points => format!("{points} consecutive points"),
+    };
+    format!(
+        "{} {are}: along an orbit the coefficients are constant, and the linear equations at {points} of it determine their quotients.",
+        quotients.join(", ")
+    )
+}

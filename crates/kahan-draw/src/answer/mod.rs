@@ -1,0 +1,55 @@
+//! Answers as parts of a page: what each says in tables, pictures, formulas and sentences.
+//!
+//! In: an answer. Out: HTML; and the tables in it, which text shows, too. By which command it was
+//! asked for, this module must not know.
+
+mod discovered;
+mod observed;
+mod poles;
+mod traded;
+
+use kahan_study::{Answer, Shown};
+use maud::{Markup, html};
+
+use crate::document::{JACOBIAN, LINE, claim, display, formulas};
+
+pub use discovered::{evaluation, numbers, states_and_images};
+pub use observed::{observed, out_of_range};
+pub use poles::poles;
+pub use traded::{choice, front};
+
+/// Larger matrices are no reading.
+const MOST_VARIABLES: usize = 8;
+
+/// What an answer says on a page. `None` for those that pages do not show, or show as a picture of
+/// [`crate::picture`]; formulas are shown from LaTeX.
+#[must_use]
+pub fn html(answer: &Answer) -> Option<Markup> {
+    Some(match answer {
+        Answer::Show(shown) => match &**shown {
+            Shown::Formulas(sheet) => html! {
+                @if sheet.variables.len() <= MOST_VARIABLES {
+                    (formulas(sheet))
+                    h4 { "Jacobian" }
+                    (display(JACOBIAN, LINE))
+                } @else {
+                    p { (sheet.variables.len()) " variables have formulas too long for a page." }
+                }
+                @if !sheet.claims.is_empty() { h4 { "What is claimed, and proved" } }
+                @for shown in &sheet.claims { (claim(shown, &html! {})) }
+            },
+            Shown::Block { .. } | Shown::Plan(_) => return None,
+        },
+        Answer::Observe(seen) => html! {
+            @for table in observed(seen) { (table) }
+            @if let Some(why) = out_of_range(seen) { p.missing { (why) } }
+        },
+        Answer::Poles(found) if found.found.patterns.is_empty() => html! {
+            p { "The map sends no curve to infinity and blows none down." }
+        },
+        Answer::Poles(found) => html! { (poles(found)) },
+        Answer::Discover(found) => discovered::html(found),
+        Answer::Trade(traded) => traded::html(traded),
+        _ => return None,
+    })
+}

@@ -1,0 +1,81 @@
+//! Settings compared on one scene: the choice, the front, and the picture of all.
+
+use kahan_study::trade::{Measured, Traded};
+use maud::{Markup, html};
+
+use crate::document::Table;
+use crate::picture::{self, Look};
+
+/// The picture, the choice and the front.
+pub(super) fn html(traded: &Traded) -> Markup {
+    html! {
+        figure #trade {
+            div.drawings { (picture::trade(traded, &Look::on(picture::trade_sheet())).drawing.inline()) }
+            figcaption { p { "Each dot is a setting: its price on this machine, and its error against a trajectory in 32 digits." } }
+        }
+        @match choice(traded) {
+            Some([words, rust]) => { p { "The cheapest that does: " (words) "." } pre { code { (rust) } } },
+            None => p.missing { "No setting that was measured reaches the tolerance." },
+        }
+        (front(traded))
+    }
+}
+
+/// The choice in words, and as Rust to paste.
+#[must_use]
+pub fn choice(traded: &Traded) -> Option<[String; 2]> {
+    let choice = traded.choice()?;
+    let words = format!(
+        "{}, eps = {:?}: {} ns per unit of time, {} {:.1e}",
+        choice.setting.scheme(),
+        choice.setting.eps(),
+        price(choice),
+        traded.error_name(),
+        choice.error()
+    );
+    Some([words, traded.rust.clone()?])
+}
+
+/// A row for each setting that no other one beats in price and error together, the cheapest first.
+#[must_use]
+pub fn front(traded: &Traded) -> Table {
+    let rows = traded.settings.iter().filter(|measured| measured.on_front).map(|measured| {
+        let scheme = measured.setting.scheme();
+        vec![
+            scheme.precision.name().to_owned(),
+            scheme.order().to_string(),
+            if scheme.compensated { "yes" } else { "no" }.to_owned(),
+            format!("{:?}", measured.setting.eps()),
+            price(measured),
+            error(measured.trajectory_error),
+            error(measured.integral_drift),
+            error(measured.return_error),
+        ]
+    });
+    let headings =
+        ["scalar", "order", "compensated", "eps", "ns per unit time", "trajectory", "integrals", "return"];
+    Table::new("Settings that no other one beats in price and error together", headings, rows)
+}
+
+fn price(measured: &Measured) -> String {
+    let price = measured.nanoseconds_per_unit_time;
+    if price < 0.1 {
+        return format!("{price:.1e}");
+    }
+    let decimals = if price < 10.0 {
+        2
+    } else if price < 100.0 {
+        1
+    } else {
+        0
+    };
+    format!("{price:.decimals$}")
+}
+
+fn error(value: Option<f64>) -> String {
+    match value {
+        Some(value) if value.is_finite() => format!("{value:.1e}"),
+        Some(_) => "not finite".to_owned(),
+        None => "-".to_owned(),
+    }
+}
