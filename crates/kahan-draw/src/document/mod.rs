@@ -30,6 +30,13 @@ pub struct Making {
 /// those within the page.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
+/// The style of pages, of their formulas and of drawings within them, light or dark as the reader
+/// has it.
+#[must_use]
+pub fn style_sheet() -> String {
+    [&variables(), include_str!("style.css"), &style(Theme::Viewer)].concat()
+}
+
 /// A whole document; `main` is the anchor to which one can skip, and what it is.
 pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> String {
     let document = html! {
@@ -41,7 +48,7 @@ pub fn document(title: &str, (anchor, main): (&str, &str), body: &Markup) -> Str
                 meta name="color-scheme" content="light dark";
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (title) }
-                style { (PreEscaped(variables())) (PreEscaped(include_str!("style.css"))) (PreEscaped(style(Theme::Viewer))) }
+                style { (PreEscaped(style_sheet())) }
             }
             body {
                 a.skip href=(format!("#{anchor}")) { "Skip to " (main) }

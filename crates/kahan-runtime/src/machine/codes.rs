@@ -13,6 +13,10 @@ use crate::engine::{Engine, Object};
 
 use super::{SideBySide, StepKind, programs};
 
+/// Whether there is memory that code may run in. Where there is none, no program is written, so that
+/// a small binary holds neither the compiler nor the numbers that write for it.
+const CAN_RUN: bool = cfg!(feature = "jit");
+
 /// What was asked for; `None` where there is none.
 #[derive(Debug)]
 struct Table<K, C>(Mutex<HashMap<K, Option<Arc<C>>>>);
@@ -25,6 +29,9 @@ impl<K, C> Default for Table<K, C> {
 
 impl<K: Eq + Hash, C> Table<K, C> {
     fn get(&self, key: K, compile: impl FnOnce() -> Option<Result<C, Refusal>>) -> Option<Arc<C>> {
+        if !CAN_RUN {
+            return None;
+        }
         // Nothing panics under the lock but what would panic again.
         let mut table = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         table.entry(key).or_insert_with(|| Some(Arc::new(compile()?.ok()?))).clone()
@@ -137,6 +144,9 @@ impl Codes {
 
     /// The code of an object; likewise. Nothing in it is fused.
     pub(crate) fn function<T: Coded>(&self, engine: &Engine, object: Object) -> Option<&Function<T>> {
+        if !CAN_RUN {
+            return None;
+        }
         let compile = || {
             let program = programs::object::<T>(object, engine)?;
             let shape = Shape { instructions: InstructionSet::Avx, lanes: LaneCount::One, fuses: false };

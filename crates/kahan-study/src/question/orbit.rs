@@ -265,6 +265,15 @@ impl Orbit {
         }
     }
 
+    /// Begins the same in doubles, whatever the scalar: a program that calls this alone holds the
+    /// code of no other numbers.
+    ///
+    /// # Errors
+    /// Those of [`begin`](Self::begin).
+    pub fn begin_in_doubles<'a>(&'a self, study: &'a Study) -> Result<Begun<'a>, StudyError> {
+        self.begin_in(&Float64, study)
+    }
+
     /// All rows in memory.
     ///
     /// # Errors

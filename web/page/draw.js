@@ -1,0 +1,152 @@
+// Orbits and drifts on canvases: points become pixels of an image, words and rules are drawn over it.
+const METHODS = { kahan: ['Kahan’s map', '--c1'], euler: ['Euler', '--c3'], rk4: ['Runge–Kutta 4', '--c2'], flow: ['the flow itself', '--c6'] }
+const MARGIN = { left: 58, right: 12, top: 12, bottom: 40 }
+
+const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim()
+const numbers = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16))
+const short = number => String(Number(number.toPrecision(4))).replace('-', '−').replace(/e\+?(.*)/, '·10^$1')
+
+const raised = power => String(power).replace('-', '⁻').replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])
+
+// The pixels of a canvas at the size that it has on the screen, and the scales of its axes.
+function sheet(canvas, window) {
+  const ratio = devicePixelRatio || 1
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight]
+  canvas.width = Math.round(width * ratio)
+  canvas.height = Math.round(height * ratio)
+  const [[left, right], [low, high]] = window
+  const across = (width - MARGIN.left - MARGIN.right) / (right - left)
+  const upwards = (height - MARGIN.top - MARGIN.bottom) / (high - low)
+  return {
+    ratio, width, height, window,
+    context: canvas.getContext('2d'),
+    x: value => MARGIN.left + (value - left) * across,
+    y: value => height - MARGIN.bottom - (value - low) * upwards,
+    point: (x, y) => [left + (x - MARGIN.left) / across, low + (height - MARGIN.bottom - y) / upwards],
+  }
+}
+
+// Round numbers between two ends, about so many.
+function ticks([low, high], count) {
+  const rough = (high - low) / count
+  const power = 10 ** Math.floor(Math.log10(rough))
+  const step = power * [1, 2, 5, 10].find(times => times * power >= rough)
+  const first = Math.ceil(low / step)
+  return Array.from({ length: Math.max(0, Math.floor(high / step) - first + 1) }, (_, k) => (first + k) * step)
+}
+
+// Rules, numbers and names of the axes.
+function axes({ context, ratio, width, height, window, x, y }, names, written = short) {
+  context.setTransform(ratio, 0, 0, ratio, 0, 0)
+  context.font = '13px system-ui, sans-serif'
+  context.lineWidth = 1
+  context.strokeStyle = colour('--rule')
+  context.fillStyle = colour('--soft')
+  const line = (...ends) => {
+    context.beginPath()
+    ends.forEach(([x, y]) => context.lineTo(Math.round(x) + 0.5, Math.round(y) + 0.5))
+    context.stroke()
+  }
+  const [right, bottom] = [width - MARGIN.right, height - MARGIN.bottom]
+  context.textAlign = 'center'
+  for (const tick of ticks(window[0], width / 110)) {
+    line([x(tick), MARGIN.top], [x(tick), bottom])
+    context.fillText(short(tick), x(tick), bottom + 17)
+  }
+  context.textAlign = 'right'
+  for (const tick of ticks(window[1], height / 70)) {
+    line([MARGIN.left, y(tick)], [right, y(tick)])
+    context.fillText(written(tick), MARGIN.left - 6, y(tick) + 4)
+  }
+  context.fillStyle = colour('--ink')
+  context.fillText(names[0], right, height - 6)
+  context.textAlign = 'left'
+  context.fillText(names[1], 4, MARGIN.top + 2)
+}
+
+// Draws points as squares that are the smaller the more there are.
+function points(sheet, sets) {
+  const { context, ratio, x, y } = sheet
+  const { width, height } = context.canvas
+  const image = context.createImageData(width, height)
+  const pixels = new Uint32Array(image.data.buffer)
+  const [zeroX, zeroY] = [x(0) * ratio, y(0) * ratio]
+  const [perX, perY] = [x(1) * ratio - zeroX, y(1) * ratio - zeroY]
+  const [left, right] = [MARGIN.left * ratio, width - MARGIN.right * ratio]
+  const [top, bottom] = [MARGIN.top * ratio, height - MARGIN.bottom * ratio]
+  for (const { xs, ys, paint } of sets) {
+    const [red, green, blue] = numbers(colour(paint))
+    const word = (255 << 24) | (blue << 16) | (green << 8) | red
+    const size = Math.max(1, Math.round((xs.length <= 400 ? 4 : xs.length <= 50000 ? 1.6 : 1) * ratio))
+    const back = (size - 1) / 2
+    for (let k = 0; k < xs.length; k++) {
+      const [px, py] = [zeroX + xs[k] * perX - back, zeroY + ys[k] * perY - back]
+      // What is not a number is outside, too.
+      if (!(px >= left && px < right - size && py >= top && py < bottom - size)) continue
+      const at = Math.round(py) * width + Math.round(px)
+      for (let row = 0; row < size; row++) pixels.fill(word, at + row * width, at + row * width + size)
+    }
+  }
+  context.putImageData(image, 0, 0)
+}
+
+// The portrait of orbits, a ring at each first point; the sheet tells where a pointer is.
+function portrait(canvas, window, names, sets, starts) {
+  const drawn = sheet(canvas, window)
+  points(drawn, sets)
+  // The points are above the rules.
+  drawn.context.globalCompositeOperation = 'destination-over'
+  axes(drawn, names)
+  drawn.context.globalCompositeOperation = 'source-over'
+  drawn.context.lineWidth = 2
+  drawn.context.strokeStyle = colour('--ink')
+  for (const [x, y] of starts) {
+    drawn.context.beginPath()
+    drawn.context.arc(drawn.x(x), drawn.y(y), 6, 0, 7)
+    drawn.context.stroke()
+  }
+  return drawn
+}
+
+// Nearly all of these numbers, or all of them, with some room.
+function span(lists, isWhole) {
+  const values = []
+  for (const list of lists) {
+    const stride = isWhole ? 1 : Math.ceil(list.length / 4000)
+    for (let k = 0; k < list.length; k += stride) if (Number.isFinite(list[k])) values.push(list[k])
+  }
+  values.sort((a, b) => a - b)
+  const share = isWhole ? 0 : 0.005
+  const [low, high] = [share, 1 - share].map(at => values[Math.round(at * (values.length - 1))] ?? 0)
+  const room = 0.08 * (high - low) || Math.abs(low) / 10 || 1
+  return [low - room, high + room]
+}
+
+// By how much integrals change: the logarithm of the largest relative change in each pixel.
+function drift(canvas, orbits) {
+  const FLOOR = -17
+  const time = orbits[0].columns[1]
+  const end = time.at(-1) || 1
+  const curves = orbits.map(({ columns, integrals, paint }) => {
+    const bins = new Float64Array(Math.max(60, canvas.clientWidth - MARGIN.left)).fill(0)
+    for (const values of integrals.map(index => columns[index])) {
+      const size = Math.abs(values[0]) || 1
+      for (let k = 0; k < values.length; k++) {
+        const bin = Math.floor((k / Math.max(1, time.length - 1)) * (bins.length - 1))
+        bins[bin] = Math.max(bins[bin], Math.abs(values[k] - values[0]) / size)
+      }
+    }
+    const heights = Array.from(bins, (change, k) => [(k / (bins.length - 1)) * end, Math.max(FLOOR, Math.log10(change))])
+    return { paint, heights: heights.filter(([, height]) => height > FLOOR && height < 300) }
+  })
+  const top = Math.max(-10, ...curves.flatMap(({ heights }) => heights.map(([, height]) => height)))
+  const drawn = sheet(canvas, [[Math.min(0, end), Math.max(0, end)], [FLOOR, Math.min(top, 6) + 1]])
+  axes(drawn, ['t', ''], tick => (Number.isInteger(tick) ? `10${raised(tick)}` : ''))
+  for (const { paint, heights } of curves) {
+    drawn.context.strokeStyle = colour(paint)
+    drawn.context.lineWidth = 1.6
+    drawn.context.beginPath()
+    for (const [t, height] of heights) drawn.context.lineTo(drawn.x(t), Math.max(MARGIN.top, drawn.y(height)))
+    drawn.context.stroke()
+  }
+}

@@ -1,0 +1,57 @@
+// Questions to workers. Each worker answers one question at a time; a question that is overtaken
+// ends with its worker, and a fresh one starts from the module that is compiled already.
+const compiled = (async () => {
+  const bytes = Uint8Array.from(atob(WASM), letter => letter.charCodeAt(0))
+  const opened = new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip')))
+  return WebAssembly.compile(await opened.arrayBuffer())
+})()
+const workerText = URL.createObjectURL(new Blob([`(${inWorker})()`], { type: 'text/javascript' }))
+
+class Asker {
+  #worker = null
+  #waiting = null
+
+  #start() {
+    const worker = this.#worker = new Worker(workerText)
+    compiled.then(module => worker.postMessage({ module }), () => {})
+    worker.onmessage = ({ data }) => this.#waiting?.hears(data)
+    worker.onerror = event => {
+      event.preventDefault()
+      this.#end({ mistake: 'This is beyond what a tab can compute: its memory or its stack is full.' })
+    }
+  }
+
+  #end(reply) {
+    this.#worker?.terminate()
+    this.#worker = null
+    this.#waiting?.ends(reply)
+    this.#waiting = null
+  }
+
+  get isBusy() { return this.#waiting !== null }
+
+  // Ends what is asked now; its reply is null.
+  stop() { if (this.#waiting) this.#end(null) }
+
+  // The reply to a question about a subject: {answer, html, columns} or {mistake}, or null where
+  // another question has overtaken it.
+  async ask(subject, question, hears = () => {}) {
+    this.stop()
+    if (!this.#worker) this.#start()
+    const worker = this.#worker
+    return new Promise(ends => {
+      this.#waiting = {
+        ends,
+        hears: data => {
+          if (!data.reply) return hears(data)
+          this.#waiting = null
+          ends(data.reply)
+        },
+      }
+      compiled.then(
+        () => worker.postMessage({ question: JSON.stringify({ subject, question }) }),
+        error => this.#end({ mistake: `This browser cannot run the page: ${error.message}` }),
+      )
+    })
+  }
+}

@@ -1,0 +1,160 @@
+//! What the page asks, and the answers.
+//!
+//! The page needs some of the questions of `kahan-study`. The others would double the module, so
+//! each of these is read and asked by its name here, and not as a `Question`, which holds all.
+
+use kahan_algebra::rational::Rational;
+use kahan_draw::document::style_sheet;
+use kahan_study::{
+    Discover, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table, Watch, list,
+};
+use kahan_systems::registry;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value, json};
+
+use crate::shown::{self, findings, formulas, patterns};
+
+/// Answers questions, and keeps the field of the last one with what was planned for it.
+#[derive(Default)]
+pub struct Asker {
+    last: Option<(Value, Study)>,
+}
+
+/// An answer.
+#[derive(Debug, Default)]
+pub struct Answered {
+    /// `{"answer": …, "html": …, "parameters": […]}`, or `{"mistake": …}` with what was wrong in words.
+    pub json: String,
+    /// Of an orbit its rows, column by column.
+    pub columns: Vec<f64>,
+}
+
+/// What is answered before it is text.
+#[derive(Default)]
+struct Reply {
+    answer: Value,
+    html: Option<String>,
+    /// The parameters of the subject.
+    parameters: Vec<String>,
+    columns: Vec<f64>,
+}
+
+impl Asker {
+    /// Answers what stands in a text: `{"subject": …, "question": {"ask": …}}`. Without a subject
+    /// it is `list`, the catalog, or `style`, the style of the page. Beside the questions of `kahan-study` there is `scene`, an ε and a
+    /// first point that show something.
+    pub fn ask(&mut self, text: &str, watch: &dyn Watch) -> Answered {
+        match self.reply(text, watch) {
+            Ok(Reply { answer, html, parameters, columns }) => {
+                let json = json!({"answer": answer, "html": html, "parameters": parameters}).to_string();
+                Answered { json, columns }
+            }
+            Err(mistake) => Answered { json: json!({"mistake": mistake}).to_string(), columns: Vec::new() },
+        }
+    }
+
+    fn reply(&mut self, text: &str, watch: &dyn Watch) -> Result<Reply, String> {
+        let mut asked: Map<String, Value> =
+            read(text.parse().map_err(|mistake: serde_json::Error| mistake.to_string())?)?;
+        let mut question: Map<String, Value> = read(asked.remove("question").unwrap_or_default())?;
+        let name = question.remove("ask").unwrap_or_default();
+        let Some(subject) = asked.remove("subject") else {
+            return match name.as_str() {
+                Some("style") => Ok(Reply { answer: json!(style_sheet()), ..Reply::default() }),
+                Some("list") => catalog().map_err(|error| error.to_string()),
+                _ => Err(format!("{name} is asked of a subject")),
+            };
+        };
+        let (study, question) = (self.study(subject)?, Value::Object(question));
+        match name.as_str() {
+            Some("show") => shown_formulas(study, &read(question)?, watch),
+            Some("scene") => scene(study),
+            Some("orbit") => return orbit(study, &read(question)?, watch).map_err(|error| error.to_string()),
+            Some("discover") => discovered(study, &read(question)?, watch),
+            Some("heights") => heights(study, &read(question)?, watch),
+            Some("poles") => followed(study, &read(question)?, watch),
+            _ => return Err(format!("the page has no question {name}")),
+        }
+        .map_err(|error| error.to_string())
+    }
+
+    /// The study of a subject, which is the last one where it is the same.
+    fn study(&mut self, subject: Value) -> Result<&Study, String> {
+        if self.last.as_ref().is_none_or(|(last, _)| *last != subject) {
+            let read: Subject = read(subject.clone())?;
+            let study = read.study(&Systems).map_err(|error| error.to_string())?;
+            self.last = Some((subject, study));
+        }
+        Ok(&self.last.as_ref().expect("it was put there").1)
+    }
+}
+
+fn read<T: DeserializeOwned>(value: Value) -> Result<T, String> {
+    serde_json::from_value(value).map_err(|mistake| mistake.to_string())
+}
+
+/// A block as one writes it: without what is said to readers of its source.
+fn written(block: &str) -> String {
+    let lines = block.lines().map(|line| line.strip_prefix("    ").unwrap_or(line));
+    let lines = lines.filter(|line| !line.trim_start().starts_with("///"));
+    lines.collect::<Vec<_>>().join("\n").trim().to_owned()
+}
+
+/// The systems of the catalog with their texts, and values of their parameters that show something.
+fn catalog() -> Result<Reply, StudyError> {
+    let listed = list(&Systems)?;
+    let systems = listed.systems.iter().zip(registry::all()).map(|(system, entry)| {
+        let values = entry.parameters.iter().map(|&(above, below)| Rational::new(above, below).to_string());
+        let params: Map<String, Value> =
+            system.parameters.iter().cloned().zip(values.map(Value::String)).collect();
+        json!({"name": system.name, "called": entry.name, "title": shown::readable(system.title), "params": params, "text": written(entry.text())})
+    });
+    Ok(Reply { answer: systems.collect(), ..Reply::default() })
+}
+
+fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Reply, StudyError> {
+    let answer = json!(asked.ask(study, watch)?);
+    let html = Some(formulas(study, asked.jacobian)?);
+    Ok(Reply { answer, html, parameters: study.parameters().to_vec(), ..Reply::default() })
+}
+
+fn scene(study: &Study) -> Result<Reply, StudyError> {
+    let scene = study.scene(None, None)?;
+    let start: Vec<String> = scene.start.iter().map(ToString::to_string).collect();
+    let answer = json!({"eps": scene.eps.to_string(), "at": start, "stays": scene.stays});
+    Ok(Reply { answer, ..Reply::default() })
+}
+
+/// The rows of an orbit in doubles, each column after the other.
+fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, StudyError> {
+    let begun = asked.begin_in_doubles(study)?;
+    let head = json!(begun.head);
+    let mut table = Table::default();
+    let end = begun.rows(0..u64::MAX, &mut table, watch);
+    let mut columns = Vec::with_capacity(table.count() * table.values.len());
+    for kept in &table.values {
+        match kept {
+            Kept::F64(values) => columns.extend_from_slice(values),
+            Kept::Integer(values) => columns.extend(values.iter().map(|&value| value as f64)),
+            _ => unreachable!("orbits in doubles have doubles and counts"),
+        }
+    }
+    let answer = json!({"head": head, "rows": table.count(), "stopped": end.last().map(|last| &last.why)});
+    Ok(Reply { answer, columns, ..Reply::default() })
+}
+
+fn discovered(study: &Study, asked: &Discover, watch: &dyn Watch) -> Result<Reply, StudyError> {
+    let found = asked.ask(study, watch)?;
+    Ok(Reply { answer: json!(found), html: Some(findings(&found)?), ..Reply::default() })
+}
+
+fn heights(study: &Study, asked: &Heights, watch: &dyn Watch) -> Result<Reply, StudyError> {
+    let found = asked.ask(study, watch)?;
+    let html = shown::heights(&found, &asked.eps);
+    Ok(Reply { answer: json!(found), html: Some(html), ..Reply::default() })
+}
+
+fn followed(study: &Study, asked: &Poles, watch: &dyn Watch) -> Result<Reply, StudyError> {
+    let found = asked.ask(study, watch)?;
+    Ok(Reply { answer: json!(found), html: Some(patterns(&found)), ..Reply::default() })
+}

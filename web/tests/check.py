@@ -1,0 +1,297 @@
+"""The page in Chromium, offline, from file://, as a reader meets it; and the figures of its README.
+
+In: the files of web/dist, and the command `kahan`, whose texts and bits the page must have."""
+
+import argparse
+import json
+import pathlib
+import shutil
+import struct
+import subprocess
+import time
+import urllib.parse
+
+import axe_playwright_python
+from playwright.sync_api import sync_playwright
+
+WEB = pathlib.Path(__file__).resolve().parent.parent
+PAGE = (WEB / "dist" / "index.html").as_uri()
+AXE = (pathlib.Path(axe_playwright_python.__file__).parent / "axe.min.js").read_text()
+E6 = "xdot = y*(2*z - x);\nydot = x^2 - z^2;\nzdot = y*(z - 2*x);"
+TOP = "xdot = a1*y*z;\nydot = a2*z*x;\nzdot = a3*x*y;"
+
+
+def address(**given):
+    return f"{PAGE}#{urllib.parse.urlencode(given)}"
+
+
+def command(kahan, *arguments):
+    return subprocess.run([kahan, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+class Tab:
+    """A fresh tab; what its console complains of fails the check."""
+
+    def __init__(self, browser, url, **look):
+        self.context = browser.new_context(offline=True, **look)
+        self.page = self.context.new_page()
+        self.complaints = []
+        self.page.on("console", lambda said: self.complaints.append(said.text) if said.type == "error" else None)
+        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.begun = time.perf_counter()
+        self.page.goto(url)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, *_):
+        self.context.close()
+        if kind is None:
+            assert not self.complaints, self.complaints
+
+    def seconds(self):
+        return time.perf_counter() - self.begun
+
+    def waits(self, what, timeout=30):
+        self.page.wait_for_function(what, timeout=1000 * timeout)
+        return self.seconds()
+
+    def opened(self):
+        return self.waits("document.querySelector('#formulas math') !== null")
+
+    def text(self, selector):
+        return self.page.inner_text(selector)
+
+
+DRAWN = "document.querySelector('#ended').textContent.includes('points of')"
+FOUND = "document.querySelector('#stage').textContent.includes('Found in')"
+
+
+def found(tab):
+    """The findings, when the search is over, and the seconds since the page began to load."""
+    tab.opened()
+    tab.page.click("#search")
+    seconds = tab.waits(FOUND)
+    return tab.text("#arrived").strip().splitlines(), seconds
+
+
+def every_system_opens_by_its_address(browser, kahan):
+    names = [system["name"] for system in json.loads(command(kahan, "list", "--json"))["systems"]]
+    for name in names:
+        with Tab(browser, address(system=name)) as tab:
+            tab.waits("document.querySelector('#formulas').children.length > 0")
+            tab.waits(f"{DRAWN} || document.querySelector('#ended').textContent.includes(':')")
+            assert tab.page.eval_on_selector_all(".unset", "all => all.length") == 0, name
+    print(f"{len(names)} systems of the catalog open by their addresses")
+
+
+def classical_systems_have_orbits(browser, _):
+    with Tab(browser, PAGE) as tab:
+        tab.opened()
+        count = tab.page.eval_on_selector_all("#classical button", "all => all.length")
+        for k in range(count):
+            tab.page.evaluate("document.querySelector('#ended').textContent = ''")
+            tab.page.click(f"#classical li:nth-child({k + 1}) button")
+            tab.waits(DRAWN)
+            assert tab.page.is_hidden("#mistake"), tab.text("#mistake")
+    assert count == 10
+    print("the ten classical systems are drawn")
+
+
+def findings_are_those_of_the_command(browser, kahan):
+    for name, text in [("e6", E6), ("euler", TOP)]:
+        with Tab(browser, address(field=text)) as tab:
+            lines, seconds = found(tab)
+        object_ = json.loads(command(kahan, "discover", "--field", text, "--json"))
+        assert lines == object_["integrals"] + object_["densities"] + object_["brackets"], lines
+        assert seconds < 4, f"{name}: {seconds} s"
+        print(f"{name}: {len(lines)} findings, those of the command, {seconds:.2f} s after a cold start")
+
+
+def bits_are_those_of_the_command(browser, kahan):
+    steps = 1_000_000
+    with Tab(browser, address(field=E6)) as tab:
+        tab.opened()
+        tab.waits(DRAWN)
+        columns = tab.page.evaluate(
+            f"""async () => [...(await new Asker().ask({{field: {json.dumps(E6)}}},
+                {{ask: 'orbit', eps: '1/20', at: ['1', '1/2', '1/3'], steps: {steps}, every: 1000}})).columns]"""
+        )
+    rows = len(columns) // 5
+    lines = command(kahan, "orbit", "--field", E6, "--eps", "1/20", "--at", "1,1/2,1/3", "--steps", str(steps), "--every", "1000", "--json")
+    expected = json.loads(lines)["rows"]
+    assert rows == len(expected) == 1001
+    bits = lambda number: struct.pack("<d", number)
+    for k, row in enumerate(expected):
+        assert [bits(columns[c * rows + k]) for c in (2, 3, 4)] == [bits(float(x)) for x in row[2:5]], k
+    print(f"{steps} steps have the bits of the command")
+
+
+def mistakes_are_the_macros(browser, kahan):
+    text = "xdot = y*(2*z - x);\nydot = x^3 - z^2;\nzdot = sin(y);"
+    with Tab(browser, address(field=E6)) as tab:
+        tab.opened()
+        tab.page.fill("#field", text)
+        tab.waits("!document.querySelector('#mistake').hidden")
+        said = tab.text("#mistake")
+        refused = subprocess.run([kahan, "show", "--field", text], capture_output=True, text=True).stderr
+        words = [line.split("error: ", 1)[1] for line in refused.splitlines() if "error: " in line]
+        assert words and all(word in said for word in words) and "^" in said, (said, refused)
+        tab.page.fill("#field", E6)
+        tab.waits("document.querySelector('#mistake').hidden")
+    print("a mistake has the macro's words under a caret")
+
+
+def what_is_typed_overtakes_a_search(browser, _):
+    slow = "xdot = -x + y*z - a*u;\nydot = x*z - b*y;\nzdot = x*y + u - z;\nudot = x*u - y^2;"
+    with Tab(browser, address(field=slow)) as tab:
+        tab.opened()
+        tab.page.click("#search")
+        tab.waits("document.querySelector('#stage').textContent !== ''")
+        tab.page.fill("#field", E6)
+        tab.waits(FOUND)
+        assert "H1 = (x*z + y^2)" in tab.text("#arrived")
+    print("what is typed while a search runs gives the new field's answer")
+
+
+def starts_are_clicked_and_dragged(browser, _):
+    with Tab(browser, address(system="e6", eps="0.05", at="1,1/2,1/3")) as tab:
+        tab.waits(DRAWN)
+        tab.page.locator("#portrait").scroll_into_view_if_needed()
+        box = tab.page.locator("#portrait").bounding_box()
+        mouse = tab.page.mouse
+        mouse.move(box["x"] + 0.4 * box["width"], box["y"] + 0.4 * box["height"])
+        mouse.down()
+        tab.waits("document.querySelector('#ended').textContent.includes('2 orbits')")
+        before = tab.page.evaluate("state.at[1]")
+        mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 0.5 * box["height"], steps=4)
+        mouse.up()
+        after = tab.page.evaluate("state.at[1]")
+        assert before != after and before.split(",")[2] == after.split(",")[2], (before, after)
+        shared = tab.page.url
+    with Tab(browser, shared) as tab:
+        tab.waits("document.querySelector('#ended').textContent.includes('2 orbits')")
+        assert tab.page.evaluate("state.at[1]") == after
+    print("first points are clicked and dragged, and a link holds them")
+
+
+def heights_and_poles_are_shown(browser, _):
+    with Tab(browser, address(system="weierstrass", eps="1/10", at="1/3,1/2")) as tab:
+        tab.waits(DRAWN)
+        tab.page.click("#heights")
+        tab.waits("document.querySelector('#heights-shown svg') !== null")
+        tab.page.click("#poles")
+        tab.waits("document.querySelector('#poles-shown table') !== null")
+        assert "confined" in tab.text("#poles-shown")
+    print("heights are drawn, and poles are followed")
+
+
+def axe_finds_no_serious_fault(browser, _):
+    for scheme in ["light", "dark"]:
+        with Tab(browser, address(field=E6, eps="0.05", at="1,1/2,1/3"), color_scheme=scheme) as tab:
+            found(tab)
+            tab.waits(DRAWN)
+            tab.page.evaluate(AXE)
+            faults = tab.page.evaluate("axe.run({preload: false}).then(result => result.violations)")
+            serious = [(fault["id"], [node["html"] for node in fault["nodes"]][:3]) for fault in faults if fault["impact"] in ("serious", "critical")]
+            assert not serious, serious
+            wide = tab.page.evaluate("document.documentElement.scrollWidth > innerWidth")
+            assert not wide
+        with Tab(browser, address(field=E6), color_scheme=scheme, viewport={"width": 390, "height": 844}) as tab:
+            tab.opened()
+            tab.waits(DRAWN)
+            assert not tab.page.evaluate("document.documentElement.scrollWidth > innerWidth")
+    print("axe finds no serious fault in light or dark, and 390 pixels are wide enough")
+
+
+def screenshots(browser, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for scheme in ["light", "dark"]:
+        for width in [390, 1280]:
+            with Tab(browser, address(field=E6, eps="0.05", at="1,1/2,1/3;1,1,1/5;-1,1/3,1/2", beside="rk4"), color_scheme=scheme, viewport={"width": width, "height": 900}) as tab:
+                found(tab)
+                tab.page.click("#heights")
+                tab.waits("document.querySelector('#heights-shown svg') !== null")
+                tab.page.click("#poles")
+                tab.waits("document.querySelector('#poles-shown').children.length > 0")
+                tab.waits(DRAWN)
+                tab.page.screenshot(path=folder / f"{scheme}-{width}.png", full_page=True)
+
+
+def figures(browser, kahan):
+    """The figures that the README promises, as (name, value, at most)."""
+    size = sum(len(subprocess.run(["gzip", "-9", "-c", file], check=True, capture_output=True).stdout) for file in (WEB / "dist").iterdir())
+    context = browser.new_context(offline=True)
+    opening = []
+    for _ in range(4):
+        page = context.new_page()
+        begun = time.perf_counter()
+        page.goto(address(field=E6))
+        page.wait_for_function("document.querySelector('#formulas math') !== null", polling="raf")
+        opening.append(1000 * (time.perf_counter() - begun))
+    search = page.evaluate(
+        f"""async () => {{ const asker = new Asker(), subject = {{field: {json.dumps(E6)}}}
+            await asker.ask(subject, {{ask: 'show'}})
+            const begun = performance.now()
+            await asker.ask(subject, {{ask: 'discover'}})
+            return performance.now() - begun }}"""
+    )
+    own = min(timed(lambda: command(kahan, "discover", "--field", E6, "--json")) for _ in range(3))
+    drag = page.evaluate(
+        """async () => { state.steps = 100000; await move(); const times = []
+            for (let k = 0; k < 12; k++) { const begun = performance.now(); state.at = [`1,${0.5 + k / 100},1/3`]; await move(); times.push(performance.now() - begun) }
+            return times.sort((a, b) => a - b)[6] }"""
+    )
+    lines = sum(len(file.read_text().splitlines()) for file in (WEB / "page").glob("*.js"))
+    context.close()
+    return [
+        ("all files by gzip -9", f"{size} bytes", size <= 1_000_000),
+        ("first formula after opening, warm", f"{min(opening[1:]):.0f} ms of 300", min(opening[1:]) <= 300),
+        ("discover of E6 against the command", f"{search:.0f} ms, {search / own / 1000:.1f} times of 4", search / own / 1000 <= 4),
+        ("an orbit of 100 000 steps redrawn", f"{drag:.0f} ms of 33", drag <= 33),
+        ("lines of JavaScript", f"{lines} of 1500", lines <= 1500),
+    ]
+
+
+def timed(work):
+    begun = time.perf_counter()
+    work()
+    return time.perf_counter() - begun
+
+
+CHECKS = [
+    every_system_opens_by_its_address,
+    classical_systems_have_orbits,
+    findings_are_those_of_the_command,
+    bits_are_those_of_the_command,
+    mistakes_are_the_macros,
+    what_is_typed_overtakes_a_search,
+    starts_are_clicked_and_dragged,
+    heights_and_poles_are_shown,
+    axe_finds_no_serious_fault,
+]
+
+
+def main():
+    reader = argparse.ArgumentParser(description=__doc__)
+    reader.add_argument("--kahan", required=True)
+    reader.add_argument("--chromium", default=shutil.which("chromium"))
+    reader.add_argument("--figures", action="store_true", help="measure instead, and fail where a figure is missed")
+    reader.add_argument("--screenshots", type=pathlib.Path, help="write pictures of the page into this folder instead")
+    given = reader.parse_args()
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=given.chromium, args=["--no-sandbox"])
+        if given.screenshots:
+            screenshots(browser, given.screenshots)
+        elif given.figures:
+            measured = figures(browser, given.kahan)
+            for name, value, holds in measured:
+                print(f"{'holds ' if holds else 'MISSED'}  {name}: {value}")
+            assert all(holds for *_, holds in measured)
+        else:
+            for check in CHECKS:
+                check(browser, given.kahan)
+        browser.close()
+
+
+main()
