@@ -1,8 +1,8 @@
 //! The work of `run.py` in Rust, timed when it is asked for.
 //!
-//! In: a line, `each STEPS`, `last STEPS` or `ensemble TRAJECTORIES STEPS THREADS`. Out: a line, the
-//! seconds that it took without freeing the memory, and z of the last point, by which Python sees that
-//! both computed the same.
+//! In: a line, `each STEPS`, `last STEPS` or `ensemble TRAJECTORIES STEPS THREADS`. Out: a line,
+//! the seconds that it took without freeing the memory, and z of the last point, by which Python
+//! sees that both computed the same.
 
 use std::error::Error;
 use std::io::stdin;

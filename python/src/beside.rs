@@ -1,5 +1,5 @@
-//! Long work beside the interpreter: its lock is released, Ctrl-C ends the work within a moment, and
-//! whoever wants to see how far it is hears it.
+//! Long work beside the interpreter: its lock is released, Ctrl-C ends the work within a moment,
+//! and whoever wants to see how far it is hears it.
 //!
 //! Python handles signals on its main thread only, and only where that thread runs Python's code.
 //! So the work has a thread of its own, while the caller's looks at signals a hundred times a

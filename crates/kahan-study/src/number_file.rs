@@ -1,9 +1,9 @@
 //! Files of numbers: CSV, of which the crate `csv` makes cells, and NumPy's arrays (`.npy`,
 //! numpy.lib.format).
 //!
-//! In: the bytes of a file. Out: its numbers, as exact as they stand there if the caller wants that,
-//! with their sizes and the names of their columns; or a first point a row. Where the bytes lie, and
-//! what begins at the points, this module must not know.
+//! In: the bytes of a file. Out: its numbers, as exact as they stand there if the caller wants
+//! that, with their sizes and the names of their columns; or a first point a row. Where the bytes
+//! lie, and what begins at the points, this module must not know.
 //!
 //! Arrays are read here, and the command writes them, by code of our own. We tried `npyz` 0.9.1,
 //! the best kept of the crates for them: it multiplies the sizes of a header unchecked, so that a

@@ -1,4 +1,5 @@
-//! Questions over axes: their numbering, their rows, and that nothing but the question decides them.
+//! Questions over axes: their numbering, their rows, and that nothing but the question decides
+//! them.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, Ordering};

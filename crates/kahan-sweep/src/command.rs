@@ -23,7 +23,8 @@ use crate::scripts;
 ///
 /// A plan in TOML says which field, which starts, parameters and eps, what to observe, and what to
 /// write; starts may be the rows of a file, F.parquet, F.csv or F.npy. Without further options all
-/// of it is computed on all cores and joined into DIR/results.parquet. It can be interrupted: the same command goes on where it stopped.
+/// of it is computed on all cores and joined into DIR/results.parquet. It can be interrupted: the
+/// same command goes on where it stopped.
 ///
 /// With --shard i/n this process computes the i-th of n shards; where a launcher's environment says
 /// which task this is (Slurm, MPI, Kubernetes, Grid Engine, LSF, PBS), it is taken from there. All

@@ -101,8 +101,8 @@ pub enum Seen {
 }
 
 impl Observable {
-    /// The columns of a table that hold it, of a field with these variables and integrals: names and
-    /// meanings.
+    /// The columns of a table that hold it, of a field with these variables and integrals: names
+    /// and meanings.
     #[must_use]
     pub fn columns(self, variables: &[String], integrals: &[String]) -> Vec<(String, &'static str)> {
         let (of, columns) = self.written();

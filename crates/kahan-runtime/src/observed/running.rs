@@ -1,7 +1,7 @@
 //! The observers of what is asked, and the orbits that they see.
 //!
-//! In: a map, or one an orbit, first points, and what is asked of each orbit. Out: what was seen, in
-//! that order. An orbit has the same numbers alone and beside others.
+//! In: a map, or one an orbit, first points, and what is asked of each orbit. Out: what was seen,
+//! in that order. An orbit has the same numbers alone and beside others.
 
 use std::ops::ControlFlow;
 

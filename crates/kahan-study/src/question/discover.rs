@@ -67,13 +67,7 @@ impl Discover {
     /// [`StudyError::Discover`], or [`StudyError::Degree`] where the degree is out of reach.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Discovered, StudyError> {
         let begun = watch.now();
-        let options = Options {
-            eps: self.eps.clone(),
-            parameters: study.fixed(),
-            degree: within_reach(self.degree, study)?,
-            seconds: self.seconds,
-            ..Options::default()
-        };
+        let options = options(study, &self.eps, self.degree, self.seconds)?;
         let report = discover(study.system(), &options, watch);
         let report = report.map_err(|why| StudyError::Discover { system: study.name().to_owned(), why })?;
         Ok(Discovered {
@@ -87,8 +81,20 @@ impl Discover {
     }
 }
 
+/// What a search in the study's field is told: its parameters that have values, and what a question
+/// says beside them.
+pub(super) fn options(
+    study: &Study,
+    eps: &Option<Rational>,
+    degree: Option<u32>,
+    seconds: f64,
+) -> Result<Options, StudyError> {
+    let (eps, parameters, degree) = (eps.clone(), study.fixed(), within_reach(degree, study)?);
+    Ok(Options { eps, parameters, degree, seconds, ..Options::default() })
+}
+
 /// The degree that is asked for, if relations of that degree are within reach.
-pub(super) fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, StudyError> {
+fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, StudyError> {
     let variables = study.variables().len();
     let is_within = |degree: u32| Monomials::count(variables, degree) <= MOST_MONOMIALS_AT_ALL;
     match degree.filter(|&asked| !is_within(asked)) {

@@ -191,7 +191,7 @@ pub struct OrbitHead {
     pub projective: bool,
 }
 
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands on a reference")]
 fn is_kahans(method: &Method) -> bool {
     *method == Method::Kahan
 }

@@ -2,7 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{GridPoint, Proposal, Sight};
-use kahan_discover::{Options, Scan as Grid, Scanned, Watch, scan};
+use kahan_discover::{Scan as Grid, Scanned, Watch, scan};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::error::StudyError;
@@ -11,7 +11,7 @@ use crate::numbers::exact;
 use crate::range::Axis;
 use crate::study::Study;
 
-use super::discover::within_reach;
+use super::discover::options;
 use super::seconds_since;
 
 /// The most points of a grid.
@@ -74,13 +74,7 @@ impl Scan {
     /// reach, or no map to look at.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<ScanFound, StudyError> {
         let begun = watch.now();
-        let options = Options {
-            eps: self.eps.clone(),
-            parameters: study.fixed(),
-            degree: within_reach(self.degree, study)?,
-            seconds: self.seconds,
-            ..Options::default()
-        };
+        let options = options(study, &self.eps, self.degree, self.seconds)?;
         let axes = self.scanned(study)?;
         let total = self.points().ok_or(StudyError::ManyPoints { most: MOST_POINTS })?;
         let found = scan(study.system(), &axes, &options, watch);

@@ -104,8 +104,8 @@ impl Verify {
     /// paper's some hundred times as much where they are measured on orbits.
     ///
     /// # Errors
-    /// [`StudyError::UndefinedField`]; with `mutate` also a claim that does not hold, of which there
-    /// is nothing to change.
+    /// [`StudyError::UndefinedField`]; with `mutate` also a claim that does not hold, of which
+    /// there is nothing to change.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Verified, StudyError> {
         if let Some(name) = study.as_it_stands() {
             return Ok(self.of_paper(Some(name), watch));

@@ -87,8 +87,8 @@ impl Plan {
         first..self.points().min(first + self.rows_per_part)
     }
 
-    /// The fewest and the most rows that a thread should take at once: orbits fill registers, unless
-    /// they are so long that too much would be lost with a process that ends.
+    /// The fewest and the most rows that a thread should take at once: orbits fill registers,
+    /// unless they are so long that too much would be lost with a process that ends.
     pub(crate) fn at_once(&self) -> [u64; 2] {
         match &*self.over().question {
             Question::Observe(Observe { steps, .. }) if *steps > 1 << 20 => [1, 1],

@@ -1,7 +1,7 @@
 //! The cells of a question over axes, each found from its number.
 //!
-//! In: the field, and the question. Out: where each cell is, exactly and in doubles, and the columns
-//! that say it. What is asked there, this module must not know.
+//! In: the field, and the question. Out: where each cell is, exactly and in doubles, and the
+//! columns that say it. What is asked there, this module must not know.
 
 use kahan_algebra::rational::Rational;
 

@@ -1,9 +1,9 @@
 //! A question at every value of some axes: a chart, or a sweep.
 //!
-//! In: a question, and what goes through values. Out: a table with a row a cell. Cells are numbered:
-//! first points run most slowly, then the axes, of which the last runs fastest, and the draws, which
-//! go through all drawn axes together, run fastest of all. A row depends on its number alone, and
-//! not on where, when, and beside what it is computed.
+//! In: a question, and what goes through values. Out: a table with a row a cell. Cells are
+//! numbered: first points run most slowly, then the axes, of which the last runs fastest, and the
+//! draws, which go through all drawn axes together, run fastest of all. A row depends on its number
+//! alone, and not on where, when, and beside what it is computed.
 
 mod axis;
 mod cells;
