@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
+use serde_json::Value;
+
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("a workspace")
 }
@@ -75,6 +77,24 @@ fn every_command_has_its_help_in_the_reference() {
     for name in names {
         assert!(reference.contains(&format!("\n$ kahan help {name}\n")), "{name}");
     }
+}
+
+/// A row is a call, and the members of the object that it prints, in their order.
+#[test]
+fn the_objects_have_the_members_that_the_reference_lists() {
+    let reference = read(Path::new("docs/reference/commands.md"));
+    let mut count = 0;
+    for row in reference.lines().filter(|line| line.starts_with("| `kahan ")) {
+        let mut code = row.split('`').skip(1).step_by(2);
+        let call = code.next().and_then(|call| call.strip_prefix("kahan ")).expect("a call");
+        let output = Command::new(env!("CARGO_BIN_EXE_kahan")).args(call.split(' ')).output();
+        let object: Value =
+            serde_json::from_slice(&output.expect("the command runs").stdout).expect("an object");
+        let members: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
+        assert_eq!(code.collect::<Vec<_>>(), members, "{call}");
+        count += 1;
+    }
+    assert!(count > 10, "{count} calls");
 }
 
 #[test]
