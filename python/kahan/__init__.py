@@ -12,14 +12,16 @@ step 2 eps, runs forwards and backwards, and often keeps integrals and volume fo
 
 from . import catalog
 from ._answer import Answer
+from ._basis import Basis
 from ._errors import FieldError, Mistake, SingularStep
 from ._formula import Formula
 from ._lattice import Lattice
-from ._orbit import Chart, Ensemble, Orbit, Section
+from ._orbit import Chart, Ensemble, Orbit, Section, Table
 from ._system import Discovery, System
 
 __all__ = [
     "Answer",
+    "Basis",
     "Chart",
     "Discovery",
     "Ensemble",
@@ -31,5 +33,6 @@ __all__ = [
     "Section",
     "SingularStep",
     "System",
+    "Table",
     "catalog",
 ]

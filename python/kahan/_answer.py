@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from ._errors import unknown
+
 __all__ = ["Answer"]
 
 
@@ -35,14 +37,12 @@ class Answer(Mapping[str, Any]):
         return len(self._names)
 
     def __getattr__(self, name: str) -> Any:
-        names = ", ".join(self._names)
-        raise AttributeError(f"there is no `{name}` in this answer; it has {names}", name=name, obj=self)
+        raise AttributeError(unknown("part of this answer", name, self._names))
 
     def __repr__(self) -> str:
-        lines = [f"  {name} = {_short(value)}" for name, value in self.items()]
+        lines = [f"  {name} = {_short(repr(value))}" for name, value in self.items()]
         return "\n".join([f"{type(self).__name__}:", *lines])
 
 
-def _short(value: Any) -> str:
-    text = repr(value)
+def _short(text: str) -> str:
     return text if len(text) <= 90 else text[:89] + "…"

@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import inspect
+from collections.abc import Callable, Iterable
+from functools import wraps
+from typing import Any, NamedTuple, TypeVar
 
-__all__ = ["FieldError", "Mistake", "SingularStep"]
+from ._kahan import names, nearest
+
+__all__ = ["CHOICES", "FieldError", "Mistake", "SingularStep", "choice", "spelled", "unknown"]
+
+CHOICES: dict[str, list[str]] = dict(names())
+"""The names that arguments of one kind may have, by that kind."""
 
 
 class Mistake(NamedTuple):
@@ -64,3 +72,49 @@ class SingularStep(ArithmeticError):
     """The map has no value at a point: a pole, det A = 0, or numbers beyond the range of floats."""
 
     __module__ = "kahan"
+
+
+def unknown(kind: str, name: str, known: Iterable[str]) -> str:
+    """That there is no such name of a kind, with the nearest one, or else with all."""
+    known = list(known)
+    near = nearest(name, known)
+    return f"there is no {kind} `{name}`; " + (f"did you mean `{near}`?" if near else f"there is {', '.join(known) or 'none'}")
+
+
+def choice(value: str, kind: str) -> str:
+    """The value, if arguments of this kind may have it."""
+    if value not in CHOICES[kind]:
+        raise ValueError(unknown(kind, str(value), CHOICES[kind]))
+    return value
+
+
+Class = TypeVar("Class", bound=type)
+
+
+def spelled(cls: Class) -> Class:
+    """The class, whose functions say of a mistyped argument which one is nearest.
+
+    What is called right pays for one more call; names are compared only where a call was refused. The
+    compiled ``step`` and ``try_step`` are left as they are, as a call of them takes no longer than that one.
+    """
+    for name, function in list(vars(cls).items()):
+        if not name.startswith("_") and inspect.isfunction(function):
+            setattr(cls, name, _spelled(function, f"{cls.__name__}.{name}"))
+    return cls
+
+
+def _spelled(function: Callable[..., Any], shown: str) -> Callable[..., Any]:
+    @wraps(function)
+    def call(*args: Any, **named: Any) -> Any:
+        try:
+            return function(*args, **named)
+        except TypeError:
+            parameters = inspect.signature(function).parameters
+            takes_all = any(one.kind is one.VAR_KEYWORD for one in parameters.values())
+            for name in () if takes_all else named:
+                if name not in parameters:
+                    known = [known for known in parameters if known != "self"]
+                    raise TypeError(f"{shown}: {unknown('argument', name, known)}") from None
+            raise
+
+    return call

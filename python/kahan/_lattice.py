@@ -7,12 +7,14 @@ from typing import Any
 
 import numpy as np
 
+from ._errors import spelled
 from ._kahan import Chain
 from ._orbit import Array
 
 __all__ = ["Lattice"]
 
 
+@spelled
 class Lattice(Chain):
     """A chain of a family ``for i in periodic { … }`` at one eps, half the time step.
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from ._errors import spelled, unknown
+from ._kahan import arrow
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,7 +21,26 @@ __all__ = ["Chart", "Ensemble", "Orbit", "Section"]
 Array = np.ndarray[Any, Any]
 
 
-class Orbit:
+class Table(ABC):
+    """What is tabular: columns of one length by name, for pandas, and by Arrow's capsule for polars, pyarrow and others."""
+
+    @abstractmethod
+    def columns(self) -> dict[str, Array]:
+        """The columns by name."""
+
+    def to_pandas(self) -> Any:
+        """A data frame of the columns. Needs pandas."""
+        import pandas
+
+        return pandas.DataFrame(self.columns())
+
+    def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
+        """The columns as Arrow's stream: ``pyarrow.table(this)``, ``polars.DataFrame(this)``. Fractions are text."""
+        return arrow(list(self.columns().items()))
+
+
+@spelled
+class Orbit(Table):
     """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps."""
 
     system: System
@@ -70,12 +93,9 @@ class Orbit:
         end = "" if self.ended == "complete" else f", then {self.ended}"
         return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{end}>"
 
-    def to_pandas(self) -> Any:
-        """A data frame with n, t, the variables and the integrals. Needs pandas."""
-        import pandas
-
-        variables = {name: self.x[:, k] for k, name in enumerate(self.system.variables)}
-        return pandas.DataFrame({"n": self.n, "t": self.t, **variables, **self.integrals})
+    def columns(self) -> dict[str, Array]:
+        """n, t, the variables and the integrals, by name."""
+        return {"n": self.n, "t": self.t, **self.system._columns(self.x), **self.integrals}
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws the orbit over two or three of ``t`` and the variables; by default the first three.
@@ -87,13 +107,16 @@ class Orbit:
         return orbit(self, axes, ax, style)
 
 
-class Ensemble:
+@spelled
+class Ensemble(Table):
     """Many trajectories: where they ended, and what was observed of them, an entry a trajectory.
 
     Each column of what was observed is an attribute and in ``observed``, as ``lyapunov``,
     ``drift_H``; ``numpy.asarray`` of it is ``x``.
     """
 
+    system: System
+    """The field, with its parameters."""
     x: Array
     """The last points, of shape (trajectories, variables)."""
     steps: Array | None
@@ -101,15 +124,15 @@ class Ensemble:
     observed: dict[str, Array]
     """What was observed, by name."""
 
-    def __init__(self, x: Array, steps: Array | None, observed: dict[str, Array]) -> None:
-        self.x, self.steps, self.observed = x, steps, observed
+    def __init__(self, system: System, x: Array, steps: Array | None, observed: dict[str, Array]) -> None:
+        self.system, self.x, self.steps, self.observed = system, x, steps, observed
 
     def __getattr__(self, name: str) -> Array:
         observed = self.__dict__.get("observed", {})
         if name in observed:
             found: Array = observed[name]
             return found
-        raise AttributeError(f"there is no `{name}` here; there is {', '.join(['x', 'steps', *observed])}")
+        raise AttributeError(unknown("column", name, ["x", "steps", *observed]))
 
     def __len__(self) -> int:
         return len(self.x)
@@ -121,16 +144,14 @@ class Ensemble:
         seen = f"; observed: {', '.join(self.observed)}" if self.observed else ""
         return f"<Ensemble of {len(self.x)} trajectories{seen}>"
 
-    def to_pandas(self) -> Any:
-        """A data frame with the last points (x_0, x_1, ...), the steps, and what was observed. Needs pandas."""
-        import pandas
-
-        points = {f"x_{k}": column for k, column in enumerate(self.x.T)}
+    def columns(self) -> dict[str, Array]:
+        """The variables of the last points, the steps, and what was observed, by name."""
         steps = {} if self.steps is None else {"steps": self.steps}
-        return pandas.DataFrame({**points, **steps, **self.observed})
+        return {**self.system._columns(self.x), **steps, **self.observed}
 
 
-class Chart:
+@spelled
+class Chart(Table):
     """What orbits do over one or more parameters or first values: ``values[i, j]`` at ``axes``' i-th and j-th."""
 
     system: System
@@ -152,13 +173,11 @@ class Chart:
         sizes = " x ".join(f"{name}: {len(values)}" for name, values in self.axes.items())
         return f"<Chart of {self.color} of {self.system.name} over {sizes}>"
 
-    def to_pandas(self) -> Any:
-        """A data frame with a row a cell. Needs pandas."""
-        import pandas
-
+    def columns(self) -> dict[str, Array]:
+        """What is gone through, and the numbers, by name; a row a cell."""
         grid = np.meshgrid(*self.axes.values(), indexing="ij")
         places = {name: axis.ravel() for name, axis in zip(self.axes, grid)}
-        return pandas.DataFrame({**places, self.color: self.values.ravel()})
+        return {**places, self.color: self.values.ravel()}
 
     def plot(self, *, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws one axis as a curve, two in colours, the first across. Needs matplotlib; returns the axes."""
@@ -167,7 +186,8 @@ class Chart:
         return chart(self, ax, style)
 
 
-class Section:
+@spelled
+class Section(Table):
     """Where an orbit crosses a section: a row a crossing."""
 
     system: System
@@ -190,11 +210,9 @@ class Section:
     def __repr__(self) -> str:
         return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings>"
 
-    def to_pandas(self) -> Any:
-        """A data frame with t and the variables. Needs pandas."""
-        import pandas
-
-        return pandas.DataFrame({"t": self.t, **{name: self.x[:, k] for k, name in enumerate(self.system.variables)}})
+    def columns(self) -> dict[str, Array]:
+        """t and the variables, by name."""
+        return {"t": self.t, **self.system._columns(self.x)}
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws the crossings over two of the variables. Needs matplotlib; returns the axes."""

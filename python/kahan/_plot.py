@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from ._errors import unknown
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -35,7 +37,7 @@ def _columns(found: Orbit | Section, names: tuple[str, ...], counts: tuple[int, 
         raise ValueError(f"{' or '.join(map(str, counts))} axes are needed, and {len(names)} given")
     for name in names:
         if name not in known:
-            raise ValueError(f"there is no axis `{name}`; there is {', '.join(known)}")
+            raise ValueError(unknown("axis", name, known))
     return [known[name] for name in names]
 
 

@@ -13,7 +13,8 @@ def listener() -> Any:
         from tqdm.auto import tqdm
     except ImportError:
         return None
-    bar: Any = tqdm(leave=False)
+    # Short work shows no bar.
+    bar: Any = tqdm(leave=False, delay=0.2)
 
     def hear(what: str, done: Any, of: Any) -> None:
         if what == "found":

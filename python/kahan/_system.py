@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._answer import Answer
+from ._answer import Answer, _short
+from ._basis import Basis
+from ._errors import choice, spelled, unknown
 from ._exact import Number, _number, answer, exact, point
 from ._kahan import Field
 from ._formula import Formula
@@ -26,6 +28,7 @@ Range = str | tuple[Number, Number, int]
 """Values with both ends: (low, high, count), or text in the grammar of the command, as "0:1:/20"."""
 
 
+@spelled
 class System(Field):
     """A quadratic vector field x' = f(x) with its Kahan map.
 
@@ -100,7 +103,7 @@ class System(Field):
         """All formulas of a notation, read once."""
         sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
         if form not in sheets:
-            sheets[form] = json.loads(super().ask(json.dumps({"ask": "show", "as": form, "jacobian": True})))
+            sheets[form] = json.loads(self.ask(json.dumps({"ask": "show", "as": form, "jacobian": True})))
         return sheets[form]
 
     def _formula(self, key: str) -> Formula:
@@ -196,6 +199,10 @@ class System(Field):
 
     # What is called in loops: arrays in, arrays out.
 
+    def _columns(self, x: Array) -> dict[str, Array]:
+        """The columns of points by the names of the variables."""
+        return dict(zip(self.variables, x.T))
+
     def integral_values(self, x: Any, eps: float) -> dict[str, Array]:
         """The claimed integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
 
@@ -234,6 +241,7 @@ class System(Field):
         variables in f64.
         """
         steps, every = _count(steps, "steps"), _count(every, "every")
+        scalar, method = choice(scalar, "scalar"), choice(method, "method")
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
             half = _float(eps)
@@ -288,23 +296,25 @@ class System(Field):
         if params:
             for name in params:
                 if name not in names:
-                    raise TypeError(f"{self.name} has no parameter `{name}`{_near(name, names)}")
+                    raise TypeError(f"params: {unknown('parameter', name, names)}")
             given = [params.get(name) for name in names]
         steps = _count(steps, "steps")
         if not observe:
             x = self.advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
                              listener=_listener(progress))
-            return Ensemble(x, None, {})
+            return Ensemble(self, x, None, {})
         if isinstance(observe, str):
             observe = (observe,)
         if out is not None:
             raise ValueError("out is for ensembles without observers")
-        of = ["final", *(name for name in observe if name != "final")]
+        if "drift" in observe and not self.integrals:
+            raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
+        of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
         seen, values, made = self.observed(points, eps, steps, of, parameters=given, order=order,
                                            every=_count(every, "every"), escape=escape, threads=threads,
                                            listener=_listener(progress))
         count = len(self.variables)
-        return Ensemble(values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
+        return Ensemble(self, values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
 
     def rhs(self) -> Callable[[float, Any], Array]:
         """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
@@ -333,9 +343,7 @@ class System(Field):
     # Questions.
 
     def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
-        asked = {name: value for name, value in fields.items() if value is not None}
-        text = super().ask(json.dumps({"ask": ask, **asked}), listener=_listener(progress))
-        return answer(text)
+        return answer(self.ask(_question(ask, **fields), listener=_listener(progress)))
 
     def evaluate(self, x: Any, eps: Number, *, exact: bool = False) -> Answer:
         """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
@@ -371,8 +379,10 @@ class System(Field):
         ``direction`` is rising, falling or both. Each crossing is refined on the curve that the map
         draws as eps grows from 0.
         """
+        if not isinstance(plane, str):
+            raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
         found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
-                          plane=plane, side=direction, points=points)
+                          plane=plane, side=choice(direction, "direction"), points=points)
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
         return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]))
 
@@ -396,13 +406,13 @@ class System(Field):
             raise TypeError("chart needs eps, half the time step, or goes through it")
         observable, column = _observable(color)
         question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": _count(steps, "steps"),
-                    "order": order, "escape": escape, "of": [observable]}
+                    "order": order, "escape": escape, "of": [choice(observable, "observable")]}
         columns, _, _ = self.table(json.dumps({"ask": "over", "axes": axes, "question": question}),
                                    threads=threads, listener=_listener(progress))
         found = {name: values for name, _, values in columns}
         if column not in found:
-            known = ", ".join(name for name in found if name not in ("index", "steps", *over))
-            raise ValueError(f"color: there is no `{column}`; there is {known}")
+            known = [name for name in found if name not in ("index", "steps", *over)]
+            raise ValueError(f"color: {unknown('column', column, known)}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
         sizes = [_size(values) or len(np.unique(found[name])) for name, values in over.items()]
         values = found[column].reshape(sizes)
@@ -436,14 +446,16 @@ class System(Field):
         return Answer(self._ask("poles", progress, eps=_exact(eps, "eps"), steps=steps, seconds=seconds))
 
     def discover(self, *, eps: Number | None = None, degree: int | None = None, seconds: float | None = None,
-                 progress: bool = False) -> Answer:
+                 progress: bool = False) -> Discovery:
         """What the map preserves, found from the equations alone and proved: integrals, densities, brackets.
 
         Parameters without a value and ``eps`` are generic. Where integrals may be missing, the
         search goes on to higher degrees until ``seconds`` are over, 60 by default.
         """
-        found = self._ask("discover", progress, eps=_exact(eps, "eps"), degree=degree, seconds=seconds)
-        discovery = Discovery(found, self)
+        text, relations = self.discovered(_question("discover", eps=_exact(eps, "eps"), degree=degree, seconds=seconds),
+                                          listener=_listener(progress))
+        bases = [Basis(one, relation) for one, relation in zip(json.loads(text)["bases"], relations)]
+        discovery = Discovery(answer(text) | {"bases": bases}, self)
         self.__dict__["_found"] = discovery
         return discovery
 
@@ -479,8 +491,12 @@ class Discovery(Answer):
     """What a map preserves, as it was found: by the names of ``kahan discover --json``.
 
     ``integrals``, ``densities`` and ``brackets`` are formulas by name, and ``claims`` the same as lines
-    of the language of ``kahan!``; ``claimed`` is the field that has them.
+    of the language of ``kahan!``; ``claimed`` is the field that has them. Integrals whose formulas are
+    too long to write are in ``bases``.
     """
+
+    bases: list[Basis]
+    """Sets of monomials with one linear relation along every orbit, whose coefficients are integrals."""
 
     claims: list[str]
     """What was found and proved, a line each, ready to stand in a field's text."""
@@ -491,6 +507,11 @@ class Discovery(Answer):
         self.__dict__["_names"] = (*found, "claims")
         self.__dict__["claims"] = [line for kind in kinds for line in found[kind]]
         self.__dict__["_of"] = of
+
+    def __repr__(self) -> str:
+        lines = [*self.claims, *(f"basis {', '.join(basis.monomials)}" for basis in self.bases)]
+        found = [f"  {_short(line)}" for line in lines] or ["  nothing that the map keeps"]
+        return "\n".join([f"Discovery of {self.system}:", *found, f"  with {', '.join(self._names)}"])
 
     @cached_property
     def claimed(self) -> System:
@@ -537,6 +558,10 @@ def _observable(color: str) -> tuple[str, str]:
     return ("lyapunov" if color == "lyapunov_error" else color), _COLUMNS.get(color, color)
 
 
+def _question(ask: str, **fields: Any) -> str:
+    return json.dumps({"ask": ask} | {name: value for name, value in fields.items() if value is not None})
+
+
 def _exact(value: Number | None, name: str) -> str | None:
     return None if value is None else exact(value, name)
 
@@ -575,13 +600,6 @@ def _axes(over: Mapping[str, Range | Array] | None) -> list[dict[str, Any]]:
         return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{_count(count, name)}"}
 
     return [axis(name, values) for name, values in (over or {}).items()]
-
-
-def _near(name: str, names: list[str]) -> str:
-    from difflib import get_close_matches
-
-    near = get_close_matches(name, names, 1)
-    return f"; did you mean `{near[0]}`?" if near else f"; it has {', '.join(names) or 'none'}"
 
 
 def _listener(progress: bool) -> Any:

@@ -5,20 +5,16 @@ A name that is no identifier has ``_`` for ``-``. ``dir(kahan.catalog)`` lists t
 
 from __future__ import annotations
 
-from ._kahan import catalog as _names
+from ._errors import CHOICES, unknown
 from ._system import System
 
-_KNOWN = {name.replace("-", "_"): name for name in _names()}
+_KNOWN = {name.replace("-", "_"): name for name in CHOICES["system"]}
 
 
 def __getattr__(name: str) -> System:
-    if name in _KNOWN:
-        return System._named(_KNOWN[name])
-    from difflib import get_close_matches
-
-    near = get_close_matches(name, _KNOWN, 1)
-    hint = f"; did you mean `{near[0]}`?" if near else ""
-    raise AttributeError(f"the catalog has no `{name}`{hint} It has {', '.join(_KNOWN)}")
+    if name not in _KNOWN:
+        raise AttributeError(unknown("system", name, _KNOWN))
+    return System._named(_KNOWN[name])
 
 
 def __dir__() -> list[str]:

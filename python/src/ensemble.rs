@@ -66,10 +66,7 @@ impl Field {
         let py = points.py();
         let of = of.iter().map(|name| {
             let known = Observable::ALL.iter().find(|one| one.name() == name);
-            let names = || Observable::ALL.iter().map(|one| one.name()).collect::<Vec<_>>().join(", ");
-            known.copied().ok_or_else(|| {
-                PyValueError::new_err(format!("observe: there is no `{name}`; there is {}", names()))
-            })
+            known.copied().ok_or_else(|| PyValueError::new_err(format!("observe: there is no `{name}`")))
         });
         let of = of.collect::<PyResult<Vec<_>>>()?;
         if every == 0 {

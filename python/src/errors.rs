@@ -38,6 +38,10 @@ pub(crate) fn of_study(py: Python<'_>, error: &StudyError) -> PyErr {
     match error {
         StudyError::Field(mistakes) => field_error(py, mistakes).unwrap_or_else(|failed| failed),
         StudyError::UnknownParameter { .. } => PyTypeError::new_err(error.to_string()),
+        StudyError::MissingParameters { names, .. } => {
+            let values: Vec<String> = names.iter().map(|name| format!("{name}=1")).collect();
+            PyValueError::new_err(format!("{error}; give it by name, as in s({})", values.join(", ")))
+        }
         other => PyValueError::new_err(other.to_string()),
     }
 }

@@ -110,6 +110,11 @@ impl Field {
     }
 }
 
+/// A question that came as JSON.
+pub(crate) fn question(json: &str) -> PyResult<Question> {
+    serde_json::from_str(json).map_err(|error| PyValueError::new_err(error.to_string()))
+}
+
 #[pymethods]
 impl Field {
     /// Reads a field: its name in the catalog, or its text; of a family the number of sites. Values
@@ -166,16 +171,15 @@ impl Field {
     }
 
     /// The answer to a question, both as JSON. `listener` hears how far the work is.
-    #[pyo3(signature = (question, *, threads = None, listener = None))]
+    #[pyo3(signature = (asked, *, threads = None, listener = None))]
     fn ask(
         &self,
         py: Python<'_>,
-        question: &str,
+        asked: &str,
         threads: Option<usize>,
         listener: Option<Bound<'_, PyAny>>,
     ) -> PyResult<String> {
-        let question: Question =
-            serde_json::from_str(question).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let question = question(asked)?;
         let answer = beside(py, threads, &Listener(listener), |caller| {
             let answer = self.study.ask(&question, caller)?;
             Ok(serde_json::to_string(&answer).expect("answers are JSON"))

@@ -7,6 +7,8 @@
 //! names, formulas of SymPy, plots, is in the Python files of `kahan/`.
 
 mod arrays;
+mod arrow;
+mod basis;
 mod beside;
 mod ensemble;
 mod errors;
@@ -17,14 +19,15 @@ mod table;
 
 use std::ffi::OsString;
 
-use kahan_study::{Catalog, Systems};
+use kahan_study::numbers::ScalarKind;
+use kahan_study::{Catalog, Method, Observable, Side, Systems};
 use pyo3::prelude::*;
 
 /// The border; its names are those of the package `kahan`.
 #[pymodule]
 mod _kahan {
     #[pymodule_export]
-    use super::{catalog, command, field::Field, lattice::Chain};
+    use super::{arrow::arrow, basis::Relation, command, field::Field, lattice::Chain, names, nearest};
 }
 
 /// Runs the command `kahan` with these arguments, the program's name first, and gives its exit
@@ -35,8 +38,20 @@ fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| kahan_cli::status(arguments))
 }
 
-/// The names of the catalog's systems and families.
+/// The names that arguments of one kind may have, by that kind.
 #[pyfunction]
-fn catalog() -> Vec<&'static str> {
-    Systems.names().iter().map(|[name, _]| *name).collect()
+fn names() -> [(&'static str, Vec<&'static str>); 5] {
+    [
+        ("direction", Side::ALL.map(Side::name).to_vec()),
+        ("method", Method::ALL.map(Method::name).to_vec()),
+        ("observable", Observable::ALL.iter().map(|one| one.name()).collect()),
+        ("scalar", ScalarKind::ALL.map(ScalarKind::name).to_vec()),
+        ("system", Systems.names().iter().map(|[name, _]| *name).collect()),
+    ]
+}
+
+/// The name that `name` is a slip of, found as it is in the text of a field.
+#[pyfunction]
+fn nearest(name: &str, known: Vec<String>) -> Option<String> {
+    kahan_algebra::check::nearest(name, &known).cloned()
 }

@@ -1,9 +1,8 @@
 //! Tables as arrays: the rows of a question, a column each.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{End, Exact, Kept, Question, Table};
+use kahan_study::{End, Exact, Kept, Table};
 use numpy::IntoPyArray;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyList;
@@ -25,8 +24,7 @@ impl Field {
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, Option<u64>)> {
-        let question: Question =
-            serde_json::from_str(question).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let question = crate::field::question(question)?;
         let (table, end) = beside(py, threads, &Listener(listener), |caller| {
             let mut table = Table::default();
             let end = self.study().rows(&question, 0..u64::MAX, &mut table, caller);

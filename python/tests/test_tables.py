@@ -33,7 +33,7 @@ def test_other_methods_are_there_to_compare_with():
             for method in ("kahan", "euler", "rk4", "flow")}
     far = {method: np.abs(end - ends["flow"]).max() for method, end in ends.items()}
     assert far["rk4"] < far["kahan"] < far["euler"]
-    with pytest.raises(ValueError):
+    with pytest.raises(ValueError, match="no method `eular`; did you mean `euler`"):
         E6.orbit([1, 2, 3], 0.1, 5, method="eular")
 
 
@@ -55,7 +55,7 @@ def test_charts_are_their_cells():
     assert np.array_equal(again.values, chart.values)
     one = E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color="drift_H")
     assert one.values.shape == (5,)
-    with pytest.raises(ValueError, match="there is"):
+    with pytest.raises(ValueError, match="no column `drift_Q`; did you mean `drift_H`"):
         E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color="drift_Q")
     with pytest.raises(TypeError):
         E6.chart({"x": (-1, 1, 5)}, [0, 1, 1])
@@ -70,10 +70,39 @@ def test_observed_ensembles_are_their_orbits():
         alone = E6.ensemble(points[k : k + 1], eps[k], 200, observe=("drift", "fli"))
         assert alone.drift_H[0] == many.drift_H[k] and alone.fli[0] == many.fli[k]
         assert np.array_equal(E6.orbit(points[k], eps[k], 200).x[-1], many.x[k])
-    with pytest.raises(ValueError, match="there is no `lyapunow`"):
+    with pytest.raises(ValueError, match="no observable `lyapunow`; did you mean `lyapunov`"):
         E6.ensemble(points, eps, 2, observe=["lyapunow"])
     with pytest.raises(AttributeError, match="fli"):
         many.megno
+
+
+def test_tables_are_handed_on_by_arrow():
+    orbit = E6.orbit([1, 2, 3], 0.05, 50, every=5)
+    tables = {
+        "orbit": orbit,
+        "single": E6.orbit(np.float32([1, 2, 3]), 0.05, 5),
+        "exact": E6.orbit([1, "2/3", 3], "1/7", 3, scalar="exact"),
+        "ensemble": E6.ensemble(np.ones((4, 3)), 0.05, 20, observe=["fli"]),
+        "plain": E6.ensemble(np.ones((4, 3)), 0.05, 20),
+        "section": E6.section([1, 2, 3], 0.05, 1000, "x - y", direction="both"),
+        "chart": E6.chart({"x": (-1, 1, 3), "y": (0, 1, 2)}, [0, 1, 1], 0.1),
+    }
+    assert list(tables["ensemble"].columns()) == ["x", "y", "z", "steps", "fli"]
+    pyarrow = pytest.importorskip("pyarrow")
+    for name, table in tables.items():
+        columns, taken = table.columns(), pyarrow.table(table)
+        assert taken.column_names == list(columns), name
+        for column, values in columns.items():
+            wanted = [str(value) for value in values] if values.dtype == object else values.tolist()
+            assert taken[column].to_pylist() == wanted, (name, column)
+    assert pyarrow.table(tables["single"]).schema.field("x").type == pyarrow.float32()
+    # A capsule outlives what it was made of, and one that nobody takes is let go.
+    capsule = E6.orbit([1, 2, 3], 0.05, 50).__arrow_c_stream__()
+    del capsule
+    polars = pytest.importorskip("polars")
+    assert polars.DataFrame(orbit)["z"].to_list() == orbit.x[:, 2].tolist()
+    pandas = pytest.importorskip("pandas")
+    assert orbit.to_pandas().equals(pandas.DataFrame(orbit.columns()))
 
 
 def test_plots():

@@ -5,6 +5,7 @@
 
 use std::fmt;
 
+use kahan_algebra::check::nearest;
 use kahan_algebra::rational::Rational;
 use kahan_core::periodic::NoPeriodicPoint;
 use kahan_discover::DiscoverError;
@@ -245,7 +246,8 @@ impl fmt::Display for StudyError {
                 write!(f, "`{name}` is no parameter of {system}: it has none")
             }
             Self::UnknownParameter { system, name, known } => {
-                write!(f, "`{name}` is no parameter of {system}: it has {}", known.join(", "))
+                write!(f, "`{name}` is no parameter of {system}: it has {}", known.join(", "))?;
+                nearest(name, known).map_or(Ok(()), |near| write!(f, "; did you mean `{near}`?"))
             }
             Self::ParameterTwice { name } => write!(f, "the parameter `{name}` is given twice"),
             Self::MissingParameters { system, names } => {

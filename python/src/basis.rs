@@ -1,0 +1,129 @@
+//! Hirota–Kimura bases: what a discovery found, and their coefficients along orbits.
+
+use kahan_algebra::rational::Rational;
+use kahan_discover::basis::BasisError;
+use kahan_study::Answer;
+use kahan_study::numbers::number;
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::arrays::doubles;
+use crate::beside::{Listener, beside};
+use crate::errors::of_study;
+use crate::field::{Field, question};
+
+/// Monomials with one linear relation along every orbit: what `kahan.Basis` stands on.
+#[pyclass(frozen, module = "kahan._kahan")]
+pub(crate) struct Relation(kahan_discover::Basis);
+
+/// All that makes a relation: exponents, terms, the unit, the integrals and what proves it.
+type Parts = (Vec<Vec<u32>>, Vec<Vec<(usize, i64)>>, usize, Vec<usize>, Option<u32>);
+
+#[pymethods]
+impl Relation {
+    #[new]
+    fn new(
+        monomials: Vec<Vec<u32>>,
+        terms: Vec<Vec<(usize, i64)>>,
+        unit: usize,
+        integrals: Vec<usize>,
+        proof: Option<u32>,
+    ) -> PyResult<Self> {
+        let width = monomials.len();
+        let mut places: Vec<usize> = terms.iter().flatten().map(|&(place, _)| place).collect();
+        places.sort_unstable();
+        let is_whole = places == (0..width).collect::<Vec<_>>() && terms.iter().all(|term| !term.is_empty());
+        let is_even = monomials.iter().all(|exponents| exponents.len() == monomials[0].len());
+        let is_within = [unit].iter().chain(&integrals).all(|&place| place < width);
+        if !(is_whole && is_even && is_within) {
+            return Err(PyValueError::new_err("these are no parts of a relation; take it from a discovery"));
+        }
+        Ok(Relation(kahan_discover::Basis { monomials, terms, unit, integrals, proof }))
+    }
+
+    /// What pickling hands to the constructor.
+    fn __getnewargs__(&self) -> Parts {
+        let kahan_discover::Basis { monomials, terms, unit, integrals, proof } = self.0.clone();
+        (monomials, terms, unit, integrals, proof)
+    }
+
+    /// The exponents of the variables, a row a monomial.
+    #[getter]
+    fn exponents(&self) -> Vec<Vec<u32>> {
+        self.0.monomials.clone()
+    }
+
+    /// The places of the coefficients that are independent integrals.
+    #[getter]
+    fn places(&self) -> Vec<usize> {
+        self.0.integrals.clone()
+    }
+
+    /// The coefficients along orbits, of shape (orbits, monomials), and the condition of the
+    /// equations they solve. `orbits` has shape (orbits, points, variables), consecutive points of
+    /// each. What the points do not determine is NaN.
+    #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
+    fn solve<'py>(
+        &self,
+        orbits: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyArray1<f64>>)> {
+        let py = orbits.py();
+        let orbits = doubles(orbits, "x")?;
+        let &[count, points, variables] = orbits.shape() else {
+            return Err(PyValueError::new_err("x: orbits have the shape (orbits, points, variables)"));
+        };
+        let (numbers, width) = (orbits.as_slice()?, self.0.monomials.len());
+        let mut values = Vec::with_capacity(count * width);
+        let mut conditions = Vec::with_capacity(count);
+        for orbit in numbers.chunks_exact((points * variables).max(1)) {
+            let orbit: Vec<Vec<f64>> = orbit.chunks_exact(variables.max(1)).map(<[f64]>::to_vec).collect();
+            match self.0.evaluate(&orbit) {
+                Ok(found) => {
+                    values.extend(found.coefficients);
+                    conditions.push(found.condition);
+                }
+                Err(BasisError::NotFinite | BasisError::Undetermined) => {
+                    values.extend(std::iter::repeat_n(f64::NAN, width));
+                    conditions.push(f64::INFINITY);
+                }
+                Err(error) => return Err(refused(&error)),
+            }
+        }
+        let values = PyArray1::from_vec(py, values).reshape([conditions.len(), width])?;
+        Ok((values.into_any(), PyArray1::from_vec(py, conditions)))
+    }
+
+    /// The coefficients along the orbit with these consecutive points, exactly; numbers are text.
+    fn solve_exactly(&self, orbit: Vec<Vec<String>>) -> PyResult<Vec<String>> {
+        let point = |point: &Vec<String>| point.iter().map(|value| number(value)).collect();
+        let orbit: Result<Vec<Vec<Rational>>, _> = orbit.iter().map(point).collect();
+        let orbit = orbit.map_err(|why| PyValueError::new_err(format!("x: {why}")))?;
+        let found = self.0.evaluate_exact(&orbit).map_err(|error| refused(&error))?;
+        Ok(found.iter().map(Rational::to_string).collect())
+    }
+}
+
+fn refused(error: &BasisError) -> PyErr {
+    PyValueError::new_err(format!("x: {error}"))
+}
+
+#[pymethods]
+impl Field {
+    /// The answer to a question that discovers, both as JSON, and the bases that it names.
+    #[pyo3(signature = (asked, *, listener = None))]
+    fn discovered(
+        &self,
+        py: Python<'_>,
+        asked: &str,
+        listener: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<(String, Vec<Relation>)> {
+        let asked = question(asked)?;
+        let found = beside(py, None, &Listener(listener), |caller| self.study().ask(&asked, caller))?;
+        let Answer::Discover(found) = found.map_err(|error| of_study(py, &error))? else {
+            return Err(PyValueError::new_err("this question discovers nothing"));
+        };
+        let json = serde_json::to_string(&found).expect("answers are JSON");
+        Ok((json, found.report.bases.into_iter().map(Relation).collect()))
+    }
+}
