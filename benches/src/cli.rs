@@ -11,11 +11,11 @@ use crate::limit::{self, Limit};
 use crate::output::write_whole;
 use crate::race::Effort;
 use crate::report::{self, Section};
-use crate::{instructions, machine, readme, systems};
+use crate::{instructions, readme, systems};
 
 const EXAMPLES: &str = "\
 Examples (from the repository's root, on a machine with nothing else to do):
-  cargo run --release --manifest-path benches/Cargo.toml                 everything, into BENCHMARKS.md
+  cargo run --release --manifest-path benches/Cargo.toml                 everything, into benches/results
   cargo run --release --manifest-path benches/Cargo.toml steps E3 E6     one step of two systems
   cargo run --release --manifest-path benches/Cargo.toml -- --quick ensembles";
 
@@ -32,9 +32,9 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum What {
-    /// Everything, written as one document (what happens without a subcommand)
+    /// Everything, a file of JSON a part; `benches/tables` makes tables of them (what happens without a subcommand)
     All {
-        /// The document [default: BENCHMARKS.md at the repository's root]
+        /// The folder [default: benches/results]
         #[arg(long)]
         out: Option<PathBuf>,
     },
@@ -63,7 +63,7 @@ enum What {
     Orders,
     /// An integral over 10⁹ steps, plain and compensated
     Drift,
-    /// The pictures and tables of the README and of `docs/speed.md`, measured and written into them
+    /// The picture and the tables of `docs/reference/speed.md`, measured and written into it
     Readme,
     /// What a block costs while compiling, against the state kept in benches/before.tsv
     Compile {
@@ -79,12 +79,12 @@ enum What {
     RunOne { system: String, contender: usize, steps: usize },
 }
 
-/// Does what the arguments say.
-pub(crate) fn run() -> Result<()> {
+/// Does what the arguments say; whether all limits hold.
+pub(crate) fn run() -> Result<bool> {
     let cli = Cli::parse();
     let effort = Effort::new(cli.quick);
     match cli.what.unwrap_or(What::All { out: None }) {
-        What::All { out } => all(effort, &out.unwrap_or_else(|| root().join("BENCHMARKS.md"))),
+        What::All { out } => all(effort, &out.unwrap_or_else(|| root().join("benches/results"))),
         What::Steps { systems } => print(report::steps(&chosen(&systems)?, Some(effort))?),
         What::Instructions { systems } => {
             if !instructions::can_be_counted() {
@@ -97,7 +97,7 @@ pub(crate) fn run() -> Result<()> {
         What::RunTime => print(report::run_time(effort)?),
         What::Tiers => print(report::tiers(effort)?),
         What::Orders => print(report::orders(effort)),
-        What::Readme => readme::write(&root(), effort),
+        What::Readme => readme::write(&root(), effort).map(|()| true),
         What::Drift => print(report::drift(effort)),
         What::Compile { checkout, save } => {
             let figures = compile::measure(&checkout.unwrap_or_else(root), cli.quick)?;
@@ -106,7 +106,7 @@ pub(crate) fn run() -> Result<()> {
             }
             print(report::compile(&figures)?)
         }
-        What::RunOne { system, contender, steps } => run_one(&system, contender, steps),
+        What::RunOne { system, contender, steps } => run_one(&system, contender, steps).map(|()| true),
     }
 }
 
@@ -128,38 +128,45 @@ fn chosen(names: &[String]) -> Result<Vec<systems::System>> {
     Ok(all.into_iter().filter(wanted).collect())
 }
 
-fn print((sections, limits): (Vec<Section>, Vec<Limit>)) -> Result<()> {
+/// Names the limits that are missed; whether there are none.
+fn hold(limits: &[Limit]) -> bool {
+    let missed = limits.iter().filter(|limit| limit.is_missed());
+    missed.inspect(|limit| eprintln!("does not hold: {}", limit.figure)).count() == 0
+}
+
+fn print((sections, limits): (Vec<Section>, Vec<Limit>)) -> Result<bool> {
     let mut text: String = sections.iter().map(|section| format!("{section}\n")).collect();
     if !limits.is_empty() {
         text += &limit::table(&limits).to_string();
     }
     match io::stdout().lock().write_all(text.as_bytes()) {
         // Whoever reads has seen enough.
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        written => written.context("standard output cannot be written"),
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => {}
+        written => written.context("standard output cannot be written")?,
     }
+    Ok(hold(&limits))
 }
 
-fn all(effort: Effort, path: &Path) -> Result<()> {
+fn all(effort: Effort, folder: &Path) -> Result<bool> {
     let systems = systems::all();
     let parts = [
-        report::steps(&systems, Some(effort))?,
-        report::journeys(&systems, effort),
-        report::ensembles(effort)?,
-        report::run_time(effort)?,
-        report::tiers(effort)?,
-        report::orders(effort),
-        report::drift(effort),
-        report::compile(&compile::measure(&root(), effort.is_quick())?)?,
+        ("steps", report::steps(&systems, Some(effort))?),
+        ("orbits", report::journeys(&systems, effort)),
+        ("ensembles", report::ensembles(effort)?),
+        ("run_time", report::run_time(effort)?),
+        ("tiers", report::tiers(effort)?),
+        ("orders", report::orders(effort)),
+        ("drift", report::drift(effort)),
+        ("compile", report::compile(&compile::measure(&root(), effort.is_quick())?)?),
     ];
-    let (mut sections, mut limits) = (Vec::new(), Vec::new());
-    for (more_sections, more_limits) in parts {
-        sections.extend(more_sections);
-        limits.extend(more_limits);
+    let mut all_hold = true;
+    for (name, (sections, limits)) in parts {
+        let path = folder.join(name).with_extension("json");
+        write_whole(&path, &report::result(&root(), &sections, &limits))?;
+        println!("{}", path.display());
+        all_hold &= hold(&limits);
     }
-    write_whole(path, &report::document(&machine::description(), &sections, &limits, effort))?;
-    println!("{}", path.display());
-    Ok(())
+    Ok(all_hold)
 }
 
 fn run_one(system: &str, contender: usize, steps: usize) -> Result<()> {

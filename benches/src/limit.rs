@@ -1,5 +1,7 @@
 //! What must hold, and what was measured.
 
+use serde_json::{Value, json};
+
 use crate::table::Table;
 
 /// A figure with the most that it may be, if it has to hold and does not only stand beside one that
@@ -22,12 +24,22 @@ impl Limit {
         Self { figure: figure.into(), at_most: None, measured, unit: "" }
     }
 
+    /// Whether it was measured and is more than it may be.
+    pub(crate) fn is_missed(&self) -> bool {
+        matches!((self.measured, self.at_most), (Some(measured), Some(at_most)) if measured > at_most)
+    }
+
+    /// As it stands among the results.
+    pub(crate) fn to_json(&self) -> Value {
+        json!({ "figure": self.figure, "at_most": self.at_most, "measured": self.measured })
+    }
+
     fn verdict(&self) -> &'static str {
         match (self.measured, self.at_most) {
             (None, _) => "not measured",
             (Some(_), None) => "for comparison",
-            (Some(measured), Some(at_most)) if measured <= at_most => "holds",
-            (Some(_), Some(_)) => "**does not hold**",
+            _ if self.is_missed() => "**does not hold**",
+            _ => "holds",
         }
     }
 }

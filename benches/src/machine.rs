@@ -1,28 +1,36 @@
 //! On what something was measured.
 
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 use std::thread::available_parallelism;
 
-/// One line a fact.
-pub(crate) fn description() -> String {
+/// The processor with the vector instructions that matter here, and its cores.
+pub(crate) fn processor() -> String {
     let cores = available_parallelism().map_or_else(|_| "unknown".to_owned(), |cores| cores.to_string());
+    format!("{}, {cores} cores to use", model())
+}
+
+/// The compiler, and the flags that it got beyond those of the profile.
+pub(crate) fn compiler() -> String {
     let flags = std::env::var("RUSTFLAGS").ok().filter(|flags| !flags.is_empty());
-    let fused = if cfg!(target_feature = "fma") { "with" } else { "without" };
-    format!(
-        "- Processor: {}, {cores} cores to use\n\
-         - Compiler: {}, profile `release`, `RUSTFLAGS`: {}\n\
-         - Target: {}-{}, {fused} fused multiply-adds outside ensembles\n",
-        processor(),
-        compiler(),
-        flags.as_deref().map_or("none".to_owned(), |flags| format!("`{flags}`")),
-        std::env::consts::ARCH,
-        std::env::consts::OS,
-    )
+    let flags = flags.map_or_else(String::new, |flags| format!(", RUSTFLAGS {flags}"));
+    told(Command::new("rustc").arg("--version")) + &flags
+}
+
+/// The commit of this checkout.
+pub(crate) fn commit(root: &Path) -> String {
+    told(Command::new("git").args(["rev-parse", "--short", "HEAD"]).current_dir(root))
+}
+
+/// What a program says in one line.
+fn told(command: &mut Command) -> String {
+    let text = command.output().map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
+    text.ok().filter(|text| !text.is_empty()).unwrap_or_else(|| "unknown".to_owned())
 }
 
 /// The model as the system names it, with the vector instructions that matter here.
-fn processor() -> String {
+fn model() -> String {
     let text = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let field = |name: &str| {
         let line = text.lines().find(|line| line.starts_with(name))?;
@@ -34,10 +42,4 @@ fn processor() -> String {
     let has = |flag: &&str| flags.split(' ').any(|have| have == *flag);
     let vectors: Vec<&str> = ["avx2", "fma", "avx512f"].into_iter().filter(has).collect();
     format!("{name} (family {family}, model {model}; {})", vectors.join(", "))
-}
-
-fn compiler() -> String {
-    let output = Command::new("rustc").arg("--version").output();
-    let text = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
-    text.ok().filter(|text| !text.is_empty()).unwrap_or_else(|| "rustc, version unknown".to_owned())
 }

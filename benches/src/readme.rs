@@ -1,7 +1,7 @@
-//! The measured parts of the README and of `docs/speed.md`: the picture of a trade, the tables of
-//! speed, tiers and extremes.
+//! The measured parts of `docs/reference/speed.md`: the picture of a trade, the tables of speed,
+//! tiers and extremes.
 //!
-//! In: this checkout's command and the timings. Out: both pages anew, with what stands between the
+//! In: this checkout's command and the timings. Out: the page anew, with what stands between the
 //! markers `<!-- begin: NAME -->` and `<!-- end: NAME -->` replaced; all else is left as it is.
 
 use std::path::Path;
@@ -17,7 +17,7 @@ use crate::systems;
 use crate::table::{Table, short};
 
 /// Where the picture lies.
-const PICTURE: &str = "docs/work_precision.svg";
+const PICTURE: &str = "docs/reference/work_precision.svg";
 
 /// What the picture shows.
 const SCENE: [&str; 8] = ["trade", "e6", "--at", "1,1/2,1/3", "--horizon", "100", "--tolerance", "1e-10"];
@@ -58,16 +58,16 @@ pub(crate) fn write(root: &Path, effort: Effort) -> Result<()> {
     let told = kahan(root, SCENE.iter().copied().chain(["--out", &picture.display().to_string()]))?;
     let trade = format!("```text\n$ kahan {}\n{}```\n", SCENE.join(" "), choice(&told));
     let tiers = tiers(effort)?.to_string();
-    rewrite(&root.join("README.md"), &[("trade", &trade), ("tiers", &tiers)])?;
     let speed = speed(effort)?.to_string();
     let judged = kahan(root, ["extremes", "--json", "--trials", TRIALS].into_iter())?;
     let judged: Value = serde_json::from_str(&judged).context("`kahan extremes --json` is no JSON")?;
     let extremes = extremes(&judged)?.to_string();
-    rewrite(&root.join("docs/speed.md"), &[("speed", &speed), ("extremes", &extremes)])
+    let parts = [("trade", &trade), ("tiers", &tiers), ("speed", &speed), ("extremes", &extremes)];
+    rewrite(&root.join("docs/reference/speed.md"), &parts)
 }
 
 /// Replaces the named parts of a page.
-fn rewrite(path: &Path, parts: &[(&str, &str)]) -> Result<()> {
+fn rewrite(path: &Path, parts: &[(&str, &String)]) -> Result<()> {
     let page = path.display().to_string();
     let mut text = std::fs::read_to_string(path).with_context(|| format!("{page} cannot be read"))?;
     for (name, by) in parts {

@@ -4,8 +4,8 @@ use std::fmt;
 
 /// Rows of text under headings; the first column is set left, the others right.
 pub(crate) struct Table {
-    head: Vec<String>,
-    rows: Vec<Vec<String>>,
+    pub(crate) head: Vec<String>,
+    pub(crate) rows: Vec<Vec<String>>,
 }
 
 impl Table {

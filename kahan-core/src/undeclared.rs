@@ -12,7 +12,8 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::SingularStep;
 
-/// What a block would have to be; it is none of it.
+/// Implements none of the traits below, so that asking a block for what it does not declare is an
+/// error with their message.
 #[derive(Clone, Copy, Debug)]
 pub struct Block;
 

@@ -6,8 +6,17 @@
 #[doc = include_str!("../../README.md")]
 struct Repository;
 
-#[doc = include_str!("../../docs/speed.md")]
-struct Speed;
+#[doc = include_str!("../../docs/tutorial.md")]
+struct Tutorial;
+
+#[doc = include_str!("../../docs/how-to/rust.md")]
+struct OwnField;
+
+#[doc = include_str!("../../docs/how-to/ensembles.md")]
+struct Trajectories;
+
+#[doc = include_str!("../../docs/how-to/lattices.md")]
+struct Lattices;
 
 #[doc = include_str!("../../crates/kahan-syntax/README.md")]
 struct Syntax;

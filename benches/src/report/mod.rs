@@ -1,4 +1,4 @@
-//! Measurements as sections of a document, each with the limits that it decides.
+//! Measurements as sections, each with the limits that it decides, as text or among the results.
 
 mod compile;
 mod drift;
@@ -10,9 +10,12 @@ mod steps;
 mod tiers;
 
 use std::fmt;
+use std::path::Path;
 
-use crate::limit::{self, Limit};
-use crate::race::Effort;
+use serde_json::json;
+
+use crate::limit::Limit;
+use crate::machine;
 use crate::table::Table;
 
 pub(crate) use compile::compile;
@@ -41,29 +44,18 @@ impl fmt::Display for Section {
     }
 }
 
-const INTRODUCTION: &str = "\
-# Benchmarks
-
-Written by a command, from one run on one machine; every comparison is a ratio formed round by round between things
-timed in turns. Times in nanoseconds are the least of all rounds; ratios are medians unless a section says otherwise, with
-the quartiles in brackets where they are of use. Below 1 is faster than what stands at 1.00.
-
-```sh
-cargo run --release --manifest-path benches/Cargo.toml          # writes this file; `-- --help` for the parts
-```
-
-The machine should have nothing else to do. Instructions are counted by valgrind's callgrind, where it is to be had; they
-do not depend on the load. The best step by hand is the one of least latency; where another one is shorter, it waits longer,
-and its instructions are given for comparison.
-";
-
-/// The whole document.
-pub(crate) fn document(machine: &str, sections: &[Section], limits: &[Limit], effort: Effort) -> String {
-    let sections: Vec<String> = sections.iter().map(Section::to_string).collect();
-    format!(
-        "{INTRODUCTION}\n## The machine\n\n{machine}- Effort: {} rounds\n\n## What must hold\n\n{}\n## Measurements\n\n{}",
-        effort.rounds,
-        limit::table(limits),
-        sections.join("\n"),
-    )
+/// The sections of a part with its limits, and on what they were measured, as JSON.
+pub(crate) fn result(root: &Path, sections: &[Section], limits: &[Limit]) -> String {
+    let sections = sections.iter().map(|section| {
+        let Section { title, text, table } = section;
+        json!({ "title": title, "text": text, "columns": table.head, "rows": table.rows })
+    });
+    let result = json!({
+        "machine": machine::processor(),
+        "compiler": machine::compiler(),
+        "commit": machine::commit(root),
+        "sections": sections.collect::<Vec<_>>(),
+        "limits": limits.iter().map(Limit::to_json).collect::<Vec<_>>(),
+    });
+    format!("{result:#}\n")
 }

@@ -26,7 +26,6 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use commands::verify::Verify;
 use printing::{Answer, Refusal, finish, warn};
 use reading::Source;
 
@@ -35,7 +34,7 @@ use reading::Source;
 /// A quadratic vector field x' = f(x) has a birational map x ↦ x~ that approximates its flow over
 /// the time step 2 eps. This command proves what is claimed of the maps of the catalog, shows their
 /// formulas, evaluates them and follows their orbits. Every number is exact: 3/7, -2, 0.25, 1e-3.
-/// `eps` is half the time step. Without a command it runs `verify`.
+/// `eps` is half the time step.
 #[derive(Debug, Parser)]
 #[command(name = "kahan", version, after_help = EXAMPLES)]
 struct Cli {
@@ -43,9 +42,23 @@ struct Cli {
     command: Option<Command>,
 }
 
+/// What `kahan` alone says.
+const BEGINNING: &str = "\
+Kahan's method turns a quadratic differential equation into a rational map over the time 2 eps.
+
+  kahan orbit    --field 'xdot = v; vdot = -x - x^2;' --eps 0.05 --at 0.3,0 --steps 1000
+  kahan discover --field 'xdot = v; vdot = -x - x^2;'               # what the map keeps, proved
+  kahan picture  --field 'xdot = v; vdot = -x - x^2;' --eps 0.15 --at 0.3,0 --steps 500 --out o.svg
+  kahan page     --field 'xdot = v; vdot = -x - x^2;' --out spring  # all on one page
+  kahan list                                       # fields with names, for `kahan show e6`
+  kahan verify                                     # proves every formula of a paper
+
+Write your own equations instead. `kahan --help` lists the commands, `kahan COMMAND --help` helps.
+";
+
 const EXAMPLES: &str = "\
 Examples:
-  kahan                                   prove every claim of the paper
+  kahan verify                            prove every formula of the paper
   kahan show e6                           the formulas of E6
   kahan eval e1 --eps 1/2 --at -2,1,1/3   every object at a point
   kahan orbit e6 --eps 0.1 --at 1,2,3 --steps 100
@@ -107,7 +120,9 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let note = matches.as_ref().ok().and_then(undeclared);
     let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
     let result = match read {
-        Ok(cli) => cli.command.map_or_else(|| Verify::default().run(), |command| command.run()),
+        Ok(cli) => {
+            cli.command.map_or_else(|| Ok(Answer::verbatim(BEGINNING.to_owned())), |command| command.run())
+        }
         Err(error) => usage(&error),
     };
     // Of refusals, those of a term may be about a name that was to be a variable.

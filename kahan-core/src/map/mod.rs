@@ -157,7 +157,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// exact. What these leave open (terms a thousand powers of ten apart) elimination settles over
     /// 256 such digits: that takes milliseconds and allocates, and needs `std`. An ordinary point
     /// gets the bits of [`step`](Self::step) at little more than its price, and points near poles
-    /// or far out at a multiple of it; `BENCHMARKS.md` has the times. Until the last rung nothing
+    /// or far out at a multiple of it; `benches/results` has the times. Until the last rung nothing
     /// is allocated, but without optimisation the wide numbers need some of the stack: the more,
     /// the more variables a dense field has.
     ///

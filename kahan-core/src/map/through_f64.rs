@@ -25,7 +25,7 @@ use crate::{Room, Step, Stopped};
 /// `f32` nearest to the exact x̃ but where that lies this close to the middle between two: about
 /// one component in 10⁷. Closer to a pole both grow by the condition number of the step. In a chain
 /// of steps the conversions there and back are waited for: it takes longer than the step in `f64`,
-/// by what `BENCHMARKS.md` says, and keeps the state in half the memory. An
+/// by what `benches/results` says, and keeps the state in half the memory. An
 /// [`Ensemble`](crate::Ensemble) runs it one trajectory at a time.
 ///
 /// It works in every mode of an orbit. Compensated, the increment with the carry is rounded once; a

@@ -12,7 +12,7 @@ use super::growth::Size;
 /// Over n steps it grows like log n on a torus and like n where motion is chaotic. C. Froeschlé, E.
 /// Lega, R. Gonczi, Celest. Mech. Dyn. Astron. 67 (1997) 41.
 ///
-/// Cost: a tangent vector, about that of a step, and its square; see `BENCHMARKS.md`.
+/// Cost: a tangent vector, about that of a step, and its square; see `benches/results`.
 ///
 /// It reports not a number from a pole on.
 ///

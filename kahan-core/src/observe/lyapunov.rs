@@ -10,7 +10,7 @@ use super::growth::Size;
 /// length has grown by exp(λ·2εn) and a factor that stays bounded, or grows slowly: on a torus
 /// linearly, so that λ tends to 0 as log(n)/n.
 ///
-/// Cost: a tangent vector, about that of a step; see `BENCHMARKS.md`.
+/// Cost: a tangent vector, about that of a step; see `benches/results`.
 ///
 /// An [`Observer`](super::Observer) of points, made by `Lyapunov::new(&map)`; `map` is a
 /// [`TangentMap`].

@@ -15,7 +15,7 @@ impl<S: Step> Orbit<S> {
     /// are [done](Observer::is_done) end the run at that point.
     ///
     /// It allocates nothing where a state is an array, and a copy of the state where it is a `Vec`.
-    /// `BENCHMARKS.md` has the times.
+    /// `benches/results` has the times.
     ///
     /// ```
     /// use kahan_core::observe::Escape;

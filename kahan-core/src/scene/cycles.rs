@@ -1,7 +1,7 @@
 //! What a step costs, without a clock.
 //!
 //! In: what the plan of a step says of itself. Out: cycles. The factors are rounded from
-//! measurements of the steps of E6, LV and the Euler top on x86-64 (the tiers of `BENCHMARKS.md`);
+//! measurements of the steps of E6, LV and the Euler top on x86-64 (`benches/results/tiers.json`);
 //! they decide between kinds of numbers, whereas between orders and ε the count of stages does.
 
 use crate::StepCost;

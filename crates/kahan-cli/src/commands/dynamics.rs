@@ -13,14 +13,19 @@ use crate::reading::{Start, observable, order, whole};
 ///
 /// Nothing is stored; tangent vectors are carried by the exact Jacobian of the map. Exponents are
 /// per unit of time, of which a step takes 2 eps, with a distance that tells how far they have
-/// converged; all of them together are the mean of log |det J|. FLI grows like log n where motion
-/// is regular and like n where it is chaotic, the mean MEGNO tends to 2 where motion is
-/// quasi-periodic and grows where it is chaotic, SALI tends to 0 where it is chaotic (in two
-/// variables always, like a power of time where motion is regular). A rotation number counts turns
-/// a step of a variable about the middle of its extremes, in the plane of the variable and its
-/// rate, modulo 1, with an estimate of its error. Drift is relative to the first value. Steps are
-/// those of `kahan orbit` in f64. Where numbers leave the range of f64, the answer is of the steps
-/// before, and the exit status is 1.
+/// converged; all of them together are the mean of log |det J|.
+///
+/// Three indicators tell regular orbits from chaotic ones sooner. FLI, the fast Lyapunov indicator,
+/// is the logarithm of the largest growth of a tangent vector: it grows like log n on regular
+/// orbits and like n on chaotic ones. MEGNO, the mean exponential growth of nearby orbits, tends to
+/// 2 on quasi-periodic orbits and grows on chaotic ones. SALI, the smaller alignment index, says
+/// how nearly two tangent vectors are parallel: it falls to 0 exponentially on chaotic orbits, and
+/// in two variables like a power of time on regular ones.
+///
+/// A rotation number counts turns a step of a variable about the middle of its extremes, in the
+/// plane of the variable and its rate, modulo 1, with an estimate of its error. Drift is relative
+/// to the first value. Steps are those of `kahan orbit` in f64. Where numbers leave the range of
+/// f64, the answer covers the steps before, and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Dynamics {

@@ -28,14 +28,14 @@ use crate::reading::{Source, whole};
 /// `step` is the fast tier, in dd the accurate one: silently wrong is a finite result that is off
 /// by more than 1e-3 of the exact one's largest component. `try_step` is the stable tier: silently
 /// wrong is an Ok that is off by more than 64 u of it (u = 2^-24 for f32, 2^-53 for f64, 2^-102 for
-/// dd), or not finite, or at a pole. A flag has no right where the condition number of the step in
-/// (x, eps) is below 1e12 (f32: 1e4) and no component of the exact result is below the normal range
-/// or above the largest float; of dd no such thing is promised.
+/// dd), or not finite, or at a pole. A flag is an answer that `try_step` refuses to give. It must
+/// not refuse in f64 and f32 where the condition number of the step in (x, eps) is below 1e12
+/// (f32: 1e4) and every component of the exact result is a normal float; in dd it may.
 ///
 /// A trial is one step, for which any eps is as good as another. In long runs it matters how many
 /// bits eps has: see `kahan trade --help`.
 ///
-/// The exit status is 1 if the stable tier is silently wrong anywhere, or flags without right.
+/// The exit status is 1 if the stable tier is silently wrong anywhere, or refuses where it must not.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Extremes {

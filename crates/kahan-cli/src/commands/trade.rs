@@ -36,11 +36,12 @@ use crate::reading::{Source, number, one_of, point, seconds};
 /// the orbit: of the map's own integrals at order 2, of the flow's (the claims at eps = 0) for
 /// compositions, which have none of their own. The trajectory may be far off then.
 ///
-/// An orbit that follows a trajectory ends at the horizon, but for the rounding of its eps; one
-/// that keeps integrals at the step that is nearest to it. In the table, `return` is how far from
+/// An orbit that follows a trajectory ends at the horizon, as nearly as its rounded eps allows; one
+/// that keeps integrals ends at the step nearest to the horizon. In the table, `return` is how far from
 /// the first point an orbit comes home that goes all its steps forward and back.
 ///
-/// Settings are measured until the answer is clear: nothing finer than what does, nothing dearer.
+/// The command measures settings from coarse to fine until one serves, and skips those that are
+/// bound to cost more than it.
 /// The table shows the front, which no other setting beats in price and error together; --json has
 /// all. To keep integrals every eps has few bits (17, and 8 in f32), so that its powers are exact:
 /// keep it as it is printed. It matters in long runs at order 2, from some 1e5 steps on, where the

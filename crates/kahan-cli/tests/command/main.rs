@@ -2,6 +2,8 @@
 //! subcommand, and for what is common to all.
 
 mod atlas_folders;
+#[cfg(unix)]
+mod beginning;
 mod completions;
 mod conditions;
 mod discovering;

@@ -3,16 +3,15 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
 use quick_xml::Reader;
 use quick_xml::escape::unescape;
 use quick_xml::events::Event;
 
 use crate::painting::{drawings, painted};
-#[cfg(unix)]
-use crate::running::examples_run;
 use crate::running::{answer, kahan, refusal, text};
+#[cfg(unix)]
+use crate::running::{examples_run, shell};
 
 /// The page with these arguments, which begin after `page`.
 fn page(folder: &Path, arguments: &[&str]) -> String {
@@ -29,14 +28,6 @@ fn commands(page: &str) -> Vec<String> {
         unescape(text).expect("text").into_owned()
     };
     parts.map(code).collect()
-}
-
-#[cfg(unix)]
-fn shell(line: &str, folder: &Path) -> Output {
-    let arguments = line.strip_prefix("kahan ").expect("a command");
-    let mut shell = Command::new("sh");
-    shell.args(["-c", &format!("\"$KAHAN\" {arguments}")]);
-    shell.env("KAHAN", env!("CARGO_BIN_EXE_kahan")).current_dir(folder).output().expect("a shell")
 }
 
 /// The drawing in the figure of this name.

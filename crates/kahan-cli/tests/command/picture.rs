@@ -2,13 +2,14 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use serde_json::Value;
 
 use crate::painting::painted;
+#[cfg(unix)]
+use crate::running::examples_run;
 use crate::running::{answer, kahan, object, refusal, text};
 
 /// The file of a picture with these arguments, which begin after `picture`.
@@ -72,21 +73,8 @@ fn a_section_has_the_crossings_of_its_orbits() {
 #[cfg(unix)]
 #[test]
 fn the_examples_of_the_help_run() {
-    let help = answer(&["picture", "--help"]);
-    let (_, examples) = help.split_once("Examples:\n").expect("the help has examples");
     let folder = tempfile::tempdir().expect("a folder");
-    let mut run = 0;
-    for example in examples.lines().map(str::trim).take_while(|line| !line.is_empty()) {
-        let arguments = example.strip_prefix("kahan ").expect("a command");
-        let output = Command::new("sh")
-            .args(["-c", &format!("\"$KAHAN\" {arguments}")])
-            .env("KAHAN", env!("CARGO_BIN_EXE_kahan"))
-            .current_dir(folder.path())
-            .output()
-            .expect("a shell");
-        assert_eq!(output.status.code(), Some(0), "{example}: {}", text(&output.stderr));
-        run += 1;
-    }
+    let run = examples_run("picture", folder.path());
     assert!(run >= 4, "{run} examples");
     let files: Vec<_> = fs::read_dir(folder.path()).expect("the folder").flatten().collect();
     assert_eq!(files.len(), run);

@@ -16,6 +16,15 @@ pub(crate) fn kahan(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_kahan")).args(arguments).output().expect("the command runs")
 }
 
+/// A run of a line that begins with `kahan`, as one copies it, in a folder.
+#[cfg(unix)]
+pub(crate) fn shell(line: &str, folder: &Path) -> Output {
+    let arguments = line.strip_prefix("kahan ").expect("a command");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &format!("\"$KAHAN\" {arguments}")]);
+    shell.env("KAHAN", env!("CARGO_BIN_EXE_kahan")).current_dir(folder).output().expect("a shell")
+}
+
 pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
@@ -53,13 +62,7 @@ pub(crate) fn examples_run(command: &str, folder: &Path) -> usize {
     let (_, examples) = help.split_once("Examples:\n").expect("the help has examples");
     let mut run = 0;
     for example in examples.lines().map(str::trim).take_while(|line| !line.is_empty()) {
-        let arguments = example.strip_prefix("kahan ").expect("a command");
-        let output = Command::new("sh")
-            .args(["-c", &format!("\"$KAHAN\" {arguments}")])
-            .env("KAHAN", env!("CARGO_BIN_EXE_kahan"))
-            .current_dir(folder)
-            .output()
-            .expect("a shell");
+        let output = shell(example, folder);
         assert_eq!(output.status.code(), Some(0), "{example}: {}", text(&output.stderr));
         run += 1;
     }

@@ -1,8 +1,8 @@
 //! Golden expansions: a block and the Rust that it becomes, to be read in review like any code.
 //!
-//! The first shows all of it, each later one what it is there for and none before it shows: a
-//! function that differs from one before it in the name of the type and in the dimension alone is
-//! left out.
+//! The first file shows a whole expansion. Each later one leaves out the functions that differ from
+//! one in an earlier file in the name of the type and the dimension alone.
+//!
 //! `KAHAN_GOLDEN=overwrite cargo test -p kahan-emit` writes the files anew.
 
 use std::collections::BTreeSet;

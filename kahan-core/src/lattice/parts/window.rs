@@ -26,7 +26,7 @@ impl<L: Scalar + Copy, const B: usize, const R: usize, const WIDTH: usize> Windo
 
     /// Exchanges with another row where its first entry is larger.
     ///
-    /// As a rule it is in no lane, so that asking takes less time than choosing.
+    /// In most steps no lane exchanges, so a test of all lanes costs less than a choice in each.
     #[inline(always)]
     fn exchange_if_larger<T>(&mut self, other: &mut Self)
     where

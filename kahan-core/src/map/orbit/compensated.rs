@@ -145,7 +145,7 @@ impl<S: Increments<Scalar: FloatScalar>> Orbit<S> {
     ///
     /// Each point that it yields is rounded, to about an ulp of where the orbit is.
     ///
-    /// Cost: seven operations a component, none of which the next step waits for; `BENCHMARKS.md`
+    /// Cost: seven operations a component, none of which the next step waits for; `benches/results`
     /// has the times.
     ///
     /// ```

@@ -22,7 +22,7 @@ use crate::reading::Source;
 /// arithmetic; what the paper misprints is refuted as printed and established as corrected. With a
 /// field of your own, or with --param, the claims of that block are proved. The exit status is 1 if
 /// a claim does not hold.
-#[derive(Args, Debug, Default)]
+#[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Verify {
     #[command(flatten)]
