@@ -24,8 +24,9 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
-use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser};
 
+use commands::{BEFORE_CHART, Command, GROUPS};
 use printing::{Answer, Refusal, finish, warn};
 use reading::Source;
 
@@ -66,44 +67,6 @@ Examples:
 
 `kahan COMMAND --help` shows examples, `kahan help COMMAND` says all of it.";
 
-/// What `kahan chart` was called before: Kahan's map is the map.
-const BEFORE_CHART: &str = "map";
-
-/// Makes of the commands, each in a module of its name, what is common to all: `GROUPS`, the
-/// commands by what they are for, as `kahan --help` lists them; what clap reads; and what runs.
-macro_rules! commands {
-    ($($heading:literal: $(
-        $(#[$attribute:meta])* $module:ident::$command:ident $(with $argument:expr)?
-    ),*;)*) => {
-        const GROUPS: &[(&str, &[&str])] = &[$(($heading, &[$(stringify!($module)),*])),*];
-
-        #[derive(Debug, Subcommand)]
-        enum Command {
-            $($($(#[$attribute])* $command(commands::$module::$command),)*)*
-        }
-
-        impl Command {
-            fn run(&self) -> Result<Answer, Refusal> {
-                match self {
-                    $($(Self::$command(command) => command.run($($argument)?),)*)*
-                }
-            }
-        }
-    };
-}
-
-commands! {
-    "A field": list::List, show::Show, eval::Eval;
-    // A chart under its name before, too, for those who have it in scripts.
-    "Orbits": orbit::Orbit, dynamics::Dynamics, section::Section, periodic::Periodic,
-        #[command(alias = BEFORE_CHART)] chart::Chart, picture::Picture, sweep::Sweep;
-    "What is preserved": discover::Discover, scan::Scan, poles::Poles, heights::Heights;
-    "Accuracy": trade::Trade, extremes::Extremes;
-    "Pages": page::Page;
-    "The paper": verify::Verify, atlas::Atlas;
-    "The shell": completions::Completions with self::command();
-}
-
 /// Runs the command with these arguments, the program's name first; what it prints goes to standard
 /// output and standard error.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
@@ -121,7 +84,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
     let result = match read {
         Ok(cli) => {
-            cli.command.map_or_else(|| Ok(Answer::verbatim(BEGINNING.to_owned())), |command| command.run())
+            cli.command.map_or_else(|| Ok(Answer::verbatim(BEGINNING.to_owned())), |asked| asked.run(command))
         }
         Err(error) => usage(&error),
     };

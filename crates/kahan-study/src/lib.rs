@@ -54,15 +54,7 @@ pub use from_toml::from_toml;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
-pub use question::{
-    Answer, Begun, Chain, ChainHead, ClaimShown, Costs, CycleFound, Diagram, DiagramFound, Discover,
-    Discovered, Evaluate, Evaluated, Extremes, Form, Heights, HeightsFound, Judged, Listing, Method, NoOrbit,
-    Observable, Observe, Observed, Orbit, OrbitHead, Orbited, Over, OverFound, Periodic, Plane, Planned,
-    Poles, PolesFound, Question, Scan, ScanFound, Section, SectionFound, Seen, Sheet, Show, Shown, Side,
-    Source, Through, Varied, characteristic_polynomial, fifteen_digits,
-};
-#[cfg(feature = "paper")]
-pub use question::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
+pub use question::*;
 pub use range::{Axis, NoRange, Range, Spacing};
 pub use rows::{Cell, Column, End, Exact, Kept, Last, MOST_CELLS, Rows, Table, Values, free_name};
 pub use scene::Scene;

@@ -195,6 +195,10 @@ fn other_questions_have_rows_too() {
         json!(of(json!({"ask": "heights", "eps": 1, "at": [1, "1/2"], "steps": 4})).expect("an answer"));
     assert_eq!((&found["rows"][0][2], &found["rows"][0][3]), (&json!(0), &json!("undefined")));
     assert_eq!(found["rows"][1][2], json!(4));
+    // The map of a planar Hamiltonian field keeps an integral and a density.
+    let found = json!(of(json!({"ask": "discover"})).expect("an answer"));
+    let row = |cell: usize| (&found["rows"][cell][2], found["rows"][cell][6] != json!(""));
+    assert_eq!([row(0), row(1)], [(&json!(-1), false), (&json!(1), true)], "{found}");
     let refused = of(json!({"ask": "poles"})).expect_err("no rows");
     assert!(matches!(refused, StudyError::NoRows("poles")), "{refused}");
 }

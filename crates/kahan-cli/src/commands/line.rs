@@ -3,28 +3,11 @@
 use std::fmt;
 
 use clap::{Args, FromArgMatches};
+use kahan_study::Study;
 use kahan_study::numbers::number;
-use kahan_study::{Question, Study};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::{
-    chart::Chart,
-    discover::Discover,
-    dynamics::Dynamics,
-    eval::Eval,
-    extremes::Extremes,
-    heights::Heights,
-    orbit::Orbit,
-    periodic::Periodic,
-    picture::{Picture, shown::Shown},
-    poles::Poles,
-    scan::Scan,
-    section::Section,
-    show::Show,
-    trade::Trade,
-    verify::Verify,
-};
 use crate::printing::Refusal;
 
 /// A command that asks a question: its arguments say which, and a question says its arguments.
@@ -59,27 +42,6 @@ impl Line {
     /// A command with the words that name a system.
     pub(crate) fn new(command: &'static str, system: &[String]) -> Self {
         Line { command, words: system.to_vec() }
-    }
-
-    /// The call that asks a question about the system that these words name.
-    pub(crate) fn asking(system: &[String], question: &Question) -> Self {
-        match question {
-            Question::Show(asked) => Show::call(system, asked),
-            Question::Evaluate(asked) => Eval::call(system, asked),
-            Question::Orbit(asked) => Orbit::call(system, asked),
-            Question::Observe(asked) => Dynamics::call(system, asked),
-            Question::Over(asked) => Chart::call(system, asked),
-            Question::Section(asked) => Section::call(system, asked),
-            Question::Diagram(asked) => Picture::call(system, &Shown::of_diagram(asked)),
-            Question::Periodic(asked) => Periodic::call(system, asked),
-            Question::Heights(asked) => Heights::call(system, asked),
-            Question::Poles(asked) => Poles::call(system, asked),
-            Question::Discover(asked) => Discover::call(system, asked),
-            Question::Scan(asked) => Scan::call(system, asked),
-            Question::Trade(asked) => Trade::call(system, asked),
-            Question::Extremes(asked) => Extremes::call(system, asked),
-            Question::Verify(asked) => Verify::call(system, asked),
-        }
     }
 
     /// With the options of a command that say what a question has unlike the usual: an argument
@@ -155,14 +117,21 @@ impl fmt::Display for Line {
 
 #[cfg(test)]
 mod tests {
-    use super::super::picture::shown::What;
-    use super::super::picture::starts::{At, Spread};
     use super::*;
+    use crate::commands::picture::shown::{Shown, What};
+    use crate::commands::picture::starts::{At, Spread};
+    use crate::commands::{
+        chart::Chart, discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes,
+        heights::Heights, orbit::Orbit, periodic::Periodic, picture::Picture, poles::Poles, scan::Scan,
+        section::Section, show::Show, trade::Trade, verify::Verify,
+    };
     use kahan_algebra::rational::Rational;
     use kahan_core::Need;
     use kahan_study::numbers::ScalarKind;
     use kahan_study::trade;
-    use kahan_study::{self as study, Axis, Evaluate, Form, Method, Observable, Observe, Range, Side};
+    use kahan_study::{
+        self as study, Axis, Evaluate, Form, Method, Observable, Observe, Question, Range, Side,
+    };
 
     /// What the command makes of a call.
     fn read<A: Args + FromArgMatches>(line: &Line) -> A {

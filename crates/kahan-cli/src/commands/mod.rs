@@ -1,26 +1,88 @@
-//! The commands, one file each: arguments in, an [`Answer`](crate::printing::Answer) or a
-//! [`Refusal`](crate::printing::Refusal) out.
+//! The commands, one file each: arguments in, an [`Answer`] or a [`Refusal`] out. The list below
+//! makes of them what is common to all.
 
-pub(crate) mod atlas;
-pub(crate) mod chart;
-pub(crate) mod completions;
-pub(crate) mod discover;
-pub(crate) mod dynamics;
-pub(crate) mod eval;
-pub(crate) mod extremes;
-pub(crate) mod heights;
+mod atlas;
+mod chart;
+mod completions;
+mod discover;
+mod dynamics;
+mod eval;
+mod extremes;
+mod heights;
 mod line;
-pub(crate) mod list;
+mod list;
 mod look;
-pub(crate) mod orbit;
-pub(crate) mod page;
-pub(crate) mod periodic;
-pub(crate) mod picture;
-pub(crate) mod poles;
-pub(crate) mod scan;
+mod orbit;
+mod page;
+mod periodic;
+mod picture;
+mod poles;
+mod scan;
 mod search;
-pub(crate) mod section;
-pub(crate) mod show;
-pub(crate) mod sweep;
-pub(crate) mod trade;
+mod section;
+mod show;
+mod sweep;
+mod trade;
 pub(crate) mod verify;
+
+use clap::Subcommand;
+use kahan_study::Question;
+
+use crate::printing::{Answer, Refusal};
+use line::{Asking, Line};
+
+/// What `kahan chart` was called before: Kahan's map is the map.
+pub(crate) const BEFORE_CHART: &str = "map";
+
+/// Makes of the commands, each in a module of its name, what is common to all: `GROUPS`, the
+/// commands by what they are for, as `kahan --help` lists them; what clap reads; what runs, where
+/// `$whole` makes the command line; and the call that asks a question.
+macro_rules! commands {
+    (|$whole:ident| $($heading:literal: $(
+        $(#[$attribute:meta])* $module:ident::$command:ident
+            $(asking $question:ident $(by $($shown:ident)::+)?)? $(with $argument:expr)?
+    ),*;)*) => {
+        pub(crate) const GROUPS: &[(&str, &[&str])] = &[$(($heading, &[$(stringify!($module)),*])),*];
+
+        #[derive(Debug, Subcommand)]
+        pub(crate) enum Command {
+            $($($(#[$attribute])* $command($module::$command),)*)*
+        }
+
+        impl Command {
+            pub(crate) fn run(&self, $whole: fn() -> clap::Command) -> Result<Answer, Refusal> {
+                match self {
+                    $($(Self::$command(command) => command.run($($argument)?),)*)*
+                }
+            }
+        }
+
+        impl Line {
+            /// The call that asks a question about the system that these words name.
+            fn asking(system: &[String], question: &Question) -> Self {
+                match question {
+                    $($($(
+                        Question::$question(asked) => {
+                            $(let asked = &$($shown)::+(asked);)?
+                            $module::$command::call(system, asked)
+                        }
+                    )?)*)*
+                }
+            }
+        }
+    };
+}
+
+commands! { |whole|
+    "A field": list::List, show::Show asking Show, eval::Eval asking Evaluate;
+    // A chart under its name before, too, for those who have it in scripts.
+    "Orbits": orbit::Orbit asking Orbit, dynamics::Dynamics asking Observe, section::Section asking Section,
+        periodic::Periodic asking Periodic, #[command(alias = BEFORE_CHART)] chart::Chart asking Over,
+        picture::Picture asking Diagram by picture::shown::Shown::of_diagram, sweep::Sweep;
+    "What is preserved": discover::Discover asking Discover, scan::Scan asking Scan,
+        poles::Poles asking Poles, heights::Heights asking Heights;
+    "Accuracy": trade::Trade asking Trade, extremes::Extremes asking Extremes;
+    "Pages": page::Page;
+    "The paper": verify::Verify asking Verify, atlas::Atlas;
+    "The shell": completions::Completions with whole();
+}

@@ -7,9 +7,9 @@ use kahan_algebra::syntax::{ClaimBody, TensorEntry};
 use kahan_algebra::system::System;
 use kahan_discover::basis::Basis;
 use kahan_discover::claims::Formula;
-use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
+use kahan_discover::hilbert::{MOST_MONOMIALS_AT_ALL, default_degree};
 use kahan_discover::monomials::Monomials;
-use kahan_discover::{Options, Report, Watch, discover};
+use kahan_discover::{Options, Report, Unwatched, Watch, discover};
 use kahan_runtime::FieldText;
 use serde::ser::Error;
 use serde::{Deserialize, Serialize, Serializer};
@@ -17,8 +17,10 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::exact;
+use crate::rows::{Column, Kept};
 use crate::study::Study;
 
+use super::over::{AtCell, Entry, column};
 use super::seconds_since;
 
 /// Asks what the map of a field preserves.
@@ -78,6 +80,46 @@ impl Discover {
             report,
             seconds: seconds_since(begun, watch),
         })
+    }
+}
+
+impl AtCell for Discover {
+    fn place(&self) -> (Option<&Rational>, Option<&[Rational]>) {
+        (self.eps.as_ref(), None)
+    }
+
+    fn columns(&self, _: &[String]) -> Vec<(Column, Kept)> {
+        vec![
+            column(
+                "independent_integrals",
+                "number of independent algebraic integrals that were seen",
+                Kept::Integer(vec![]),
+            ),
+            column("growth", "how the degrees of iterates grow", Kept::Text(vec![])),
+            column("entropy", "algebraic entropy", Kept::F64(vec![])),
+            column("integrals", "integrals in the language of kahan!, proved", Kept::Text(vec![])),
+            column("densities", "invariant densities, proved", Kept::Text(vec![])),
+        ]
+    }
+
+    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
+        let degree = self.degree.or(Some(default_degree(at.len())));
+        let asked = Discover { eps: Some(eps.clone()), degree, ..self.clone() };
+        let texts = |formulas: &[Formula]| {
+            let texts: Vec<&str> = formulas.iter().map(|formula| formula.text.as_str()).collect();
+            texts.join("\n")
+        };
+        let (integrals, growth, entropy, formulas) = match asked.ask(study, &Unwatched) {
+            Ok(Discovered { report, .. }) => {
+                let growth = &report.growth.growth;
+                let formulas = [texts(&report.integrals), texts(&report.densities)];
+                (report.independent_integrals() as i64, growth.word().to_owned(), growth.entropy(), formulas)
+            }
+            Err(StudyError::Discover { why, .. }) => (-1, why.to_string(), f64::NAN, Default::default()),
+            Err(why) => (-1, why.to_string(), f64::NAN, Default::default()),
+        };
+        let seen = [Entry::Integer(integrals), Entry::Text(growth), Entry::Float(entropy)];
+        seen.into_iter().chain(formulas.map(Entry::Text)).collect()
     }
 }
 

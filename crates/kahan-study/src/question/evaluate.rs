@@ -3,13 +3,16 @@
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::interpret::Point;
 use kahan_algebra::rational::Rational;
-use kahan_discover::Watch;
+use kahan_discover::{Unwatched, Watch};
 use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind, exact};
+use crate::rows::{Column, Kept};
 use crate::study::{NoStep, Study};
+
+use super::over::{AtCell, Entry, column};
 
 /// Asks for the field, the matrices, the map, its Jacobian, and the values of the claims at a
 /// point.
@@ -138,5 +141,33 @@ impl Evaluate {
             brackets: values.brackets.into_iter().map(|(name, value)| (name, value.map(rows))).collect(),
             no_step: (!has_next).then(|| if is_singular { study.pole() } else { NoStep::Range }),
         })
+    }
+}
+
+impl AtCell for Evaluate {
+    fn place(&self) -> (Option<&Rational>, Option<&[Rational]>) {
+        (Some(&self.eps), Some(&self.at))
+    }
+
+    fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
+        let determinants = [
+            column("det_A", "determinant of the matrix of the step", Kept::F64(vec![])),
+            column("det_jacobian", "determinant of the Jacobian of the map", Kept::F64(vec![])),
+        ];
+        let next = |name: &String| column(&format!("next_{name}"), "value one step later", Kept::F64(vec![]));
+        variables.iter().map(next).chain(determinants).collect()
+    }
+
+    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
+        let asked = Evaluate { eps: eps.clone(), at: at.to_vec(), ..self.clone() };
+        let number = |number: Option<&Number>| Entry::Float(number.map_or(f64::NAN, Number::to_f64));
+        match asked.ask(study, &Unwatched) {
+            Ok(values) => {
+                let next = |k: usize| number(values.x_next.as_ref().map(|next| &next[k]));
+                let determinants = [number(Some(&values.det_matrix)), number(values.det_jacobian.as_ref())];
+                (0..at.len()).map(next).chain(determinants).collect()
+            }
+            Err(_) => vec![number(None); at.len() + 2],
+        }
     }
 }

@@ -1,15 +1,17 @@
 //! The Diophantine test on one exact orbit, within bounds.
 
 use kahan_algebra::rational::Rational;
-use kahan_discover::{Progress, Watch};
+use kahan_discover::{Progress, Unwatched, Watch};
 use kahan_runtime::heights::{HeightsOrbit, Stop, Survey};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::exact;
+use crate::rows::{Column, Kept};
 use crate::study::{NoStep, Study};
 
+use super::over::{AtCell, Entry, column};
 use super::seconds_since;
 
 /// Asks how the heights of an exact orbit grow.
@@ -85,6 +87,48 @@ impl Heights {
             survey,
             seconds: seconds_since(begun, watch),
         })
+    }
+}
+
+impl AtCell for Heights {
+    fn place(&self) -> (Option<&Rational>, Option<&[Rational]>) {
+        (Some(&self.eps), Some(&self.at))
+    }
+
+    fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
+        let growth = [
+            column("steps", "steps that were made", Kept::Integer(vec![])),
+            column(
+                "growth",
+                "how heights grow: bounded, logarithmic, linear, quadratic, exponential or undecided",
+                Kept::Text(vec![]),
+            ),
+            column(
+                "entropy",
+                "logarithm of the last quotient of heights where these grow exponentially",
+                Kept::F64(vec![]),
+            ),
+        ];
+        let meaning = "logarithmic height at the last step, natural logarithm";
+        let last = |name: &String| column(&format!("height_{name}"), meaning, Kept::F64(vec![]));
+        growth.into_iter().chain(variables.iter().map(last)).collect()
+    }
+
+    fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
+        let asked = Heights { eps: eps.clone(), at: at.to_vec(), ..self.clone() };
+        let none = |growth: &str| (0, growth.to_owned(), f64::NAN, vec![f64::NAN; at.len()]);
+        let (steps, growth, entropy, last) = match asked.ask(study, &Unwatched) {
+            Ok(found) => match found.survey.heights.last() {
+                Some(last) => {
+                    let Survey { growth, entropy, .. } = &found.survey;
+                    (found.steps(), growth.to_string(), *entropy, last.logarithms.clone())
+                }
+                None => none("undecided"),
+            },
+            Err(_) => none("undefined"),
+        };
+        let growth = [Entry::Integer(steps as i64), Entry::Text(growth), Entry::Float(entropy)];
+        growth.into_iter().chain(last.into_iter().map(Entry::Float)).collect()
     }
 }
 

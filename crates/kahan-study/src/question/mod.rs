@@ -4,8 +4,8 @@
 //! reads itself from JSON, where `ask` names it: `{"ask": "evaluate", "eps": "1/2", "at": [1, 2,
 //! 3]}`; a name that it does not have is a mistake.
 //!
-//! Each question has a file, with what is asked, what is answered, and `ask`. The list below makes
-//! of them what is common to all.
+//! Each question has a file, with what is asked, what is answered, and `ask`, and where it can be
+//! asked over axes, what its row has there. The list below makes of them what is common to all.
 
 mod diagram;
 mod discover;
@@ -36,6 +36,8 @@ use crate::rows::{End, Rows};
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
+use over::AtCell;
+
 pub use diagram::{Diagram, DiagramFound};
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
@@ -55,7 +57,8 @@ pub use verify::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
 macro_rules! questions {
     ($(
         $(#[$about:meta])*
-        $question:ident, asked as $name:literal, answered by $answer:ident $(, with $feature:literal)?;
+        $question:ident, asked as $name:literal, answered by $answer:ident
+            $(, with $feature:literal)? $(, also $at_cell:ident)?;
     )*) => {
         /// What is asked.
         #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -80,6 +83,14 @@ macro_rules! questions {
             pub fn name(&self) -> &'static str {
                 match self {
                     $($(#[cfg(feature = $feature)])? Self::$question(_) => $name,)*
+                }
+            }
+
+            /// The same where it has a row in a table over axes.
+            fn at_cell(&self) -> Result<&dyn AtCell, StudyError> {
+                match self {
+                    $($(Self::$question(asked) => Ok(asked as &dyn $at_cell),)?)*
+                    other => Err(StudyError::NoRows(other.name())),
                 }
             }
 
@@ -111,7 +122,7 @@ questions! {
     /// Formulas.
     Show, asked as "show", answered by Shown;
     /// Every object at a point.
-    Evaluate, asked as "evaluate", answered by Evaluated;
+    Evaluate, asked as "evaluate", answered by Evaluated, also AtCell;
     /// The points of an orbit.
     Orbit, asked as "orbit", answered by Orbited;
     /// What an orbit does.
@@ -125,11 +136,11 @@ questions! {
     /// A cycle and its branch.
     Periodic, asked as "periodic", answered by CycleFound;
     /// The heights of an exact orbit.
-    Heights, asked as "heights", answered by HeightsFound;
+    Heights, asked as "heights", answered by HeightsFound, also AtCell;
     /// What becomes of singularities.
     Poles, asked as "poles", answered by PolesFound;
     /// What the map preserves.
-    Discover, asked as "discover", answered by Discovered;
+    Discover, asked as "discover", answered by Discovered, also AtCell;
     /// Special values of parameters and of ε.
     Scan, asked as "scan", answered by ScanFound;
     /// Speed against accuracy on a scene.

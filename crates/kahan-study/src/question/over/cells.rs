@@ -5,6 +5,7 @@
 
 use kahan_algebra::rational::Rational;
 
+use super::at_cell::column;
 use super::axis::{Values, Varied};
 use super::{Over, Question};
 use crate::error::StudyError;
@@ -96,20 +97,18 @@ impl<'a> Cells<'a> {
     /// The columns that say where a cell is: its number, its first point where these go through a
     /// list, and the axes of more than one value.
     pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
-        let column =
-            |name: &str, meaning: &str| Column { name: name.to_owned(), meaning: meaning.to_owned() };
-        let index = (column("index", "place of the point in the plan, from 0 on"), Kept::Integer(Vec::new()));
+        let index = column("index", "place of the point in the plan, from 0 on", Kept::Integer(vec![]));
         let starts = if self.starts.is_empty() { &[] } else { variables };
-        let starts = starts.iter().map(|name| (column(name, STARTS), Kept::F64(Vec::new())));
+        let starts = starts.iter().map(|name| column(name, STARTS, Kept::F64(vec![])));
         let axes = self.axes.iter().filter(|along| along.varies()).map(|along| {
-            let (meaning, kept) = match along.target {
-                Target::Variable(_) => (STARTS, Kept::F64(Vec::new())),
-                Target::Parameter(_) => ("value of the parameter", Kept::F64(Vec::new())),
-                Target::Epsilon => ("half the time step, in units of time", Kept::F64(Vec::new())),
-                Target::Order => ("order of the method", Kept::Integer(Vec::new())),
-                Target::Bits => ("bits of the scalar", Kept::Integer(Vec::new())),
-            };
-            (column(&along.axis.name, meaning), kept)
+            let name = &along.axis.name;
+            match along.target {
+                Target::Variable(_) => column(name, STARTS, Kept::F64(vec![])),
+                Target::Parameter(_) => column(name, "value of the parameter", Kept::F64(vec![])),
+                Target::Epsilon => column(name, "half the time step, in units of time", Kept::F64(vec![])),
+                Target::Order => column(name, "order of the method", Kept::Integer(vec![])),
+                Target::Bits => column(name, "bits of the scalar", Kept::Integer(vec![])),
+            }
         });
         [index].into_iter().chain(starts).chain(axes).collect()
     }
@@ -239,7 +238,7 @@ fn parameters(axes: &[Along<'_>], study: &Study) -> Result<Vec<Rational>, StudyE
 
 /// An entry of a row.
 #[derive(Clone, Debug)]
-pub(super) enum Entry {
+pub(in crate::question) enum Entry {
     Integer(i64),
     Float(f64),
     Text(String),

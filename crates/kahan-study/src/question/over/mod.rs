@@ -5,9 +5,9 @@
 //! draws, which go through all drawn axes together, run fastest of all. A row depends on its number
 //! alone, and not on where, when, and beside what it is computed.
 
+mod at_cell;
 mod axis;
 mod cells;
-mod exactly;
 mod orbits;
 mod waves;
 
@@ -23,14 +23,16 @@ use crate::numbers::exact;
 use crate::rows::{Column, End, Kept, MOST_CELLS, Rows, Table};
 use crate::study::Study;
 
-use cells::{Cells, Entry};
+use cells::Cells;
 use orbits::Orbits;
 use waves::in_waves;
 
+pub(super) use at_cell::{AtCell, column};
 pub use axis::{Source, Through, Varied};
+pub(super) use cells::Entry;
 
-/// Asks a question at every value of some axes: [`Observe`](super::Observe),
-/// [`Heights`](super::Heights), [`Evaluate`](super::Evaluate) or [`Discover`](super::Discover).
+/// Asks a question at every value of some axes: [`Observe`](super::Observe), or one about a point
+/// or a map, such as [`Heights`](super::Heights).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Over {
@@ -108,19 +110,16 @@ impl Over {
         watch: &dyn Watch,
     ) -> Result<End, StudyError> {
         let cells = Cells::of(self, study)?;
-        let orbits = match &*self.question {
-            Question::Observe(asked) => Some(Orbits::of(study, &cells, asked)?),
-            _ => None,
+        let found = match &*self.question {
+            Question::Observe(asked) => Found::Orbits(Orbits::of(study, &cells, asked)?),
+            other => Found::OneByOne(other.at_cell()?),
         };
-        let found = match &orbits {
-            Some(orbits) => orbits.columns(),
-            None => exactly::columns(&self.question, study.variables()),
+        let (of_found, block) = match &found {
+            Found::Orbits(orbits) => (orbits.columns(), orbits.at_once()),
+            Found::OneByOne(asked) => (asked.columns(study.variables()), [1, 256]),
         };
-        if found.is_empty() {
-            return Err(StudyError::NoRows(self.question.name()));
-        }
         let (columns, kept): (Vec<Column>, Vec<Kept>) =
-            cells.columns(study.variables()).into_iter().chain(found).unzip();
+            cells.columns(study.variables()).into_iter().chain(of_found).unzip();
         let empty = Table { columns, values: kept };
         let range = range.start.min(cells.count)..range.end.min(cells.count);
         if range.is_empty() {
@@ -128,54 +127,54 @@ impl Over {
             return Ok(End::Complete);
         }
         let make = |own: Range<u64>, goes_on: &dyn Fn(u64) -> bool| {
+            // Of cells that follow each other many have the same parameters.
             let (mut table, mut field) = (empty.clone(), None);
-            match &orbits {
-                Some(orbits) if goes_on(0) => {
+            match &found {
+                Found::Orbits(orbits) if goes_on(0) => {
                     orbits.rows(own).into_iter().for_each(|row| push(&mut table, row));
                     goes_on(table.count() as u64);
                 }
-                Some(_) => {}
-                None => {
+                Found::Orbits(_) => {}
+                Found::OneByOne(asked) => {
                     for index in own.take_while(|_| goes_on(0)) {
-                        push(&mut table, self.row(study, &cells, index, &mut field));
+                        let (place, (in_doubles, values)) = (cells.exactly(index), cells.in_doubles(index));
+                        let given: Vec<_> = place.parameters.into_iter().map(Some).collect();
+                        let known = field.take().filter(|known: &Study| *known.given() == given);
+                        let own = field.insert(known.unwrap_or_else(|| study.at(given)));
+                        let mut row = cells.entries(index, &in_doubles, &values);
+                        row.extend(asked.entries(&place.eps, &place.at, own));
+                        push(&mut table, row);
                         goes_on(1);
                     }
                 }
             }
             table
         };
-        let block = orbits.as_ref().map_or([1, 256], Orbits::at_once);
         Ok(in_waves(range, block, &make, rows, watch))
-    }
-
-    /// What is found at a cell; `field` is the one at the parameters before.
-    fn row(&self, study: &Study, cells: &Cells<'_>, index: u64, field: &mut Option<Study>) -> Vec<Entry> {
-        let (place, (in_doubles, values)) = (cells.exactly(index), cells.in_doubles(index));
-        let given: Vec<_> = place.parameters.into_iter().map(Some).collect();
-        let known = field.take().filter(|known| *known.given() == given);
-        let own = field.insert(known.unwrap_or_else(|| study.at(given)));
-        let question = exactly::at(&self.question, &place.eps, &place.at, own);
-        let mut row = cells.entries(index, &in_doubles, &values);
-        row.extend(exactly::entries(&question, own));
-        row
     }
 
     /// ε and the first point where no axis changes them.
     fn begins(&self, study: &Study) -> Result<(Rational, Vec<Rational>), StudyError> {
-        let point = |eps: &Rational, at: &[Rational]| Ok((eps.clone(), study.point(at)?));
-        match &*self.question {
-            Question::Observe(asked) => point(&asked.eps, &asked.at),
-            Question::Heights(asked) => point(&asked.eps, &asked.at),
-            Question::Evaluate(asked) => point(&asked.eps, &asked.at),
-            Question::Discover(asked) => {
-                let is_varied = self.axes.iter().any(|axis| axis.name == "eps");
-                let eps = asked.eps.clone().or(is_varied.then(Rational::zero));
-                let eps = eps.ok_or(StudyError::MissingStep)?;
-                Ok((eps, vec![Rational::zero(); study.variables().len()]))
-            }
-            other => Err(StudyError::NoRows(other.name())),
-        }
+        let (eps, at) = match &*self.question {
+            Question::Observe(asked) => (Some(&asked.eps), Some(&asked.at[..])),
+            other => other.at_cell()?.place(),
+        };
+        let at = match at {
+            Some(at) => study.point(at)?,
+            None => vec![Rational::zero(); study.variables().len()],
+        };
+        let is_varied = self.axes.iter().any(|axis| axis.name == "eps");
+        let eps = eps.cloned().or(is_varied.then(Rational::zero)).ok_or(StudyError::MissingStep)?;
+        Ok((eps, at))
     }
+}
+
+/// By what cells are answered.
+enum Found<'a> {
+    /// Orbits side by side.
+    Orbits(Orbits<'a>),
+    /// The question at each.
+    OneByOne(&'a dyn AtCell),
 }
 
 /// Adds a row.

@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 use kahan_core::Composition;
 use kahan_runtime::{Follow, Followed, MachineFloat, Map, MapAt, ObservedFloat};
 
+use super::at_cell::column;
 use super::cells::{Cells, Entry, Place, Target};
 use crate::error::StudyError;
 use crate::question::observe::{FITTING, Observable, Observe, Seen};
@@ -54,13 +55,14 @@ impl<'a> Orbits<'a> {
     }
 
     pub(super) fn columns(&self) -> Vec<(Column, Kept)> {
-        let steps = Column {
-            name: "steps".to_owned(),
-            meaning: "steps that were made, fewer where numbers leave their range".to_owned(),
-        };
+        let steps = column(
+            "steps",
+            "steps that were made, fewer where numbers leave their range",
+            Kept::Integer(vec![]),
+        );
         let seen = self.asked.columns(self.study).into_iter();
         let seen = seen.map(|column| (column, Kept::F64(Vec::new())));
-        [(steps, Kept::Integer(Vec::new()))].into_iter().chain(seen).collect()
+        [steps].into_iter().chain(seen).collect()
     }
 
     /// How many cells should be done at once, at least and at most: enough to fill registers, and
