@@ -46,7 +46,7 @@ pub(super) trait Moving: Tabular {
 
 /// The arithmetics whose values are the scalar's, and cells.
 macro_rules! of_float {
-    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $points:ident in $precision:ident) => {
+    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr, $points:ident in $precision:ident) => {
         impl Tabular for $arithmetic {
             type Cell = $float;
 
@@ -56,6 +56,10 @@ macro_rules! of_float {
 
             fn values(cells: &[$float]) -> Values<'_> {
                 Values::$values(cells)
+            }
+
+            fn whole(n: i64) -> $float {
+                $whole(n)
             }
         }
 
@@ -86,13 +90,15 @@ macro_rules! of_float {
     };
 }
 
-of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Dd::high, Floats in Double);
-of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], |x: Dd| x.high() as f32, Floats in Single);
+of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Dd::high, |n| n as f64, Floats in Double);
+of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], |x: Dd| x.high() as f32, |n| n as f32, Floats in Single);
 of_float!(
     DoubleDouble,
     Dd as Dd,
     [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)],
     std::convert::identity,
+    // What the nearest double leaves over is a double.
+    |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64),
     Wide in DoubleDouble
 );
 
@@ -105,6 +111,10 @@ impl Tabular for Exact {
 
     fn values(cells: &[rows::Exact]) -> Values<'_> {
         Values::Exact(cells)
+    }
+
+    fn whole(n: i64) -> Rational {
+        n.into()
     }
 }
 
@@ -321,5 +331,27 @@ impl<A: Moving> Points<A> for Box<dyn ProjectiveOrbit<A::Scalar>> {
     /// Nothing: the last point may be at infinity.
     fn point(&self) -> Vec<Number> {
         Vec::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Debug;
+
+    use super::*;
+
+    fn counts_are_rounded_as_numbers<A: Tabular<Value: Debug + PartialEq>>() {
+        let powers = (0..63).map(|power| 1_i64 << power);
+        let near = powers.flat_map(|power| [power - 1, power, power + 1, power / 3]);
+        near.chain([i64::MAX - 1, i64::MAX])
+            .for_each(|n| assert_eq!(A::whole(n), A::round(&Rational::from(n))));
+    }
+
+    #[test]
+    fn counts_are_rounded_once() {
+        counts_are_rounded_as_numbers::<Float64>();
+        counts_are_rounded_as_numbers::<Float32>();
+        counts_are_rounded_as_numbers::<DoubleDouble>();
+        counts_are_rounded_as_numbers::<Exact>();
     }
 }

@@ -6,7 +6,6 @@
 use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::kahan::TERM_BUDGET;
-use kahan_algebra::rational::Rational;
 use kahan_core::SingularStep;
 use kahan_discover::{Progress, Watch};
 
@@ -26,6 +25,10 @@ pub(super) trait Tabular: Printable {
 
     /// Cells of a column.
     fn values(cells: &[Self::Cell]) -> Values<'_>;
+
+    /// The number nearest to a count; [`Printable::round`] gives the same, and takes longer than a
+    /// step.
+    fn whole(n: i64) -> Self::Value;
 }
 
 /// Why points do not go on.
@@ -213,7 +216,7 @@ impl<A: Tabular> Block<A> {
     fn fill(&mut self, course: &Course<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
         let Course { arithmetic, eps, every, .. } = course;
         let time_step = arithmetic.add(eps, eps);
-        let time = |n: &i64| A::cell(&arithmetic.multiply(&A::round(&Rational::from(*n)), &time_step));
+        let time = |n: &i64| A::cell(&arithmetic.multiply(&A::whole(*n), &time_step));
         let width = self.numbers.len();
         let rows = first..first + (cells.len() / width) as u64;
         self.counts.clear();
