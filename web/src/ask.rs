@@ -6,13 +6,14 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Discover, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table, Watch, list,
+    Answer, Discover, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table, Watch,
+    list,
 };
 use kahan_systems::registry;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 
-use crate::shown::{self, findings, formulas, patterns};
+use crate::shown::{self, formulas, part};
 
 /// Answers questions, and keeps the field of the last one with what was planned for it.
 #[derive(Default)]
@@ -37,6 +38,13 @@ struct Reply {
     /// The parameters of the subject.
     parameters: Vec<String>,
     columns: Vec<f64>,
+}
+
+impl Reply {
+    /// An answer, and how pages show it.
+    fn of(answer: Answer) -> Self {
+        Reply { answer: json!(answer), html: Some(part(&answer)), ..Reply::default() }
+    }
 }
 
 impl Asker {
@@ -114,7 +122,7 @@ fn catalog() -> Result<Reply, StudyError> {
 
 fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Reply, StudyError> {
     let answer = json!(asked.ask(study, watch)?);
-    let html = Some(formulas(study, asked.jacobian)?);
+    let html = Some(formulas(study, asked, watch)?);
     Ok(Reply { answer, html, parameters: study.parameters().to_vec(), ..Reply::default() })
 }
 
@@ -144,8 +152,7 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
 }
 
 fn discovered(study: &Study, asked: &Discover, watch: &dyn Watch) -> Result<Reply, StudyError> {
-    let found = asked.ask(study, watch)?;
-    Ok(Reply { answer: json!(found), html: Some(findings(&found)?), ..Reply::default() })
+    Ok(Reply::of(Answer::Discover(Box::new(asked.ask(study, watch)?))))
 }
 
 fn heights(study: &Study, asked: &Heights, watch: &dyn Watch) -> Result<Reply, StudyError> {
@@ -155,6 +162,5 @@ fn heights(study: &Study, asked: &Heights, watch: &dyn Watch) -> Result<Reply, S
 }
 
 fn followed(study: &Study, asked: &Poles, watch: &dyn Watch) -> Result<Reply, StudyError> {
-    let found = asked.ask(study, watch)?;
-    Ok(Reply { answer: json!(found), html: Some(patterns(&found)), ..Reply::default() })
+    Ok(Reply::of(Answer::Poles(Box::new(asked.ask(study, watch)?))))
 }
