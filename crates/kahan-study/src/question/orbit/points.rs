@@ -224,7 +224,10 @@ impl<A: Tabular> Block<A> {
         self.times.clear();
         self.times.extend(self.counts.iter().map(time));
         self.numbers.iter_mut().for_each(Vec::clear);
-        cells.drain(..).enumerate().for_each(|(place, cell)| self.numbers[place % width].push(cell));
+        let mut cells = cells.drain(..);
+        while cells.len() > 0 {
+            self.numbers.iter_mut().for_each(|column| column.extend(cells.next()));
+        }
     }
 
     /// Hands on the rows, if there are some.
