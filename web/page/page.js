@@ -28,7 +28,7 @@ function open() {
   $('field').value = state.field
   $('steps').value = state.steps
   $('gallery').value = state.system
-  refresh()
+  return refresh()
 }
 
 async function refresh() {
@@ -379,16 +379,23 @@ function wire() {
 
 async function begin() {
   wire()
-  // The catalog takes longer than the first formulas, which wait for it only where they are of one of its systems.
-  const listed = new Asker().ask(undefined, { ask: 'list' })
   const { answer, mistake } = await lead.ask(undefined, { ask: 'style' })
   $('mistake').hidden = !mistake
   $('mistake').textContent = mistake || ''
   document.head.prepend(Object.assign(document.createElement('style'), { textContent: answer || '' }))
   document.body.classList.add('ready')
   if (mistake) return
-  const withCatalog = listed.then(({ answer }) => { catalog = answer; gallery() })
-  if (state.system) await withCatalog
-  open()
+  const list = async () => {
+    catalog = (await new Asker().ask(undefined, { ask: 'list' })).answer
+    gallery()
+  }
+  // The catalog takes longer than the first formulas, and so waits for them, but where they are of one of its systems.
+  if (state.system) {
+    await list()
+    open()
+  } else {
+    await open()
+    list()
+  }
 }
 begin()
