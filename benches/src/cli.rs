@@ -32,7 +32,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum What {
-    /// Everything, a file of JSON a part; `benches/tables` makes tables of them (what happens without a subcommand)
+    /// Everything, a file of JSON a part; `benches/tables` makes tables of them (what happens
+    /// without a subcommand)
     All {
         /// The folder [default: benches/results]
         #[arg(long)]

@@ -1,4 +1,5 @@
-// Orbits and drifts on canvases: points become pixels of an image, words and rules are drawn over it.
+// Orbits and drifts on canvases: points become pixels of an image, words and rules are drawn over
+// it.
 const METHODS = { kahan: ['Kahan’s map', '--c1'], euler: ['Euler', '--c3'], rk4: ['Runge–Kutta 4', '--c2'], flow: ['the flow itself', '--c6'] }
 const MARGIN = { left: 58, right: 12, top: 12, bottom: 40 }
 

@@ -1,4 +1,5 @@
-// The page: what is typed, pressed and dragged becomes questions, and replies are put where they belong.
+// The page: what is typed, pressed and dragged becomes questions, and replies are put where they
+// belong.
 const [lead, mover, searcher] = [new Asker(), new Asker(), new Asker()]
 const $ = id => document.getElementById(id)
 let state = readAddress()
@@ -311,26 +312,31 @@ function button(text, act) {
   return item
 }
 
+const upToTop = () => scrollTo({ top: 0 })
+const group = (label, options) => {
+  const made = Object.assign(document.createElement('optgroup'), { label })
+  made.append(...options)
+  return made
+}
+
 function gallery() {
-  const top = () => scrollTo({ top: 0 })
-  $('classical').replaceChildren(...CLASSICAL.map(({ name, ...change }) => button(name, () => { choose(change); top() })))
-  $('catalog').replaceChildren(...catalog.map(({ name, called, title }) => {
-    const item = button(called, () => { choose({ system: name }); top() })
-    item.append(` ${title}`)
-    return item
-  }))
-  const group = (label, options) => {
-    const made = Object.assign(document.createElement('optgroup'), { label })
-    made.append(...options)
-    return made
-  }
+  $('classical').replaceChildren(...CLASSICAL.map(({ name, ...change }) => button(name, () => { choose(change); upToTop() })))
   $('gallery').replaceChildren(
     new Option('a field of your own', ''),
     group('Classical systems', CLASSICAL.map(({ name }, k) => new Option(name, `#${k}`))),
-    group('The catalog', catalog.map(({ name, called, title }) => new Option(`${called}: ${title}`, name))),
   )
-  $('gallery').value = state.system
   $('gallery').onchange = ({ target: { value } }) => choose(value.startsWith('#') ? CLASSICAL[value.slice(1)] : value ? { system: value } : { field: state.field })
+}
+
+// The catalog joins what stands there, under the hands of whoever is choosing.
+async function list() {
+  catalog = (await new Asker().ask(undefined, { ask: 'list' })).answer
+  $('catalog').replaceChildren(...catalog.map(({ name, called, title }) => {
+    const item = button(called, () => { choose({ system: name }); upToTop() })
+    item.append(` ${title}`)
+    return item
+  }))
+  $('gallery').append(group('The catalog', catalog.map(({ name, called, title }) => new Option(`${called}: ${title}`, name))))
 }
 
 function wire() {
@@ -346,7 +352,10 @@ function wire() {
     $('heights-shown').innerHTML = html
     $('heights-stage').textContent = `Growth is ${answer.growth}, over ${answer.steps} steps.`
   })
-  $('poles').onclick = () => long('poles', { ask: 'poles', seconds: 20 }, () => {}, ({ html }) => { $('poles-shown').innerHTML = html })
+  $('poles').onclick = () => long('poles', { ask: 'poles', seconds: 20 }, () => {}, ({ html, answer }) => {
+    $('poles-shown').innerHTML = html
+    $('poles-stage').textContent = `The degrees of the iterates are ${answer.degrees.join(', ')}: growth is ${answer.growth}.`
+  })
   $('slider').oninput = () => { state.eps = ofSlider($('slider').value); fields(); move() }
   $('eps').oninput = () => { if (NUMBER.test($('eps').value)) { state.eps = $('eps').value; fields(); move() } }
   $('at').onchange = () => {
@@ -385,11 +394,9 @@ async function begin() {
   document.head.prepend(Object.assign(document.createElement('style'), { textContent: answer || '' }))
   document.body.classList.add('ready')
   if (mistake) return
-  const list = async () => {
-    catalog = (await new Asker().ask(undefined, { ask: 'list' })).answer
-    gallery()
-  }
-  // The catalog takes longer than the first formulas, and so waits for them, but where they are of one of its systems.
+  gallery()
+  // The catalog takes longer than the first formulas, and so waits for them, but where they are of
+  // one of its systems.
   if (state.system) {
     await list()
     open()

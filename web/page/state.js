@@ -1,4 +1,5 @@
-// What the page shows, which its address holds: field or system, params, eps, at, steps, axes, beside.
+// What the page shows, which its address holds: field or system, params, eps, at, steps, axes,
+// beside.
 const START = { system: '', field: '', params: {}, eps: '', at: [], steps: 4000, axes: [], beside: [] }
 
 function readAddress() {

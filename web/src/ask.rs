@@ -6,8 +6,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table, Watch,
-    list,
+    Answer, Discover, Form, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table,
+    Watch, list,
 };
 use kahan_systems::registry;
 use serde::de::DeserializeOwned;
@@ -24,7 +24,8 @@ pub struct Asker {
 /// An answer.
 #[derive(Debug, Default)]
 pub struct Answered {
-    /// `{"answer": …, "html": …, "parameters": […]}`, or `{"mistake": …}` with what was wrong in words.
+    /// `{"answer": …, "html": …, "parameters": […]}`, or `{"mistake": …}`, which says in words what
+    /// was wrong.
     pub json: String,
     /// Of an orbit its rows, column by column.
     pub columns: Vec<f64>,
@@ -49,8 +50,9 @@ impl Reply {
 
 impl Asker {
     /// Answers what stands in a text: `{"subject": …, "question": {"ask": …}}`. Without a subject
-    /// it is `list`, the catalog, or `style`, the style of the page. Beside the questions of `kahan-study` there is `scene`, an ε and a
-    /// first point that show something.
+    /// the page asks for `list`, the catalog, or `style`, the style of the page. Beside the
+    /// questions of `kahan-study` it may ask for `scene`, an ε and a first point that show
+    /// something.
     pub fn ask(&mut self, text: &str, watch: &dyn Watch) -> Answered {
         match self.reply(text, watch) {
             Ok(Reply { answer, html, parameters, columns }) => {
@@ -122,7 +124,8 @@ fn catalog() -> Result<Reply, StudyError> {
 
 fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Reply, StudyError> {
     let answer = json!(asked.ask(study, watch)?);
-    let html = Some(formulas(study, asked, watch)?);
+    // Formulas in another notation are copied, and not shown.
+    let html = (asked.form == Form::Text).then(|| formulas(study, asked, watch)).transpose()?;
     Ok(Reply { answer, html, parameters: study.parameters().to_vec(), ..Reply::default() })
 }
 

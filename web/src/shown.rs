@@ -10,7 +10,8 @@ use maud::{Markup, html};
 
 pub(crate) use kahan_draw::document::readable;
 
-/// The field, A, b, the map, the claims that came with the field; the Jacobian where it is asked for.
+/// The field, A, b, the map, the claims that came with the field; or the Jacobian, where it is
+/// asked for.
 ///
 /// # Errors
 /// Where the field divides by zero at its parameters.

@@ -94,6 +94,7 @@ def classical_systems_have_orbits(browser, _):
             tab.page.click(f"#classical li:nth-child({k + 1}) button")
             tab.waits(DRAWN)
             assert tab.page.is_hidden("#mistake"), tab.text("#mistake")
+        tab.waits("document.querySelectorAll('#catalog button').length > 20 && document.querySelectorAll('#gallery option').length > 30")
     assert count == 10
     print("the ten classical systems are drawn")
 

@@ -1,7 +1,8 @@
 //! The examples of the README and of the book in `docs/`.
 //!
-//! A `console` block is run and must print what stands in it; a `sh` block is only shown. `docs/check`
-//! runs this with the release binary, and `TRYCMD=overwrite docs/check` writes what is printed now.
+//! A `console` block is run and must print what stands in it; a `sh` block is only shown.
+//! `docs/check` runs this with the release binary, and `TRYCMD=overwrite docs/check` writes what is
+//! printed now.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -67,15 +67,16 @@ impl Map {
     /// poles.
     ///
     /// # Errors
-    /// [`DimensionError`] if `x` or `next` has not an entry a variable, and for a field of more than
-    /// 16 variables: the widest numbers of a larger one do not fit on the stack.
+    /// [`DimensionError`] if `x` or `next` has not an entry a variable, and for a field of more
+    /// than 16 variables: the widest numbers of a larger one do not fit on the stack.
     pub fn try_step<T: Pivot + Copy>(
         &self,
         x: &[T],
         eps: T,
         next: &mut [T],
     ) -> Result<Result<(), SingularStep>, DimensionError> {
-        // A type of more variables takes the same steps, but that `f32` begins in itself up to four.
+        // A type of more variables takes the same steps, except that `f32` tries its own precision
+        // first in at most four.
         match self.field.variables().len() {
             0..=4 => self.try_step_among::<T, 4>(x, eps, next),
             5..=8 => self.try_step_among::<T, 8>(x, eps, next),

@@ -35,7 +35,8 @@ use crate::reading::{Source, whole};
 /// A trial is one step, for which any eps is as good as another. In long runs it matters how many
 /// bits eps has: see `kahan trade --help`.
 ///
-/// The exit status is 1 if the stable tier is silently wrong anywhere, or refuses where it must not.
+/// The exit status is 1 if the stable tier is silently wrong anywhere, or refuses where it must
+/// not.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Extremes {

@@ -37,8 +37,8 @@ use crate::reading::{Source, number, one_of, point, seconds};
 /// compositions, which have none of their own. The trajectory may be far off then.
 ///
 /// An orbit that follows a trajectory ends at the horizon, as nearly as its rounded eps allows; one
-/// that keeps integrals ends at the step nearest to the horizon. In the table, `return` is how far from
-/// the first point an orbit comes home that goes all its steps forward and back.
+/// that keeps integrals ends at the step nearest to the horizon. In the table, `return` is how far
+/// from the first point an orbit comes home that goes all its steps forward and back.
 ///
 /// The command measures settings from coarse to fine until one serves, and skips those that are
 /// bound to cost more than it.

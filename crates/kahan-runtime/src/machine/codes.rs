@@ -13,8 +13,8 @@ use crate::engine::{Engine, Object};
 
 use super::{SideBySide, StepKind, programs};
 
-/// Whether there is memory that code may run in. Where there is none, no program is written, so that
-/// a small binary holds neither the compiler nor the numbers that write for it.
+/// Whether there is memory that code may run in. Where there is none, no program is written, so
+/// that a small binary holds neither the compiler nor the numbers that write for it.
 const CAN_RUN: bool = cfg!(feature = "jit");
 
 /// What was asked for; `None` where there is none.

@@ -5,14 +5,15 @@
 
 use std::ops::ControlFlow;
 
-use super::Observing;
-use super::observable::{Observable, Seen};
-use crate::{DimensionError, Ended, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
 use kahan_core::Step;
 use kahan_core::observe::{
     Burst, Escape, Extrema, Extremes, Fli, GROUP, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers,
     Sali, Spectrum,
 };
+
+use super::Observing;
+use super::observable::{Observable, Seen};
+use crate::{DimensionError, Ended, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
 
 /// The extremes of each variable, and of each rate of change.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];

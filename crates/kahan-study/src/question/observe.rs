@@ -48,7 +48,7 @@ pub struct Observe {
     #[serde(default = "usual_escape")]
     pub escape: f64,
     /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
-    #[serde(default = "usual", serialize_with = "by_name", deserialize_with = "of_names")]
+    #[serde(default = "usual", serialize_with = "names_of", deserialize_with = "of_names")]
     pub of: Vec<Observable>,
 }
 
@@ -68,7 +68,7 @@ fn usual() -> Vec<Observable> {
     Observe::USUAL.to_vec()
 }
 
-fn by_name<S: Serializer>(of: &[Observable], serializer: S) -> Result<S::Ok, S::Error> {
+fn names_of<S: Serializer>(of: &[Observable], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(of.iter().map(|one| one.name()))
 }
 
