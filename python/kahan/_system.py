@@ -16,7 +16,7 @@ from ._basis import Basis
 from ._errors import choice, spelled, unknown
 from ._exact import Number, _number, answer, exact, point
 from ._kahan import Field
-from ._formula import Formula
+from ._formula import Formula, Symbols
 from ._orbit import Array, Chart, Ensemble, Orbit, Section
 
 if TYPE_CHECKING:
@@ -109,7 +109,14 @@ class System(Field):
     def _formula(self, key: str) -> Formula:
         if self._sheet("text").get(key) is None:
             raise ValueError(f"{self.name} has no {key} as a formula: it is beyond the budget of terms")
-        return Formula(lambda form: self._sheet(form)[key])
+        return Formula(lambda form: self._sheet(form)[key], self._symbols)
+
+    @cached_property
+    def _symbols(self) -> Symbols:
+        sheet = self._sheet("text")
+        constants = re.findall(r"^ *const (\w+) = (.+);$", sheet["macro"], re.MULTILINE)
+        functions = {claim["name"]: _right(claim) for claim in sheet["claims"] if claim["kind"] != "bracket"}
+        return Symbols(self.variables, self.parameters, dict(constants) | functions)
 
     @property
     def field(self) -> Formula:
@@ -156,9 +163,8 @@ class System(Field):
 
     def _single(self, kind: str) -> dict[str, Formula]:
         def formula(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
-            text = claim["statement"].partition(" = ")[2].rstrip(";")
-            text = text.partition(" when ")[0]
-            return Formula(lambda form: text if form == "text" else sides(form)[0], claim["name"], claim["when"])
+            text = _right(claim)
+            return Formula(lambda form: text if form == "text" else sides(form)[0], self._symbols, claim["name"], claim["when"])
 
         return {name: formula(*found) for name, found in self._claims(kind).items()}
 
@@ -173,17 +179,22 @@ class System(Field):
         return self._single("density")
 
     @property
-    def brackets(self) -> dict[str, dict[tuple[str, str], Formula]]:
-        """The claimed Poisson brackets, by name and pair of variables: brackets["P"]["x", "y"] is {x, y}."""
-        def pairs(claim: dict[str, Any], sides: Callable[[str], Any]) -> dict[tuple[str, str], Formula]:
+    def brackets(self) -> dict[str, Formula]:
+        """The claimed Poisson brackets, by name, each an antisymmetric matrix: brackets["P"]["x", "y"] is {x, y}."""
+        def matrix(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
             stated = re.findall(r"\{(\w+), ?(\w+)\} = (.*?);", claim["statement"])
 
-            def formula(place: int, text: str) -> Formula:
-                return Formula(lambda form: text if form == "text" else sides(form)[place], claim["name"], claim["when"])
+            def read(form: str) -> list[list[str]]:
+                entries = [["0"] * len(self.variables) for _ in self.variables]
+                texts = [text for _, _, text in stated] if form == "text" else sides(form)
+                for (x, y, _), text in zip(stated, texts):
+                    i, j = self.variables.index(x), self.variables.index(y)
+                    entries[i][j], entries[j][i] = text, rf"-\left({text}\right)" if form == "latex" else f"-({text})"
+                return entries
 
-            return {(x, y): formula(place, text) for place, (x, y, text) in enumerate(stated)}
+            return Formula(read, self._symbols, claim["name"], claim["when"])
 
-        return {name: pairs(*found) for name, found in self._claims("bracket").items()}
+        return {name: matrix(*found) for name, found in self._claims("bracket").items()}
 
     def _repr_latex_(self) -> str:
         """The field, its map where that is short, and the integrals that are known."""
@@ -330,16 +341,6 @@ class System(Field):
 
         return rate
 
-    def integral_functions(self, eps: float = 0.0) -> dict[str, Callable[[Any], Any]]:
-        """The claimed integrals as functions of a point, for methods that project on their levels.
-
-        At ``eps`` = 0 they are those of the flow, as far as it has them; else those of the map.
-        """
-        def value(name: str) -> Callable[[Any], Any]:
-            return lambda x: self.integral_values(x, eps)[name]
-
-        return {name: value(name) for name in self.integrals_at(np.zeros(len(self.variables)), eps)[0]}
-
     # Questions.
 
     def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
@@ -349,14 +350,18 @@ class System(Field):
         """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
 
         ``field``, ``field_jacobian``, ``A``, ``b``, ``det_A``, ``x_next``, ``jacobian``,
-        ``det_jacobian``, ``integrals``, ``density``, ``brackets``: arrays of float64, or with
-        ``exact`` of fractions. What is undefined at the point is ``None``.
+        ``det_jacobian``, ``integrals``, ``density`` (of which there is one without ``when``) and
+        ``brackets``: numbers and arrays of float64, or with ``exact`` of fractions. What is undefined
+        at the point is ``None``. Formulas are functions of many points: ``s.densities["rho"](x, eps)``.
         """
         found = self._ask("evaluate", at=point(x), eps=_exact(eps, "eps"), scalar="exact" if exact else "f64")
-        kind = object if exact else float
-        arrays = {name: np.array(value, dtype=kind) if isinstance(value, list) and name != "variables" else value
-                  for name, value in found.items()}
-        return Answer(arrays)
+
+        def arrays(value: Any) -> Any:
+            if isinstance(value, dict):
+                return {name: arrays(one) for name, one in value.items()}
+            return np.array(value, dtype=object if exact else float) if isinstance(value, list) else value
+
+        return Answer({name: value if name == "variables" else arrays(value) for name, value in found.items()})
 
     def observe(
         self, x: Any, eps: Number, steps: int, *, order: int = 2, every: int = 10, escape: float = 1e6,
@@ -532,9 +537,15 @@ class Discovery(Answer):
         return self.claimed.densities
 
     @property
-    def brackets(self) -> dict[str, dict[tuple[str, str], Formula]]:
-        """The invariant Poisson brackets, by name and pair of variables."""
+    def brackets(self) -> dict[str, Formula]:
+        """The invariant Poisson brackets, by name, each an antisymmetric matrix."""
         return self.claimed.brackets
+
+
+def _right(claim: dict[str, Any]) -> str:
+    """The right side of a claim that is a function."""
+    text: str = claim["statement"].partition(" = ")[2].rstrip(";")
+    return text.partition(" when ")[0]
 
 
 def _without(claim: str, fixed: set[str]) -> str:

@@ -51,6 +51,40 @@ def test_formulas_are_those_of_the_map():
     assert pickle.loads(pickle.dumps(s.A)).latex == s.A.latex
 
 
+def test_formulas_are_functions_of_points():
+    s = kahan.System("xdot = y; ydot = 6*x^2 - a;", a=1).discover().claimed
+    orbit = s.orbit([0, 0.1], 0.05, 100)
+    H, (rho,), P = s.integrals["H1"], s.densities.values(), s.brackets["P1"]
+    assert np.abs(H(orbit.x, 0.05) - orbit.integrals["H1"]).max() < 1e-14
+    assert np.allclose(s.map(orbit.x[:-1], 0.05), orbit.x[1:], rtol=1e-13)
+    found = s.evaluate([1, "1/2"], "1/3", exact=True)
+    at = ([1, "1/2"], "1/3")
+    assert (H(*at), rho(*at), s.det_A(*at)) == (found.integrals["H1"], found.density, found.det_A)
+    assert (P(*at) == found.brackets["P1"]).all() and (s.jacobian(*at) == found.jacobian).all()
+    assert str(P["x", "x"]) == "0" and P["y", "x"](*at) == -P["x", "y"](*at)
+    # An eps or a parameter a point.
+    free = kahan.System("xdot = y; ydot = 6*x^2 - a;")
+    assert (free.map(orbit.x, np.full(101, 0.05), a=np.ones(101)) == s.map(orbit.x, 0.05)).all()
+    with pytest.raises(TypeError, match="depends on a: add a=…"):
+        free.map(orbit.x, 0.05)
+    with pytest.raises(TypeError, match="a is 1 in this formula"):
+        kahan.System("xdot = y; ydot = 6*x^2 - a;", a=1).map(orbit.x, 0.05, a=2)
+    assert s.A(np.float32(orbit.x), 0.05).dtype == np.float32 and s.A(orbit.x, 0.05).shape == (101, 2, 2)
+    assert s.field(orbit.x[0]).tolist() == s.evaluate(orbit.x[0], 1).field.tolist()
+    assert not np.isfinite(s.map([1 / 12, 0], 1)).all()
+    with pytest.raises(TypeError, match="depends on eps: add eps=…"):
+        H(orbit.x)
+    with pytest.raises(TypeError, match="no parameter `b`"):
+        H(orbit.x, 0.05, b=1)
+    with pytest.raises(ValueError, match="2 coordinates"):
+        H([1, 2, 3], 0.05)
+    with pytest.raises(KeyError, match="no variable `z`"):
+        P["x", "z"]
+    # Claims may name constants and the claims above them; a name may be one of Python's keywords.
+    t = kahan.System("const k = 1/2; xdot = lambda; lambdadot = -k*x; integral H = 0.25*x^2 + lambda^2/2; integral K = H^2 + k*H^-1;")
+    assert t.integrals["K"](["1", 2]) == Fraction(9, 4) ** 2 + Fraction(1, 2) / Fraction(9, 4)
+
+
 def test_fields_come_from_sympy():
     sympy = pytest.importorskip("sympy")
     x, y, a = sympy.symbols("x y a")
@@ -142,11 +176,10 @@ def test_bases_are_functions_of_orbits():
         scale = np.abs(constants[0].astype(float)).max()
         assert np.abs(near - constants[0].astype(float)).max() <= 1e-15 * condition.max() * scale * 100
         assert np.array_equal(other.coefficients(x)[0], near)
-        values = basis.integral_functions(s, 0.2)
-        assert list(values) == basis.integrals
-        for name, integral in values.items():
-            assert integral(x[:2]).shape == (2,) and integral(x[0]).shape == ()
-            assert integral(x[0]) == integral(x[:1])[0]
+        values, one = basis.integral_values(s, x[:2], 0.2), basis.integral_values(s, x[0], 0.2)
+        assert list(values) == list(one) == basis.integrals
+        for name, value in values.items():
+            assert value.shape == (2,) and one[name].shape == () and value[0] == one[name]
         with pytest.raises(ValueError, match=f"{basis.points} consecutive points"):
             basis.coefficients(x[: basis.points - 1])
 
