@@ -72,6 +72,15 @@ class System(Field):
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
         return (type(self)._of, self._call)
 
+    def __eq__(self, other: object) -> bool:
+        return self._key() == other._key() if isinstance(other, System) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._key())
+
+    def _key(self) -> tuple[Any, ...]:
+        return (self.name, self.text, self.variables, *self.parameters.items())
+
     def __call__(self, *, sites: int | None = None, **parameters: Number) -> System:
         """The same field with these values of its parameters, beside those that it has.
 
@@ -95,7 +104,7 @@ class System(Field):
     @property
     def parameters(self) -> dict[str, Any]:
         """The parameters with their values as fractions; ``None`` for one that has none."""
-        return {name: None if value is None else _number(value) for name, value in self.given}
+        return {name: None if value is None else _number(value) for name, value in self._given}
 
     # Formulas.
 
@@ -103,7 +112,7 @@ class System(Field):
         """All formulas of a notation, read once."""
         sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
         if form not in sheets:
-            sheets[form] = json.loads(self.ask(json.dumps({"ask": "show", "as": form, "jacobian": True})))
+            sheets[form] = json.loads(self._answer(json.dumps({"ask": "show", "as": form, "jacobian": True})))
         return sheets[form]
 
     def _formula(self, key: str) -> Formula:
@@ -219,7 +228,7 @@ class System(Field):
 
         Those of the map depend on eps. What is claimed ``when`` a condition holds is left out.
         """
-        names, values = self.integrals_at(x, eps)
+        names, values = self._integrals_at(x, eps)
         return {name: values[..., k] for k, name in enumerate(names)}
 
     def orbit(
@@ -256,7 +265,7 @@ class System(Field):
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
             half = _float(eps)
-            rows, made, ended = self.points(
+            rows, made, ended = self._points(
                 x, half, steps, every=every, order=order, compensated=compensated, out=out, listener=_listener(progress)
             )
             return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended)
@@ -264,7 +273,7 @@ class System(Field):
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
         question = {"ask": "orbit", "at": point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
                     "scalar": scalar, "order": order, "method": method, "projective": projective}
-        columns, ended, last = self.table(json.dumps(question), listener=_listener(progress))
+        columns, ended, last = self._table(json.dumps(question), listener=_listener(progress))
         count = len(self.variables)
         values = [np.array(value, dtype=object) if isinstance(value, list) else value for _, _, value in columns]
         states = np.stack(values[2 : 2 + count], axis=1)
@@ -311,8 +320,8 @@ class System(Field):
             given = [params.get(name) for name in names]
         steps = _count(steps, "steps")
         if not observe:
-            x = self.advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
-                             listener=_listener(progress))
+            x = self._advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
+                              listener=_listener(progress))
             return Ensemble(self, x, None, {})
         if isinstance(observe, str):
             observe = (observe,)
@@ -321,30 +330,32 @@ class System(Field):
         if "drift" in observe and not self.integrals:
             raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
-        seen, values, made = self.observed(points, eps, steps, of, parameters=given, order=order,
-                                           every=_count(every, "every"), escape=escape, threads=threads,
-                                           listener=_listener(progress))
+        seen, values, made = self._observed(points, eps, steps, of, parameters=given, order=order,
+                                            every=_count(every, "every"), escape=escape, threads=threads,
+                                            listener=_listener(progress))
         count = len(self.variables)
         return Ensemble(self, values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
 
-    def rhs(self) -> Callable[[float, Any], Array]:
-        """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
+    def rhs(self, t: float, y: Any) -> Array:
+        """f(y) as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs, (0, 10), x, jac=s.rhs_jacobian)``.
+
+        Points are columns, as with ``vectorized=True``. The field does not depend on ``t``.
 
         >>> import kahan
-        >>> kahan.System("xdot = y; ydot = -x;").rhs()(0.0, [1.0, 2.0])
+        >>> kahan.System("xdot = y; ydot = -x;").rhs(0.0, [1.0, 2.0])
         array([ 2., -1.])
         """
-        def rate(t: float, y: Any) -> Array:
-            # Solvers have points as columns.
-            y = np.asarray(y)
-            return self.field_at(y.T).T if y.ndim == 2 else self.field_at(y)
+        y = np.asarray(y)
+        return self._field_at(y.T).T if y.ndim == 2 else self._field_at(y)
 
-        return rate
+    def rhs_jacobian(self, t: float, y: Any) -> Array:
+        """f'(y) at a point, a row a component of f: the argument ``jac`` of implicit solvers."""
+        return self._field_at(y, jacobian=True)
 
     # Questions.
 
     def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
-        return answer(self.ask(_question(ask, **fields), listener=_listener(progress)))
+        return answer(self._answer(_question(ask, **fields), listener=_listener(progress)))
 
     def evaluate(self, x: Any, eps: Number, *, exact: bool = False) -> Answer:
         """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
@@ -412,8 +423,8 @@ class System(Field):
         observable, column = _observable(color)
         question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": _count(steps, "steps"),
                     "order": order, "escape": escape, "of": [choice(observable, "observable")]}
-        columns, _, _ = self.table(json.dumps({"ask": "over", "axes": axes, "question": question}),
-                                   threads=threads, listener=_listener(progress))
+        columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
+                                    threads=threads, listener=_listener(progress))
         found = {name: values for name, _, values in columns}
         if column not in found:
             known = [name for name in found if name not in ("index", "steps", *over)]
@@ -457,8 +468,8 @@ class System(Field):
         Parameters without a value and ``eps`` are generic. Where integrals may be missing, the
         search goes on to higher degrees until ``seconds`` are over, 60 by default.
         """
-        text, relations = self.discovered(_question("discover", eps=_exact(eps, "eps"), degree=degree, seconds=seconds),
-                                          listener=_listener(progress))
+        text, relations = self._discovered(_question("discover", eps=_exact(eps, "eps"), degree=degree, seconds=seconds),
+                                           listener=_listener(progress))
         bases = [Basis(one, relation) for one, relation in zip(json.loads(text)["bases"], relations)]
         discovery = Discovery(answer(text) | {"bases": bases}, self)
         self.__dict__["_found"] = discovery

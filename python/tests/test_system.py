@@ -3,6 +3,7 @@
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -25,7 +26,7 @@ def test_a_mistake_has_a_place_and_a_way_out():
 
 def test_parameters_are_exact_and_named():
     s = kahan.System("xdot = a*y; ydot = b*x^2;", a=0.1)
-    assert s.parameters == {"a": Fraction(1, 10), "b": None}
+    assert s.parameters == {"a": Fraction(1, 10), "b": None} == s(a=np.float32(0.1)).parameters
     assert s(b="1/3").parameters["b"] == Fraction(1, 3)
     with pytest.raises(TypeError, match="no parameter"):
         kahan.System("xdot = a*y; ydot = x;", c=1)
@@ -189,6 +190,9 @@ def test_objects_travel():
     again = pickle.loads(pickle.dumps(s))
     x = np.array([1.0, 2.0, 3.0])
     assert np.array_equal(again.step(x, 0.1), s.step(x, 0.1)) and again.parameters == s.parameters
+    assert again == s and hash(again) == hash(s) and s(a1="2/2") == s != s(a1=2)
+    for call, given in ((s.rhs, (0, x)), (s.rhs_jacobian, (0, x)), (s.integral_values, (x, 0.1)), (s.integrals["H"], (x, 0.1))):
+        assert np.array_equal(pickle.loads(pickle.dumps(call))(*given), call(*given))
     with ThreadPoolExecutor(4) as pool:
         ends = list(pool.map(lambda k: s.orbit(x, 0.01, 2000 + k % 2).x[2000], range(20)))
     assert all(np.array_equal(end, ends[0]) for end in ends)
@@ -213,7 +217,17 @@ def test_try_step_keeps_its_promise_where_step_loses_digits():
         chain.try_step(np.ones(17), 0.1)
 
 
+def test_help_shows_what_is_for_users():
+    public = {name for name in dir(kahan.System) if not name.startswith("_")}
+    undocumented = [name for name in public if not getattr(kahan.System, name).__doc__]
+    assert not undocumented and not public & {"ask", "table", "points", "advance", "observed", "discovered"}
+    tomllib = pytest.importorskip("tomllib")
+    cargo = tomllib.loads((Path(__file__).resolve().parents[1] / "Cargo.toml").read_text())
+    assert kahan.__version__ == cargo["package"]["version"]
+
+
 def test_the_catalog_knows_its_names():
+    assert kahan.System(kahan.catalog.lorenz.text).field == kahan.catalog.lorenz.field
     assert "e6" in dir(kahan.catalog) and kahan.catalog.e6.name == "e6"
     with pytest.raises(AttributeError, match="did you mean `euler`"):
         kahan.catalog.eulr
