@@ -280,7 +280,8 @@ class System(Field):
         low = states[:, :, 1] if scalar == "dd" else None
         integrals = {name: value[:, 0] if scalar == "dd" else value
                      for (name, _, _), value in zip(columns[2 + count :], values[2 + count :])}
-        orbit = Orbit(self, _float(eps), states if low is None else states[:, :, 0], every,
+        given = Fraction(exact(eps, "eps")) if scalar == "exact" else _float(eps)
+        orbit = Orbit(self, given, states if low is None else states[:, :, 0], every,
                       steps if last is None else last, ended, integrals)
         orbit.x_low = low
         return orbit
@@ -304,9 +305,9 @@ class System(Field):
 
         ``points`` has shape (trajectories, variables); ``eps`` and each of ``params`` are one number
         or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
-        else is computed: drift, extrema, lyapunov, spectrum, log_det, fli, megno, sali, rotation,
-        escape. Exponents are per unit of time; tangent vectors are made orthogonal every
-        ``every`` steps; an orbit escapes where a variable is beyond ``escape``.
+        else is computed: drift, extrema, lyapunov (the largest exponent), spectrum (all), log_det
+        (their sum), fli, megno, sali, rotation, escape; see ``observe``. The column ``escaped`` is NaN
+        where an orbit does not escape.
 
         Work is spread over ``threads``, by default all processors; the numbers do not depend on how
         many. A trajectory that meets a pole ends as NaN, observed ones at the last finite point.
@@ -319,10 +320,11 @@ class System(Field):
                     raise TypeError(f"params: {unknown('parameter', name, names)}")
             given = [params.get(name) for name in names]
         steps = _count(steps, "steps")
+        inputs = {name: np.asarray(value) for name, value in {"eps": eps, **(params or {})}.items()}
         if not observe:
             x = self._advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
                               listener=_listener(progress))
-            return Ensemble(self, x, None, {})
+            return Ensemble(self, np.asarray(points), inputs, x, None, {})
         if isinstance(observe, str):
             observe = (observe,)
         if out is not None:
@@ -334,7 +336,7 @@ class System(Field):
                                             every=_count(every, "every"), escape=escape, threads=threads,
                                             listener=_listener(progress))
         count = len(self.variables)
-        return Ensemble(self, values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
+        return Ensemble(self, np.asarray(points), inputs, values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
 
     def rhs(self, t: float, y: Any) -> Array:
         """f(y) as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs, (0, 10), x, jac=s.rhs_jacobian)``.
@@ -378,10 +380,18 @@ class System(Field):
         self, x: Any, eps: Number, steps: int, *, order: int = 2, every: int = 10, escape: float = 1e6,
         progress: bool = False,
     ) -> Answer:
-        """What the orbit of a point does: Lyapunov exponents, chaos indicators, rotation, drift, escape.
+        """What the orbit of a point does.
 
-        Exponents are per unit of time, the largest first; tangent vectors are made orthogonal every
-        ``every`` steps. See ``kahan help dynamics`` for what each indicator means.
+        Exponents are per unit of time: ``lyapunov`` has all of them, the largest first, and
+        ``lyapunov_errors`` by how much each still changes; ``mean_log_det`` is their sum. Tangent vectors
+        are made orthogonal every ``every`` steps. Three indicators tell chaotic orbits from regular ones:
+        ``fli`` grows like the number of steps, and else like its logarithm; ``megno`` grows, and else tends
+        to 2; ``sali`` falls to 0 exponentially, and else stays or falls like a power of time.
+        ``rotation`` has for each variable the turns a step about the middle of its extremes, modulo 1,
+        ``drift`` the change of each claimed integral relative to its first value, and ``extrema`` the least
+        and the greatest value of each variable. ``escaped`` is the step after which a variable is
+        beyond ``escape``, and ``None`` where there is none. ``steps`` are fewer than asked where numbers leave
+        their range; a number of what is observed is then ``None`` where it is none.
         """
         return Answer(self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
                                 order=order, every=every, escape=escape))
@@ -400,7 +410,7 @@ class System(Field):
         found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
                           plane=plane, side=choice(direction, "direction"), points=points)
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
-        return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]))
+        return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), _float(eps))
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
@@ -412,6 +422,9 @@ class System(Field):
         it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
         number: sali, fli, megno, lyapunov, escape, or a column of another one, as drift_H or
         lyapunov_2. Costs an orbit a cell, in lanes and on all threads.
+
+        An exponent of an orbit that escapes is large, and no sign of chaos: ``plot`` leaves cells out whose
+        orbits have gone beyond ``escape``, which is best some times the size of the region of interest.
         """
         if not over:
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
@@ -422,21 +435,26 @@ class System(Field):
             raise TypeError("chart needs eps, half the time step, or goes through it")
         observable, column = _observable(color)
         question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": _count(steps, "steps"),
-                    "order": order, "escape": escape, "of": [choice(observable, "observable")]}
+                    "order": order, "escape": escape, "of": list(dict.fromkeys([choice(observable, "observable"), "escape"]))}
         columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
                                     threads=threads, listener=_listener(progress))
         found = {name: values for name, _, values in columns}
+        meanings = {name: meaning for name, meaning, _ in columns}
         if column not in found:
             known = [name for name in found if name not in ("index", "steps", *over)]
             raise ValueError(f"color: {unknown('column', column, known)}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
         sizes = [_size(values) or len(np.unique(found[name])) for name, values in over.items()]
-        values = found[column].reshape(sizes)
+        # What is beyond all numbers is beyond a size.
+        leaves = found["steps"] < steps
+        escaped = np.where(leaves & np.isnan(found["escaped"]), found["steps"] + 1, found["escaped"])
+        values = escaped if observable == "escape" else np.where(leaves, np.nan, found[column])
         along = {}
         for k, name in enumerate(over):
             places = found[name].reshape(sizes) if name in found else np.full(sizes, np.nan)
             along[name] = np.moveaxis(places, k, 0).reshape(sizes[k], -1)[:, 0]
-        return Chart(self, along, color, values)
+        of = ", ".join(([] if "eps" in over else [f"eps = {eps}"]) + [f"{steps} steps"])
+        return Chart(self, along, color, values.reshape(sizes), escaped.reshape(sizes), meanings[column], of)
 
     def verify(self, *, progress: bool = False) -> Answer:
         """Whether the claims of the field hold: each is proved, as when it was read; of a system of
