@@ -136,7 +136,8 @@ class Orbit(Table):
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws the orbit over two or three columns, as ``"t", "H"``; by default the first three variables.
 
-        Points are dots over two axes, and joined where one is the time or there are three. Needs matplotlib. ``style`` goes to ``Axes.plot``; returns the axes.
+        Points are dots over two axes, and joined where one is the time or there are three. Needs
+        matplotlib. ``style`` goes to ``Axes.plot``; returns the axes.
         """
         from ._plot import orbit
 

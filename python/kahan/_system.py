@@ -336,7 +336,8 @@ class System(Field):
                                             every=_count(every, "every"), escape=escape, threads=threads,
                                             listener=_listener(progress))
         count = len(self.variables)
-        return Ensemble(self, np.asarray(points), inputs, values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
+        columns = {name: values[:, k] for k, name in enumerate(seen) if k >= count}
+        return Ensemble(self, np.asarray(points), inputs, values[:, :count], made, columns)
 
     def rhs(self, t: float, y: Any) -> Array:
         """f(y) as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs, (0, 10), x, jac=s.rhs_jacobian)``.
@@ -496,7 +497,11 @@ class System(Field):
     def scan(self, over: Mapping[str, Range], *, eps: Number | None = None, degree: int | None = None,
              seconds: float | None = None, progress: bool = False) -> Answer:
         """Which values of parameters and of eps are special: where the map keeps more than it does elsewhere,
-        or its iterates grow more slowly."""
+        or the degrees of its iterates grow more slowly, as they do where it is less chaotic.
+
+        ``special`` has these values, and ``points`` for each value that was tried what was seen there, its
+        ``sight``: how many integrals are independent, and the degrees. ``generic`` is the sight elsewhere.
+        """
         return Answer(self._ask("scan", progress, axes=_axes(over), eps=_exact(eps, "eps"), degree=degree, seconds=seconds))
 
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,

@@ -95,7 +95,7 @@ def test_tables_have_columns():
     assert many["a1"].tolist() == [1] * 4 and many["eps"] is not None and np.array_equal(many["eps"], eps)
     plain = E6.ensemble(points.tolist(), 0.01, 20)
     assert (plain.start == 1).all() and (plain["x"] != 1).all() and plain.steps is None
-    for table in (orbit, section, many, plain):
+    for table in (orbit, section, many, plain, E6.chart({"x": (-1, 1, 3)}, [0, 1, 1], 0.1)):
         again = pickle.loads(pickle.dumps(table))
         assert list(again) == list(table) and all(np.array_equal(again[name], table[name]) for name in table)
 
