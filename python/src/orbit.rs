@@ -4,7 +4,7 @@ use std::num::NonZeroU64;
 
 use kahan_core::num_traits::Zero;
 use kahan_core::{Composition, Increments, SingularStep, Step};
-use kahan_runtime::{DimensionError, Ended, Follow, Followed, MapAt};
+use kahan_runtime::{DimensionError, Ended, Follow, Followed};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -74,13 +74,12 @@ impl Field {
             return Err(points_of(n, x.shape()));
         }
         let (points, mut sizes) = (x.as_slice()?, x.shape().to_vec());
-        let of: fn(&MapAt<f64>, &[f64], &mut [f64]) -> Result<(), DimensionError> =
-            if jacobian { MapAt::field_jacobian } else { MapAt::field };
         let width = if jacobian { n * n } else { n };
         sizes.extend(jacobian.then_some(n));
         let mut values = vec![0.0; points.len() / n.max(1) * width];
         for (x, values) in points.chunks_exact(n.max(1)).zip(values.chunks_exact_mut(width.max(1))) {
-            of(&at, x, values).map_err(|error| of_dimension(&error))?;
+            let found = if jacobian { at.field_jacobian(x, values) } else { at.field(x, values) };
+            found.map_err(|error| of_dimension(&error))?;
         }
         Ok(PyArray1::from_vec(py, values).reshape(sizes)?.into_any())
     }
