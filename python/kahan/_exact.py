@@ -23,11 +23,13 @@ _EXACT = re.compile(r"-?\d+(/\d+)?")
 def exact(value: Any, name: str) -> str:
     """The number as text that is read exactly.
 
-    >>> exact(0.1, "eps"), exact(Fraction(1, 3), "eps"), exact("-2/7", "eps")
-    ('0.1', '1/3', '-2/7')
+    >>> exact(0.1, "eps"), exact(np.float32(0.1), "eps"), exact(Fraction(1, 3), "eps"), exact("-2/7", "eps")
+    ('0.1', '0.1', '1/3', '-2/7')
     """
     if isinstance(value, str):
         return value
+    if isinstance(value, np.floating) and np.isfinite(value):
+        return str(value)
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, bool):

@@ -51,7 +51,7 @@ class Lattice(Chain):
 
     def invariants(self, state: Any) -> dict[str, float]:
         """What the family claims, at a state: integrals, the Hamiltonian, and the energy that the map keeps."""
-        return dict(self.sums(state))
+        return dict(self._sums(state))
 
     def orbit(self, state: Any, steps: int, *, every: int = 1) -> Array:
         """The states after 0, every, 2 every, ... steps: an axis more than a state has."""

@@ -110,7 +110,7 @@ fn refused(error: &BasisError) -> PyErr {
 #[pymethods]
 impl Field {
     /// The answer to a question that discovers, both as JSON, and the bases that it names.
-    #[pyo3(signature = (asked, *, listener = None))]
+    #[pyo3(name = "_discovered", signature = (asked, *, listener = None))]
     fn discovered(
         &self,
         py: Python<'_>,

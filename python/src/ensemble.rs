@@ -25,7 +25,7 @@ const AT_ONCE: u64 = 1 << 22;
 impl Field {
     /// The points of many trajectories after so many steps. `eps` and the values of parameters are
     /// one number, or one a trajectory.
-    #[pyo3(signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
+    #[pyo3(name = "_advance", signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn advance<'py>(
         &self,
@@ -47,7 +47,7 @@ impl Field {
 
     /// What is seen of the orbits of many points: names, numbers with a row an orbit, and how many
     /// steps each makes. `of` are names of observables; arguments as for `advance`.
-    #[pyo3(signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = 1e6, threads = None, listener = None))]
+    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = 1e6, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn observed<'py>(

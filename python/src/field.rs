@@ -151,7 +151,8 @@ impl Field {
         self.study.name()
     }
 
-    /// Its text.
+    /// Its text, as it was given; of a system of the catalog its block of Rust, which is read as a
+    /// field, too.
     #[getter]
     fn text(&self) -> &str {
         self.study.text()
@@ -164,14 +165,14 @@ impl Field {
     }
 
     /// The parameters with their values as text, `None` for one that has none.
-    #[getter]
+    #[getter(_given)]
     fn given(&self) -> Vec<(&str, Option<String>)> {
         let values = self.study.given().iter().map(|value| value.as_ref().map(Rational::to_string));
         self.study.parameters().iter().map(String::as_str).zip(values).collect()
     }
 
     /// The answer to a question, both as JSON. `listener` hears how far the work is.
-    #[pyo3(signature = (asked, *, threads = None, listener = None))]
+    #[pyo3(name = "_answer", signature = (asked, *, threads = None, listener = None))]
     fn ask(
         &self,
         py: Python<'_>,

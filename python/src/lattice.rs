@@ -88,6 +88,7 @@ impl Chain {
 
     /// The sums that the chain claims at a state, by name: its integrals, the Hamiltonian, and the
     /// energy that the map keeps in its place.
+    #[pyo3(name = "_sums")]
     fn sums(&self, state: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
         let state = doubles(state, "state")?;
         let x = self.state(&state)?;

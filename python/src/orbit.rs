@@ -44,7 +44,7 @@ impl Field {
 
     /// The rows of an orbit as far as it goes, how many steps it made, and how it ended: complete,
     /// or range.
-    #[pyo3(signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, out = None, listener = None))]
+    #[pyo3(name = "_points", signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(
         &self,
@@ -64,24 +64,29 @@ impl Field {
         }
     }
 
-    /// f(x) at points, of the shape that they have.
-    fn field_at<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    /// f(x) at points, of the shape that they have; or f′(x), with an axis more.
+    #[pyo3(name = "_field_at", signature = (x, *, jacobian = false))]
+    fn field_at<'py>(&self, x: &Bound<'py, PyAny>, jacobian: bool) -> PyResult<Bound<'py, PyAny>> {
         let py = x.py();
         let (x, at) = (doubles(x, "x")?, self.at::<f64>(py, 0.0)?);
         let n = at.dimension();
         if x.shape().last() != Some(&n) {
             return Err(points_of(n, x.shape()));
         }
-        let points = x.as_slice()?;
-        let mut rates = vec![0.0; points.len()];
-        for (x, rate) in points.chunks_exact(n.max(1)).zip(rates.chunks_exact_mut(n.max(1))) {
-            at.field(x, rate).map_err(|error| of_dimension(&error))?;
+        let (points, mut sizes) = (x.as_slice()?, x.shape().to_vec());
+        let width = if jacobian { n * n } else { n };
+        sizes.extend(jacobian.then_some(n));
+        let mut values = vec![0.0; points.len() / n.max(1) * width];
+        for (x, values) in points.chunks_exact(n.max(1)).zip(values.chunks_exact_mut(width.max(1))) {
+            let found = if jacobian { at.field_jacobian(x, values) } else { at.field(x, values) };
+            found.map_err(|error| of_dimension(&error))?;
         }
-        Ok(PyArray1::from_vec(py, rates).reshape(x.shape())?.into_any())
+        Ok(PyArray1::from_vec(py, values).reshape(sizes)?.into_any())
     }
 
     /// The names of the claimed integrals, and their values at points: an axis more than the points
     /// have, in the place of their last.
+    #[pyo3(name = "_integrals_at")]
     fn integrals_at<'py>(
         &self,
         x: &Bound<'py, PyAny>,

@@ -15,7 +15,7 @@ use crate::field::Field;
 impl Field {
     /// The rows of a question, which is JSON: for each column its name, its meaning and its values;
     /// how the table ended, and after how many steps, where a point has no next one.
-    #[pyo3(signature = (question, *, threads = None, listener = None))]
+    #[pyo3(name = "_table", signature = (question, *, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(
         &self,
