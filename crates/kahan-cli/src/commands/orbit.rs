@@ -60,15 +60,16 @@ pub(crate) struct Orbit {
     /// The order of the method.
     ///
     /// Order 2 is Kahan's map; orders 4, 6 and 8, over floats only, compose 5, 9 and 17 steps of it
-    /// into one. A composition keeps no integral that depends on eps: its column then oscillates
-    /// about a value.
+    /// into one. A composition keeps no integral that depends on eps, so the columns are those of
+    /// the flow, the claims at eps = 0, which then oscillate about a value.
     #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
     order: u32,
 
     /// What a step is; each takes the time 2 eps.
     ///
     /// Other methods are there to compare Kahan's map with. `euler` and `rk4` are explicit steps on
-    /// the field. `flow` is the solution, by Taylor series in double-double, up to 8 variables.
+    /// the field. `flow` is the solution, by Taylor series in double-double, up to 8 variables. The
+    /// integrals of all three are those of the flow, the claims at eps = 0.
     #[arg(long, value_name = "M", value_parser = one_of(&Method::ALL, |of| PossibleValue::new(of.name()).help(of.meaning())), default_value = "kahan")]
     method: Method,
 
