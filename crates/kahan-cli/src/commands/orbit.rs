@@ -26,12 +26,12 @@ use chain::is_array;
 /// after orbit, and a first column says which, 0, 1, and so on. An orbit that ends early ends
 /// alone.
 ///
-/// The integrals are those of the block without `when`. A cell is empty where an integral is
-/// undefined, or beyond the range of the scalar. Floats are written so that they read back exactly,
-/// dd with 32 digits, and the steps are those of the compiled library, bit for bit; parameters are
-/// put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit
-/// ends: the rows up to there are kept, the place is reported, and the exit status is 1; with
-/// --projective it goes on. A negative eps steps back.
+/// The integrals are those of the block without `when`, and those `when` what holds for the orbit.
+/// A cell is empty where an integral is undefined, or beyond the range of the scalar. Floats are
+/// written so that they read back exactly, dd with 32 digits, and the steps are those of the
+/// compiled library, bit for bit; parameters are put in after the map is reduced. At a pole (det A
+/// = 0), or where floats overflow, the orbit ends: the rows up to there are kept, the place is
+/// reported, and the exit status is 1; with --projective it goes on. A negative eps steps back.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 #[command(mut_arg("at", |at| at.required(false).required_unless_present("begin")))]
@@ -149,6 +149,7 @@ impl Orbit {
         }
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
+        let study = asked[0].study(&study)?;
         // Nothing is written before all of them have begun.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);
