@@ -88,7 +88,7 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST))]
     every: u64,
 
-    /// Write the table to this file, or to F.npy the states of a chain.
+    /// Write the table to F.csv, or to F.npy the states of a chain.
     ///
     /// The file appears when it is complete. With --start, F.npy gets an array that has a row a
     /// point, of the sites, or of the sites and the arrays; the table is printed all the same.
