@@ -9,7 +9,7 @@ use kahan_study::{Question, Study, Subject, Systems};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::beside::{Listener, beside};
+use crate::beside::{Listener, apart};
 use crate::errors::of_study;
 
 /// A field with the values of its parameters: what `kahan.System` stands on.
@@ -179,9 +179,9 @@ impl Field {
         threads: Option<usize>,
         listener: Option<Bound<'_, PyAny>>,
     ) -> PyResult<String> {
-        let question = question(asked)?;
-        let answer = beside(py, threads, &Listener(listener), |caller| {
-            let answer = self.study.ask(&question, caller)?;
+        let (question, study) = (question(asked)?, self.study.clone());
+        let answer = apart(py, threads, &Listener(listener), move |caller| {
+            let answer = study.ask(&question, caller)?;
             Ok(serde_json::to_string(&answer).expect("answers are JSON"))
         })?;
         answer.map_err(|error| of_study(py, &error))

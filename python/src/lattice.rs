@@ -76,7 +76,7 @@ impl Chain {
         let mut x = self.state(&state)?;
         let followed = beside(py, Some(1), &Listener(listener), |caller| {
             let at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
-            at.follow(&mut x, steps, |_| caller.goes_on())
+            at.follow(&mut x, steps, |made| caller.made(made, steps))
         })?;
         let followed = followed.map_err(|error| of_dimension(&error))?;
         if followed.steps < steps {

@@ -230,13 +230,13 @@ where
         let (first, rest) = all.split_at_mut(width);
         first.copy_from_slice(&x);
         beside(py, Some(1), &asked.listener, |caller| {
-            let rows = at.rows(&mut x, every, rest, |_| caller.goes_on())?;
+            let rows = at.rows(&mut x, every, rest, |made| caller.made(made, steps))?;
             // The steps behind the last row show whether the orbit goes as far as it was asked.
             let left = steps % every.get();
             if rows.ended != Ended::Complete || left == 0 {
                 return Ok(rows);
             }
-            let end = at.follow(&mut x, left, |_| caller.goes_on())?;
+            let end = at.follow(&mut x, left, |made| caller.made(made, steps))?;
             Ok(Followed { report: rows.report, steps: rows.steps + end.steps, ended: end.ended })
         })?
         .map_err(|error| of_dimension(&error))
