@@ -5,6 +5,8 @@ from typing import Any, final
 import numpy as np
 from typing_extensions import disjoint_base
 
+from ._exact import Number
+
 _Array = np.ndarray[Any, Any]
 _Listener = Callable[[str, Any, Any], None] | None
 
@@ -64,9 +66,7 @@ class Field:
 
 @disjoint_base
 class Chain:
-    def __new__(
-        cls, text: str, sites: int, eps: float, values: Sequence[tuple[str, Any]], *, is_name: bool = False
-    ) -> Any: ...
+    def __new__(cls, text: str, sites: int, eps: Number, values: Sequence[tuple[str, Any]]) -> Any: ...
     @property
     def arrays(self) -> list[str]: ...
     @property

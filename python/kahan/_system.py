@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,9 +18,6 @@ from ._exact import Number, _number, answer, exact, point
 from ._kahan import Field
 from ._formula import Formula
 from ._orbit import Array, Chart, Ensemble, Orbit, Section
-
-if TYPE_CHECKING:
-    from ._lattice import Lattice
 
 __all__ = ["Discovery", "System"]
 
@@ -64,10 +61,6 @@ class System(Field):
         system: System = Field.__new__(cls, text, is_name=is_name, sites=sites, parameters=list(parameters.items()))
         system._call = (text, is_name, sites, parameters)
         return system
-
-    @classmethod
-    def _named(cls, name: str) -> System:
-        return cls._of(name, True, None, {})
 
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
         return (type(self)._of, self._call)
@@ -478,13 +471,6 @@ class System(Field):
         Steps are judged by exact arithmetic; ``trials`` of each scalar.
         """
         return Answer(self._ask("extremes", progress, trials=_count(trials, "trials"), seed=_count(seed, "seed")))
-
-    def lattice(self, sites: int, eps: float, **values: float | Array) -> Lattice:
-        """The chain of so many sites of a family, stepped as an array; see ``Lattice``."""
-        from ._lattice import Lattice
-
-        text, is_name, _, own = self._call
-        return Lattice._of(text, sites, float(eps), {name: float(_number(value)) for name, value in own.items()} | values, is_name)
 
 
 class Discovery(Answer):

@@ -23,19 +23,17 @@ pub(crate) struct Chain {
 
 #[pymethods]
 impl Chain {
-    /// Reads the family of a text, or that of the catalog with a name. Each value is one number, or
-    /// one a site.
+    /// Reads the family of a text, or that of the catalog with this name. Each value is one number,
+    /// or one a site.
     #[new]
-    #[pyo3(signature = (text, sites, eps, values, *, is_name = false))]
     fn new(
         py: Python<'_>,
         text: &str,
         sites: usize,
         eps: f64,
         values: Vec<(String, Bound<'_, PyAny>)>,
-        is_name: bool,
     ) -> PyResult<Self> {
-        let text = match is_name.then(|| Systems.find(text)).flatten() {
+        let text = match Systems.find(text) {
             Some(named) => FieldText::new(named.text.to_owned(), named.name.to_owned()),
             None => FieldText::new(text.to_owned(), "field".to_owned()),
         };
