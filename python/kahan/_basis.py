@@ -9,7 +9,7 @@ import numpy as np
 
 from ._answer import Answer
 from ._errors import spelled
-from ._exact import _number, point
+from ._exact import Number, _number, point
 from ._kahan import Relation
 from ._orbit import Array
 
@@ -65,7 +65,7 @@ class Basis(Answer):
         relation: Relation = self._relation
         return relation.solve(windows)
 
-    def integral_functions(self, system: System, eps: float) -> dict[str, Callable[[Any], Array]]:
+    def integral_functions(self, system: System, eps: Number) -> dict[str, Callable[[Any], Array]]:
         """The independent integrals as functions of points, of shape (variables,) or (points, variables).
 
         ``system`` is the field with values of its parameters. Costs ``points`` steps a point, and a

@@ -20,6 +20,13 @@ __all__ = ["Chart", "Ensemble", "Orbit", "Section"]
 
 Array = np.ndarray[Any, Any]
 
+_ENDS = {"complete": "", "range": ", no finite point after step {}", "pole": ", a pole after step {}",
+         "points": ", no more after step {}, as `points` says"}
+
+
+def _end(ended: str, steps: int) -> str:
+    return _ENDS[ended].format(steps)
+
 
 class Table(ABC):
     """What is tabular: columns of one length by name, for pandas, and by Arrow's capsule for polars, pyarrow and others."""
@@ -41,7 +48,12 @@ class Table(ABC):
 
 @spelled
 class Orbit(Table):
-    """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps."""
+    """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps.
+
+    ``ended`` is ``"complete"`` where all steps were made. It is ``"range"`` where the next point is
+    beyond the range of floats, as it is at poles in floats too, and ``"pole"`` where other numbers
+    and methods tell that it has no value (det A = 0).
+    """
 
     system: System
     """The field, with its parameters."""
@@ -56,17 +68,15 @@ class Orbit(Table):
     steps: int
     """The steps that were made; fewer than were asked where the orbit ends."""
     ended: str
-    """``"complete"``; ``"range"`` where the next point is not finite, ``"pole"`` where it has no
-    value (det A = 0)."""
+    """Why it goes no further."""
 
     def __init__(
         self, system: System, eps: float, x: Array, every: int, steps: int, ended: str,
-        integrals: dict[str, Array] | None = None,
+        integrals: float | dict[str, Array],
     ) -> None:
         self.system, self.eps, self.x, self.every = system, eps, x, every
         self.steps, self.ended = steps, ended
-        if integrals is not None:
-            self.__dict__["integrals"] = integrals
+        self._integrals = integrals
 
     @property
     def n(self) -> Array:
@@ -80,8 +90,15 @@ class Orbit(Table):
 
     @cached_property
     def integrals(self) -> dict[str, Array]:
-        """The claimed integrals on each row, by name. What is claimed ``when`` a condition holds is left out."""
-        return self.system.integral_values(self.x, self.eps)
+        """The claimed integrals on each row, by name; of those claimed ``when`` a condition holds, the ones
+        whose condition the parameters and eps meet.
+
+        A claim is about Kahan's map at this eps. Compositions (``order`` above 2) and other methods
+        do not keep it: they follow the flow, and their integrals are the claims at eps = 0, not a
+        number where these have no value.
+        """
+        given = self._integrals
+        return given if isinstance(given, dict) else self.system.integral_values(self.x, given)
 
     def __len__(self) -> int:
         return len(self.x)
@@ -90,8 +107,7 @@ class Orbit(Table):
         return np.array(self.x, dtype=dtype) if copy or dtype is not None else self.x
 
     def __repr__(self) -> str:
-        end = "" if self.ended == "complete" else f", then {self.ended}"
-        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{end}>"
+        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{_end(self.ended, self.steps)}>"
 
     def columns(self) -> dict[str, Array]:
         """n, t, the variables and the integrals, by name."""
@@ -188,7 +204,11 @@ class Chart(Table):
 
 @spelled
 class Section(Table):
-    """Where an orbit crosses a section: a row a crossing."""
+    """Where an orbit crosses a section: a row a crossing.
+
+    ``ended`` is ``"complete"`` where all steps were made, ``"points"`` where the orbit had as many
+    crossings before as ``points`` asked for, and ``"range"`` where its next point is not finite.
+    """
 
     system: System
     """The field, with its parameters."""
@@ -200,15 +220,17 @@ class Section(Table):
     """Their times."""
     steps: int
     """The steps of the orbit."""
+    ended: str
+    """Why the orbit goes no further."""
 
-    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int) -> None:
-        self.system, self.plane, self.x, self.t, self.steps = system, plane, x, t, steps
+    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int, ended: str) -> None:
+        self.system, self.plane, self.x, self.t, self.steps, self.ended = system, plane, x, t, steps, ended
 
     def __len__(self) -> int:
         return len(self.x)
 
     def __repr__(self) -> str:
-        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings>"
+        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings{_end(self.ended, self.steps)}>"
 
     def columns(self) -> dict[str, Array]:
         """t and the variables, by name."""

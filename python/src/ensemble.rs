@@ -14,7 +14,7 @@ use crate::arrays::{Floats, doubles, floats, out as writable};
 use crate::beside::{Caller, Listener, beside};
 use crate::errors::of_dimension;
 use crate::field::{Field, Float};
-use crate::orbit::{composition, points_of};
+use crate::orbit::{composition, wrong_shape};
 
 /// Trajectories that a thread takes at once: their columns stay in its cache.
 const TOGETHER: usize = 1024;
@@ -104,7 +104,7 @@ impl Field {
     /// The map and the constants of points of this shape.
     fn many<T: Float>(&self, py: Python<'_>, shape: &[usize], asked: &Asked<'_, '_>) -> PyResult<Many<T>> {
         if shape.len() != 2 || shape[1] != self.dimension() {
-            return Err(points_of(self.dimension(), shape));
+            return Err(wrong_shape("points", &format!("(trajectories, {})", self.dimension()), shape));
         }
         let eps = constants::<T>(asked.eps, shape[0], "eps")?;
         let values = asked.parameters.iter().enumerate().map(|(k, given)| match given {
@@ -215,8 +215,8 @@ impl<T: Float> Many<T> {
             let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
             self.at.advance_columns(&mut slices, eps, &parameters, steps)?;
             left -= steps;
-        }
             flow = self.made(steps, count, caller);
+        }
         for (k, row) in rows.chunks_exact_mut(width).enumerate() {
             row.iter_mut().zip(&columns).for_each(|(x, column)| *x = column[k]);
         }

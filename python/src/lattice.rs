@@ -8,7 +8,7 @@ use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::doubles;
+use crate::arrays::{Eps, doubles};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, of_study};
 
@@ -30,7 +30,7 @@ impl Chain {
         py: Python<'_>,
         text: &str,
         sites: usize,
-        eps: f64,
+        eps: Eps,
         values: Vec<(String, Bound<'_, PyAny>)>,
     ) -> PyResult<Self> {
         let text = match Systems.find(text) {
@@ -45,7 +45,8 @@ impl Chain {
             Ok((name, numbers))
         });
         let values = values.collect::<PyResult<Vec<_>>>()?;
-        let at = lattice.at(eps, sites, values).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let at =
+            lattice.at(eps.0, sites, values).map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(Chain { lattice, sites, at: Mutex::new(at) })
     }
 
