@@ -9,7 +9,7 @@ import numpy as np
 
 from ._answer import Answer
 from ._errors import spelled
-from ._exact import _number, point
+from ._exact import Number, _number, point
 from ._kahan import Relation
 from ._orbit import Array
 
@@ -65,7 +65,7 @@ class Basis(Answer):
         relation: Relation = self._relation
         return relation.solve(windows)
 
-    def integral_values(self, system: System, x: Any, eps: float) -> dict[str, Array]:
+    def integral_values(self, system: System, x: Any, eps: Number) -> dict[str, Array]:
         """The independent integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
 
         ``system`` is the field with values of its parameters. Costs ``points`` - 1 steps a point, and a

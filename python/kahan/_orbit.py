@@ -22,6 +22,13 @@ __all__ = ["Chart", "Ensemble", "Orbit", "Section"]
 
 Array = np.ndarray[Any, Any]
 
+_ENDS = {"complete": "", "range": ", no finite point after step {}", "pole": ", a pole after step {}",
+         "points": ", no more after step {}, as `points` says"}
+
+
+def _end(ended: str, steps: int) -> str:
+    return _ENDS[ended].format(steps)
+
 
 class Table(ABC):
     """What is tabular: columns of one length by name, for pandas, and by Arrow's capsule for polars, pyarrow and others.
@@ -76,7 +83,12 @@ class Table(ABC):
 
 @spelled
 class Orbit(Table):
-    """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps."""
+    """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps.
+
+    ``ended`` is ``"complete"`` where all steps were made. It is ``"range"`` where the next point is
+    beyond the range of floats, as it is at poles in floats too, and ``"pole"`` where other numbers
+    and methods tell that it has no value (det A = 0).
+    """
 
     system: System
     """The field, with its parameters."""
@@ -91,17 +103,15 @@ class Orbit(Table):
     steps: int
     """The steps that were made; fewer than were asked where the orbit ends."""
     ended: str
-    """``"complete"``; ``"range"`` where the next point is not finite, ``"pole"`` where it has no
-    value (det A = 0)."""
+    """Why it goes no further."""
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
-        integrals: dict[str, Array] | None = None,
+        integrals: float | dict[str, Array],
     ) -> None:
         self.system, self.eps, self.x, self.every = system, eps, x, every
         self.steps, self.ended = steps, ended
-        if integrals is not None:
-            self.__dict__["integrals"] = integrals
+        self._integrals = integrals
 
     @property
     def n(self) -> Array:
@@ -117,12 +127,18 @@ class Orbit(Table):
 
     @cached_property
     def integrals(self) -> dict[str, Array]:
-        """The claimed integrals on each row, by name. What is claimed ``when`` a condition holds is left out."""
-        return self.system.integral_values(self.x, float(self.eps))
+        """The claimed integrals on each row, by name; of those claimed ``when`` a condition holds, the ones
+        whose condition the parameters and eps meet.
+
+        A claim is about Kahan's map at this eps. Compositions (``order`` above 2) and other methods
+        do not keep it: they follow the flow, and their integrals are the claims at eps = 0, not a
+        number where these have no value.
+        """
+        given = self._integrals
+        return given if isinstance(given, dict) else self.system.integral_values(self.x, given)
 
     def __repr__(self) -> str:
-        end = "" if self.ended == "complete" else f", then {self.ended}"
-        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{end}>"
+        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{_end(self.ended, self.steps)}>"
 
     def columns(self) -> dict[str, Array]:
         """n, t, the variables and the integrals, by name; of double-doubles ``x_low`` behind ``x``, too."""
@@ -244,7 +260,11 @@ class Chart(Table):
 
 @spelled
 class Section(Table):
-    """Where an orbit crosses a section: a row a crossing."""
+    """Where an orbit crosses a section: a row a crossing.
+
+    ``ended`` is ``"complete"`` where all steps were made, ``"points"`` where the orbit had as many
+    crossings before as ``points`` asked for, and ``"range"`` where its next point is not finite.
+    """
 
     system: System
     """The field, with its parameters."""
@@ -256,14 +276,16 @@ class Section(Table):
     """Their times."""
     steps: int
     """The steps of the orbit."""
+    ended: str
+    """Why the orbit goes no further."""
     eps: float
     """Half the time step."""
 
-    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int, eps: float) -> None:
-        self.system, self.plane, self.x, self.t, self.steps, self.eps = system, plane, x, t, steps, eps
+    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int, ended: str, eps: float) -> None:
+        self.system, self.plane, self.x, self.t, self.steps, self.ended, self.eps = system, plane, x, t, steps, ended, eps
 
     def __repr__(self) -> str:
-        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings>"
+        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings{_end(self.ended, self.steps)}>"
 
     def columns(self) -> dict[str, Array]:
         """t and the variables, by name."""

@@ -5,22 +5,20 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from functools import cached_property, partial
+from typing import Any
 
 import numpy as np
 
 from ._answer import Answer, _short
 from ._basis import Basis
 from ._errors import choice, spelled, unknown
-from ._exact import Number, _number, answer, exact, point
+from ._exact import Number, _number, answer, exact, nearest, point, whole
 from ._kahan import Field
 from ._formula import Formula, Symbols
 from ._orbit import Array, Chart, Ensemble, Orbit, Section
-
-if TYPE_CHECKING:
-    from ._lattice import Lattice
 
 __all__ = ["Discovery", "System"]
 
@@ -44,6 +42,8 @@ class System(Field):
 
     Raises ``FieldError`` with the place of each mistake, and ``TypeError`` for a value of what is
     no parameter. Costs some milliseconds; the first orbit costs some more.
+
+    ``progress=True`` of the methods that take long shows a bar of tqdm, which must be installed.
     """
 
     _call: tuple[str, bool, int | None, dict[str, str]]
@@ -65,10 +65,6 @@ class System(Field):
         system._call = (text, is_name, sites, parameters)
         return system
 
-    @classmethod
-    def _named(cls, name: str) -> System:
-        return cls._of(name, True, None, {})
-
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
         return (type(self)._of, self._call)
 
@@ -82,13 +78,16 @@ class System(Field):
         return (self.name, self.text, self.variables, *self.parameters.items())
 
     def __call__(self, *, sites: int | None = None, **parameters: Number) -> System:
-        """The same field with these values of its parameters, beside those that it has.
+        """The same field with these values of its parameters, beside those that it has; of a chain with
+        another number of ``sites``.
 
         >>> import kahan
         >>> kahan.catalog.euler(a1=1, a2=-3, a3=1).parameters["a2"]
         Fraction(-3, 1)
         """
         text, is_name, own_sites, own = self._call
+        if sites is not None and "sites" in self.parameters:
+            parameters["sites"], sites = sites, None
         given = {name: exact(value, name) for name, value in parameters.items()}
         return self._of(text, is_name, own_sites if sites is None else sites, own | given)
 
@@ -223,10 +222,11 @@ class System(Field):
         """The columns of points by the names of the variables."""
         return dict(zip(self.variables, x.T))
 
-    def integral_values(self, x: Any, eps: float) -> dict[str, Array]:
+    def integral_values(self, x: Any, eps: Number) -> dict[str, Array]:
         """The claimed integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
 
-        Those of the map depend on eps. What is claimed ``when`` a condition holds is left out.
+        Those of the map depend on eps, and some are claimed ``when`` eps and the parameters have
+        certain values.
         """
         names, values = self._integrals_at(x, eps)
         return {name: values[..., k] for k, name in enumerate(names)}
@@ -249,9 +249,10 @@ class System(Field):
         """The orbit of a point: its start, and every ``every``-th point after it.
 
         ``x`` has shape (variables,). A step takes the time 2 eps. ``order`` 4, 6 and 8 compose steps
-        of Kahan's map. ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading doubles, and
-        ``x_low`` what they lack) or exact (fractions in an array of objects); float32 points are
-        stepped in float32. ``compensated`` carries what rounding takes from a point into the next
+        of Kahan's map; a composition follows the flow more closely, but gives up the map's integrals
+        (see ``Orbit.integrals``). ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading
+        doubles, and ``x_low`` what they lack) or exact (fractions in an array of objects); float32
+        points are stepped in float32. ``compensated`` carries what rounding takes from a point into the next
         step. ``method`` is kahan, or for comparison euler, rk4 or flow (the solution itself, by
         certified Taylor series). ``projective`` goes on at poles, through points at infinity.
         ``out`` of shape (1 + steps // every, variables) takes the rows in place of a new array.
@@ -260,15 +261,15 @@ class System(Field):
         ``x`` has the rows up to there. Costs the steps, some ten nanoseconds each for three
         variables in f64.
         """
-        steps, every = _count(steps, "steps"), _count(every, "every")
+        steps, every, order = whole(steps, "steps"), whole(every, "every"), whole(order, "order")
         scalar, method = choice(scalar, "scalar"), choice(method, "method")
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
-            half = _float(eps)
+            half = nearest(eps, "eps")
             rows, made, ended = self._points(
                 x, half, steps, every=every, order=order, compensated=compensated, out=out, listener=_listener(progress)
             )
-            return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended)
+            return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended, half if order == 2 else 0.0)
         if compensated or out is not None:
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
         question = {"ask": "orbit", "at": point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
@@ -280,7 +281,7 @@ class System(Field):
         low = states[:, :, 1] if scalar == "dd" else None
         integrals = {name: value[:, 0] if scalar == "dd" else value
                      for (name, _, _), value in zip(columns[2 + count :], values[2 + count :])}
-        given = Fraction(exact(eps, "eps")) if scalar == "exact" else _float(eps)
+        given = Fraction(exact(eps, "eps")) if scalar == "exact" else nearest(eps, "eps")
         orbit = Orbit(self, given, states if low is None else states[:, :, 0], every,
                       steps if last is None else last, ended, integrals)
         orbit.x_low = low
@@ -289,10 +290,10 @@ class System(Field):
     def ensemble(
         self,
         points: Any,
-        eps: float | Array,
+        eps: Number | Array,
         steps: int,
         *,
-        params: Mapping[str, float | Array] | None = None,
+        params: Mapping[str, Number | Array] | None = None,
         observe: Sequence[str] = (),
         order: int = 2,
         every: int = 10,
@@ -305,9 +306,10 @@ class System(Field):
 
         ``points`` has shape (trajectories, variables); ``eps`` and each of ``params`` are one number
         or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
-        else is computed: drift, extrema, lyapunov (the largest exponent), spectrum (all), log_det
-        (their sum), fli, megno, sali, rotation, escape; see ``observe``. The column ``escaped`` is NaN
-        where an orbit does not escape.
+        else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
+        of time), spectrum (all), log_det (their sum), fli, megno, sali, rotation, escape; see ``observe``.
+        Tangent vectors are made orthogonal every ``every`` steps. The column ``escaped`` is the step at
+        which a variable is beyond ``escape``, and NaN where an orbit does not escape.
 
         Work is spread over ``threads``, by default all processors; the numbers do not depend on how
         many. A trajectory that meets a pole ends as NaN, observed ones at the last finite point.
@@ -319,7 +321,8 @@ class System(Field):
                 if name not in names:
                     raise TypeError(f"params: {unknown('parameter', name, names)}")
             given = [params.get(name) for name in names]
-        steps = _count(steps, "steps")
+        steps, order = whole(steps, "steps"), whole(order, "order")
+        threads = _whole(threads, "threads")
         inputs = {name: np.asarray(value) for name, value in {"eps": eps, **(params or {})}.items()}
         if not observe:
             x = self._advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
@@ -329,31 +332,38 @@ class System(Field):
             observe = (observe,)
         if out is not None:
             raise ValueError("out is for ensembles without observers")
-        if "drift" in observe and not self.integrals:
-            raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
+        self._has_drift("observe", observe)
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
         seen, values, made = self._observed(points, eps, steps, of, parameters=given, order=order,
-                                            every=_count(every, "every"), escape=escape, threads=threads,
+                                            every=whole(every, "every"), escape=escape, threads=threads,
                                             listener=_listener(progress))
         count = len(self.variables)
         columns = {name: values[:, k] for k, name in enumerate(seen) if k >= count}
         return Ensemble(self, np.asarray(points), inputs, values[:, :count], made, columns)
 
-    def rhs(self, t: float, y: Any) -> Array:
-        """f(y) as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs, (0, 10), x, jac=s.rhs_jacobian)``.
+    def _has_drift(self, name: str, of: Sequence[str]) -> None:
+        if "drift" in of and not self.integrals:
+            raise ValueError(f"{name}: this field claims no integral that could drift; "
+                             "`s.discover().claimed` has those found")
 
-        Points are columns, as with ``vectorized=True``. The field does not depend on ``t``.
+    def rhs(self) -> RightSide:
+        """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
+
+        Its ``jacobian`` is the argument ``jac`` of implicit solvers.
 
         >>> import kahan
-        >>> kahan.System("xdot = y; ydot = -x;").rhs(0.0, [1.0, 2.0])
+        >>> kahan.System("xdot = y; ydot = -x;").rhs()(0.0, [1.0, 2.0])
         array([ 2., -1.])
         """
-        y = np.asarray(y)
-        return self._field_at(y.T).T if y.ndim == 2 else self._field_at(y)
+        return RightSide(self)
 
-    def rhs_jacobian(self, t: float, y: Any) -> Array:
-        """f'(y) at a point, a row a component of f: the argument ``jac`` of implicit solvers."""
-        return self._field_at(y, jacobian=True)
+    def integral_functions(self, eps: Number = 0.0) -> dict[str, Callable[[Any], Any]]:
+        """The claimed integrals as functions of a point, for methods that project on their levels.
+
+        At ``eps`` = 0 they are those of the flow, as far as it has them; else those of the map.
+        """
+        names = self._integrals_at(np.zeros(len(self.variables)), eps)[0]
+        return {name: partial(_integral_value, self, name, eps) for name in names}
 
     # Questions.
 
@@ -394,8 +404,8 @@ class System(Field):
         beyond ``escape``, and ``None`` where there is none. ``steps`` are fewer than asked where numbers leave
         their range; a number of what is observed is then ``None`` where it is none.
         """
-        return Answer(self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
-                                order=order, every=every, escape=escape))
+        return Answer(self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+                                order=whole(order, "order"), every=whole(every, "every"), escape=escape))
 
     def section(
         self, x: Any, eps: Number, steps: int, plane: str, *, direction: str = "rising", points: int = 100_000,
@@ -404,14 +414,16 @@ class System(Field):
         """Where the orbit of a point crosses ``plane`` = 0, a formula of the variables and integrals.
 
         ``direction`` is rising, falling or both. Each crossing is refined on the curve that the map
-        draws as eps grows from 0.
+        draws as eps grows from 0. The orbit ends after ``points`` crossings, if not before; ``ended``
+        says which.
         """
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
-        found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
-                          plane=plane, side=choice(direction, "direction"), points=points)
+        found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+                          plane=plane, side=choice(direction, "direction"), points=whole(points, "points"))
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
-        return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), _float(eps))
+        return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), found["ended"],
+                       nearest(eps, "eps"))
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
@@ -435,10 +447,12 @@ class System(Field):
         if eps is None:
             raise TypeError("chart needs eps, half the time step, or goes through it")
         observable, column = _observable(color)
-        question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": _count(steps, "steps"),
-                    "order": order, "escape": escape, "of": list(dict.fromkeys([choice(observable, "observable"), "escape"]))}
+        self._has_drift("color", [observable])
+        question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": whole(steps, "steps"),
+                    "order": whole(order, "order"), "escape": escape,
+                    "of": list(dict.fromkeys([choice(observable, "observable"), "escape"]))}
         columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
-                                    threads=threads, listener=_listener(progress))
+                                    threads=_whole(threads, "threads"), listener=_listener(progress))
         found = {name: values for name, _, values in columns}
         meanings = {name: meaning for name, meaning, _ in columns}
         if column not in found:
@@ -464,21 +478,22 @@ class System(Field):
 
     def periodic(self, x: Any, eps: Number | None = None, *, period: int = 1, over: Mapping[str, Range] | None = None) -> Answer:
         """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps."""
-        axes = _axes(over)
+        axes = _axes(over, has_lists=False)
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
-        return Answer(self._ask("periodic", at=point(x), eps=_exact(eps, "eps"), period=period, over=axes[0] if axes else None))
+        return Answer(self._ask("periodic", at=point(x), eps=_exact(eps, "eps"), period=whole(period, "period"),
+                                over=axes[0] if axes else None))
 
     def heights(self, x: Any, eps: Number, steps: int, *, max_digits: int | None = None, seconds: float | None = None,
                 progress: bool = False) -> Answer:
         """How the heights of an exact orbit grow: exponentially where the map is not integrable."""
-        return Answer(self._ask("heights", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
-                                max_digits=max_digits, seconds=seconds))
+        return Answer(self._ask("heights", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+                                max_digits=_whole(max_digits, "max_digits"), seconds=seconds))
 
     def poles(self, eps: Number | None = None, *, steps: int | None = None, seconds: float | None = None,
               progress: bool = False) -> Answer:
         """What becomes of curves that the map sends to infinity or blows down: whether they come back."""
-        return Answer(self._ask("poles", progress, eps=_exact(eps, "eps"), steps=steps, seconds=seconds))
+        return Answer(self._ask("poles", progress, eps=_exact(eps, "eps"), steps=_whole(steps, "steps"), seconds=seconds))
 
     def discover(self, *, eps: Number | None = None, degree: int | None = None, seconds: float | None = None,
                  progress: bool = False) -> Discovery:
@@ -487,8 +502,8 @@ class System(Field):
         Parameters without a value and ``eps`` are generic. Where integrals may be missing, the
         search goes on to higher degrees until ``seconds`` are over, 60 by default.
         """
-        text, relations = self._discovered(_question("discover", eps=_exact(eps, "eps"), degree=degree, seconds=seconds),
-                                           listener=_listener(progress))
+        asked = _question("discover", eps=_exact(eps, "eps"), degree=_whole(degree, "degree"), seconds=seconds)
+        text, relations = self._discovered(asked, listener=_listener(progress))
         bases = [Basis(one, relation) for one, relation in zip(json.loads(text)["bases"], relations)]
         discovery = Discovery(answer(text) | {"bases": bases}, self)
         self.__dict__["_found"] = discovery
@@ -502,7 +517,8 @@ class System(Field):
         ``special`` has these values, and ``points`` for each value that was tried what was seen there, its
         ``sight``: how many integrals are independent, and the degrees. ``generic`` is the sight elsewhere.
         """
-        return Answer(self._ask("scan", progress, axes=_axes(over), eps=_exact(eps, "eps"), degree=degree, seconds=seconds))
+        return Answer(self._ask("scan", progress, axes=_axes(over, has_lists=False), eps=_exact(eps, "eps"),
+                                degree=_whole(degree, "degree"), seconds=seconds))
 
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,
               progress: bool = False) -> Answer:
@@ -510,20 +526,12 @@ class System(Field):
         return Answer(self._ask("trade", progress, at=point(x), horizon=_exact(horizon, "horizon"), need=need,
                                 tolerance=_exact(tolerance, "tolerance"), seconds=float(seconds)))
 
-
     def extremes(self, *, trials: int = 4000, seed: int = 1, progress: bool = False) -> Answer:
         """How far floats can be trusted near poles, of mixed magnitudes, with subnormal and infinite numbers.
 
         Steps are judged by exact arithmetic; ``trials`` of each scalar.
         """
-        return Answer(self._ask("extremes", progress, trials=_count(trials, "trials"), seed=_count(seed, "seed")))
-
-    def lattice(self, sites: int, eps: float, **values: float | Array) -> Lattice:
-        """The chain of so many sites of a family, stepped as an array; see ``Lattice``."""
-        from ._lattice import Lattice
-
-        text, is_name, _, own = self._call
-        return Lattice._of(text, sites, float(eps), {name: float(_number(value)) for name, value in own.items()} | values, is_name)
+        return Answer(self._ask("extremes", progress, trials=whole(trials, "trials"), seed=whole(seed, "seed")))
 
 
 class Discovery(Answer):
@@ -540,6 +548,9 @@ class Discovery(Answer):
     claims: list[str]
     """What was found and proved, a line each, ready to stand in a field's text."""
 
+    sentences: list[str]
+    """What was looked for, how far, and what is known of what was not found."""
+
     def __init__(self, found: Mapping[str, Any], of: System) -> None:
         kinds = ("integrals", "densities", "brackets")
         super().__init__({name: value for name, value in found.items() if name not in kinds})
@@ -548,9 +559,8 @@ class Discovery(Answer):
         self.__dict__["_of"] = of
 
     def __repr__(self) -> str:
-        lines = [*self.claims, *(f"basis {', '.join(basis.monomials)}" for basis in self.bases)]
-        found = [f"  {_short(line)}" for line in lines] or ["  nothing that the map keeps"]
-        return "\n".join([f"Discovery of {self.system}:", *found, f"  with {', '.join(self._names)}"])
+        found = [*self.claims, *(f"basis {', '.join(basis.monomials)}" for basis in self.bases)]
+        return "\n".join([f"Discovery of {self.system}:", *self.sentences, *(f"  {_short(line)}" for line in found)])
 
     @cached_property
     def claimed(self) -> System:
@@ -574,6 +584,29 @@ class Discovery(Answer):
     def brackets(self) -> dict[str, Formula]:
         """The invariant Poisson brackets, by name, each an antisymmetric matrix."""
         return self.claimed.brackets
+
+
+@dataclass(frozen=True)
+class RightSide:
+    """f of a field, as a function of the time, on which it does not depend, and of points as columns."""
+
+    system: System
+
+    def __call__(self, t: float, y: Any) -> Array:
+        y = np.asarray(y)
+        if y.ndim != 2:
+            return self.system._field_at(y)
+        if len(y) != len(self.system.variables):
+            raise ValueError(f"y: the shape ({len(self.system.variables)}, points) is needed, and this is {y.shape}")
+        return self.system._field_at(y.T).T
+
+    def jacobian(self, t: float, y: Any) -> Array:
+        """f'(y) at a point, a row a component of f."""
+        return self.system._field_at(y, jacobian=True)
+
+
+def _integral_value(system: System, name: str, eps: Number, x: Any) -> Array:
+    return system.integral_values(x, eps)[name]
 
 
 def _right(claim: dict[str, Any]) -> str:
@@ -611,19 +644,8 @@ def _exact(value: Number | None, name: str) -> str | None:
     return None if value is None else exact(value, name)
 
 
-def _float(eps: Number) -> float:
-    if isinstance(eps, np.ndarray) and eps.ndim > 0:
-        raise TypeError("eps: one number is needed, and this is an array")
-    return float(Fraction(eps)) if isinstance(eps, str) else float(eps)
-
-
-def _count(value: int, name: str) -> int:
-    from operator import index
-
-    count = index(value)
-    if count < 0:
-        raise ValueError(f"{name}: {count} is below 0")
-    return count
+def _whole(value: int | None, name: str) -> int | None:
+    return None if value is None else whole(value, name)
 
 
 def _size(values: Range | Array) -> int | None:
@@ -633,16 +655,17 @@ def _size(values: Range | Array) -> int | None:
     return int(values[2]) if isinstance(values, tuple) else np.asarray(values).size
 
 
-def _axes(over: Mapping[str, Range | Array] | None) -> list[dict[str, Any]]:
+def _axes(over: Mapping[str, Range | Array] | None, has_lists: bool = True) -> list[dict[str, Any]]:
     def axis(name: str, values: Range | Array) -> dict[str, Any]:
         if isinstance(values, str):
             return {"name": name, "range": values}
-        if not isinstance(values, tuple):
+        if not isinstance(values, tuple) and has_lists:
             return {"name": name, "values": [exact(value, name) for value in np.asarray(values).ravel()]}
-        if len(values) != 3:
-            raise TypeError(f'over: {name} is (low, high, count), an array, or text as "0:1:+1/10"')
+        if not isinstance(values, tuple) or len(values) != 3:
+            lists = "an array, " if has_lists else ""
+            raise TypeError(f'over: {name} is (low, high, count), {lists}or text as "0:1:+1/10"')
         low, high, count = values
-        return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{_count(count, name)}"}
+        return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{whole(count, name)}"}
 
     return [axis(name, values) for name, values in (over or {}).items()]
 

@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::doubles;
-use crate::beside::{Listener, beside};
+use crate::beside::{Listener, apart};
 use crate::errors::of_study;
 use crate::field::{Field, question};
 
@@ -117,8 +117,8 @@ impl Field {
         asked: &str,
         listener: Option<Bound<'_, PyAny>>,
     ) -> PyResult<(String, Vec<Relation>)> {
-        let asked = question(asked)?;
-        let found = beside(py, None, &Listener(listener), |caller| self.study().ask(&asked, caller))?;
+        let (asked, study) = (question(asked)?, self.study().clone());
+        let found = apart(py, None, &Listener(listener), move |caller| study.ask(&asked, caller))?;
         let Answer::Discover(found) = found.map_err(|error| of_study(py, &error))? else {
             return Err(PyValueError::new_err("this question discovers nothing"));
         };

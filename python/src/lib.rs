@@ -48,13 +48,17 @@ fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
 
 /// The names that arguments of one kind may have, by that kind.
 #[pyfunction]
-fn names() -> [(&'static str, Vec<&'static str>); 5] {
+fn names() -> [(&'static str, Vec<&'static str>); 6] {
+    let known = Systems.names().into_iter().map(|[name, _]| name);
+    let (system, family) =
+        known.partition(|name| Systems.find(name).is_some_and(|known| known.type_name.is_some()));
     [
         ("direction", Side::ALL.map(Side::name).to_vec()),
         ("method", Method::ALL.map(Method::name).to_vec()),
         ("observable", Observable::ALL.iter().map(|one| one.name()).collect()),
         ("scalar", ScalarKind::ALL.map(ScalarKind::name).to_vec()),
-        ("system", Systems.names().iter().map(|[name, _]| *name).collect()),
+        ("system", system),
+        ("family", family),
     ]
 }
 

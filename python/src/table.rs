@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyList;
 
-use crate::beside::{Listener, beside};
+use crate::beside::{Listener, apart};
 use crate::errors::of_study;
 use crate::field::Field;
 
@@ -24,10 +24,10 @@ impl Field {
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, Option<u64>)> {
-        let question = crate::field::question(question)?;
-        let (table, end) = beside(py, threads, &Listener(listener), |caller| {
+        let (question, study) = (crate::field::question(question)?, self.study().clone());
+        let (table, end) = apart(py, threads, &Listener(listener), move |caller| {
             let mut table = Table::default();
-            let end = self.study().rows(&question, 0..u64::MAX, &mut table, caller);
+            let end = study.rows(&question, 0..u64::MAX, &mut table, caller);
             end.map(|end| (table, end))
         })?
         .map_err(|error| of_study(py, &error))?;

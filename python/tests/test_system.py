@@ -193,7 +193,7 @@ def test_objects_travel():
     x = np.array([1.0, 2.0, 3.0])
     assert np.array_equal(again.step(x, 0.1), s.step(x, 0.1)) and again.parameters == s.parameters
     assert again == s and hash(again) == hash(s) and s(a1="2/2") == s != s(a1=2)
-    for call, given in ((s.rhs, (0, x)), (s.rhs_jacobian, (0, x)), (s.integral_values, (x, 0.1)), (s.integrals["H"], (x, 0.1))):
+    for call, given in ((s.rhs(), (0, x)), (s.rhs().jacobian, (0, x)), (s.integral_values, (x, 0.1)), (s.integral_functions(0.1)["H"], (x,)), (s.integrals["H"], (x, 0.1))):
         assert np.array_equal(pickle.loads(pickle.dumps(call))(*given), call(*given))
     with ThreadPoolExecutor(4) as pool:
         ends = list(pool.map(lambda k: s.orbit(x, 0.01, 2000 + k % 2).x[2000], range(20)))

@@ -178,15 +178,15 @@ def test_claims_are_verified():
 
 
 def test_others_take_the_field_and_its_integrals():
-    rate, x = E6.rhs, np.array([1.0, 2.0, 3.0])
+    rate, x = E6.rhs(), np.array([1.0, 2.0, 3.0])
     assert rate(0.0, x).tolist() == E6.evaluate(x, 1, exact=True).field.tolist()
     assert np.array_equal(rate(0.0, np.stack([x, 2 * x], axis=1))[:, 0], rate(0.0, x))
-    assert E6.rhs_jacobian(0.0, x).tolist() == E6.evaluate(x, 1, exact=True).field_jacobian.tolist()
-    energy = partial(E6.integrals["H"], eps=0)
+    assert rate.jacobian(0.0, x).tolist() == E6.evaluate(x, 1, exact=True).field_jacobian.tolist()
+    energy = E6.integral_functions()["H"]
     # E6's H is x z + y^2 at eps = 0.
     assert energy(x) == 7
     scipy = pytest.importorskip("scipy.integrate")
     end = scipy.solve_ivp(rate, (0, 1), x, rtol=1e-10, atol=1e-10, vectorized=True).y[:, -1]
     assert abs(energy(end) - 7) < 1e-7
-    stiff = scipy.solve_ivp(rate, (0, 1), x, method="Radau", jac=E6.rhs_jacobian, rtol=1e-10, atol=1e-10)
+    stiff = scipy.solve_ivp(rate, (0, 1), x, method="Radau", jac=rate.jacobian, rtol=1e-10, atol=1e-10)
     assert np.abs(stiff.y[:, -1] - end).max() < 1e-7 and stiff.njev > 0

@@ -174,5 +174,6 @@ fn explain_unreadable(c: char) -> (String, String) {
         '½' => ("fractions are written out", "write `1/2`"),
         _ => ("this character has no meaning in a field", "remove it"),
     };
-    (format!("`{}`: {what}", c.escape_debug()), help.to_owned())
+    let shown = if c == '\'' { c.to_string() } else { c.escape_debug().to_string() };
+    (format!("`{shown}`: {what}"), help.to_owned())
 }

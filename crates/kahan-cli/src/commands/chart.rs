@@ -13,7 +13,7 @@ use serde_json::json;
 
 use super::line::{Asking, Line};
 use super::look::{SheetOptions, file, format, usual};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink, is_table};
 use crate::reading::{self, Start, number, observable, whole};
 
 use rows::Rows;
@@ -139,8 +139,7 @@ impl Asking for Chart {
 impl Chart {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let is_table = self.out.extension().is_some_and(|ending| ending == "csv");
-        let format = if is_table { None } else { Some(format(&self.out)?) };
+        let format = if is_table(&self.out) { None } else { Some(format(&self.out)?) };
         let sink = Sink::file(&self.out, "--out")?;
         let shown = self.shown()?;
         let picture = chart(&shown, &Look::on(self.look.sheet(usual())));

@@ -12,7 +12,7 @@ use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, 
 use super::line::Asking;
 use super::look::{SheetOptions, file, format, usual};
 use crate::printing::layout::{headed, table};
-use crate::printing::{Answer, Prompt, Refusal, Sink, csv};
+use crate::printing::{Answer, Prompt, Refusal, Sink, csv, is_table};
 use crate::reading::{Start, over, whole};
 
 /// Finds a periodic point near a first one: its multipliers, and how it changes.
@@ -82,7 +82,7 @@ impl Periodic {
     /// The cycle, and its branch.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let format = match &self.out {
-            Some(out) if out.extension().is_some_and(|ending| ending == "csv") => None,
+            Some(out) if is_table(out) => None,
             Some(out) => Some(format(out)?),
             None => None,
         };

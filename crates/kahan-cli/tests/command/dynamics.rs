@@ -112,7 +112,7 @@ fn mistakes_are_told() {
         ("1 + eps", "one number everywhere"),
         ("w", "there are x, y, R, eps, pi"),
         ("x +", "missing"),
-        ("x = 1", "should end here"),
+        ("x = 1", "`x - y` for `x = y`"),
     ] {
         let paragraph = refusal(&[&["section"], &TURN[..], &["--steps", "5", "--plane", plane]].concat());
         assert!(paragraph.replace('\n', " ").contains(part), "{plane}: {paragraph}");
