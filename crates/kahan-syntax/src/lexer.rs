@@ -70,6 +70,10 @@ impl Lexer<'_> {
             }
         } else if self.text[self.at..].starts_with("/*") {
             self.block_comment();
+        } else if c == '#' && !matches!(self.peek(1), Some('[' | '!')) {
+            let (message, help) =
+                ("`#` begins no comment here".to_owned(), "write `//` before a comment".to_owned());
+            self.push(TokenKind::Unreadable { message, help }, self.run(self.at, |c| c != '\n'));
         } else if c.is_ascii_digit() {
             let length = self.number_length();
             self.push(TokenKind::Literal, length);
