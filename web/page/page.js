@@ -62,16 +62,19 @@ async function refresh() {
   await orbitsAnew()
 }
 
-// Puts in what was set and drawn. Boxes that scroll are stops for the keyboard, with a name; the
-// others are none.
+// Boxes that scroll are stops for the keyboard, with a name; others are none.
+const stops = new ResizeObserver(seen => {
+  for (const { target: box } of seen) {
+    const label = box.closest('.preserved')?.querySelector('.source')?.textContent || 'A formula or a table wider than the page'
+    if (box.scrollWidth > box.clientWidth) Object.assign(box, { tabIndex: 0, role: 'region', ariaLabel: label })
+    else for (const name of ['tabindex', 'role', 'aria-label']) box.removeAttribute(name)
+  }
+})
+
+// Puts in what was set and drawn.
 function set(id, html) {
   $(id).innerHTML = html.replace(/`([^`<>]*)`/g, '<code>$1</code>')
-  for (const box of $(id).querySelectorAll('[tabindex]')) {
-    if (box.scrollWidth > box.clientWidth) {
-      box.role = 'region'
-      box.ariaLabel = box.closest('.preserved')?.querySelector('.source')?.textContent || 'A formula or a table wider than the page'
-    } else box.removeAttribute('tabindex')
-  }
+  for (const box of $(id).querySelectorAll('[tabindex]')) stops.observe(box)
 }
 
 let isWanted = false // whether a search begins as soon as the field has no mistake
