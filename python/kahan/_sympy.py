@@ -27,17 +27,11 @@ def field_text(equations: Mapping[Any, Any]) -> str:
 
 
 def expression(text: str) -> Any:
-    """A formula of the language of ``kahan!`` as an expression of SymPy, its names as symbols."""
+    """A formula that is written for SymPy as its expression, the names as symbols."""
     import re
 
     import sympy
 
-    names = set(re.findall(r"[A-Za-z_]\w*", text))
-    symbols = {name: sympy.Symbol(name) for name in names}
-    return sympy.parse_expr(text.replace("^", "**"), local_dict=symbols, transformations=_RATIONAL(sympy))
-
-
-def _RATIONAL(sympy: Any) -> Any:
-    from sympy.parsing.sympy_parser import auto_number, rationalize
-
-    return (auto_number, rationalize)
+    # A name beyond ASCII is a symbol to SymPy unasked. It must not be given: Python looks ``ϕ`` up as ``φ``.
+    symbols = {name: sympy.Symbol(name) for name in re.findall(r"[^\W\d]\w*", text) if name.isascii()}
+    return sympy.sympify(text, locals=symbols)

@@ -49,6 +49,8 @@ def test_formulas_are_those_of_the_map():
     assert s.A.shape == (3, 3) and s.b.shape == (3,) and s.det_A.shape == ()
     assert r"\begin{pmatrix}" in s.A.latex and r"\dot{x}" in s._repr_latex_()
     assert pickle.loads(pickle.dumps(s.A)).latex == s.A.latex
+    field = kahan.System("Idot = ϕ; ϕdot = I^2 - φ;").field.sympy()
+    assert {symbol.name for symbol in field.free_symbols} == {"I", "ϕ", "φ"}
 
 
 def test_fields_come_from_sympy():

@@ -156,11 +156,10 @@ async function copied(id, what, text) {
 // The formulas of a sheet, a line each.
 function written(answer, kind) {
   if (kind === 'kahan') return answer.macro
+  if (kind === 'sympy') return answer.script
   const [name, row, open, close] = kind === 'latex'
     ? [v => `\\widetilde{${v}}`, rows => rows.map(row => row.join(' & ')).join(' \\\\ '), '\\begin{pmatrix} ', ' \\end{pmatrix}']
-    : kind === 'sympy'
-      ? [v => `${v}_next`, rows => rows.map(row => `[${row.join(', ')}]`).join(', '), 'Matrix([', '])']
-      : [v => `${v}~`, rows => rows.map(row => `[${row.join(', ')}]`).join(', '), '[', ']']
+    : [v => `${v}~`, rows => rows.map(row => `[${row.join(', ')}]`).join(', '), '[', ']']
   const matrix = (called, rows) => (rows ? [`${called} = ${open}${row(rows)}${close}`] : [])
   const map = answer.map || answer.variables.map(() => '(beyond the budget of terms)')
   return [

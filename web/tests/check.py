@@ -128,6 +128,15 @@ def bits_are_those_of_the_command(browser, kahan):
     print(f"{steps} steps have the bits of the command")
 
 
+def the_script_is_the_commands(browser, kahan):
+    with Tab(browser, address(field=E6)) as tab:
+        tab.opened()
+        asked = "new Asker().ask(subject(), {ask: 'show', as: 'sympy', jacobian: true})"
+        script = tab.page.evaluate(f"async () => written((await {asked}).answer, 'sympy')")
+    assert script == command(kahan, "show", "--field", E6, "--sympy", "--jacobian")
+    print("the script for SymPy is the command's")
+
+
 def mistakes_are_the_macros(browser, kahan):
     text = "xdot = y*(2*z - x);\nydot = x^3 - z^2;\nzdot = sin(y);"
     with Tab(browser, address(field=E6)) as tab:
@@ -359,6 +368,7 @@ CHECKS = [
     classical_systems_have_orbits,
     findings_are_those_of_the_command,
     bits_are_those_of_the_command,
+    the_script_is_the_commands,
     mistakes_are_the_macros,
     what_is_typed_overtakes_a_search,
     starts_are_clicked_and_dragged,

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
 use crate::study::Study;
-use crate::sympy::SymPy;
+use crate::sympy::{self, SymPy};
 
 pub use plan::{Costs, Listing, Planned};
 
@@ -104,6 +104,10 @@ pub struct Sheet {
     /// The block of `kahan!`.
     #[serde(rename = "macro")]
     pub block: String,
+    /// In [`Form::Sympy`] a script for Python, which assigns the symbols, and the matrices and the
+    /// claims made of them, to the names of this sheet.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub script: Option<String>,
 }
 
 /// A claim as it is shown.
@@ -154,7 +158,7 @@ impl Show {
             source: study.source(&claim.name.text),
             ..ClaimShown::of(&system, claim, of_claims)
         });
-        Ok(Shown::Formulas(Box::new(Sheet {
+        let mut sheet = Sheet {
             system: study.name().to_owned(),
             title: study.title(),
             variables: system.field.symbols.states.clone(),
@@ -170,7 +174,10 @@ impl Show {
             removed_factor: formulas.removed_factor(),
             claims: claims.collect(),
             block: macro_block(&system),
-        })))
+            script: None,
+        };
+        sheet.script = (self.form == Form::Sympy).then(|| sympy::script(&sheet));
+        Ok(Shown::Formulas(Box::new(sheet)))
     }
 }
 
