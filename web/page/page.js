@@ -57,6 +57,9 @@ async function refresh() {
   if (!sheetOf) return
   set('formulas', reply.html)
   parameters(reply.parameters)
+  // Formulas are painted before more work begins; a tab behind others paints nothing.
+  await new Promise(ends => { requestAnimationFrame(ends); setTimeout(ends, 100) })
+  if (sheetOf !== reply.answer) return
   if (isWanted) search()
   if ($('jacobian').open) await jacobian()
   await orbitsAnew()
