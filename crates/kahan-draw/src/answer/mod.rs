@@ -36,7 +36,7 @@ pub fn html(answer: &Answer) -> Option<Markup> {
                     p { (sheet.variables.len()) " variables have formulas too long for a page." }
                 }
                 @if !sheet.claims.is_empty() { h4 { "What is claimed, and proved" } }
-                @for shown in &sheet.claims { (claim(shown, &html! {})) }
+                @for shown in &sheet.claims { (claim(shown, sheet.variables.len(), &html! {})) }
             },
             Shown::Block { .. } | Shown::Plan(_) => return None,
         },

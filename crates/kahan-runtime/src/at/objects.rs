@@ -95,7 +95,10 @@ impl<T: MachineFloat> MapAt<T> {
     fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
         self.check_state(x)?;
         self.check_out(out, entries)?;
-        self.engine().evaluate(object, &self.constants, x, out);
+        // Each row of an orbit has its integrals, and most fields claim none.
+        if entries > 0 {
+            self.engine().evaluate(object, &self.constants, x, out);
+        }
         Ok(())
     }
 }
