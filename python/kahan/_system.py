@@ -8,16 +8,17 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ._answer import Answer, _short
 from ._basis import Basis
-from ._errors import choice, spelled, unknown
+from ._errors import FieldError, choice, spelled, unknown
 from ._exact import Number, _number, answer, exact, nearest, point, whole
-from ._kahan import Field
+from ._kahan import Field, is_family
 from ._formula import Formula, Symbols
+from ._lattice import Lattice
 from ._orbit import Array, Chart, Ensemble, Orbit, Section
 
 __all__ = ["Discovery", "System"]
@@ -57,7 +58,12 @@ class System(Field):
             field = field_text(field)
         if not isinstance(field, str):
             raise TypeError(f"a field is text or a mapping of SymPy's symbols, not {type(field).__name__}")
-        return cls._of(field, False, sites, {name: exact(value, name) for name, value in parameters.items()})
+        try:
+            return cls._of(field, False, sites, {name: exact(value, name) for name, value in parameters.items()})
+        except FieldError:
+            if sites is None and not parameters and is_family(field):
+                return cast(System, Family(field))
+            raise
 
     @classmethod
     def _of(cls, text: str, is_name: bool, sites: int | None, parameters: dict[str, str]) -> System:
@@ -67,6 +73,14 @@ class System(Field):
 
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
         return (type(self)._of, self._call)
+
+    def lattice(self, sites: int, eps: Number, **values: float | Array) -> Lattice:
+        """The chain of so many sites of a family, stepped as an array; see ``Lattice``.
+
+        The text of a family is enough: ``kahan.System("for i in periodic { … }").lattice(1000, 0.01)``.
+        """
+        text, _, _, own = self._call
+        return Lattice(text, sites, eps, **({name: float(Fraction(value)) for name, value in own.items()} | values))
 
     def __eq__(self, other: object) -> bool:
         return self._key() == other._key() if isinstance(other, System) else NotImplemented
@@ -532,6 +546,34 @@ class System(Field):
         Steps are judged by exact arithmetic; ``trials`` of each scalar.
         """
         return Answer(self._ask("extremes", progress, trials=whole(trials, "trials"), seed=whole(seed, "seed")))
+
+
+class Family:
+    """A chain ``for i in periodic { … }`` whose sites are not counted yet: a call says how many there are.
+
+    >>> import kahan
+    >>> ring = kahan.System("for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }")
+    >>> ring(sites=3).variables
+    ('x0', 'x1', 'x2')
+    >>> ring.lattice(1000, eps=0.01)
+    <Lattice of 1000 sites: x>
+    """
+
+    name: str
+    """Its name in the catalog, or its text."""
+
+    def __init__(self, name: str, is_name: bool = False) -> None:
+        self.name, self._is_name = name, is_name
+
+    def __call__(self, *, sites: int, **parameters: Number) -> System:
+        return System._of(self.name, self._is_name, sites, {name: exact(value, name) for name, value in parameters.items()})
+
+    def lattice(self, sites: int, eps: Number, **values: float | Array) -> Lattice:
+        """The chain of so many sites, stepped as an array."""
+        return Lattice(self.name, sites, eps, **values)
+
+    def __repr__(self) -> str:
+        return f"<Family {self.name}>"
 
 
 class Discovery(Answer):

@@ -12,6 +12,12 @@ use crate::arrays::{Eps, doubles};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, of_study};
 
+/// Whether a text is that of a family, whose sites are not counted.
+#[pyfunction]
+pub(crate) fn is_family(text: &str) -> bool {
+    matches!(FieldText::new(text.to_owned(), "field".to_owned()).family(), Ok(Some(_)))
+}
+
 /// A chain at one eps: what `kahan.Lattice` stands on.
 #[pyclass(subclass, frozen, module = "kahan._kahan")]
 pub(crate) struct Chain {

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 
 import kahan
+from kahan._system import Family
 
 E6 = kahan.catalog.e6
 CHAIN = "for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }"
 RATE = kahan.System("xdot = rate*y; ydot = x;", rate=1)
 
 REFUSED = [
-    (lambda: kahan.System(CHAIN), kahan.FieldError, r"(?s)`sites=8` in Python.*`kahan.Lattice`"),
+    (lambda: kahan.System(CHAIN, a=1), kahan.FieldError, r"(?s)`sites=8` in Python.*`kahan.Lattice`"),
     (lambda: E6.ensemble([0, 1, 0], 0.1, 5), ValueError, r"points: the shape \(trajectories, 3\).* this is \(3,\)"),
     (lambda: E6.orbit([[0, 1, 0]], 0.1, 5), ValueError, r"x: the shape \(3,\) is needed.* this is \(1, 3\)"),
     (lambda: E6.step([0, 1], 0.1), ValueError, r"x: the shape \(…, 3\).* this is \(2,\)"),
@@ -73,12 +74,13 @@ def test_numbers_come_as_floats_fractions_and_text():
 
 
 def test_everything_in_the_catalog_can_be_looked_at():
-    families = [value for _, value in inspect.getmembers(kahan.catalog) if isinstance(value, kahan.catalog.Family)]
+    families = [value for _, value in inspect.getmembers(kahan.catalog) if isinstance(value, Family)]
+    assert kahan.System(CHAIN).lattice(10, 0.1).sites == kahan.System(CHAIN, sites=5).lattice(10, 0.1).sites == 10
     assert "kdv" in [family.name for family in families]
     for family in families:
         chain = family(sites=8)
         of_family = {name.rstrip("01234567") for name in chain.parameters}
-        lattice = kahan.Lattice(family.name, 10, "1/10", **dict.fromkeys(of_family, 1))
+        lattice = family.lattice(10, "1/10", **dict.fromkeys(of_family, 1))
         assert len(chain.variables) == 8 * len(lattice.arrays)
 
 
