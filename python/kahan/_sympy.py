@@ -9,8 +9,12 @@ __all__ = ["expression", "field_text"]
 
 
 def field_text(equations: Mapping[Any, Any]) -> str:
-    """The equations ``{x: expression of dx/dt}`` in the language of ``kahan!``."""
+    """The equations ``{x: expression of dx/dt}`` in the language of ``kahan!``.
+
+    Raises ``ValueError`` for what a field's exact numbers and names cannot say.
+    """
     import sympy
+    from sympy.core.function import AppliedUndef
     from sympy.printing.str import StrPrinter
 
     class Printer(StrPrinter):  # type: ignore[misc]
@@ -21,7 +25,14 @@ def field_text(equations: Mapping[Any, Any]) -> str:
     printer = Printer({"sympy_integers": False})
     lines = []
     for variable, rate in equations.items():
-        text = printer.doprint(sympy.expand(sympy.sympify(rate))).replace("**", "^")
+        rate = sympy.expand(sympy.sympify(rate))
+        for part in sympy.preorder_traversal(sympy.Tuple(sympy.sympify(variable), rate)):
+            if isinstance(part, AppliedUndef):
+                raise ValueError(f"{part} is a function; write symbols, as {part.func} = sympy.Symbol('{part.func}')")
+            if part.is_number and not (part.is_Rational or part.is_Float):
+                raise ValueError(f"{variable}: {part} is no fraction, and coefficients are exact; put a symbol in its place, "
+                                 f"which becomes a parameter, and give its value as a float or a Fraction, as float({part})")
+        text = printer.doprint(rate).replace("**", "^")
         lines.append(f"{variable}dot = {text};")
     return " ".join(lines)
 

@@ -50,12 +50,16 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(self.engine().by_constant(&self.constants, place, x))
     }
 
-    /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals).
+    /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals); of a
+    /// [composition](Self::composed) those of the flow.
     ///
     /// # Errors
     /// [`DimensionError`] if `x` has not an entry a variable, or `out` not one an integral.
     pub fn integrals(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.object(Object::Integrals, x, out, self.map.field().integrals().len())
+        self.check_state(x)?;
+        self.check_out(out, self.map.field().integrals().len())?;
+        self.engine().evaluate(Object::Integrals, &self.of_integrals, x, out);
+        Ok(())
     }
 
     /// The density of the invariant measure.

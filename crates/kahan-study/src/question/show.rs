@@ -141,16 +141,18 @@ impl Show {
     /// [`StudyError`]: claims that do not hold, a field that is not defined at its parameters.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Shown, StudyError> {
         study.proved()?;
-        let system = study.specialised()?;
+        let mut system = study.specialised()?;
+        let block = macro_block(&system);
         let notation: &dyn Notation = match self.form {
             Form::Text => &Text,
             Form::Latex => &Latex,
             Form::Sympy => &SymPy,
             Form::Kahan => {
-                return Ok(Shown::Block { system: study.name().to_owned(), block: macro_block(&system) });
+                return Ok(Shown::Block { system: study.name().to_owned(), block });
             }
             Form::Plan => return Ok(Shown::Plan(Box::new(Planned::of(study.name(), &system, watch)))),
         };
+        system.claims.iter_mut().for_each(|claim| claim.put_values(&system.constants));
         let map = RationalMap::of(&system.field);
         let formulas = Formulas { field: &system.field, map: map.as_ref(), notation };
         let of_claims = Some(notation).filter(|_| self.form != Form::Text);
@@ -173,7 +175,7 @@ impl Show {
             jacobian: if self.jacobian { formulas.jacobian() } else { None },
             removed_factor: formulas.removed_factor(),
             claims: claims.collect(),
-            block: macro_block(&system),
+            block,
             script: None,
         };
         sheet.script = (self.form == Form::Sympy).then(|| sympy::script(&sheet));
