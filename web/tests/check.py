@@ -268,6 +268,12 @@ def what_was_found_is_measured_kept_and_copied(browser, _):
         assert "J = " not in tab.page.evaluate("navigator.clipboard.readText()")
         tab.page.fill("#parameters input", "2")
         tab.waits("document.querySelector('#arrived').hidden && document.querySelector('#drift').parentElement.hidden")
+    # The catalog's Euler top claims a density of the name that the search would take.
+    with Tab(browser, address(system="euler")) as tab:
+        found(tab)
+        shown = tab.text("#search-shown")
+        assert "rho_" in tab.text("#arrived") and "𝜌" in shown and "′" in shown and "rho" not in shown, shown
+        assert "0 for every other pair" in shown and "proved before it was shown" in shown and "`" not in shown
     print("what was found is measured along orbits, kept as long as it is true, and copied")
 
 
