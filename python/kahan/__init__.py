@@ -15,6 +15,7 @@ from ._answer import Answer
 from ._basis import Basis
 from ._errors import FieldError, Mistake, SingularStep
 from ._formula import Formula
+from ._kahan import __version__
 from ._lattice import Lattice
 from ._orbit import Chart, Ensemble, Orbit, Section, Table
 from ._system import Discovery, System
@@ -34,5 +35,6 @@ __all__ = [
     "SingularStep",
     "System",
     "Table",
+    "__version__",
     "catalog",
 ]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._answer import Answer
 from ._errors import spelled
-from ._exact import _number, point
+from ._exact import Number, _number, point
 from ._kahan import Relation
 from ._orbit import Array
 
@@ -65,22 +65,15 @@ class Basis(Answer):
         relation: Relation = self._relation
         return relation.solve(windows)
 
-    def integral_functions(self, system: System, eps: float) -> dict[str, Callable[[Any], Array]]:
-        """The independent integrals as functions of points, of shape (variables,) or (points, variables).
+    def integral_values(self, system: System, x: Any, eps: Number) -> dict[str, Array]:
+        """The independent integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
 
-        ``system`` is the field with values of its parameters. Costs ``points`` steps a point, and a
+        ``system`` is the field with values of its parameters. Costs ``points`` - 1 steps a point, and a
         system of linear equations.
         """
-        def value(place: int) -> Callable[[Any], Array]:
-            def integral(x: Any) -> Array:
-                orbit = [np.asarray(x, dtype=float)]
-                while len(orbit) < self.points:
-                    orbit.append(system.step(orbit[-1], eps))
-                orbits = np.stack(orbit, axis=-2)
-                solved, _ = self._relation.solve(orbits.reshape(-1, *orbits.shape[-2:]))
-                values: Array = solved[:, place].reshape(orbits.shape[:-2])
-                return values
-
-            return integral
-
-        return {name: value(place) for name, place in zip(self.integrals, self._relation.places)}
+        orbit = [np.asarray(x, dtype=float)]
+        while len(orbit) < self.points:
+            orbit.append(system.step(orbit[-1], eps))
+        orbits = np.stack(orbit, axis=-2)
+        solved, _ = self._relation.solve(orbits.reshape(-1, *orbits.shape[-2:]))
+        return {name: solved[:, place].reshape(orbits.shape[:-2]) for name, place in zip(self.integrals, self._relation.places)}

@@ -88,6 +88,9 @@ def choice(value: str, kind: str) -> str:
     return value
 
 
+_STEPS = ("h", "dt", "tau", "step_size", "stepsize", "time_step")
+"""What others call a time step."""
+
 Class = TypeVar("Class", bound=type)
 
 
@@ -109,12 +112,18 @@ def _spelled(function: Callable[..., Any], shown: str) -> Callable[..., Any]:
         try:
             return function(*args, **named)
         except TypeError:
-            parameters = inspect.signature(function).parameters
+            signature = inspect.signature(function)
+            parameters = signature.parameters
             takes_all = any(one.kind is one.VAR_KEYWORD for one in parameters.values())
             for name in () if takes_all else named:
                 if name not in parameters:
                     known = [known for known in parameters if known != "self"]
+                    if name in _STEPS and "eps" in known:
+                        raise TypeError(f"{shown}: there is no argument `{name}`; write eps, half the time step") from None
                     raise TypeError(f"{shown}: {unknown('argument', name, known)}") from None
+            given = signature.bind_partial(*args, **named).arguments
+            if "eps" not in given and "eps" in parameters and parameters["eps"].default is inspect.Parameter.empty:
+                raise TypeError(f"{shown} needs eps, half the time step") from None
             raise
 
     return call

@@ -6,13 +6,15 @@ import json
 import math
 import re
 from collections.abc import Iterable
+from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from numbers import Integral, Rational
+from operator import index
 from typing import Any, Union
 
 import numpy as np
 
-__all__ = ["Number", "answer", "exact", "point"]
+__all__ = ["Number", "answer", "exact", "nearest", "point", "whole"]
 
 Number = Union[int, float, Fraction, str]
 """A number as it is given: a float means the decimal that Python prints, 0.1 is 1/10."""
@@ -23,19 +25,21 @@ _EXACT = re.compile(r"-?\d+(/\d+)?")
 def exact(value: Any, name: str) -> str:
     """The number as text that is read exactly.
 
-    >>> exact(0.1, "eps"), exact(Fraction(1, 3), "eps"), exact("-2/7", "eps")
-    ('0.1', '1/3', '-2/7')
+    >>> exact(0.1, "eps"), exact(np.float32(0.1), "eps"), exact(Fraction(1, 3), "eps"), exact("-2/7", "eps")
+    ('0.1', '0.1', '1/3', '-2/7')
     """
     if isinstance(value, str):
         return value
-    if isinstance(value, np.generic):
+    if isinstance(value, np.floating) and np.isfinite(value):
+        return str(value)
+    if isinstance(value, np.generic) or isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     if isinstance(value, bool):
         raise TypeError(f"{name}: a number is needed, not {value}")
     if isinstance(value, Integral):
-        return _whole(int(value))
+        return _digits(int(value))
     if isinstance(value, Rational):
-        return f"{_whole(int(value.numerator))}/{_whole(int(value.denominator))}"
+        return f"{_digits(int(value.numerator))}/{_digits(int(value.denominator))}"
     if isinstance(value, float):
         if not math.isfinite(value):
             raise ValueError(f"{name}: {value} is no number to compute with")
@@ -43,26 +47,56 @@ def exact(value: Any, name: str) -> str:
     # SymPy's numbers.
     p, q = getattr(value, "p", None), getattr(value, "q", None)
     if isinstance(p, int) and isinstance(q, int):
-        return f"{_whole(p)}/{_whole(q)}"
+        return f"{_digits(p)}/{_digits(q)}"
+    if isinstance(value, Decimal) and value.is_finite():
+        return str(value)
     if hasattr(value, "__float__") and not isinstance(value, np.ndarray):
-        return exact(float(value), name)
+        near = float(value)
+        if math.isfinite(near) and near != value:
+            raise ValueError(f"{name}: {value} is neither a fraction nor a float; give a nearby one, as {near!r}")
+        return exact(near, name)
     raise TypeError(f"{name}: a number is needed, not {type(value).__name__}")
+
+
+def nearest(value: Any, name: str) -> float:
+    """The float nearest to a number."""
+    if isinstance(value, float):
+        return value
+    text = exact(value, name)
+    try:
+        return float(Fraction(text))
+    except ZeroDivisionError:
+        raise ValueError(f"{name}: {text} divides by zero") from None
+    except ValueError:
+        raise ValueError(f"{name}: `{text}` is not a number; write it as 3/7, -2, 0.25 or 1e-3") from None
 
 
 def point(values: Any, name: str = "x") -> list[str]:
     """The coordinates of a point."""
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise TypeError(f"{name}: a point is a list or an array with a coordinate for each variable")
+    values = list(values)
+    if any(np.ndim(value) for value in values):
+        raise TypeError(f"{name}: one point is needed, a number for each variable, and not rows of them")
     return [exact(value, name) for value in values]
 
 
-def _whole(value: int) -> str:
+def whole(value: Any, name: str) -> int:
+    """A whole number from 0 on; 1e3 is one, too."""
+    try:
+        number = index(int(value) if isinstance(value, float) and value.is_integer() else value)
+    except TypeError:
+        raise TypeError(f"{name}: a whole number is needed, and not {value!r}") from None
+    if number < 0:
+        raise ValueError(f"{name}: {number} is below 0")
+    return number
+
+
+def _digits(value: int) -> str:
     """Digits of an integer, however many: Python itself refuses more than some thousand."""
     try:
         return str(value)
     except ValueError:
-        from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, Context
-
         return f"{Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN).create_decimal(value):f}"
 
 
@@ -70,8 +104,6 @@ def _int(text: str) -> int:
     try:
         return int(text)
     except ValueError:
-        from decimal import Decimal
-
         return int(Decimal(text))
 
 

@@ -1,23 +1,66 @@
-"""Formulas of a field and of its map: as text, LaTeX, and SymPy's expressions."""
+"""Formulas of a field and of its map: as text, LaTeX, SymPy's expressions, and functions of points."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
-from typing import Any
+from fractions import Fraction
+from functools import lru_cache
+from types import CodeType
+from typing import Any, NamedTuple
 
-__all__ = ["Formula"]
+import numpy as np
+
+from ._arrays import floats
+from ._errors import unknown
+from ._exact import Number, exact
+
+__all__ = ["Formula", "Symbols"]
+
+_NUMBER_OR_NAME = re.compile(r"(?<!\^)\b\d+|[^\W\d]\w*")
+
+
+class Symbols(NamedTuple):
+    """What formulas of a field name beside ``eps``."""
+
+    variables: tuple[str, ...]
+    """The state variables, in order."""
+    parameters: dict[str, Fraction | None]
+    """The parameters with their values; ``None`` for one that has none."""
+    functions: dict[str, str]
+    """Constants and claims, which the claims below them may name, as text."""
+
+
+class _Values(dict[str, Any]):
+    """The values of names, those of functions computed when they are needed."""
+
+    def __init__(self, functions: dict[str, str], number: Callable[[str], Any]) -> None:
+        self.functions, self.number = functions, number
+
+    def __missing__(self, name: str) -> Any:
+        if name not in self.functions:
+            raise TypeError(f"the formula depends on {name}: add {name}=… to the call")
+        self[name] = self.of(self.functions[name])
+        return self[name]
+
+    def of(self, text: str) -> Any:
+        """The value of a formula."""
+        return eval(_code(text), {"__builtins__": {}, "_number": self.number, "_value": self})
 
 
 class Formula:
     """A formula, or a vector or a matrix of formulas.
 
     ``str`` gives the language of ``kahan!``, in which ``eps`` is half the time step; ``latex`` and
-    ``sympy()`` the same for others. Vectors and matrices have entries by index.
+    ``sympy()`` the same for others. Vectors and matrices have entries by index or by variable.
+    Called, a formula has its values at points.
 
     >>> import kahan
     >>> A = kahan.System("xdot = y; ydot = x^2;").A
-    >>> A.shape, str(A[1, 0]), A[1, 0].sympy()
+    >>> A.shape, str(A[1, 0]), A["y", "x"].sympy()
     ((2, 2), '-2*eps*x', -2*eps*x)
+    >>> float(A[1, 0]([3, 4], eps=0.25)), A([3, "1/2"], eps="1/4")[1, 0]
+    (-1.5, Fraction(-3, 2))
     """
 
     name: str
@@ -25,8 +68,8 @@ class Formula:
     when: str
     """The condition under which it is claimed; empty where it always holds."""
 
-    def __init__(self, read: Callable[[str], Any], name: str = "", when: str = "") -> None:
-        self._read, self.name, self.when = read, name, when
+    def __init__(self, read: Callable[[str], Any], of: Symbols, name: str = "", when: str = "") -> None:
+        self._read, self._of, self.name, self.when = read, of, name, when
 
     @property
     def _text(self) -> Any:
@@ -49,8 +92,8 @@ class Formula:
     def __iter__(self) -> Iterator[Formula]:
         return (self[k] for k in range(len(self)))
 
-    def __getitem__(self, place: int | tuple[int, ...]) -> Formula:
-        places = place if isinstance(place, tuple) else (place,)
+    def __getitem__(self, place: int | str | tuple[int | str, ...]) -> Formula:
+        places = [self._index(k) for k in (place if isinstance(place, tuple) else (place,))]
 
         def read(form: str) -> Any:
             found = self._read(form)
@@ -61,7 +104,45 @@ class Formula:
             return found
 
         read("text")
-        return Formula(read)
+        return Formula(read, self._of)
+
+    def _index(self, place: int | str) -> int:
+        if not isinstance(place, str):
+            return place
+        if place not in self._of.variables:
+            raise KeyError(unknown("variable", place, self._of.variables))
+        return self._of.variables.index(place)
+
+    def __call__(self, x: Any, eps: Number | np.ndarray[Any, Any] | None = None, **parameters: Any) -> Any:
+        """The values at points: ``x`` has shape (variables,) or (points, variables), and the entries of a
+        vector or a matrix are the last axes of what is returned.
+
+        ``eps`` is needed where the formula depends on it, and values for ``parameters`` that have none in
+        the field; each is one number, or one a point. Points with fractions or text among their
+        coordinates have exact values, by fractions; at a pole ``ZeroDivisionError`` is raised for them,
+        and floats are infinite or NaN there. Costs the operations of the formula in NumPy's arithmetic.
+        """
+        array = np.asarray(x)
+        is_exact = array.dtype.kind in "OU"
+        array = np.vectorize(_fraction, otypes=[object])(array, "x") if is_exact else floats(x, "x")
+        variables, known, functions = self._of
+        if array.ndim == 0 or array.shape[-1] != len(variables):
+            raise ValueError(f"x: a point has {len(variables)} coordinates, one a variable, and the shape is {array.shape}")
+        for name in parameters:
+            if name not in known:
+                raise TypeError(unknown("parameter", name, known))
+            if known[name] is not None:
+                raise TypeError(f"{name} is {known[name]} in this formula; the field with another value has another one")
+        values = _Values(functions, Fraction if is_exact else array.dtype.type)
+        values.update(zip(variables, np.moveaxis(array, -1, 0)))
+        for name, value in {"eps": eps, **known, **parameters}.items():
+            if value is not None:
+                exactly = np.vectorize(_fraction, otypes=[object])(value, name)
+                values[name] = exactly[()] if is_exact else exactly.astype(array.dtype)[()]
+        with np.errstate(all="ignore"):
+            entries = [np.broadcast_to(values.of(text), array.shape[:-1]) for text in np.ravel(self._text).tolist()]
+        found: Any = np.stack(entries, axis=-1).reshape(array.shape[:-1] + self.shape)
+        return found[()]
 
     def __str__(self) -> str:
         text = self._text
@@ -80,7 +161,7 @@ class Formula:
         return hash(str(self))
 
     def __reduce__(self) -> tuple[Callable[..., Formula], tuple[Any, ...]]:
-        return (_of_texts, ({form: self._read(form) for form in ("text", "latex", "sympy")}, self.name, self.when))
+        return (_of_texts, ({form: self._read(form) for form in ("text", "latex", "sympy")}, self._of, self.name, self.when))
 
     @property
     def latex(self) -> str:
@@ -112,5 +193,18 @@ class Formula:
         return rf"$\displaystyle {left}{self.latex}$"
 
 
-def _of_texts(texts: dict[str, Any], name: str, when: str) -> Formula:
-    return Formula(texts.__getitem__, name, when)
+def _of_texts(texts: dict[str, Any], of: Symbols, name: str, when: str) -> Formula:
+    return Formula(texts.__getitem__, of, name, when)
+
+
+def _fraction(value: Number, name: str) -> Fraction:
+    return value if isinstance(value, Fraction) else Fraction(exact(value, name))
+
+
+@lru_cache(maxsize=1024)
+def _code(text: str) -> CodeType:
+    """The formula as Python's code, in which numbers, but not exponents, have the type of the values."""
+    def written(found: re.Match[str]) -> str:
+        return f"_number({found[0]})" if found[0].isdigit() else f"_value[{found[0]!r}]"
+
+    return compile(_NUMBER_OR_NAME.sub(written, text).replace("^", "**"), "formula", "eval")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ._errors import spelled
+from ._exact import Number
 from ._kahan import Chain
 from ._orbit import Array
 
@@ -18,7 +19,7 @@ __all__ = ["Lattice"]
 class Lattice(Chain):
     """A chain of a family ``for i in periodic { … }`` at one eps, half the time step.
 
-    ``values`` are the family's parameters: a number each, or one a site. A state has a row a site,
+    ``family`` is its text, or its name in the catalog, as ``"kdv"``. ``values`` are the family's parameters: a number each, or one a site. A state has a row a site,
     with a column for each of ``arrays``; of one array it may be a list of the sites.
 
     >>> import kahan, numpy as np
@@ -30,13 +31,13 @@ class Lattice(Chain):
 
     _call: tuple[Any, ...]
 
-    def __new__(cls, family: str, sites: int, eps: float, **values: float | Array) -> Lattice:
-        return cls._of(family, sites, float(eps), values, False)
+    def __new__(cls, family: str, sites: int, eps: Number, **values: float | Array) -> Lattice:
+        return cls._of(family, sites, eps, values)
 
     @classmethod
-    def _of(cls, family: str, sites: int, eps: float, values: Mapping[str, Any], is_name: bool) -> Lattice:
-        lattice: Lattice = Chain.__new__(cls, family, sites, eps, list(values.items()), is_name=is_name)
-        lattice._call = (family, sites, eps, dict(values), is_name)
+    def _of(cls, family: str, sites: int, eps: Number, values: Mapping[str, Any]) -> Lattice:
+        lattice: Lattice = Chain.__new__(cls, family, sites, eps, list(values.items()))
+        lattice._call = (family, sites, eps, dict(values))
         return lattice
 
     def __reduce__(self) -> tuple[Callable[..., Lattice], tuple[Any, ...]]:
@@ -51,7 +52,7 @@ class Lattice(Chain):
 
     def invariants(self, state: Any) -> dict[str, float]:
         """What the family claims, at a state: integrals, the Hamiltonian, and the energy that the map keeps."""
-        return dict(self.sums(state))
+        return dict(self._sums(state))
 
     def orbit(self, state: Any, steps: int, *, every: int = 1) -> Array:
         """The states after 0, every, 2 every, ... steps: an axis more than a state has."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -20,13 +22,53 @@ __all__ = ["Chart", "Ensemble", "Orbit", "Section"]
 
 Array = np.ndarray[Any, Any]
 
+_ENDS = {"complete": "", "range": ", no finite point after step {}", "pole": ", a pole after step {}",
+         "points": ", no more after step {}, as `points` says"}
+
+
+def _end(ended: str, steps: int) -> str:
+    return _ENDS[ended].format(steps)
+
 
 class Table(ABC):
-    """What is tabular: columns of one length by name, for pandas, and by Arrow's capsule for polars, pyarrow and others."""
+    """What is tabular: columns of one length by name, for pandas, and by Arrow's capsule for polars, pyarrow and others.
+
+    A column is an entry, ``table["y"]``, and an attribute where there is no other one: ``x`` are always the
+    points. Iteration goes over the names; ``numpy.asarray`` of a table is its points, or a chart's values.
+    """
 
     @abstractmethod
     def columns(self) -> dict[str, Array]:
         """The columns by name."""
+
+    def _whole(self) -> Array:
+        """The table as one array."""
+        whole: Array = self.x
+        return whole
+
+    def __getitem__(self, name: str) -> Array:
+        columns = self.columns()
+        if name not in columns:
+            raise KeyError(unknown("column", str(name), columns))
+        return columns[name]
+
+    def __getattr__(self, name: str) -> Array:
+        # What copies and pickles a table asks before it has its attributes.
+        if name.startswith("_") or "system" not in self.__dict__:
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.columns())
+
+    def __len__(self) -> int:
+        return len(self._whole())
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return np.array(self._whole(), dtype=dtype) if copy or dtype is not None else self._whole()
 
     def to_pandas(self) -> Any:
         """A data frame of the columns. Needs pandas."""
@@ -41,12 +83,17 @@ class Table(ABC):
 
 @spelled
 class Orbit(Table):
-    """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps."""
+    """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps.
+
+    ``ended`` is ``"complete"`` where all steps were made. It is ``"range"`` where the next point is
+    beyond the range of floats, as it is at poles in floats too, and ``"pole"`` where other numbers
+    and methods tell that it has no value (det A = 0).
+    """
 
     system: System
     """The field, with its parameters."""
-    eps: float
-    """Half the time step."""
+    eps: float | Fraction
+    """Half the time step; of an exact orbit the fraction."""
     x: Array
     """The points, of shape (rows, variables); the first is the start."""
     x_low: Array | None = None
@@ -56,17 +103,15 @@ class Orbit(Table):
     steps: int
     """The steps that were made; fewer than were asked where the orbit ends."""
     ended: str
-    """``"complete"``; ``"range"`` where the next point is not finite, ``"pole"`` where it has no
-    value (det A = 0)."""
+    """Why it goes no further."""
 
     def __init__(
-        self, system: System, eps: float, x: Array, every: int, steps: int, ended: str,
-        integrals: dict[str, Array] | None = None,
+        self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
+        integrals: float | dict[str, Array],
     ) -> None:
         self.system, self.eps, self.x, self.every = system, eps, x, every
         self.steps, self.ended = steps, ended
-        if integrals is not None:
-            self.__dict__["integrals"] = integrals
+        self._integrals = integrals
 
     @property
     def n(self) -> Array:
@@ -76,31 +121,39 @@ class Orbit(Table):
     @property
     def t(self) -> Array:
         """The time of each row, 2 eps n."""
-        return 2 * self.eps * self.n
+        n = self.n.astype(object) if isinstance(self.eps, Fraction) else self.n
+        times: Array = 2 * self.eps * n
+        return times
 
     @cached_property
     def integrals(self) -> dict[str, Array]:
-        """The claimed integrals on each row, by name. What is claimed ``when`` a condition holds is left out."""
-        return self.system.integral_values(self.x, self.eps)
+        """The claimed integrals on each row, by name; of those claimed ``when`` a condition holds, the ones
+        whose condition the parameters and eps meet.
 
-    def __len__(self) -> int:
-        return len(self.x)
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
-        return np.array(self.x, dtype=dtype) if copy or dtype is not None else self.x
+        A claim is about Kahan's map at this eps. Compositions (``order`` above 2) and other methods
+        do not keep it: they follow the flow, and their integrals are the claims at eps = 0, not a
+        number where these have no value.
+        """
+        given = self._integrals
+        return given if isinstance(given, dict) else self.system.integral_values(self.x, given)
 
     def __repr__(self) -> str:
-        end = "" if self.ended == "complete" else f", then {self.ended}"
-        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{end}>"
+        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{_end(self.ended, self.steps)}>"
 
     def columns(self) -> dict[str, Array]:
-        """n, t, the variables and the integrals, by name."""
-        return {"n": self.n, "t": self.t, **self.system._columns(self.x), **self.integrals}
+        """n, t, the variables and the integrals, by name; of double-doubles ``x_low`` behind ``x``, too."""
+        columns = {"n": self.n, "t": self.t}
+        for k, name in enumerate(self.system.variables):
+            columns[name] = self.x[:, k]
+            if self.x_low is not None:
+                columns[f"{name}_low"] = self.x_low[:, k]
+        return columns | self.integrals
 
     def plot(self, *axes: str, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws the orbit over two or three of ``t`` and the variables; by default the first three.
+        """Draws the orbit over two or three columns, as ``"t", "H"``; by default the first three variables.
 
-        Needs matplotlib. ``style`` goes to ``Axes.plot``; returns the axes.
+        Points are dots over two axes, and joined where one is the time or there are three. Needs
+        matplotlib. ``style`` goes to ``Axes.plot``; returns the axes.
         """
         from ._plot import orbit
 
@@ -109,45 +162,49 @@ class Orbit(Table):
 
 @spelled
 class Ensemble(Table):
-    """Many trajectories: where they ended, and what was observed of them, an entry a trajectory.
-
-    Each column of what was observed is an attribute and in ``observed``, as ``lyapunov``,
-    ``drift_H``; ``numpy.asarray`` of it is ``x``.
-    """
+    """Many trajectories: where they began and ended, and what was observed of them, an entry a trajectory."""
 
     system: System
     """The field, with its parameters."""
+    start: Array
+    """The first points, of shape (trajectories, variables)."""
+    given: dict[str, Array]
+    """``eps`` and what was given as ``params``, by name: one number, or one a trajectory."""
     x: Array
-    """The last points, of shape (trajectories, variables)."""
+    """The last points, of the same shape: NaN where a trajectory meets a pole, of observed ones the
+    last that is finite."""
     steps: Array | None
-    """With observers, the steps that each made: fewer than asked where numbers leave their range."""
+    """The steps that each made, fewer than asked where numbers leave their range; ``None`` without
+    observers, as then nobody looks."""
     observed: dict[str, Array]
     """What was observed, by name."""
 
-    def __init__(self, system: System, x: Array, steps: Array | None, observed: dict[str, Array]) -> None:
-        self.system, self.x, self.steps, self.observed = system, x, steps, observed
-
-    def __getattr__(self, name: str) -> Array:
-        observed = self.__dict__.get("observed", {})
-        if name in observed:
-            found: Array = observed[name]
-            return found
-        raise AttributeError(unknown("column", name, ["x", "steps", *observed]))
-
-    def __len__(self) -> int:
-        return len(self.x)
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
-        return np.array(self.x, dtype=dtype) if copy or dtype is not None else self.x
+    def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, steps: Array | None,
+                 observed: dict[str, Array]) -> None:
+        self.system, self.start, self.given, self.x = system, start, given, x
+        self.steps, self.observed = steps, observed
 
     def __repr__(self) -> str:
         seen = f"; observed: {', '.join(self.observed)}" if self.observed else ""
         return f"<Ensemble of {len(self.x)} trajectories{seen}>"
 
     def columns(self) -> dict[str, Array]:
-        """The variables of the last points, the steps, and what was observed, by name."""
+        """The first points, as ``start_x``, ``eps`` and parameters that were given, the last points, the steps,
+        and what was observed, by name."""
+        start = {f"start_{name}": values for name, values in self.system._columns(self.start).items()}
+        given = {name: np.broadcast_to(values, len(self.x)) for name, values in self.given.items()}
         steps = {} if self.steps is None else {"steps": self.steps}
-        return {**self.system._columns(self.x), **steps, **self.observed}
+        return {**start, **given, **self.system._columns(self.x), **steps, **self.observed}
+
+    def plot(self, *axes: str, color: str | None = None, ax: Axes | None = None, **style: Any) -> Axes:
+        """Draws a dot a trajectory over two columns, by default the last points' first two variables.
+
+        ``color`` is a column that colours the dots. Needs matplotlib. ``style`` goes to
+        ``Axes.scatter``; returns the axes.
+        """
+        from ._plot import ensemble
+
+        return ensemble(self, axes, color, ax, style)
 
 
 @spelled
@@ -162,12 +219,23 @@ class Chart(Table):
     """What is shown."""
     values: Array
     """The numbers; not a number where an orbit leaves the range of floats."""
+    escaped: Array
+    """The step after which a variable is beyond ``escape``; not a number where none is."""
+    meaning: str
+    """What the numbers are, with their unit."""
+    of: str
+    """Of which orbits they are."""
 
-    def __init__(self, system: System, axes: dict[str, Array], color: str, values: Array) -> None:
+    def __init__(self, system: System, axes: dict[str, Array], color: str, values: Array, escaped: Array, meaning: str,
+                 of: str) -> None:
         self.system, self.axes, self.color, self.values = system, axes, color, values
+        self.escaped, self.meaning, self.of = escaped, meaning, of
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
-        return np.array(self.values, dtype=dtype) if copy or dtype is not None else self.values
+    def _whole(self) -> Array:
+        return self.values
+
+    def __len__(self) -> int:
+        return self.values.size
 
     def __repr__(self) -> str:
         sizes = " x ".join(f"{name}: {len(values)}" for name, values in self.axes.items())
@@ -180,7 +248,11 @@ class Chart(Table):
         return {**places, self.color: self.values.ravel()}
 
     def plot(self, *, ax: Axes | None = None, **style: Any) -> Axes:
-        """Draws one axis as a curve, two in colours, the first across. Needs matplotlib; returns the axes."""
+        """Draws one axis as a curve, two in colours, the first across; SALI and drifts as logarithms, and
+        nothing where an orbit has escaped, unless that is the color.
+
+        Needs matplotlib; returns the axes.
+        """
         from ._plot import chart
 
         return chart(self, ax, style)
@@ -188,7 +260,11 @@ class Chart(Table):
 
 @spelled
 class Section(Table):
-    """Where an orbit crosses a section: a row a crossing."""
+    """Where an orbit crosses a section: a row a crossing.
+
+    ``ended`` is ``"complete"`` where all steps were made, ``"points"`` where the orbit had as many
+    crossings before as ``points`` asked for, and ``"range"`` where its next point is not finite.
+    """
 
     system: System
     """The field, with its parameters."""
@@ -200,15 +276,16 @@ class Section(Table):
     """Their times."""
     steps: int
     """The steps of the orbit."""
+    ended: str
+    """Why the orbit goes no further."""
+    eps: float
+    """Half the time step."""
 
-    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int) -> None:
-        self.system, self.plane, self.x, self.t, self.steps = system, plane, x, t, steps
-
-    def __len__(self) -> int:
-        return len(self.x)
+    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int, ended: str, eps: float) -> None:
+        self.system, self.plane, self.x, self.t, self.steps, self.ended, self.eps = system, plane, x, t, steps, ended, eps
 
     def __repr__(self) -> str:
-        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings>"
+        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings{_end(self.ended, self.steps)}>"
 
     def columns(self) -> dict[str, Array]:
         """t and the variables, by name."""

@@ -4,76 +4,100 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ._errors import unknown
+from ._kahan import picture_scale
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ._orbit import Chart, Orbit, Section
+    from ._orbit import Chart, Ensemble, Orbit, Section, Table
 
-__all__ = ["chart", "orbit", "section"]
+__all__ = ["chart", "ensemble", "orbit", "section"]
 
 _DOTS: dict[str, Any] = {"marker": ".", "markersize": 2, "linestyle": ""}
 _LINE: dict[str, Any] = {"linewidth": 0.7}
 
 
-def _axes(ax: Axes | None, dimensions: int) -> Any:
-    if ax is not None:
-        return ax
-    import matplotlib.pyplot as plt
-
-    return plt.figure().add_subplot(projection="3d" if dimensions == 3 else None)
-
-
-def _label(ax: Any, names: tuple[str, ...]) -> None:
-    for name, set_label in zip(names, ("set_xlabel", "set_ylabel", "set_zlabel")):
-        getattr(ax, set_label)(name)
-
-
-def _columns(found: Orbit | Section, names: tuple[str, ...], counts: tuple[int, ...]) -> list[Any]:
-    known = {name: found.x[:, k] for k, name in enumerate(found.system.variables)}
-    known.setdefault("t", found.t)
-    if len(names) not in counts:
-        raise ValueError(f"{' or '.join(map(str, counts))} axes are needed, and {len(names)} given")
+def _over(found: Table, names: tuple[str, ...], usual: list[str], ax: Axes | None) -> tuple[Any, list[Any]]:
+    """Axes with these columns as labels, and the columns; the usual ones unless told, as many as fit the axes."""
+    is_flat = ax is not None and not hasattr(ax, "set_zlabel")
+    names = names or tuple(usual[:2] if is_flat else usual[:3])
+    if not 2 <= len(names) <= (2 if is_flat else 3):
+        raise ValueError(f"{'2 axes are' if is_flat else '2 or 3 axes are'} needed, and {len(names)} given; "
+                         'three go into `plt.figure().add_subplot(projection="3d")`')
+    columns = found.columns()
     for name in names:
-        if name not in known:
-            raise ValueError(unknown("axis", name, known))
-    return [known[name] for name in names]
+        if name not in columns:
+            raise ValueError(unknown("axis", name, columns))
+    drawn: Any = ax
+    if ax is None:
+        import matplotlib.pyplot as plt
+
+        drawn = plt.figure().add_subplot(projection="3d" if len(names) == 3 else None)
+    for name, axis in zip(names, "xyz"):
+        getattr(drawn, f"set_{axis}label")(name)
+    return drawn, [np.asarray(columns[name], dtype=float) for name in names]
+
+
+def _scaled(column: str, meaning: str, values: Any) -> tuple[str, Any]:
+    """What is written beside numbers, and the numbers, as logarithms where pictures of the command have them."""
+    values = np.asarray(values, dtype=float)
+    is_logarithm, shown = picture_scale(column, values.ravel())
+    meaning = meaning.partition(";")[0]
+    return f"log of {meaning}, to base 10" if is_logarithm else meaning, np.reshape(shown, values.shape)
 
 
 def orbit(found: Orbit, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
-    """The points of an orbit, joined by a line where the axes have the time."""
-    names = names or (found.system.variables[:3] if len(found.system.variables) > 1 else ("t", *found.system.variables))
-    columns = _columns(found, names, (2, 3))
-    ax = _axes(ax, len(names))
-    ax.plot(*columns, **((_LINE if "t" in names else _DOTS) | style))
-    _label(ax, names)
-    return ax
+    """The points of an orbit, joined by a line where the axes have the time, or are three."""
+    variables = list(found.system.variables)
+    axes, columns = _over(found, names, variables if len(variables) > 1 else ["t", *variables], ax)
+    axes.plot(*columns, **((_LINE if "t" in names or len(columns) == 3 else _DOTS) | style))
+    axes.set_title(f"{found.system.name}, eps = {found.eps}, {found.steps} steps")
+    return axes  # type: ignore[no-any-return]
+
+
+def ensemble(found: Ensemble, names: tuple[str, ...], color: str | None, ax: Axes | None, style: dict[str, Any]) -> Axes:
+    """The trajectories as dots, with a bar for what colours them."""
+    axes, columns = _over(found, names, [*found.system.variables, *found.columns()][:2], ax)
+    if color is None:
+        axes.scatter(*columns, **({"s": 2} | style))
+        return axes  # type: ignore[no-any-return]
+    label, shown = _scaled(color, color, found[color])
+    axes.figure.colorbar(axes.scatter(*columns, c=shown, **({"s": 2} | style)), ax=axes, label=label)
+    return axes  # type: ignore[no-any-return]
 
 
 def section(found: Section, names: tuple[str, ...], ax: Axes | None, style: dict[str, Any]) -> Axes:
     """The crossings as dots."""
     others = [name for name in found.system.variables if name not in found.plane]
-    names = names or tuple((others if len(others) > 1 else list(found.system.variables))[:2])
-    columns = _columns(found, names, (2, 3))
-    ax = _axes(ax, len(names))
-    ax.plot(*columns, **(_DOTS | style))
-    _label(ax, names)
-    ax.set_title(f"{found.plane} = 0")
-    return ax
+    axes, columns = _over(found, names, (others if len(others) > 1 else list(found.system.variables))[:2], ax)
+    axes.plot(*columns, **(_DOTS | style))
+    axes.set_title(f"{found.plane} = 0, eps = {found.eps}, {found.steps} steps")
+    return axes  # type: ignore[no-any-return]
 
 
 def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
     """A curve over one axis; over two the cells in colours, with a bar that says what they mean."""
-    names, values = list(found.axes), list(found.axes.values())
+    names = list(found.axes)
     if len(names) > 2:
         raise ValueError("a picture has two axes; take a part of `values`")
-    ax = _axes(ax, 2)
+    label, shown = _scaled(found.color, found.meaning, found.values)
+    if found.color not in ("escape", "escaped"):
+        shown = np.where(np.isnan(found.escaped), shown, np.nan)
+    axes: Any = ax
+    if ax is None:
+        import matplotlib.pyplot as plt
+
+        axes = plt.figure().add_subplot()
     if len(names) == 1:
-        ax.plot(values[0], found.values, **(_LINE | style))
-        _label(ax, (names[0], found.color))
-        return ax
-    mesh = ax.pcolormesh(values[0], values[1], found.values.T, **({"shading": "nearest"} | style))
-    ax.figure.colorbar(mesh, ax=ax, label=found.color)
-    _label(ax, (names[0], names[1]))
-    return ax
+        axes.plot(found.axes[names[0]], shown, **(_LINE | style))
+        axes.set_ylabel(label)
+    else:
+        mesh = axes.pcolormesh(*found.axes.values(), shown.T, **({"shading": "nearest"} | style))
+        axes.figure.colorbar(mesh, ax=axes, label=label)
+        axes.set_ylabel(names[1])
+    axes.set_xlabel(names[0])
+    axes.set_title(f"{found.system.name}, {found.of}")
+    return axes  # type: ignore[no-any-return]

@@ -1,7 +1,8 @@
-"""How far long work is: a bar of tqdm where it is installed, else nothing."""
+"""How far long work is: a bar of tqdm, or a warning where that is not installed."""
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 __all__ = ["listener"]
@@ -12,6 +13,7 @@ def listener() -> Any:
     try:
         from tqdm.auto import tqdm
     except ImportError:
+        warnings.warn("progress=True shows a bar of tqdm, which is not installed: pip install tqdm")
         return None
     # Short work shows no bar.
     bar: Any = tqdm(leave=False, delay=0.2)
@@ -22,6 +24,7 @@ def listener() -> Any:
             bar.write(f"found: {kind} {name}")
             return
         bar.total, bar.n = of, done if of else 0
+        bar.bar_format = None if of else "{desc} {elapsed}"
         bar.set_description_str(what)
         bar.refresh()
 

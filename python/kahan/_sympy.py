@@ -9,8 +9,12 @@ __all__ = ["expression", "field_text"]
 
 
 def field_text(equations: Mapping[Any, Any]) -> str:
-    """The equations ``{x: expression of dx/dt}`` in the language of ``kahan!``."""
+    """The equations ``{x: expression of dx/dt}`` in the language of ``kahan!``.
+
+    Raises ``ValueError`` for what a field's exact numbers and names cannot say.
+    """
     import sympy
+    from sympy.core.function import AppliedUndef
     from sympy.printing.str import StrPrinter
 
     class Printer(StrPrinter):  # type: ignore[misc]
@@ -21,23 +25,24 @@ def field_text(equations: Mapping[Any, Any]) -> str:
     printer = Printer({"sympy_integers": False})
     lines = []
     for variable, rate in equations.items():
-        text = printer.doprint(sympy.expand(sympy.sympify(rate))).replace("**", "^")
+        rate = sympy.expand(sympy.sympify(rate))
+        for part in sympy.preorder_traversal(sympy.Tuple(sympy.sympify(variable), rate)):
+            if isinstance(part, AppliedUndef):
+                raise ValueError(f"{part} is a function; write symbols, as {part.func} = sympy.Symbol('{part.func}')")
+            if part.is_number and not (part.is_Rational or part.is_Float):
+                raise ValueError(f"{variable}: {part} is no fraction, and coefficients are exact; put a symbol in its place, "
+                                 f"which becomes a parameter, and give its value as a float or a Fraction, as float({part})")
+        text = printer.doprint(rate).replace("**", "^")
         lines.append(f"{variable}dot = {text};")
     return " ".join(lines)
 
 
 def expression(text: str) -> Any:
-    """A formula of the language of ``kahan!`` as an expression of SymPy, its names as symbols."""
+    """A formula that is written for SymPy as its expression, the names as symbols."""
     import re
 
     import sympy
 
-    names = set(re.findall(r"[A-Za-z_]\w*", text))
-    symbols = {name: sympy.Symbol(name) for name in names}
-    return sympy.parse_expr(text.replace("^", "**"), local_dict=symbols, transformations=_RATIONAL(sympy))
-
-
-def _RATIONAL(sympy: Any) -> Any:
-    from sympy.parsing.sympy_parser import auto_number, rationalize
-
-    return (auto_number, rationalize)
+    # A name beyond ASCII is a symbol to SymPy unasked. It must not be given: Python looks ``ϕ`` up as ``φ``.
+    symbols = {name: sympy.Symbol(name) for name in re.findall(r"[^\W\d]\w*", text) if name.isascii()}
+    return sympy.sympify(text, locals=symbols)

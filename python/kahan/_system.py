@@ -5,22 +5,20 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from functools import cached_property, partial
+from typing import Any
 
 import numpy as np
 
 from ._answer import Answer, _short
 from ._basis import Basis
 from ._errors import choice, spelled, unknown
-from ._exact import Number, _number, answer, exact, point
+from ._exact import Number, _number, answer, exact, nearest, point, whole
 from ._kahan import Field
-from ._formula import Formula
+from ._formula import Formula, Symbols
 from ._orbit import Array, Chart, Ensemble, Orbit, Section
-
-if TYPE_CHECKING:
-    from ._lattice import Lattice
 
 __all__ = ["Discovery", "System"]
 
@@ -44,6 +42,8 @@ class System(Field):
 
     Raises ``FieldError`` with the place of each mistake, and ``TypeError`` for a value of what is
     no parameter. Costs some milliseconds; the first orbit costs some more.
+
+    ``progress=True`` of the methods that take long shows a bar of tqdm, which must be installed.
     """
 
     _call: tuple[str, bool, int | None, dict[str, str]]
@@ -65,21 +65,29 @@ class System(Field):
         system._call = (text, is_name, sites, parameters)
         return system
 
-    @classmethod
-    def _named(cls, name: str) -> System:
-        return cls._of(name, True, None, {})
-
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
         return (type(self)._of, self._call)
 
+    def __eq__(self, other: object) -> bool:
+        return self._key() == other._key() if isinstance(other, System) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._key())
+
+    def _key(self) -> tuple[Any, ...]:
+        return (self.name, self.text, self.variables, *self.parameters.items())
+
     def __call__(self, *, sites: int | None = None, **parameters: Number) -> System:
-        """The same field with these values of its parameters, beside those that it has.
+        """The same field with these values of its parameters, beside those that it has; of a chain with
+        another number of ``sites``.
 
         >>> import kahan
         >>> kahan.catalog.euler(a1=1, a2=-3, a3=1).parameters["a2"]
         Fraction(-3, 1)
         """
         text, is_name, own_sites, own = self._call
+        if sites is not None and "sites" in self.parameters:
+            parameters["sites"], sites = sites, None
         given = {name: exact(value, name) for name, value in parameters.items()}
         return self._of(text, is_name, own_sites if sites is None else sites, own | given)
 
@@ -95,7 +103,7 @@ class System(Field):
     @property
     def parameters(self) -> dict[str, Any]:
         """The parameters with their values as fractions; ``None`` for one that has none."""
-        return {name: None if value is None else _number(value) for name, value in self.given}
+        return {name: None if value is None else _number(value) for name, value in self._given}
 
     # Formulas.
 
@@ -103,13 +111,20 @@ class System(Field):
         """All formulas of a notation, read once."""
         sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
         if form not in sheets:
-            sheets[form] = json.loads(self.ask(json.dumps({"ask": "show", "as": form, "jacobian": True})))
+            sheets[form] = json.loads(self._answer(json.dumps({"ask": "show", "as": form, "jacobian": True})))
         return sheets[form]
 
     def _formula(self, key: str) -> Formula:
         if self._sheet("text").get(key) is None:
             raise ValueError(f"{self.name} has no {key} as a formula: it is beyond the budget of terms")
-        return Formula(lambda form: self._sheet(form)[key])
+        return Formula(lambda form: self._sheet(form)[key], self._symbols)
+
+    @cached_property
+    def _symbols(self) -> Symbols:
+        sheet = self._sheet("text")
+        constants = re.findall(r"^ *const (\w+) = (.+);$", sheet["macro"], re.MULTILINE)
+        functions = {claim["name"]: _right(claim) for claim in sheet["claims"] if claim["kind"] != "bracket"}
+        return Symbols(self.variables, self.parameters, dict(constants) | functions)
 
     @property
     def field(self) -> Formula:
@@ -156,9 +171,8 @@ class System(Field):
 
     def _single(self, kind: str) -> dict[str, Formula]:
         def formula(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
-            text = claim["statement"].partition(" = ")[2].rstrip(";")
-            text = text.partition(" when ")[0]
-            return Formula(lambda form: text if form == "text" else sides(form)[0], claim["name"], claim["when"])
+            text = _right(claim)
+            return Formula(lambda form: text if form == "text" else sides(form)[0], self._symbols, claim["name"], claim["when"])
 
         return {name: formula(*found) for name, found in self._claims(kind).items()}
 
@@ -173,17 +187,22 @@ class System(Field):
         return self._single("density")
 
     @property
-    def brackets(self) -> dict[str, dict[tuple[str, str], Formula]]:
-        """The claimed Poisson brackets, by name and pair of variables: brackets["P"]["x", "y"] is {x, y}."""
-        def pairs(claim: dict[str, Any], sides: Callable[[str], Any]) -> dict[tuple[str, str], Formula]:
+    def brackets(self) -> dict[str, Formula]:
+        """The claimed Poisson brackets, by name, each an antisymmetric matrix: brackets["P"]["x", "y"] is {x, y}."""
+        def matrix(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
             stated = re.findall(r"\{(\w+), ?(\w+)\} = (.*?);", claim["statement"])
 
-            def formula(place: int, text: str) -> Formula:
-                return Formula(lambda form: text if form == "text" else sides(form)[place], claim["name"], claim["when"])
+            def read(form: str) -> list[list[str]]:
+                entries = [["0"] * len(self.variables) for _ in self.variables]
+                texts = [text for _, _, text in stated] if form == "text" else sides(form)
+                for (x, y, _), text in zip(stated, texts):
+                    i, j = self.variables.index(x), self.variables.index(y)
+                    entries[i][j], entries[j][i] = text, rf"-\left({text}\right)" if form == "latex" else f"-({text})"
+                return entries
 
-            return {(x, y): formula(place, text) for place, (x, y, text) in enumerate(stated)}
+            return Formula(read, self._symbols, claim["name"], claim["when"])
 
-        return {name: pairs(*found) for name, found in self._claims("bracket").items()}
+        return {name: matrix(*found) for name, found in self._claims("bracket").items()}
 
     def _repr_latex_(self) -> str:
         """The field, its map where that is short, and the integrals that are known."""
@@ -203,12 +222,13 @@ class System(Field):
         """The columns of points by the names of the variables."""
         return dict(zip(self.variables, x.T))
 
-    def integral_values(self, x: Any, eps: float) -> dict[str, Array]:
+    def integral_values(self, x: Any, eps: Number) -> dict[str, Array]:
         """The claimed integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
 
-        Those of the map depend on eps. What is claimed ``when`` a condition holds is left out.
+        Those of the map depend on eps, and some are claimed ``when`` eps and the parameters have
+        certain values.
         """
-        names, values = self.integrals_at(x, eps)
+        names, values = self._integrals_at(x, eps)
         return {name: values[..., k] for k, name in enumerate(names)}
 
     def orbit(
@@ -229,9 +249,10 @@ class System(Field):
         """The orbit of a point: its start, and every ``every``-th point after it.
 
         ``x`` has shape (variables,). A step takes the time 2 eps. ``order`` 4, 6 and 8 compose steps
-        of Kahan's map. ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading doubles, and
-        ``x_low`` what they lack) or exact (fractions in an array of objects); float32 points are
-        stepped in float32. ``compensated`` carries what rounding takes from a point into the next
+        of Kahan's map; a composition follows the flow more closely, but gives up the map's integrals
+        (see ``Orbit.integrals``). ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading
+        doubles, and ``x_low`` what they lack) or exact (fractions in an array of objects); float32
+        points are stepped in float32. ``compensated`` carries what rounding takes from a point into the next
         step. ``method`` is kahan, or for comparison euler, rk4 or flow (the solution itself, by
         certified Taylor series). ``projective`` goes on at poles, through points at infinity.
         ``out`` of shape (1 + steps // every, variables) takes the rows in place of a new array.
@@ -240,27 +261,28 @@ class System(Field):
         ``x`` has the rows up to there. Costs the steps, some ten nanoseconds each for three
         variables in f64.
         """
-        steps, every = _count(steps, "steps"), _count(every, "every")
+        steps, every, order = whole(steps, "steps"), whole(every, "every"), whole(order, "order")
         scalar, method = choice(scalar, "scalar"), choice(method, "method")
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
-            half = _float(eps)
-            rows, made, ended = self.points(
+            half = nearest(eps, "eps")
+            rows, made, ended = self._points(
                 x, half, steps, every=every, order=order, compensated=compensated, out=out, listener=_listener(progress)
             )
-            return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended)
+            return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended, half if order == 2 else 0.0)
         if compensated or out is not None:
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
         question = {"ask": "orbit", "at": point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
                     "scalar": scalar, "order": order, "method": method, "projective": projective}
-        columns, ended, last = self.table(json.dumps(question), listener=_listener(progress))
+        columns, ended, last = self._table(json.dumps(question), listener=_listener(progress))
         count = len(self.variables)
         values = [np.array(value, dtype=object) if isinstance(value, list) else value for _, _, value in columns]
         states = np.stack(values[2 : 2 + count], axis=1)
         low = states[:, :, 1] if scalar == "dd" else None
         integrals = {name: value[:, 0] if scalar == "dd" else value
                      for (name, _, _), value in zip(columns[2 + count :], values[2 + count :])}
-        orbit = Orbit(self, _float(eps), states if low is None else states[:, :, 0], every,
+        given = Fraction(exact(eps, "eps")) if scalar == "exact" else nearest(eps, "eps")
+        orbit = Orbit(self, given, states if low is None else states[:, :, 0], every,
                       steps if last is None else last, ended, integrals)
         orbit.x_low = low
         return orbit
@@ -268,10 +290,10 @@ class System(Field):
     def ensemble(
         self,
         points: Any,
-        eps: float | Array,
+        eps: Number | Array,
         steps: int,
         *,
-        params: Mapping[str, float | Array] | None = None,
+        params: Mapping[str, Number | Array] | None = None,
         observe: Sequence[str] = (),
         order: int = 2,
         every: int = 10,
@@ -284,9 +306,10 @@ class System(Field):
 
         ``points`` has shape (trajectories, variables); ``eps`` and each of ``params`` are one number
         or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
-        else is computed: drift, extrema, lyapunov, spectrum, log_det, fli, megno, sali, rotation,
-        escape. Exponents are per unit of time; tangent vectors are made orthogonal every
-        ``every`` steps; an orbit escapes where a variable is beyond ``escape``.
+        else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
+        of time), spectrum (all), log_det (their sum), fli, megno, sali, rotation, escape; see ``observe``.
+        Tangent vectors are made orthogonal every ``every`` steps. The column ``escaped`` is the step at
+        which a variable is beyond ``escape``, and NaN where an orbit does not escape.
 
         Work is spread over ``threads``, by default all processors; the numbers do not depend on how
         many. A trajectory that meets a pole ends as NaN, observed ones at the last finite point.
@@ -298,77 +321,91 @@ class System(Field):
                 if name not in names:
                     raise TypeError(f"params: {unknown('parameter', name, names)}")
             given = [params.get(name) for name in names]
-        steps = _count(steps, "steps")
+        steps, order = whole(steps, "steps"), whole(order, "order")
+        threads = _whole(threads, "threads")
+        inputs = {name: np.asarray(value) for name, value in {"eps": eps, **(params or {})}.items()}
         if not observe:
-            x = self.advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
-                             listener=_listener(progress))
-            return Ensemble(self, x, None, {})
+            x = self._advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
+                              listener=_listener(progress))
+            return Ensemble(self, np.asarray(points), inputs, x, None, {})
         if isinstance(observe, str):
             observe = (observe,)
         if out is not None:
             raise ValueError("out is for ensembles without observers")
-        if "drift" in observe and not self.integrals:
-            raise ValueError("observe: this field claims no integral that could drift; `s.discover().claimed` has those found")
+        self._has_drift("observe", observe)
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
-        seen, values, made = self.observed(points, eps, steps, of, parameters=given, order=order,
-                                           every=_count(every, "every"), escape=escape, threads=threads,
-                                           listener=_listener(progress))
+        seen, values, made = self._observed(points, eps, steps, of, parameters=given, order=order,
+                                            every=whole(every, "every"), escape=escape, threads=threads,
+                                            listener=_listener(progress))
         count = len(self.variables)
-        return Ensemble(self, values[:, :count], made, {name: values[:, k] for k, name in enumerate(seen) if k >= count})
+        columns = {name: values[:, k] for k, name in enumerate(seen) if k >= count}
+        return Ensemble(self, np.asarray(points), inputs, values[:, :count], made, columns)
 
-    def rhs(self) -> Callable[[float, Any], Array]:
+    def _has_drift(self, name: str, of: Sequence[str]) -> None:
+        if "drift" in of and not self.integrals:
+            raise ValueError(f"{name}: this field claims no integral that could drift; "
+                             "`s.discover().claimed` has those found")
+
+    def rhs(self) -> RightSide:
         """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
+
+        Its ``jacobian`` is the argument ``jac`` of implicit solvers.
 
         >>> import kahan
         >>> kahan.System("xdot = y; ydot = -x;").rhs()(0.0, [1.0, 2.0])
         array([ 2., -1.])
         """
-        def rate(t: float, y: Any) -> Array:
-            # Solvers have points as columns.
-            y = np.asarray(y)
-            return self.field_at(y.T).T if y.ndim == 2 else self.field_at(y)
+        return RightSide(self)
 
-        return rate
-
-    def integral_functions(self, eps: float = 0.0) -> dict[str, Callable[[Any], Any]]:
+    def integral_functions(self, eps: Number = 0.0) -> dict[str, Callable[[Any], Any]]:
         """The claimed integrals as functions of a point, for methods that project on their levels.
 
         At ``eps`` = 0 they are those of the flow, as far as it has them; else those of the map.
         """
-        def value(name: str) -> Callable[[Any], Any]:
-            return lambda x: self.integral_values(x, eps)[name]
-
-        return {name: value(name) for name in self.integrals_at(np.zeros(len(self.variables)), eps)[0]}
+        names = self._integrals_at(np.zeros(len(self.variables)), eps)[0]
+        return {name: partial(_integral_value, self, name, eps) for name in names}
 
     # Questions.
 
     def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
-        return answer(self.ask(_question(ask, **fields), listener=_listener(progress)))
+        return answer(self._answer(_question(ask, **fields), listener=_listener(progress)))
 
     def evaluate(self, x: Any, eps: Number, *, exact: bool = False) -> Answer:
         """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
 
         ``field``, ``field_jacobian``, ``A``, ``b``, ``det_A``, ``x_next``, ``jacobian``,
-        ``det_jacobian``, ``integrals``, ``density``, ``brackets``: arrays of float64, or with
-        ``exact`` of fractions. What is undefined at the point is ``None``.
+        ``det_jacobian``, ``integrals``, ``density`` (of which there is one without ``when``) and
+        ``brackets``: numbers and arrays of float64, or with ``exact`` of fractions. What is undefined
+        at the point is ``None``. Formulas are functions of many points: ``s.densities["rho"](x, eps)``.
         """
         found = self._ask("evaluate", at=point(x), eps=_exact(eps, "eps"), scalar="exact" if exact else "f64")
-        kind = object if exact else float
-        arrays = {name: np.array(value, dtype=kind) if isinstance(value, list) and name != "variables" else value
-                  for name, value in found.items()}
-        return Answer(arrays)
+
+        def arrays(value: Any) -> Any:
+            if isinstance(value, dict):
+                return {name: arrays(one) for name, one in value.items()}
+            return np.array(value, dtype=object if exact else float) if isinstance(value, list) else value
+
+        return Answer({name: value if name == "variables" else arrays(value) for name, value in found.items()})
 
     def observe(
         self, x: Any, eps: Number, steps: int, *, order: int = 2, every: int = 10, escape: float = 1e6,
         progress: bool = False,
     ) -> Answer:
-        """What the orbit of a point does: Lyapunov exponents, chaos indicators, rotation, drift, escape.
+        """What the orbit of a point does.
 
-        Exponents are per unit of time, the largest first; tangent vectors are made orthogonal every
-        ``every`` steps. See ``kahan help dynamics`` for what each indicator means.
+        Exponents are per unit of time: ``lyapunov`` has all of them, the largest first, and
+        ``lyapunov_errors`` by how much each still changes; ``mean_log_det`` is their sum. Tangent vectors
+        are made orthogonal every ``every`` steps. Three indicators tell chaotic orbits from regular ones:
+        ``fli`` grows like the number of steps, and else like its logarithm; ``megno`` grows, and else tends
+        to 2; ``sali`` falls to 0 exponentially, and else stays or falls like a power of time.
+        ``rotation`` has for each variable the turns a step about the middle of its extremes, modulo 1,
+        ``drift`` the change of each claimed integral relative to its first value, and ``extrema`` the least
+        and the greatest value of each variable. ``escaped`` is the step after which a variable is
+        beyond ``escape``, and ``None`` where there is none. ``steps`` are fewer than asked where numbers leave
+        their range; a number of what is observed is then ``None`` where it is none.
         """
-        return Answer(self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
-                                order=order, every=every, escape=escape))
+        return Answer(self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+                                order=whole(order, "order"), every=whole(every, "every"), escape=escape))
 
     def section(
         self, x: Any, eps: Number, steps: int, plane: str, *, direction: str = "rising", points: int = 100_000,
@@ -377,14 +414,16 @@ class System(Field):
         """Where the orbit of a point crosses ``plane`` = 0, a formula of the variables and integrals.
 
         ``direction`` is rising, falling or both. Each crossing is refined on the curve that the map
-        draws as eps grows from 0.
+        draws as eps grows from 0. The orbit ends after ``points`` crossings, if not before; ``ended``
+        says which.
         """
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
-        found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
-                          plane=plane, side=choice(direction, "direction"), points=points)
+        found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+                          plane=plane, side=choice(direction, "direction"), points=whole(points, "points"))
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
-        return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]))
+        return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), found["ended"],
+                       nearest(eps, "eps"))
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
@@ -396,6 +435,9 @@ class System(Field):
         it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
         number: sali, fli, megno, lyapunov, escape, or a column of another one, as drift_H or
         lyapunov_2. Costs an orbit a cell, in lanes and on all threads.
+
+        An exponent of an orbit that escapes is large, and no sign of chaos: ``plot`` leaves cells out whose
+        orbits have gone beyond ``escape``, which is best some times the size of the region of interest.
         """
         if not over:
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
@@ -405,22 +447,29 @@ class System(Field):
         if eps is None:
             raise TypeError("chart needs eps, half the time step, or goes through it")
         observable, column = _observable(color)
-        question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": _count(steps, "steps"),
-                    "order": order, "escape": escape, "of": [choice(observable, "observable")]}
-        columns, _, _ = self.table(json.dumps({"ask": "over", "axes": axes, "question": question}),
-                                   threads=threads, listener=_listener(progress))
+        self._has_drift("color", [observable])
+        question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": whole(steps, "steps"),
+                    "order": whole(order, "order"), "escape": escape,
+                    "of": list(dict.fromkeys([choice(observable, "observable"), "escape"]))}
+        columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
+                                    threads=_whole(threads, "threads"), listener=_listener(progress))
         found = {name: values for name, _, values in columns}
+        meanings = {name: meaning for name, meaning, _ in columns}
         if column not in found:
             known = [name for name in found if name not in ("index", "steps", *over)]
             raise ValueError(f"color: {unknown('column', column, known)}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
         sizes = [_size(values) or len(np.unique(found[name])) for name, values in over.items()]
-        values = found[column].reshape(sizes)
+        # What is beyond all numbers is beyond a size.
+        leaves = found["steps"] < steps
+        escaped = np.where(leaves & np.isnan(found["escaped"]), found["steps"] + 1, found["escaped"])
+        values = escaped if observable == "escape" else np.where(leaves, np.nan, found[column])
         along = {}
         for k, name in enumerate(over):
             places = found[name].reshape(sizes) if name in found else np.full(sizes, np.nan)
             along[name] = np.moveaxis(places, k, 0).reshape(sizes[k], -1)[:, 0]
-        return Chart(self, along, color, values)
+        of = ", ".join(([] if "eps" in over else [f"eps = {eps}"]) + [f"{steps} steps"])
+        return Chart(self, along, color, values.reshape(sizes), escaped.reshape(sizes), meanings[column], of)
 
     def verify(self, *, progress: bool = False) -> Answer:
         """Whether the claims of the field hold: each is proved, as when it was read; of a system of
@@ -429,21 +478,22 @@ class System(Field):
 
     def periodic(self, x: Any, eps: Number | None = None, *, period: int = 1, over: Mapping[str, Range] | None = None) -> Answer:
         """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps."""
-        axes = _axes(over)
+        axes = _axes(over, has_lists=False)
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
-        return Answer(self._ask("periodic", at=point(x), eps=_exact(eps, "eps"), period=period, over=axes[0] if axes else None))
+        return Answer(self._ask("periodic", at=point(x), eps=_exact(eps, "eps"), period=whole(period, "period"),
+                                over=axes[0] if axes else None))
 
     def heights(self, x: Any, eps: Number, steps: int, *, max_digits: int | None = None, seconds: float | None = None,
                 progress: bool = False) -> Answer:
         """How the heights of an exact orbit grow: exponentially where the map is not integrable."""
-        return Answer(self._ask("heights", progress, at=point(x), eps=_exact(eps, "eps"), steps=_count(steps, "steps"),
-                                max_digits=max_digits, seconds=seconds))
+        return Answer(self._ask("heights", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+                                max_digits=_whole(max_digits, "max_digits"), seconds=seconds))
 
     def poles(self, eps: Number | None = None, *, steps: int | None = None, seconds: float | None = None,
               progress: bool = False) -> Answer:
         """What becomes of curves that the map sends to infinity or blows down: whether they come back."""
-        return Answer(self._ask("poles", progress, eps=_exact(eps, "eps"), steps=steps, seconds=seconds))
+        return Answer(self._ask("poles", progress, eps=_exact(eps, "eps"), steps=_whole(steps, "steps"), seconds=seconds))
 
     def discover(self, *, eps: Number | None = None, degree: int | None = None, seconds: float | None = None,
                  progress: bool = False) -> Discovery:
@@ -452,8 +502,8 @@ class System(Field):
         Parameters without a value and ``eps`` are generic. Where integrals may be missing, the
         search goes on to higher degrees until ``seconds`` are over, 60 by default.
         """
-        text, relations = self.discovered(_question("discover", eps=_exact(eps, "eps"), degree=degree, seconds=seconds),
-                                          listener=_listener(progress))
+        asked = _question("discover", eps=_exact(eps, "eps"), degree=_whole(degree, "degree"), seconds=seconds)
+        text, relations = self._discovered(asked, listener=_listener(progress))
         bases = [Basis(one, relation) for one, relation in zip(json.loads(text)["bases"], relations)]
         discovery = Discovery(answer(text) | {"bases": bases}, self)
         self.__dict__["_found"] = discovery
@@ -462,8 +512,13 @@ class System(Field):
     def scan(self, over: Mapping[str, Range], *, eps: Number | None = None, degree: int | None = None,
              seconds: float | None = None, progress: bool = False) -> Answer:
         """Which values of parameters and of eps are special: where the map keeps more than it does elsewhere,
-        or its iterates grow more slowly."""
-        return Answer(self._ask("scan", progress, axes=_axes(over), eps=_exact(eps, "eps"), degree=degree, seconds=seconds))
+        or the degrees of its iterates grow more slowly, as they do where it is less chaotic.
+
+        ``special`` has these values, and ``points`` for each value that was tried what was seen there, its
+        ``sight``: how many integrals are independent, and the degrees. ``generic`` is the sight elsewhere.
+        """
+        return Answer(self._ask("scan", progress, axes=_axes(over, has_lists=False), eps=_exact(eps, "eps"),
+                                degree=_whole(degree, "degree"), seconds=seconds))
 
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,
               progress: bool = False) -> Answer:
@@ -471,20 +526,12 @@ class System(Field):
         return Answer(self._ask("trade", progress, at=point(x), horizon=_exact(horizon, "horizon"), need=need,
                                 tolerance=_exact(tolerance, "tolerance"), seconds=float(seconds)))
 
-
     def extremes(self, *, trials: int = 4000, seed: int = 1, progress: bool = False) -> Answer:
         """How far floats can be trusted near poles, of mixed magnitudes, with subnormal and infinite numbers.
 
         Steps are judged by exact arithmetic; ``trials`` of each scalar.
         """
-        return Answer(self._ask("extremes", progress, trials=_count(trials, "trials"), seed=_count(seed, "seed")))
-
-    def lattice(self, sites: int, eps: float, **values: float | Array) -> Lattice:
-        """The chain of so many sites of a family, stepped as an array; see ``Lattice``."""
-        from ._lattice import Lattice
-
-        text, is_name, _, own = self._call
-        return Lattice._of(text, sites, float(eps), {name: float(_number(value)) for name, value in own.items()} | values, is_name)
+        return Answer(self._ask("extremes", progress, trials=whole(trials, "trials"), seed=whole(seed, "seed")))
 
 
 class Discovery(Answer):
@@ -501,6 +548,9 @@ class Discovery(Answer):
     claims: list[str]
     """What was found and proved, a line each, ready to stand in a field's text."""
 
+    sentences: list[str]
+    """What was looked for, how far, and what is known of what was not found."""
+
     def __init__(self, found: Mapping[str, Any], of: System) -> None:
         kinds = ("integrals", "densities", "brackets")
         super().__init__({name: value for name, value in found.items() if name not in kinds})
@@ -509,9 +559,8 @@ class Discovery(Answer):
         self.__dict__["_of"] = of
 
     def __repr__(self) -> str:
-        lines = [*self.claims, *(f"basis {', '.join(basis.monomials)}" for basis in self.bases)]
-        found = [f"  {_short(line)}" for line in lines] or ["  nothing that the map keeps"]
-        return "\n".join([f"Discovery of {self.system}:", *found, f"  with {', '.join(self._names)}"])
+        found = [*self.claims, *(f"basis {', '.join(basis.monomials)}" for basis in self.bases)]
+        return "\n".join([f"Discovery of {self.system}:", *self.sentences, *(f"  {_short(line)}" for line in found)])
 
     @cached_property
     def claimed(self) -> System:
@@ -532,9 +581,38 @@ class Discovery(Answer):
         return self.claimed.densities
 
     @property
-    def brackets(self) -> dict[str, dict[tuple[str, str], Formula]]:
-        """The invariant Poisson brackets, by name and pair of variables."""
+    def brackets(self) -> dict[str, Formula]:
+        """The invariant Poisson brackets, by name, each an antisymmetric matrix."""
         return self.claimed.brackets
+
+
+@dataclass(frozen=True)
+class RightSide:
+    """f of a field, as a function of the time, on which it does not depend, and of points as columns."""
+
+    system: System
+
+    def __call__(self, t: float, y: Any) -> Array:
+        y = np.asarray(y)
+        if y.ndim != 2:
+            return self.system._field_at(y)
+        if len(y) != len(self.system.variables):
+            raise ValueError(f"y: the shape ({len(self.system.variables)}, points) is needed, and this is {y.shape}")
+        return self.system._field_at(y.T).T
+
+    def jacobian(self, t: float, y: Any) -> Array:
+        """f'(y) at a point, a row a component of f."""
+        return self.system._field_at(y, jacobian=True)
+
+
+def _integral_value(system: System, name: str, eps: Number, x: Any) -> Array:
+    return system.integral_values(x, eps)[name]
+
+
+def _right(claim: dict[str, Any]) -> str:
+    """The right side of a claim that is a function."""
+    text: str = claim["statement"].partition(" = ")[2].rstrip(";")
+    return text.partition(" when ")[0]
 
 
 def _without(claim: str, fixed: set[str]) -> str:
@@ -566,19 +644,8 @@ def _exact(value: Number | None, name: str) -> str | None:
     return None if value is None else exact(value, name)
 
 
-def _float(eps: Number) -> float:
-    if isinstance(eps, np.ndarray) and eps.ndim > 0:
-        raise TypeError("eps: one number is needed, and this is an array")
-    return float(Fraction(eps)) if isinstance(eps, str) else float(eps)
-
-
-def _count(value: int, name: str) -> int:
-    from operator import index
-
-    count = index(value)
-    if count < 0:
-        raise ValueError(f"{name}: {count} is below 0")
-    return count
+def _whole(value: int | None, name: str) -> int | None:
+    return None if value is None else whole(value, name)
 
 
 def _size(values: Range | Array) -> int | None:
@@ -588,16 +655,17 @@ def _size(values: Range | Array) -> int | None:
     return int(values[2]) if isinstance(values, tuple) else np.asarray(values).size
 
 
-def _axes(over: Mapping[str, Range | Array] | None) -> list[dict[str, Any]]:
+def _axes(over: Mapping[str, Range | Array] | None, has_lists: bool = True) -> list[dict[str, Any]]:
     def axis(name: str, values: Range | Array) -> dict[str, Any]:
         if isinstance(values, str):
             return {"name": name, "range": values}
-        if not isinstance(values, tuple):
+        if not isinstance(values, tuple) and has_lists:
             return {"name": name, "values": [exact(value, name) for value in np.asarray(values).ravel()]}
-        if len(values) != 3:
-            raise TypeError(f'over: {name} is (low, high, count), an array, or text as "0:1:+1/10"')
+        if not isinstance(values, tuple) or len(values) != 3:
+            lists = "an array, " if has_lists else ""
+            raise TypeError(f'over: {name} is (low, high, count), {lists}or text as "0:1:+1/10"')
         low, high, count = values
-        return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{_count(count, name)}"}
+        return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{whole(count, name)}"}
 
     return [axis(name, values) for name, values in (over or {}).items()]
 

@@ -3,12 +3,32 @@
 //! Arrays of `float64` and `float32` in C order are taken as they are; lists, integers and other
 //! layouts are copied by NumPy itself first.
 
+use kahan_study::numbers::number;
 use numpy::{
     Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
+
+/// ε: the float nearest to what was given.
+pub(crate) struct Eps(pub(crate) f64);
+
+impl FromPyObject<'_, '_> for Eps {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if let Ok(number) = given.extract() {
+            return Ok(Eps(number));
+        }
+        let Ok(text) = given.extract::<&str>() else {
+            let message = format!("eps: a number is needed, and not {}", given.get_type().name()?);
+            return Err(PyTypeError::new_err(message));
+        };
+        let number = number(text).map_err(|why| PyValueError::new_err(format!("eps: {why}")))?;
+        Ok(Eps(number.to_f64()))
+    }
+}
 
 /// An array that is read.
 pub(crate) enum Floats<'py> {

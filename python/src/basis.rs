@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::doubles;
-use crate::beside::{Listener, beside};
+use crate::beside::{Listener, apart};
 use crate::errors::of_study;
 use crate::field::{Field, question};
 
@@ -110,15 +110,15 @@ fn refused(error: &BasisError) -> PyErr {
 #[pymethods]
 impl Field {
     /// The answer to a question that discovers, both as JSON, and the bases that it names.
-    #[pyo3(signature = (asked, *, listener = None))]
+    #[pyo3(name = "_discovered", signature = (asked, *, listener = None))]
     fn discovered(
         &self,
         py: Python<'_>,
         asked: &str,
         listener: Option<Bound<'_, PyAny>>,
     ) -> PyResult<(String, Vec<Relation>)> {
-        let asked = question(asked)?;
-        let found = beside(py, None, &Listener(listener), |caller| self.study().ask(&asked, caller))?;
+        let (asked, study) = (question(asked)?, self.study().clone());
+        let found = apart(py, None, &Listener(listener), move |caller| study.ask(&asked, caller))?;
         let Answer::Discover(found) = found.map_err(|error| of_study(py, &error))? else {
             return Err(PyValueError::new_err("this question discovers nothing"));
         };

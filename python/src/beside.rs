@@ -6,8 +6,8 @@
 //! second.
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -26,8 +26,13 @@ const STACK: usize = 64 << 20;
 /// What work sees of its caller, as its [`Watch`].
 pub(crate) struct Caller {
     stop: AtomicBool,
+    is_done: AtomicBool,
+    /// The thread that waits for the work.
+    waiting: thread::Thread,
     since: Instant,
     threads: usize,
+    /// The steps that were made, where they are counted here.
+    made: AtomicU64,
     /// What there is to tell, since it was told last.
     news: Mutex<News>,
 }
@@ -42,10 +47,19 @@ impl Caller {
     fn new(threads: Option<usize>) -> Self {
         Caller {
             stop: AtomicBool::new(false),
+            is_done: AtomicBool::new(false),
+            waiting: thread::current(),
             since: Instant::now(),
             threads: threads.unwrap_or_else(threads::available).max(1),
+            made: AtomicU64::new(0),
             news: Mutex::default(),
         }
+    }
+
+    /// So many more of all steps were made; `Break` where the work is to end.
+    pub(crate) fn made(&self, steps: u64, of: u64) -> ControlFlow<()> {
+        let done = self.made.fetch_add(steps, Ordering::Relaxed) + steps;
+        self.look(&Progress { what: "steps", done, of: Some(of) })
     }
 
     /// Whether the work is to end.
@@ -56,6 +70,28 @@ impl Caller {
     /// `Break` where the work is to end.
     pub(crate) fn goes_on(&self) -> ControlFlow<()> {
         if self.wants_no_more() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Does the work, and wakes the thread that waits for it, also where the work panics.
+    fn does<R>(&self, work: impl FnOnce(&Caller) -> R) -> R {
+        let _woken = Woken(self);
+        work(self)
+    }
+
+    /// Waits for the work, looks at signals, and tells of news. What a signal's handler or the
+    /// listener raises tells the work to end.
+    fn wait(&self, py: Python<'_>, listener: &Listener<'_>) -> PyResult<()> {
+        let mut told = Instant::now();
+        while !self.is_done.load(Ordering::Acquire) {
+            py.detach(|| thread::park_timeout(LOOK));
+            let mut raised = py.check_signals();
+            if raised.is_ok() && told.elapsed() >= TOLD {
+                told = Instant::now();
+                raised = listener.hears(self.news());
+            }
+            raised.inspect_err(|_| self.stop.store(true, Ordering::Relaxed))?;
+        }
+        Ok(())
     }
 
     fn news(&self) -> News {
@@ -116,43 +152,55 @@ pub(crate) fn beside<R: Send>(
     work: impl FnOnce(&Caller) -> R + Send,
 ) -> PyResult<R> {
     let caller = Caller::new(threads);
-    let (waiting, is_done) = (thread::current(), AtomicBool::new(false));
     thread::scope(|scope| {
-        let worker = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, || {
-            // Also a panic wakes whoever waits.
-            let _woken = Woken(&waiting, &is_done);
-            work(&caller)
-        });
-        let worker =
-            worker.map_err(|error| PyRuntimeError::new_err(format!("no thread can be had: {error}")))?;
-        let (mut raised, mut told) = (Ok(()), Instant::now());
-        while !is_done.load(Ordering::Acquire) {
-            py.detach(|| thread::park_timeout(LOOK));
-            if raised.is_err() {
-                continue;
-            }
-            raised = py.check_signals();
-            if raised.is_ok() && told.elapsed() >= TOLD {
-                told = Instant::now();
-                raised = listener.hears(caller.news());
-            }
-            if raised.is_err() {
-                caller.stop.store(true, Ordering::Relaxed);
-            }
-        }
-        let result = worker.join();
+        let worker = worker().spawn_scoped(scope, || caller.does(work)).map_err(no_thread)?;
+        let raised = caller.wait(py, listener);
+        // Told to end, the work ends within a moment.
+        let result = py.detach(|| worker.join());
         raised?;
         listener.hears(caller.news())?;
-        result.map_err(|_| PyRuntimeError::new_err("kahan has a mistake here; please report what was asked"))
+        result.map_err(|_| mistaken())
     })
 }
 
+/// The same for work that borrows nothing, and may compute for seconds before it hears that it is to
+/// end, as with numbers of a million digits: it is left to do so by itself.
+///
+/// # Errors
+/// Those of [`beside`].
+pub(crate) fn apart<R: Send + 'static>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    listener: &Listener<'_>,
+    work: impl FnOnce(&Caller) -> R + Send + 'static,
+) -> PyResult<R> {
+    let caller = Arc::new(Caller::new(threads));
+    let theirs = Arc::clone(&caller);
+    let worker = worker().spawn(move || theirs.does(work)).map_err(no_thread)?;
+    caller.wait(py, listener)?;
+    let result = worker.join();
+    listener.hears(caller.news())?;
+    result.map_err(|_| mistaken())
+}
+
+fn worker() -> thread::Builder {
+    thread::Builder::new().stack_size(STACK)
+}
+
+fn no_thread(error: std::io::Error) -> PyErr {
+    PyRuntimeError::new_err(format!("no thread can be had: {error}"))
+}
+
+fn mistaken() -> PyErr {
+    PyRuntimeError::new_err("kahan has a mistake here; please report what was asked")
+}
+
 /// When it is dropped, says that the work is done, and wakes the thread that waits for it.
-struct Woken<'a>(&'a thread::Thread, &'a AtomicBool);
+struct Woken<'a>(&'a Caller);
 
 impl Drop for Woken<'_> {
     fn drop(&mut self) {
-        self.1.store(true, Ordering::Release);
-        self.0.unpark();
+        self.0.is_done.store(true, Ordering::Release);
+        self.0.waiting.unpark();
     }
 }

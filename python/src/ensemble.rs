@@ -14,7 +14,7 @@ use crate::arrays::{Floats, doubles, floats, out as writable};
 use crate::beside::{Caller, Listener, beside};
 use crate::errors::of_dimension;
 use crate::field::{Field, Float};
-use crate::orbit::{composition, points_of};
+use crate::orbit::{composition, wrong_shape};
 
 /// Trajectories that a thread takes at once: their columns stay in its cache.
 const TOGETHER: usize = 1024;
@@ -25,7 +25,7 @@ const AT_ONCE: u64 = 1 << 22;
 impl Field {
     /// The points of many trajectories after so many steps. `eps` and the values of parameters are
     /// one number, or one a trajectory.
-    #[pyo3(signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
+    #[pyo3(name = "_advance", signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn advance<'py>(
         &self,
@@ -47,7 +47,7 @@ impl Field {
 
     /// What is seen of the orbits of many points: names, numbers with a row an orbit, and how many
     /// steps each makes. `of` are names of observables; arguments as for `advance`.
-    #[pyo3(signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = 1e6, threads = None, listener = None))]
+    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = 1e6, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn observed<'py>(
@@ -104,7 +104,7 @@ impl Field {
     /// The map and the constants of points of this shape.
     fn many<T: Float>(&self, py: Python<'_>, shape: &[usize], asked: &Asked<'_, '_>) -> PyResult<Many<T>> {
         if shape.len() != 2 || shape[1] != self.dimension() {
-            return Err(points_of(self.dimension(), shape));
+            return Err(wrong_shape("points", &format!("(trajectories, {})", self.dimension()), shape));
         }
         let eps = constants::<T>(asked.eps, shape[0], "eps")?;
         let values = asked.parameters.iter().enumerate().map(|(k, given)| match given {
@@ -120,7 +120,7 @@ impl Field {
                 values.push(T::near(own.to_f64()));
             }
         }
-        Ok(Many { at, eps, constants: values, steps: asked.steps })
+        Ok(Many { at, eps, constants: values, steps: asked.steps, trajectories: shape[0] })
     }
 
     fn advanced<'py, T: Float>(
@@ -160,9 +160,16 @@ struct Many<T> {
     /// The same of each parameter; nothing where all are those of the map.
     constants: Vec<Vec<T>>,
     steps: u64,
+    trajectories: usize,
 }
 
 impl<T: Float> Many<T> {
+    /// So many trajectories made so many more steps.
+    fn made(&self, steps: u64, trajectories: usize, caller: &Caller) -> ControlFlow<()> {
+        let all = self.steps.saturating_mul(self.trajectories as u64);
+        caller.made(steps.saturating_mul(trajectories as u64), all)
+    }
+
     /// Advances points that stand row by row.
     fn advance(
         &self,
@@ -202,11 +209,13 @@ impl<T: Float> Many<T> {
         let parameters: Vec<&[T]> = self.constants.iter().map(|values| &values[own(values)]).collect();
         let at_once = (AT_ONCE / count as u64).max(1);
         let mut left = self.steps;
-        while left > 0 && caller.goes_on() == ControlFlow::Continue(()) {
+        let mut flow = caller.goes_on();
+        while left > 0 && flow.is_continue() {
             let steps = left.min(at_once);
             let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
             self.at.advance_columns(&mut slices, eps, &parameters, steps)?;
             left -= steps;
+            flow = self.made(steps, count, caller);
         }
         for (k, row) in rows.chunks_exact_mut(width).enumerate() {
             row.iter_mut().zip(&columns).for_each(|(x, column)| *x = column[k]);
@@ -240,7 +249,9 @@ impl Many<f64> {
             let parameters: Vec<&[f64]> = self.constants.iter().map(|values| &values[own(values)]).collect();
             let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
             let maps: Vec<&MapAt<f64>> = (0..count).map(|orbit| &maps[orbit.min(maps.len() - 1)]).collect();
-            Ok(asked.of_orbits(&maps, &starts))
+            let seen = asked.of_orbits(&maps, &starts);
+            let _ = self.made(self.steps, count, caller);
+            Ok(seen)
         });
         Ok(seen.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
     }

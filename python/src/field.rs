@@ -9,7 +9,7 @@ use kahan_study::{Question, Study, Subject, Systems};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::beside::{Listener, beside};
+use crate::beside::{Listener, apart};
 use crate::errors::of_study;
 
 /// A field with the values of its parameters: what `kahan.System` stands on.
@@ -25,6 +25,7 @@ pub(crate) struct Field {
 pub(crate) struct Last {
     double: Option<MapAt<f64>>,
     single: Option<MapAt<f32>>,
+    with_integrals: Option<MapAt<f64>>,
 }
 
 /// A float of NumPy's that steps are made in.
@@ -73,6 +74,20 @@ impl Field {
         }
         Ok(last.clone().expect("it was put there"))
     }
+
+    /// The same with the integrals that are claimed at this ε alone, too.
+    pub(crate) fn with_integrals(&self, py: Python<'_>, eps: f64) -> PyResult<MapAt<f64>> {
+        let mut last = self.last.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(at) = last.with_integrals.as_ref().filter(|at| at.eps() == eps) {
+            return Ok(at.clone());
+        }
+        // A float means its decimal; of what is no number nothing is claimed.
+        let exact = number(&eps.to_string()).unwrap_or_else(|_| Rational::zero());
+        let at = self.study.at_step(&exact).and_then(|study| Ok(study.map()?.at(eps)));
+        let at = at.map_err(|error| of_study(py, &error))?;
+        last.with_integrals = Some(at.clone());
+        Ok(at)
+    }
 }
 
 impl Field {
@@ -100,7 +115,10 @@ impl Field {
         let values =
             self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
                 let other = first.get(k).and_then(|values| values.first());
-                let other = other.and_then(|value| Rational::from_f64(value.approximate()));
+                // What is not finite is no constant that an orbit depends on.
+                let exactly =
+                    |value: &T| Rational::from_f64(value.approximate()).unwrap_or_else(Rational::one);
+                let other = other.map(exactly);
                 Ok((name, given.clone().or(other).ok_or(name)?))
             });
         match values.collect::<Result<Vec<_>, &String>>() {
@@ -151,7 +169,8 @@ impl Field {
         self.study.name()
     }
 
-    /// Its text.
+    /// Its text, as it was given; of a system of the catalog its block of Rust, which is read as a
+    /// field, too.
     #[getter]
     fn text(&self) -> &str {
         self.study.text()
@@ -164,14 +183,14 @@ impl Field {
     }
 
     /// The parameters with their values as text, `None` for one that has none.
-    #[getter]
+    #[getter(_given)]
     fn given(&self) -> Vec<(&str, Option<String>)> {
         let values = self.study.given().iter().map(|value| value.as_ref().map(Rational::to_string));
         self.study.parameters().iter().map(String::as_str).zip(values).collect()
     }
 
     /// The answer to a question, both as JSON. `listener` hears how far the work is.
-    #[pyo3(signature = (asked, *, threads = None, listener = None))]
+    #[pyo3(name = "_answer", signature = (asked, *, threads = None, listener = None))]
     fn ask(
         &self,
         py: Python<'_>,
@@ -179,9 +198,9 @@ impl Field {
         threads: Option<usize>,
         listener: Option<Bound<'_, PyAny>>,
     ) -> PyResult<String> {
-        let question = question(asked)?;
-        let answer = beside(py, threads, &Listener(listener), |caller| {
-            let answer = self.study.ask(&question, caller)?;
+        let (question, study) = (question(asked)?, self.study.clone());
+        let answer = apart(py, threads, &Listener(listener), move |caller| {
+            let answer = study.ask(&question, caller)?;
             Ok(serde_json::to_string(&answer).expect("answers are JSON"))
         })?;
         answer.map_err(|error| of_study(py, &error))

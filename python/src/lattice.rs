@@ -8,7 +8,7 @@ use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::doubles;
+use crate::arrays::{Eps, doubles};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, of_study};
 
@@ -23,19 +23,17 @@ pub(crate) struct Chain {
 
 #[pymethods]
 impl Chain {
-    /// Reads the family of a text, or that of the catalog with a name. Each value is one number, or
-    /// one a site.
+    /// Reads the family of a text, or that of the catalog with this name. Each value is one number,
+    /// or one a site.
     #[new]
-    #[pyo3(signature = (text, sites, eps, values, *, is_name = false))]
     fn new(
         py: Python<'_>,
         text: &str,
         sites: usize,
-        eps: f64,
+        eps: Eps,
         values: Vec<(String, Bound<'_, PyAny>)>,
-        is_name: bool,
     ) -> PyResult<Self> {
-        let text = match is_name.then(|| Systems.find(text)).flatten() {
+        let text = match Systems.find(text) {
             Some(named) => FieldText::new(named.text.to_owned(), named.name.to_owned()),
             None => FieldText::new(text.to_owned(), "field".to_owned()),
         };
@@ -47,7 +45,8 @@ impl Chain {
             Ok((name, numbers))
         });
         let values = values.collect::<PyResult<Vec<_>>>()?;
-        let at = lattice.at(eps, sites, values).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let at =
+            lattice.at(eps.0, sites, values).map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(Chain { lattice, sites, at: Mutex::new(at) })
     }
 
@@ -76,7 +75,7 @@ impl Chain {
         let mut x = self.state(&state)?;
         let followed = beside(py, Some(1), &Listener(listener), |caller| {
             let at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
-            at.follow(&mut x, steps, |_| caller.goes_on())
+            at.follow(&mut x, steps, |made| caller.made(made, steps))
         })?;
         let followed = followed.map_err(|error| of_dimension(&error))?;
         if followed.steps < steps {
@@ -88,6 +87,7 @@ impl Chain {
 
     /// The sums that the chain claims at a state, by name: its integrals, the Hamiltonian, and the
     /// energy that the map keeps in its place.
+    #[pyo3(name = "_sums")]
     fn sums(&self, state: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
         let state = doubles(state, "state")?;
         let x = self.state(&state)?;

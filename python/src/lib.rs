@@ -19,6 +19,7 @@ mod table;
 
 use std::ffi::OsString;
 
+use kahan_draw::picture::Chart;
 use kahan_study::numbers::ScalarKind;
 use kahan_study::{Catalog, Method, Observable, Side, Systems};
 use pyo3::prelude::*;
@@ -27,7 +28,14 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _kahan {
     #[pymodule_export]
-    use super::{arrow::arrow, basis::Relation, command, field::Field, lattice::Chain, names, nearest};
+    use super::{
+        arrow::arrow, basis::Relation, command, field::Field, lattice::Chain, names, nearest, picture_scale,
+    };
+
+    /// The version of the package.
+    #[pymodule_export]
+    #[allow(non_upper_case_globals, reason = "Python's name of it")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
 }
 
 /// Runs the command `kahan` with these arguments, the program's name first, and gives its exit
@@ -40,13 +48,17 @@ fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
 
 /// The names that arguments of one kind may have, by that kind.
 #[pyfunction]
-fn names() -> [(&'static str, Vec<&'static str>); 5] {
+fn names() -> [(&'static str, Vec<&'static str>); 6] {
+    let known = Systems.names().into_iter().map(|[name, _]| name);
+    let (system, family) =
+        known.partition(|name| Systems.find(name).is_some_and(|known| known.type_name.is_some()));
     [
         ("direction", Side::ALL.map(Side::name).to_vec()),
         ("method", Method::ALL.map(Method::name).to_vec()),
         ("observable", Observable::ALL.iter().map(|one| one.name()).collect()),
         ("scalar", ScalarKind::ALL.map(ScalarKind::name).to_vec()),
-        ("system", Systems.names().iter().map(|[name, _]| *name).collect()),
+        ("system", system),
+        ("family", family),
     ]
 }
 
@@ -54,4 +66,10 @@ fn names() -> [(&'static str, Vec<&'static str>); 5] {
 #[pyfunction]
 fn nearest(name: &str, known: Vec<String>) -> Option<String> {
     kahan_algebra::check::nearest(name, &known).cloned()
+}
+
+/// How pictures show the numbers of a column: whether as logarithms to base 10, and the numbers.
+#[pyfunction]
+fn picture_scale(column: &str, values: Vec<f64>) -> (bool, Vec<f64>) {
+    (Chart::is_logarithmic(column), values.into_iter().map(Chart::scale(column)).collect())
 }

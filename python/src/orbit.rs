@@ -9,7 +9,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntyp
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
-use crate::arrays::{Floats, doubles, floats, out as writable};
+use crate::arrays::{Eps, Floats, doubles, floats, out as writable};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, singular_step};
 use crate::field::{Field, Float};
@@ -24,10 +24,10 @@ impl Field {
     fn step<'py>(
         &self,
         x: &Bound<'py, PyAny>,
-        eps: f64,
+        eps: Eps,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.stepped(x, eps, out, false)
+        self.stepped(x, eps.0, out, false)
     }
 
     /// The same with a promise: an error of at most 64 units in the last place of the largest
@@ -36,15 +36,15 @@ impl Field {
     fn try_step<'py>(
         &self,
         x: &Bound<'py, PyAny>,
-        eps: f64,
+        eps: Eps,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.stepped(x, eps, out, true)
+        self.stepped(x, eps.0, out, true)
     }
 
     /// The rows of an orbit as far as it goes, how many steps it made, and how it ended: complete,
     /// or range.
-    #[pyo3(signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, out = None, listener = None))]
+    #[pyo3(name = "_points", signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(
         &self,
@@ -64,35 +64,40 @@ impl Field {
         }
     }
 
-    /// f(x) at points, of the shape that they have.
-    fn field_at<'py>(&self, x: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    /// f(x) at points, of the shape that they have; or f′(x), with an axis more.
+    #[pyo3(name = "_field_at", signature = (x, *, jacobian = false))]
+    fn field_at<'py>(&self, x: &Bound<'py, PyAny>, jacobian: bool) -> PyResult<Bound<'py, PyAny>> {
         let py = x.py();
         let (x, at) = (doubles(x, "x")?, self.at::<f64>(py, 0.0)?);
         let n = at.dimension();
         if x.shape().last() != Some(&n) {
-            return Err(points_of(n, x.shape()));
+            return Err(wrong_shape("x", &format!("(…, {n})"), x.shape()));
         }
-        let points = x.as_slice()?;
-        let mut rates = vec![0.0; points.len()];
-        for (x, rate) in points.chunks_exact(n.max(1)).zip(rates.chunks_exact_mut(n.max(1))) {
-            at.field(x, rate).map_err(|error| of_dimension(&error))?;
+        let (points, mut sizes) = (x.as_slice()?, x.shape().to_vec());
+        let width = if jacobian { n * n } else { n };
+        sizes.extend(jacobian.then_some(n));
+        let mut values = vec![0.0; points.len() / n.max(1) * width];
+        for (x, values) in points.chunks_exact(n.max(1)).zip(values.chunks_exact_mut(width.max(1))) {
+            let found = if jacobian { at.field_jacobian(x, values) } else { at.field(x, values) };
+            found.map_err(|error| of_dimension(&error))?;
         }
-        Ok(PyArray1::from_vec(py, rates).reshape(x.shape())?.into_any())
+        Ok(PyArray1::from_vec(py, values).reshape(sizes)?.into_any())
     }
 
     /// The names of the claimed integrals, and their values at points: an axis more than the points
     /// have, in the place of their last.
+    #[pyo3(name = "_integrals_at")]
     fn integrals_at<'py>(
         &self,
         x: &Bound<'py, PyAny>,
-        eps: f64,
+        eps: Eps,
     ) -> PyResult<(Vec<String>, Bound<'py, PyAny>)> {
         let py = x.py();
-        let (x, at) = (doubles(x, "x")?, self.at::<f64>(py, eps)?);
+        let (x, at) = (doubles(x, "x")?, self.with_integrals(py, eps.0)?);
         let (n, names) = (at.dimension().max(1), at.map().field().integrals());
         let mut sizes = x.shape().to_vec();
         if sizes.pop() != Some(at.dimension()) {
-            return Err(points_of(at.dimension(), x.shape()));
+            return Err(wrong_shape("x", &format!("(…, {})", at.dimension()), x.shape()));
         }
         let points = x.as_slice()?;
         let mut values = vec![0.0; points.len() / n * names.len()];
@@ -149,7 +154,7 @@ impl Field {
         let x = x.readonly();
         let (points, n) = (x.as_slice()?, at.dimension());
         if x.shape().last() != Some(&n) {
-            return Err(points_of(n, x.shape()));
+            return Err(wrong_shape("x", &format!("(…, {n})"), x.shape()));
         }
         let step = |next: &mut [T]| {
             for (place, (x, next)) in
@@ -194,9 +199,16 @@ impl Field {
         let at = self.at::<T>(py, asked.eps)?.composed(composition);
         let n = at.dimension();
         if x.shape() != [n] {
-            return Err(points_of(n, x.shape()));
+            return Err(wrong_shape("x", &shown(&[n]), x.shape()));
         }
         let mut x = x.readonly().as_slice()?.to_vec();
+        let numbers =
+            [("eps", at.eps().approximate())].into_iter().chain(x.iter().map(|x| ("x", x.approximate())));
+        for (name, number) in numbers {
+            if !number.is_finite() {
+                return Err(PyValueError::new_err(format!("{name}: {number} is no number to compute with")));
+            }
+        }
         if asked.compensated {
             let at = at.compensated();
             x.resize(2 * n, T::zero());
@@ -230,13 +242,13 @@ where
         let (first, rest) = all.split_at_mut(width);
         first.copy_from_slice(&x);
         beside(py, Some(1), &asked.listener, |caller| {
-            let rows = at.rows(&mut x, every, rest, |_| caller.goes_on())?;
+            let rows = at.rows(&mut x, every, rest, |made| caller.made(made, steps))?;
             // The steps behind the last row show whether the orbit goes as far as it was asked.
             let left = steps % every.get();
             if rows.ended != Ended::Complete || left == 0 {
                 return Ok(rows);
             }
-            let end = at.follow(&mut x, left, |_| caller.goes_on())?;
+            let end = at.follow(&mut x, left, |made| caller.made(made, steps))?;
             Ok(Followed { report: rows.report, steps: rows.steps + end.steps, ended: end.ended })
         })?
         .map_err(|error| of_dimension(&error))
@@ -273,9 +285,18 @@ pub(crate) fn composition(order: u32) -> PyResult<Composition> {
         .ok_or_else(|| PyValueError::new_err(format!("order {order} is not there; choose 2, 4, 6 or 8")))
 }
 
-/// Points of another number of variables.
-pub(crate) fn points_of(variables: usize, found: &[usize]) -> PyErr {
+/// An array that has another shape than this.
+pub(crate) fn wrong_shape(name: &str, wanted: &str, found: &[usize]) -> PyErr {
+    let found = shown(found);
     PyValueError::new_err(format!(
-        "a point has {variables} coordinates, one a variable, and the last axis of the shape {found:?} has another length"
+        "{name}: the shape {wanted} is needed, with a coordinate for each variable, and this is {found}"
     ))
+}
+
+/// A shape as Python writes it.
+fn shown(shape: &[usize]) -> String {
+    match shape {
+        [one] => format!("({one},)"),
+        _ => format!("({})", shape.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
+    }
 }

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyList;
 
-use crate::beside::{Listener, beside};
+use crate::beside::{Listener, apart};
 use crate::errors::of_study;
 use crate::field::Field;
 
@@ -15,7 +15,7 @@ use crate::field::Field;
 impl Field {
     /// The rows of a question, which is JSON: for each column its name, its meaning and its values;
     /// how the table ended, and after how many steps, where a point has no next one.
-    #[pyo3(signature = (question, *, threads = None, listener = None))]
+    #[pyo3(name = "_table", signature = (question, *, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(
         &self,
@@ -24,10 +24,10 @@ impl Field {
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, Option<u64>)> {
-        let question = crate::field::question(question)?;
-        let (table, end) = beside(py, threads, &Listener(listener), |caller| {
+        let (question, study) = (crate::field::question(question)?, self.study().clone());
+        let (table, end) = apart(py, threads, &Listener(listener), move |caller| {
             let mut table = Table::default();
-            let end = self.study().rows(&question, 0..u64::MAX, &mut table, caller);
+            let end = study.rows(&question, 0..u64::MAX, &mut table, caller);
             end.map(|end| (table, end))
         })?
         .map_err(|error| of_study(py, &error))?;

@@ -3,6 +3,7 @@
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -25,7 +26,7 @@ def test_a_mistake_has_a_place_and_a_way_out():
 
 def test_parameters_are_exact_and_named():
     s = kahan.System("xdot = a*y; ydot = b*x^2;", a=0.1)
-    assert s.parameters == {"a": Fraction(1, 10), "b": None}
+    assert s.parameters == {"a": Fraction(1, 10), "b": None} == s(a=np.float32(0.1)).parameters
     assert s(b="1/3").parameters["b"] == Fraction(1, 3)
     with pytest.raises(TypeError, match="no parameter"):
         kahan.System("xdot = a*y; ydot = x;", c=1)
@@ -49,6 +50,42 @@ def test_formulas_are_those_of_the_map():
     assert s.A.shape == (3, 3) and s.b.shape == (3,) and s.det_A.shape == ()
     assert r"\begin{pmatrix}" in s.A.latex and r"\dot{x}" in s._repr_latex_()
     assert pickle.loads(pickle.dumps(s.A)).latex == s.A.latex
+    field = kahan.System("Idot = ϕ; ϕdot = I^2 - φ;").field.sympy()
+    assert {symbol.name for symbol in field.free_symbols} == {"I", "ϕ", "φ"}
+
+
+def test_formulas_are_functions_of_points():
+    s = kahan.System("xdot = y; ydot = 6*x^2 - a;", a=1).discover().claimed
+    orbit = s.orbit([0, 0.1], 0.05, 100)
+    H, (rho,), P = s.integrals["H1"], s.densities.values(), s.brackets["P1"]
+    assert np.abs(H(orbit.x, 0.05) - orbit.integrals["H1"]).max() < 1e-14
+    assert np.allclose(s.map(orbit.x[:-1], 0.05), orbit.x[1:], rtol=1e-13)
+    found = s.evaluate([1, "1/2"], "1/3", exact=True)
+    at = ([1, "1/2"], "1/3")
+    assert (H(*at), rho(*at), s.det_A(*at)) == (found.integrals["H1"], found.density, found.det_A)
+    assert (P(*at) == found.brackets["P1"]).all() and (s.jacobian(*at) == found.jacobian).all()
+    assert str(P["x", "x"]) == "0" and P["y", "x"](*at) == -P["x", "y"](*at)
+    # An eps or a parameter a point.
+    free = kahan.System("xdot = y; ydot = 6*x^2 - a;")
+    assert (free.map(orbit.x, np.full(101, 0.05), a=np.ones(101)) == s.map(orbit.x, 0.05)).all()
+    with pytest.raises(TypeError, match="depends on a: add a=…"):
+        free.map(orbit.x, 0.05)
+    with pytest.raises(TypeError, match="a is 1 in this formula"):
+        kahan.System("xdot = y; ydot = 6*x^2 - a;", a=1).map(orbit.x, 0.05, a=2)
+    assert s.A(np.float32(orbit.x), 0.05).dtype == np.float32 and s.A(orbit.x, 0.05).shape == (101, 2, 2)
+    assert s.field(orbit.x[0]).tolist() == s.evaluate(orbit.x[0], 1).field.tolist()
+    assert not np.isfinite(s.map([1 / 12, 0], 1)).all()
+    with pytest.raises(TypeError, match="depends on eps: add eps=…"):
+        H(orbit.x)
+    with pytest.raises(TypeError, match="no parameter `b`"):
+        H(orbit.x, 0.05, b=1)
+    with pytest.raises(ValueError, match="2 coordinates"):
+        H([1, 2, 3], 0.05)
+    with pytest.raises(KeyError, match="no variable `z`"):
+        P["x", "z"]
+    # Claims may name constants and the claims above them; a name may be one of Python's keywords.
+    t = kahan.System("const k = 1/2; xdot = lambda; lambdadot = -k*x; integral H = 0.25*x^2 + lambda^2/2; integral K = H^2 + k*H^-1;")
+    assert t.integrals["K"](["1", 2]) == Fraction(9, 4) ** 2 + Fraction(1, 2) / Fraction(9, 4)
 
 
 def test_fields_come_from_sympy():
@@ -142,11 +179,10 @@ def test_bases_are_functions_of_orbits():
         scale = np.abs(constants[0].astype(float)).max()
         assert np.abs(near - constants[0].astype(float)).max() <= 1e-15 * condition.max() * scale * 100
         assert np.array_equal(other.coefficients(x)[0], near)
-        values = basis.integral_functions(s, 0.2)
-        assert list(values) == basis.integrals
-        for name, integral in values.items():
-            assert integral(x[:2]).shape == (2,) and integral(x[0]).shape == ()
-            assert integral(x[0]) == integral(x[:1])[0]
+        values, one = basis.integral_values(s, x[:2], 0.2), basis.integral_values(s, x[0], 0.2)
+        assert list(values) == list(one) == basis.integrals
+        for name, value in values.items():
+            assert value.shape == (2,) and one[name].shape == () and value[0] == one[name]
         with pytest.raises(ValueError, match=f"{basis.points} consecutive points"):
             basis.coefficients(x[: basis.points - 1])
 
@@ -156,6 +192,9 @@ def test_objects_travel():
     again = pickle.loads(pickle.dumps(s))
     x = np.array([1.0, 2.0, 3.0])
     assert np.array_equal(again.step(x, 0.1), s.step(x, 0.1)) and again.parameters == s.parameters
+    assert again == s and hash(again) == hash(s) and s(a1="2/2") == s != s(a1=2)
+    for call, given in ((s.rhs(), (0, x)), (s.rhs().jacobian, (0, x)), (s.integral_values, (x, 0.1)), (s.integral_functions(0.1)["H"], (x,)), (s.integrals["H"], (x, 0.1))):
+        assert np.array_equal(pickle.loads(pickle.dumps(call))(*given), call(*given))
     with ThreadPoolExecutor(4) as pool:
         ends = list(pool.map(lambda k: s.orbit(x, 0.01, 2000 + k % 2).x[2000], range(20)))
     assert all(np.array_equal(end, ends[0]) for end in ends)
@@ -180,7 +219,17 @@ def test_try_step_keeps_its_promise_where_step_loses_digits():
         chain.try_step(np.ones(17), 0.1)
 
 
+def test_help_shows_what_is_for_users():
+    public = {name for name in dir(kahan.System) if not name.startswith("_")}
+    undocumented = [name for name in public if not getattr(kahan.System, name).__doc__]
+    assert not undocumented and not public & {"ask", "table", "points", "advance", "observed", "discovered"}
+    tomllib = pytest.importorskip("tomllib")
+    cargo = tomllib.loads((Path(__file__).resolve().parents[1] / "Cargo.toml").read_text())
+    assert kahan.__version__ == cargo["package"]["version"]
+
+
 def test_the_catalog_knows_its_names():
+    assert kahan.System(kahan.catalog.lorenz.text).field == kahan.catalog.lorenz.field
     assert "e6" in dir(kahan.catalog) and kahan.catalog.e6.name == "e6"
     with pytest.raises(AttributeError, match="did you mean `euler`"):
         kahan.catalog.eulr

@@ -1,5 +1,6 @@
 """Orbits in other numbers and by other methods, charts, and observed ensembles."""
 
+import pickle
 from fractions import Fraction
 
 import numpy as np
@@ -18,6 +19,8 @@ def test_exact_orbits_are_fractions():
         assert row.tolist() == list(x)
         x = E6.evaluate(x, "1/7", exact=True).x_next.tolist()
     assert len(set(orbit.integrals["H"])) == 1
+    assert orbit.eps == Fraction(1, 7) and orbit.t.tolist() == [Fraction(2 * n, 7) for n in range(5)]
+    assert (E6.integrals["H"](orbit.x, orbit.eps) == orbit.integrals["H"]).all()
 
 
 def test_double_doubles_have_what_doubles_lack():
@@ -25,7 +28,7 @@ def test_double_doubles_have_what_doubles_lack():
     plain = E6.orbit([1, 2, 3], 0.05, 50)
     # The orbit is unstable: later on digits are lost that doubles have not.
     assert np.allclose(orbit.x[:10], plain.x[:10], rtol=1e-13) and 0 < np.abs(orbit.x_low).max() < 1e-15
-    assert orbit.x.shape == orbit.x_low.shape == (51, 3)
+    assert orbit.x.shape == orbit.x_low.shape == (51, 3) and (orbit["y_low"] == orbit.x_low[:, 1]).all()
 
 
 def test_other_methods_are_there_to_compare_with():
@@ -76,6 +79,26 @@ def test_observed_ensembles_are_their_orbits():
         many.megno
 
 
+def test_tables_have_columns():
+    orbit, section = E6.orbit([1, 2, 3], 0.05, 50), E6.section([1, 2, 3], 0.05, 1000, "x - y", direction="both")
+    assert np.array_equal(orbit["y"], orbit.x[:, 1]) and orbit.y is not None and list(orbit) == ["n", "t", "x", "y", "z", "H", "K"]
+    assert np.array_equal(np.asarray(section), section.x) and len(np.asarray(section, dtype=np.float32)) == len(section)
+    with pytest.raises(KeyError, match="no column `w`"):
+        orbit["w"]
+    with pytest.raises(AttributeError, match="no column `HH`; did you mean `H`"):
+        orbit.HH
+    points, eps = np.ones((4, 3)), np.linspace(0.01, 0.02, 4)
+    top = kahan.catalog.euler(a2=-3)
+    many = top.ensemble(points, eps, 20, params={"a1": 1, "a3": [1, 2, 3, 4]}, observe=["fli"], out=None)
+    assert list(many) == ["start_x", "start_y", "start_z", "eps", "a1", "a3", "x", "y", "z", "steps", "fli"]
+    assert many["a1"].tolist() == [1] * 4 and many["eps"] is not None and np.array_equal(many["eps"], eps)
+    plain = E6.ensemble(points.tolist(), 0.01, 20)
+    assert (plain.start == 1).all() and (plain["x"] != 1).all() and plain.steps is None
+    for table in (orbit, section, many, plain, E6.chart({"x": (-1, 1, 3)}, [0, 1, 1], 0.1)):
+        again = pickle.loads(pickle.dumps(table))
+        assert list(again) == list(table) and all(np.array_equal(again[name], table[name]) for name in table)
+
+
 def test_tables_are_handed_on_by_arrow():
     orbit = E6.orbit([1, 2, 3], 0.05, 50, every=5)
     tables = {
@@ -87,7 +110,7 @@ def test_tables_are_handed_on_by_arrow():
         "section": E6.section([1, 2, 3], 0.05, 1000, "x - y", direction="both"),
         "chart": E6.chart({"x": (-1, 1, 3), "y": (0, 1, 2)}, [0, 1, 1], 0.1),
     }
-    assert list(tables["ensemble"].columns()) == ["x", "y", "z", "steps", "fli"]
+    assert list(tables["ensemble"]) == ["start_x", "start_y", "start_z", "eps", "x", "y", "z", "steps", "fli"]
     pyarrow = pytest.importorskip("pyarrow")
     for name, table in tables.items():
         columns, taken = table.columns(), pyarrow.table(table)
@@ -108,13 +131,45 @@ def test_tables_are_handed_on_by_arrow():
 def test_plots():
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("agg")
-    E6.orbit([1, 2, 3], 0.05, 100).plot()
-    assert E6.orbit([1, 2, 3], 0.05, 100).plot("t", "x").get_ylabel() == "x"
-    E6.section([1, 2, 3], 0.05, 1000, "x - y").plot()
-    E6.chart({"x": (-1, 1, 5), "y": (-1, 1, 5)}, [0, 1, 1], 0.1).plot()
-    E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1).plot()
+    import matplotlib.pyplot as plt
+
+    orbit = E6.orbit([1, 2, 3], 0.05, 100)
+    (line,) = orbit.plot().lines
+    assert line.get_linestyle() == "-" and line.axes.get_zlabel() == "z" and line.axes.get_title() == "e6, eps = 0.05, 100 steps"
+    assert orbit.plot(ax=plt.figure().add_subplot()).get_ylabel() == "y" and orbit.plot("t", "H").get_ylabel() == "H"
+    with pytest.raises(ValueError, match='2 axes are needed, and 3 given; .*projection="3d"'):
+        orbit.plot("x", "y", "z", ax=plt.figure().add_subplot())
     with pytest.raises(ValueError, match="no axis `w`"):
-        E6.orbit([1, 2, 3], 0.05, 10).plot("x", "w")
+        orbit.plot("x", "w")
+    assert "eps = 0.05" in E6.section([1, 2, 3], 0.05, 1000, "x - y").plot().get_title()
+    assert E6.orbit([1, "2/3", 3], "1/7", 3, scalar="exact").plot("t", "x").get_xlabel() == "t"
+    many = E6.ensemble(np.random.default_rng(1).uniform(0.1, 0.3, (20, 3)), 0.05, 20, observe=["sali"])
+    assert many.plot().collections and many.plot("start_x", "sali", color="sali").figure.axes[1].get_ylabel() == "log of sali, to base 10"
+    # SALI of chaotic orbits has many powers of ten, which are seen as logarithms, as `kahan chart` shows them.
+    chart = E6.chart({"x": (-1, 1, 5), "y": (-1, 1, 5)}, [0, 1, 1], 0.1)
+    axes = chart.plot()
+    shown = axes.collections[0].get_array()
+    assert np.allclose(shown, np.log10(np.maximum(chart.values.T, np.finfo(float).eps)).reshape(shown.shape), equal_nan=True)
+    assert axes.figure.axes[1].get_ylabel() == "log of smaller alignment index, to base 10"
+    assert axes.get_title() == "e6, eps = 0.1, 1000 steps"
+    curve = E6.chart({"x": (-1, 1, 5)}, [0, 1, 1], 0.1, color="lyapunov").plot()
+    assert curve.get_ylabel() == "largest Lyapunov exponent, per unit of time"
+    plt.close("all")
+
+
+def test_cells_that_escape_show_no_chaos():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    hh, over = kahan.catalog.henon_heiles(a=1, b=1, c=1), {"y": (-0.5, 1.2, 4)}
+    exponents, steps = (hh.chart(over, [0, 0, 0.3, 0.1], 0.1, color=color, escape=10) for color in ("lyapunov", "escape"))
+    escapes = np.isfinite(exponents.escaped)
+    assert escapes.any() and not escapes.all() and np.array_equal(steps.values, exponents.escaped, equal_nan=True)
+    assert np.isfinite(exponents.values).all()
+    (shown,), (counted,) = exponents.plot().lines, steps.plot().lines
+    assert np.array_equal(np.isnan(shown.get_ydata()), escapes) and np.array_equal(np.isfinite(counted.get_ydata()), escapes)
+    # Beyond the range of floats there is no exponent at all.
+    gone = kahan.System("xdot = x^2;").chart({"eps": [0.25, 0.26]}, [1], steps=100, color="lyapunov")
+    assert np.isnan(gone.values[0]) and gone.escaped[0] == 2 and np.isfinite(gone.values[1])
 
 
 def test_claims_are_verified():
@@ -122,13 +177,15 @@ def test_claims_are_verified():
 
 
 def test_others_take_the_field_and_its_integrals():
-    rate = E6.rhs()
-    x = np.array([1.0, 2.0, 3.0])
+    rate, x = E6.rhs(), np.array([1.0, 2.0, 3.0])
     assert rate(0.0, x).tolist() == E6.evaluate(x, 1, exact=True).field.tolist()
     assert np.array_equal(rate(0.0, np.stack([x, 2 * x], axis=1))[:, 0], rate(0.0, x))
+    assert rate.jacobian(0.0, x).tolist() == E6.evaluate(x, 1, exact=True).field_jacobian.tolist()
     energy = E6.integral_functions()["H"]
-    # E6's H is x z + y^2 at eps = 0, and rk4 keeps it to its order.
+    # E6's H is x z + y^2 at eps = 0.
     assert energy(x) == 7
     scipy = pytest.importorskip("scipy.integrate")
     end = scipy.solve_ivp(rate, (0, 1), x, rtol=1e-10, atol=1e-10, vectorized=True).y[:, -1]
     assert abs(energy(end) - 7) < 1e-7
+    stiff = scipy.solve_ivp(rate, (0, 1), x, method="Radau", jac=rate.jacobian, rtol=1e-10, atol=1e-10)
+    assert np.abs(stiff.y[:, -1] - end).max() < 1e-7 and stiff.njev > 0

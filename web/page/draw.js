@@ -5,9 +5,8 @@ const MARGIN = { left: 58, right: 12, top: 12, bottom: 40 }
 
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim()
 const numbers = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16))
-const short = number => String(Number(number.toPrecision(4))).replace('-', '−').replace(/e\+?(.*)/, '·10^$1')
-
-const raised = power => String(power).replace('-', '⁻').replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])
+const short = number => String(Number(number.toPrecision(4))).replace('-', '−').replace(/e\+?(.*)/, (_, power) => `·10${raised(power)}`)
+const raised = power => String(power).replace(/[-−]/, '⁻').replace(/\d/g, digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit])
 
 // The pixels of a canvas at the size that it has on the screen, and the scales of its axes.
 function sheet(canvas, window) {
@@ -52,7 +51,8 @@ function axes({ context, ratio, width, height, window, x, y }, names, written = 
   context.textAlign = 'center'
   for (const tick of ticks(window[0], width / 110)) {
     line([x(tick), MARGIN.top], [x(tick), bottom])
-    context.fillText(short(tick), x(tick), bottom + 17)
+    // A number at the edge is written inside.
+    context.fillText(short(tick), Math.min(x(tick), width - context.measureText(short(tick)).width / 2), bottom + 17)
   }
   context.textAlign = 'right'
   for (const tick of ticks(window[1], height / 70)) {
@@ -65,7 +65,8 @@ function axes({ context, ratio, width, height, window, x, y }, names, written = 
   context.fillText(names[1], 4, MARGIN.top + 2)
 }
 
-// Draws points as squares that are the smaller the more there are.
+// Draws points as squares that are the smaller the more there are, and wider by so many pixels as
+// their set says.
 function points(sheet, sets) {
   const { context, ratio, x, y } = sheet
   const { width, height } = context.canvas
@@ -75,17 +76,19 @@ function points(sheet, sets) {
   const [perX, perY] = [x(1) * ratio - zeroX, y(1) * ratio - zeroY]
   const [left, right] = [MARGIN.left * ratio, width - MARGIN.right * ratio]
   const [top, bottom] = [MARGIN.top * ratio, height - MARGIN.bottom * ratio]
-  for (const { xs, ys, paint } of sets) {
+  for (const { xs, ys, paint, wider } of sets) {
     const [red, green, blue] = numbers(colour(paint))
     const word = (255 << 24) | (blue << 16) | (green << 8) | red
-    const size = Math.max(1, Math.round((xs.length <= 400 ? 4 : xs.length <= 50000 ? 1.6 : 1) * ratio))
+    const size = Math.max(1, Math.round(((xs.length <= 400 ? 4 : xs.length <= 50000 ? 1.6 : 1) + wider) * ratio))
     const back = (size - 1) / 2
     for (let k = 0; k < xs.length; k++) {
       const [px, py] = [zeroX + xs[k] * perX - back, zeroY + ys[k] * perY - back]
       // What is not a number is outside, too.
       if (!(px >= left && px < right - size && py >= top && py < bottom - size)) continue
       const at = Math.round(py) * width + Math.round(px)
-      for (let row = 0; row < size; row++) pixels.fill(word, at + row * width, at + row * width + size)
+      for (let row = at; row < at + size * width; row += width) {
+        for (let pixel = row; pixel < row + size; pixel++) pixels[pixel] = word
+      }
     }
   }
   context.putImageData(image, 0, 0)
@@ -109,12 +112,12 @@ function portrait(canvas, window, names, sets, starts) {
   return drawn
 }
 
-// Nearly all of these numbers, or all of them, with some room.
-function span(lists, isWhole) {
+// Nearly all of these numbers, or all of them between two ends, with some room.
+function span(lists, isWhole, [least, most] = [-Infinity, Infinity]) {
   const values = []
   for (const list of lists) {
     const stride = isWhole ? 1 : Math.ceil(list.length / 4000)
-    for (let k = 0; k < list.length; k += stride) if (Number.isFinite(list[k])) values.push(list[k])
+    for (let k = 0; k < list.length; k += stride) if (Number.isFinite(list[k]) && list[k] >= least && list[k] <= most) values.push(list[k])
   }
   values.sort((a, b) => a - b)
   const share = isWhole ? 0 : 0.005

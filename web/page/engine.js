@@ -4,8 +4,9 @@ const compiled = (async () => {
   const text = atob(WASM), bytes = new Uint8Array(text.length)
   // A million letters: `Uint8Array.from` would call a function for each.
   for (let k = 0; k < bytes.length; k++) bytes[k] = text.charCodeAt(k)
-  const opened = new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip')))
-  return WebAssembly.compile(await opened.arrayBuffer())
+  const packed = new ReadableStream({ start(stream) { stream.enqueue(bytes); stream.close() } })
+  const headers = { 'content-type': 'application/wasm' }
+  return WebAssembly.compileStreaming(new Response(packed.pipeThrough(new DecompressionStream('gzip')), { headers }))
 })()
 const workerText = URL.createObjectURL(new Blob([`(${inWorker})()`], { type: 'text/javascript' }))
 
@@ -19,7 +20,7 @@ class Asker {
     worker.onmessage = ({ data }) => this.#waiting?.hears(data)
     worker.onerror = event => {
       event.preventDefault()
-      this.#end({ mistake: 'This is beyond what a tab can compute: its memory or its stack is full.' })
+      this.#end({ mistake: `This question failed, as it is beyond what a tab can compute, or by a fault of this page (${event.message}). The page goes on.` })
     }
   }
 

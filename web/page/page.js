@@ -1,63 +1,104 @@
 // The page: what is typed, pressed and dragged becomes questions, and replies are put where they
 // belong.
-const [lead, mover, searcher] = [new Asker(), new Asker(), new Asker()]
+const [lead, mover, follower] = [new Asker(), new Asker(), new Asker()]
+const workers = { search: new Asker(), heights: new Asker(), poles: new Asker() }
 const $ = id => document.getElementById(id)
 let state = readAddress()
+let chosen = { eps: false, at: false } // whether the reader or the address gave ε and the first points
 let catalog = []
 let sheetOf = null // the answer to `show` for the field as it is, or null where it has a mistake
-let integrals = [] // the lines of integrals that were found
+let searched = null // the subject of the search, its equations and what was found
 let frame = null // what the portrait shows: its sheet, its window
 
 const entry = () => catalog.find(({ name }) => name === state.system)
-const subject = () => {
-  const named = Object.entries(state.params).filter(([name, value]) => NUMBER.test(value) && new RegExp(`\\b${name}\\b`).test(state.field))
-  return { ...(entry() ? { name: state.system } : { field: state.field }), params: Object.fromEntries(named) }
-}
-const save = () => history.replaceState(null, '', address(state))
+const named = text => Object.fromEntries(Object.entries(state.params).filter(([name, value]) => NUMBER.test(value) && new RegExp(`\\b${name}\\b`).test(text)))
+const subject = () => ({ ...(entry() ? { name: state.system } : { field: state.field }), params: named(state.field) })
+const save = () => history.replaceState(null, '', address({ ...state, params: named(state.field) }))
+
+// A sentence, its formulas between backticks.
+const say = (id, text) => $(id).replaceChildren(...text.split('`').map((part, k) => (k % 2 ? Object.assign(document.createElement('code'), { textContent: part }) : part)))
 
 // --- The field and its formulas
 
 function choose(change) {
-  state = { ...START, system: '', ...change }
-  searcher.stop()
+  state = { ...START, ...change }
   open()
 }
 
 function open() {
   const known = entry()
   if (known) state = { ...state, field: known.text, params: { ...known.params, ...state.params } }
+  chosen = { eps: Boolean(state.eps), at: Boolean(state.at.length) }
   $('field').value = state.field
   $('steps').value = state.steps
-  $('gallery').value = state.system
+  $('gallery').value = state.system || `#${CLASSICAL.findIndex(({ field }) => field === state.field)}`
+  if ($('gallery').selectedIndex < 0) $('gallery').value = ''
+  forget()
   return refresh()
 }
 
-async function refresh() {
-  const wasSearching = searcher.isBusy && $('search').classList.contains('running')
+// The field is another one.
+function typed() {
+  state = { ...state, system: '', field: $('field').value }
+  $('gallery').value = ''
+  save()
   forget()
-  const reply = await lead.ask(subject(), { ask: 'show' })
+  later(refresh)
+}
+
+async function refresh() {
+  const reply = await lead.ask(subject(), { ask: 'show', as: 'latex' })
   if (!reply) return
-  $('mistake').hidden = !reply.mistake
+  $('mistake').hidden = $('first').hidden = !reply.mistake
   $('mistake').textContent = reply.mistake || ''
   $('field').setAttribute('aria-invalid', String(Boolean(reply.mistake)))
-  document.body.classList.toggle('stale', Boolean(reply.mistake))
-  if (reply.mistake) { sheetOf = null; return }
-  sheetOf = reply.answer
-  $('formulas').innerHTML = reply.html
+  $('rest').disabled = Boolean(reply.mistake)
+  ;[sheetOf, lastDrawn] = [reply.mistake ? null : reply.answer, []]
+  if (!sheetOf) return
+  set('formulas', reply.html)
   parameters(reply.parameters)
-  if (wasSearching) search()
+  // Formulas are painted before more work begins; a tab behind others paints nothing.
+  await new Promise(ends => { requestAnimationFrame(ends); setTimeout(ends, 100) })
+  if (sheetOf !== reply.answer) return
+  if (isWanted) search()
   if ($('jacobian').open) await jacobian()
   await orbitsAnew()
 }
 
-// Results that were of another field.
-function forget() {
-  searcher.stop()
-  integrals = []
-  for (const id of ['kept', 'heights-shown', 'poles-shown', 'stage', 'heights-stage', 'poles-stage', 'copied', 'linked']) $(id).replaceChildren()
-  $('arrived').hidden = true
-  $('jacobian').lastElementChild.replaceChildren()
-  for (const id of ['search', 'heights', 'poles']) $(id).classList.remove('running')
+// Boxes that scroll are stops for the keyboard, with a name; others are none.
+const stops = new ResizeObserver(seen => {
+  for (const { target: box } of seen) {
+    const label = box.closest('.preserved')?.querySelector('.source')?.textContent || 'A formula or a table wider than the page'
+    if (box.scrollWidth > box.clientWidth) Object.assign(box, { tabIndex: 0, role: 'region', ariaLabel: label })
+    else for (const name of ['tabindex', 'role', 'aria-label']) box.removeAttribute(name)
+  }
+})
+
+// Puts in what was set and drawn.
+function set(id, html) {
+  $(id).innerHTML = html.replace(/`([^`<>]*)`/g, '<code>$1</code>')
+  for (const box of $(id).querySelectorAll('[tabindex]')) stops.observe(box)
+}
+
+let isWanted = false // whether a search begins as soon as the field has no mistake
+
+// Results that are no longer true: of another field all, of another value of a parameter those that
+// were found for the one before. A search that is under way begins anew.
+function forget(changed) {
+  const holds = changed && !(changed in (searched?.subject.params || {}))
+  isWanted ||= $('search').classList.contains('running') && !holds
+  for (const name of Object.keys(workers)) {
+    if (name === 'search' && holds) continue
+    workers[name].stop()
+    $(name).classList.remove('running')
+    for (const id of [`${name}-shown`, `${name}-stage`]) $(id).replaceChildren()
+  }
+  for (const id of ['copied', 'copied-found', 'linked']) $(id).replaceChildren()
+  $('jacobian-shown').replaceChildren()
+  if (!holds) {
+    searched = null
+    $('arrived').hidden = $('copies-found').hidden = true
+  } else if (searched?.equations) $('search-stage').textContent = `This was found for generic ${changed}, and so holds at its value, too.`
 }
 
 function parameters(names) {
@@ -72,6 +113,8 @@ function parameters(names) {
     input.oninput = () => {
       state.params = { ...state.params, [name]: input.value.trim() }
       input.setAttribute('aria-invalid', String(Boolean(input.value) && !NUMBER.test(input.value.trim())))
+      save()
+      forget(name)
       later(refresh)
     }
     label.append(`${name} = `, input)
@@ -80,37 +123,46 @@ function parameters(names) {
 }
 
 async function jacobian() {
-  const reply = await lead.ask(subject(), { ask: 'show', jacobian: true })
-  if (reply && !reply.mistake) $('jacobian').lastElementChild.innerHTML = reply.html
+  const reply = await lead.ask(subject(), { ask: 'show', as: 'latex', jacobian: true })
+  if (reply && !reply.mistake) set('jacobian-shown', reply.html)
 }
 
 let timer = 0
 const later = work => { clearTimeout(timer); timer = setTimeout(work, 120) }
 
-async function copy(kind) {
-  const reply = await lead.ask(subject(), { ask: 'show', as: kind, jacobian: kind !== 'kahan' })
+async function copy(kind, button) {
+  const withJacobian = $('jacobian').open && kind !== 'kahan'
+  const reply = await lead.ask(subject(), { ask: 'show', as: kind, jacobian: withJacobian })
   if (!reply) return
-  $('copied').textContent = (await copied(reply.mistake || written(reply.answer, kind))) ? 'Copied.' : ''
+  const what = kind === 'kahan' ? 'the field' : `the map, A, b${withJacobian ? ' and the Jacobian' : ''}`
+  copied('copied', `${what} as ${button.textContent}`, reply.mistake || written(reply.answer, kind))
 }
 
-async function copied(text) {
+// What was found, in the language of `kahan!` or in LaTeX.
+async function copyFound(kind) {
+  if (kind === 'text') { copied('copied-found', 'what was found as text', searched.lines.join('\n')); return }
+  const reply = await lead.ask(claimed(searched.lines), { ask: 'show', as: 'latex' })
+  if (!reply) return
+  const lines = reply.mistake || reply.answer.claims.flatMap(({ equations }) => equations.map(sides => sides.join(' = '))).join('\n')
+  copied('copied-found', 'what was found as LaTeX', lines)
+}
+
+async function copied(id, what, text) {
   try {
     await navigator.clipboard.writeText(text)
-    return true
+    $(id).textContent = `Copied ${what}.`
   } catch {
-    prompt('To be copied:', text)
-    return false
+    prompt(`To be copied, ${what}:`, text)
   }
 }
 
 // The formulas of a sheet, a line each.
 function written(answer, kind) {
   if (kind === 'kahan') return answer.macro
+  if (kind === 'sympy') return answer.script
   const [name, row, open, close] = kind === 'latex'
     ? [v => `\\widetilde{${v}}`, rows => rows.map(row => row.join(' & ')).join(' \\\\ '), '\\begin{pmatrix} ', ' \\end{pmatrix}']
-    : kind === 'sympy'
-      ? [v => `${v}_next`, rows => rows.map(row => `[${row.join(', ')}]`).join(', '), 'Matrix([', '])']
-      : [v => `${v}~`, rows => rows.map(row => `[${row.join(', ')}]`).join(', '), '[', ']']
+    : [v => `${v}~`, rows => rows.map(row => `[${row.join(', ')}]`).join(', '), '[', ']']
   const matrix = (called, rows) => (rows ? [`${called} = ${open}${row(rows)}${close}`] : [])
   const map = answer.map || answer.variables.map(() => '(beyond the budget of terms)')
   return [
@@ -119,67 +171,77 @@ function written(answer, kind) {
   ].join('\n')
 }
 
-// --- What the map keeps, heights, poles: long work, one at a time
+// --- What the map keeps, heights, poles: long work
 
 // Asks while a button says so; pressed once more, the button ends it.
-async function long(id, question, hears, shows) {
+async function long(id, question, shows, hears = () => {}) {
   const button = $(id)
-  if (button.classList.contains('running')) { searcher.stop(); return }
-  const stage = $(id === 'search' ? 'stage' : `${id}-stage`)
-  const reply = searcher.ask(subject(), question, data => {
+  if (button.classList.contains('running')) { workers[id].stop(); return }
+  const stage = $(`${id}-stage`)
+  stage.replaceChildren()
+  button.classList.add('running')
+  const reply = await workers[id].ask(subject(), question, data => {
     const { what, done, of } = data.look || {}
     if (what) stage.textContent = of ? `${done} of ${of} ${what}` : `${what} …`
     hears(data)
   })
-  button.classList.add('running')
-  const heard = await reply
+  // The field has changed, and the button is as it was.
+  if (!reply && !button.classList.contains('running')) return
   button.classList.remove('running')
-  stage.textContent = heard?.mistake || ''
-  if (heard && !heard.mistake) shows(heard)
+  say(stage.id, reply ? reply.mistake || '' : 'Stopped.')
+  if (reply && !reply.mistake) shows(reply)
 }
 
 function search() {
-  const list = $('arrived')
-  list.textContent = ''
-  return long('search', { ask: 'discover', seconds: 30 }, ({ found }) => {
+  const [list, asked] = [$('arrived'), subject()]
+  isWanted = false
+  if (!$('search').classList.contains('running')) {
+    searched = { subject: asked }
+    list.textContent = ''
+    $('copies-found').hidden = true
+  }
+  return long('search', { ask: 'discover', seconds: 30 }, async ({ answer, html }) => {
+    set('search-shown', html)
+    const lines = [...answer.integrals, ...answer.densities, ...answer.brackets]
+    list.textContent = lines.join('\n')
+    list.hidden = $('copies-found').hidden = !lines.length
+    $('search-stage').textContent = `${answer.independent_integrals} independent integrals; growth of degrees: ${answer.growth}. Found in ${answer.seconds.toFixed(1)} s.`
+    const sheet = await workers.search.ask(asked, { ask: 'show' })
+    if (!sheet?.answer || searched?.subject !== asked) return
+    const equations = sheet.answer.variables.map((name, k) => `${name}dot = ${sheet.answer.field[k]};`)
+    // The equations have the values that claims are made for.
+    searched = { ...searched, equations, lines: lines.map(line => line.replace(/ when [^{}]*;$/, ';')) }
+    move()
+  }, ({ found }) => {
     if (!found) return
     list.hidden = false
     list.textContent += `${found.text}\n`
-  }, ({ answer, html }) => {
-    $('kept').innerHTML = html
-    const lines = [...answer.integrals, ...answer.densities, ...answer.brackets]
-    list.textContent = lines.join('\n')
-    list.hidden = !lines.length
-    $('stage').textContent = `${answer.independent_integrals} independent integrals; growth of degrees: ${answer.growth}. Found in ${answer.seconds.toFixed(1)} s.`
-    integrals = answer.integrals.filter(line => !/\bwhen\b/.test(line))
-    move()
   })
 }
 
 // --- Orbits
 
+// The field of the search with some of what was found.
+function claimed(lines) {
+  const field = [...searched.equations, ...lines].join('\n')
+  return { field, params: named(field) }
+}
+
 // The field with integrals: its own, or those that were found.
-function kept() {
-  if (!integrals.length || sheetOf.claims.some(({ kind }) => kind === 'integral')) return subject()
-  const equations = sheetOf.variables.map((name, k) => `${name}dot = ${sheetOf.field[k]};`)
-  const text = [...equations, ...integrals].join('\n')
-  const named = Object.entries(subject().params).filter(([name]) => new RegExp(`\\b${name}\\b`).test(text))
-  return { field: text, params: Object.fromEntries(named) }
+function measured() {
+  const integrals = searched?.lines?.filter(line => line.startsWith('integral')) || []
+  return integrals.length && !sheetOf.claims.some(({ kind }) => kind === 'integral') ? claimed(integrals) : subject()
 }
 
 async function orbitsAnew() {
   const { variables } = sheetOf
   const fits = state.at.length && state.at.every(at => at.split(',').length === variables.length)
-  if (!state.eps || !fits) {
+  if (!chosen.eps || !chosen.at || !fits) {
     const scene = await lead.ask(subject(), { ask: 'scene' })
     if (!scene) return
-    if (scene.mistake) {
-      $('ended').textContent = scene.mistake
-      $('panes').hidden = true
-      return
-    }
-    state.eps ||= decimal(valueOf(scene.answer.eps))
-    if (!fits) state.at = [scene.answer.at.join(',')]
+    if (scene.mistake) { undrawn(scene.mistake); return }
+    if (!chosen.eps) state.eps = decimal(valueOf(scene.answer.eps))
+    if (!chosen.at || !fits) [chosen.at, state.at] = [false, [scene.answer.at.join(',')]]
   }
   if (!state.axes.every(name => name === 't' || variables.includes(name)) || state.axes.length !== 2) {
     state.axes = variables.length > 1 ? variables.slice(0, 2) : ['t', variables[0]]
@@ -192,6 +254,13 @@ async function orbitsAnew() {
   await move()
 }
 
+// No orbit can be drawn, and so none is.
+function undrawn(mistake) {
+  say('ended', mistake)
+  lastDrawn = []
+  $('panes').hidden = true
+}
+
 const decimal = (number, digits = 3) => String(Number(number.toPrecision(digits)))
 // The slider goes over four powers of ten.
 const ofSlider = place => decimal(10 ** (place / 100 - 4))
@@ -200,66 +269,81 @@ function fields() {
   const eps = valueOf(state.eps)
   if (document.activeElement !== $('eps')) $('eps').value = state.eps
   if (document.activeElement !== $('at')) $('at').value = state.at.at(-1) || ''
+  $('which').textContent = state.at.length > 1 ? `first point of orbit ${state.at.length}` : 'first point'
   if (document.activeElement !== $('slider')) $('slider').value = Math.round(100 * (Math.log10(Math.abs(eps)) + 4))
   $('slider').setAttribute('aria-valuetext', `ε = ${state.eps}, Δt = ${short(2 * eps)}`)
   $('dt').textContent = `Δt = 2ε = ${short(2 * eps)}`
   for (const box of $('methods').querySelectorAll('input')) box.checked = box.value === 'kahan' || state.beside.includes(box.value)
 }
 
-let isMoving = false
-let isOvertaken = false
-
-// Draws the orbits as they are now. While they are computed, later wishes become one.
-async function move() {
-  save()
-  if (!sheetOf || !state.at.length) return
-  if (isMoving) { isOvertaken = true; return }
-  isMoving = true
-  do {
-    isOvertaken = false
-    await orbits()
-  } while (isOvertaken)
-  isMoving = false
+// Work that is done anew as often as it is wished; wishes that come while it is done become one.
+function merged(work) {
+  let [isBusy, isOvertaken] = [false, false]
+  return async () => {
+    isOvertaken = isBusy
+    if (isBusy) return
+    isBusy = true
+    do {
+      isOvertaken = false
+      await work()
+    } while (isOvertaken)
+    isBusy = false
+  }
 }
 
-async function orbits() {
-  const [sheet, asked, methods] = [sheetOf, kept(), ['kahan', ...state.beside]]
-  const drawn = []
-  let said = ''
+// Draws the orbits as they are now. The flow takes longer than the maps, and follows them.
+const [moveMaps, moveFlow] = [merged(() => orbits(mover, ['kahan', ...state.beside.filter(name => name !== 'flow')])), merged(() => orbits(follower, ['flow']))]
+function move() {
+  save()
+  if (!sheetOf || !state.at.length) return undefined
+  if (state.beside.includes('flow')) moveFlow()
+  return moveMaps()
+}
+
+async function orbits(asker, methods) {
+  const [sheet, asked, { at: starts, eps }] = [sheetOf, measured(), state]
+  const made = []
   for (const method of methods) {
-    for (const at of state.at) {
+    for (const at of starts) {
       const steps = method === 'flow' ? Math.min(state.steps, 2000) : state.steps
-      const reply = await mover.ask(asked, { ask: 'orbit', eps: state.eps, at: at.split(','), steps, method })
+      const reply = await asker.ask(asked, { ask: 'orbit', eps, at: at.split(','), steps, method })
       if (!reply || sheet !== sheetOf) return
-      if (reply.mistake) {
-        $('ended').textContent = reply.mistake
-        $('panes').hidden = true
-        return
-      }
+      if (reply.mistake) { undrawn(reply.mistake); return }
       const { head, rows, stopped } = reply.answer
       const columns = head.columns.map((_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
       const first = 2 + head.variables.length
-      drawn.push({ names: head.columns, method, columns, integrals: head.columns.map((_, k) => k).slice(first), paint: METHODS[method][1] })
-      if (stopped) said = `${METHODS[method][0]}: ${stopped}`
+      made.push({ names: head.columns, method, eps, at, columns, stopped, integrals: head.columns.map((_, k) => k).slice(first), paint: METHODS[method][1] })
     }
   }
-  $('ended').textContent = said || `${state.at.length * (state.steps + 1)} points of ${state.at.length === 1 ? 'one orbit' : `${state.at.length} orbits`}`
-  show(drawn)
+  const others = lastDrawn.filter(({ method }) => (method === 'flow') !== (asker === follower))
+  const drawn = asker === follower ? [...others, ...made] : [...made, ...others]
+  // A flow of other points is no longer shown.
+  show(drawn.filter(({ method, eps, at }) => method !== 'flow' || state.beside.includes(method) && eps === state.eps && state.at.includes(at)))
 }
 
 let lastDrawn = []
 function show(drawn) {
   lastDrawn = drawn
-  $('panes').hidden = false
-  const places = state.axes.map(name => (name === 't' ? 1 : 2 + sheetOf.variables.indexOf(name)))
   const own = drawn.filter(({ method }) => method === 'kahan')
-  const window = frame?.window || places.map(k => span((frame?.isWhole ? drawn : own).map(({ columns }) => columns[k]), frame?.isWhole))
+  if (!own.length) return
+  $('panes').hidden = false
+  const ended = drawn.find(({ stopped }) => stopped)
+  $('ended').textContent = ended
+    ? `${METHODS[ended.method][0]} ${ended.stopped.pole ? 'meets a pole' : 'blows up'} after ${ended.stopped.step} steps; the ${ended.stopped.step + 1} points before it are drawn.`
+    : `${own.length * (state.steps + 1)} points of ${own.length === 1 ? 'one orbit' : `${own.length} orbits`}`
+  const places = state.axes.map(name => (name === 't' ? 1 : 2 + sheetOf.variables.indexOf(name)))
+  const window = frame?.window || places.map(k => {
+    const lists = orbits => orbits.map(({ columns }) => columns[k])
+    const [low, high] = span(lists(own), frame?.isWhole)
+    // What is compared with the map may have gone to infinity.
+    return frame?.isWhole ? span(lists(drawn), true, [11 * low - 10 * high, 11 * high - 10 * low]) : [low, high]
+  })
   const measured = drawn.filter(({ integrals }, k) => integrals.length && (k === 0 || drawn[k - 1].method !== drawn[k].method))
   $('drift').parentElement.hidden = !measured.length
   $('drifting').textContent = measured.length ? `Largest relative change of ${measured[0].integrals.map(k => measured[0].names[k]).join(', ')} along the first orbit` : ''
-  // The map itself lies above what it is compared with.
-  const sets = [...drawn].reverse().map(({ columns, paint }) => ({ xs: columns[places[0]], ys: columns[places[1]], paint }))
-  const starts = own.map(({ columns }) => places.map(k => columns[k][0]))
+  // The map itself lies above what it is compared with, which is drawn wider.
+  const sets = [...drawn].reverse().map(({ columns, paint, method }) => ({ xs: columns[places[0]], ys: columns[places[1]], paint, wider: { kahan: 0, flow: 3 }[method] ?? 1.5 }))
+  const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[sheetOf.variables.indexOf(name)]))))
   frame = { ...portrait($('portrait'), window, state.axes, sets, starts), starts, window }
   $('portrait').setAttribute('aria-label', `${state.axes[1]} against ${state.axes[0]} on ${own.length} orbits of ${state.steps} steps from ${state.at.join('; ')} at eps ${state.eps}`)
   if (measured.length) drift($('drift'), measured)
@@ -273,6 +357,7 @@ function put(index, [x, y]) {
     if (place >= 0) coordinates[place] = decimal([x, y][k], 4)
   })
   state.at = state.at.toSpliced(index, 1, coordinates.join(','))
+  chosen.at = true
   fields()
   move()
 }
@@ -297,7 +382,7 @@ function dragging() {
   canvas.onpointerup = canvas.onpointercancel = () => { held = -1 }
   canvas.onkeydown = event => {
     const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key]
-    if (!by || !frame) return
+    if (!by || !frame || !sheetOf) return
     event.preventDefault()
     put(state.at.length - 1, frame.starts.at(-1).map((value, k) => value + by[k] * (frame.window[k][1] - frame.window[k][0]) / 50))
   }
@@ -340,37 +425,36 @@ async function list() {
 }
 
 function wire() {
-  $('field').oninput = () => {
-    state = { ...state, system: '', field: $('field').value, eps: '', at: [] }
-    $('gallery').value = ''
-    later(refresh)
-  }
+  $('field').oninput = typed
   $('jacobian').ontoggle = () => { if ($('jacobian').open && sheetOf) jacobian() }
-  for (const made of document.querySelectorAll('[data-copy]')) made.onclick = () => copy(made.dataset.copy)
+  for (const made of document.querySelectorAll('[data-copy]')) made.onclick = () => copy(made.dataset.copy, made)
+  for (const made of document.querySelectorAll('[data-found]')) made.onclick = () => copyFound(made.dataset.found)
   $('search').onclick = search
-  $('heights').onclick = () => long('heights', { ask: 'heights', eps: state.eps, at: state.at.at(-1).split(','), steps: 60, max_digits: 20000, seconds: 10 }, () => {}, ({ answer, html }) => {
-    $('heights-shown').innerHTML = html
+  $('heights').onclick = () => long('heights', { ask: 'heights', eps: state.eps, at: state.at.at(-1)?.split(',') || [], steps: 60, max_digits: 20000, seconds: 10 }, ({ answer, html }) => {
+    set('heights-shown', html)
     $('heights-stage').textContent = `Growth is ${answer.growth}, over ${answer.steps} steps.`
   })
-  $('poles').onclick = () => long('poles', { ask: 'poles', seconds: 20 }, () => {}, ({ html, answer }) => {
-    $('poles-shown').innerHTML = html
+  $('poles').onclick = () => long('poles', { ask: 'poles', seconds: 20 }, ({ html, answer }) => {
+    set('poles-shown', html)
     $('poles-stage').textContent = `The degrees of the iterates are ${answer.degrees.join(', ')}: growth is ${answer.growth}.`
   })
-  $('slider').oninput = () => { state.eps = ofSlider($('slider').value); fields(); move() }
-  $('eps').oninput = () => { if (NUMBER.test($('eps').value)) { state.eps = $('eps').value; fields(); move() } }
+  const timed = eps => { [state.eps, chosen.eps] = [eps, true]; fields(); move() }
+  $('slider').oninput = () => timed(ofSlider($('slider').value))
+  $('eps').oninput = () => { if (NUMBER.test($('eps').value)) timed($('eps').value) }
   $('at').onchange = () => {
     const parts = $('at').value.split(',').map(part => part.trim())
     if (parts.length !== sheetOf?.variables.length || !parts.every(part => NUMBER.test(part))) return
     state.at = [...state.at.slice(0, -1), parts.join(',')]
+    chosen.at = true
     frame = null
     move()
   }
   $('steps').onchange = () => { state.steps = Math.min(1e6, Math.max(1, Math.round($('steps').value) || 1)); $('steps').value = state.steps; frame = null; move() }
-  for (const [id, k] of [['across', 0], ['upwards', 1]]) $(id).onchange = () => { state.axes[k] = $(id).value; frame = null; save(); show(lastDrawn) }
+  for (const [id, k] of [['across', 0], ['upwards', 1]]) $(id).onchange = () => { state.axes = state.axes.with(k, $(id).value); frame = null; save(); show(lastDrawn) }
   $('methods').replaceChildren(...Object.entries(METHODS).map(([name, [called, paint]]) => {
     const label = document.createElement('label')
     const box = Object.assign(document.createElement('input'), { type: 'checkbox', value: name, disabled: name === 'kahan' })
-    box.onchange = () => { state.beside = [...$('methods').querySelectorAll('input')].filter(({ checked, disabled }) => checked && !disabled).map(({ value }) => value); move() }
+    box.onchange = () => { state.beside = [...$('methods').querySelectorAll('input')].filter(({ checked, disabled }) => checked && !disabled).map(({ value }) => value); frame = null; move() }
     const dot = Object.assign(document.createElement('span'), { className: 'dot' })
     dot.style.background = `var(${paint})`
     label.append(box, dot, called)
@@ -378,9 +462,9 @@ function wire() {
   }))
   $('fewer').onclick = () => { state.at = state.at.slice(0, 1); frame = null; fields(); move() }
   $('whole').onclick = () => { frame = { isWhole: true }; show(lastDrawn) }
-  $('link').onclick = async () => { save(); $('linked').textContent = (await copied(location.href)) ? 'Copied.' : '' }
+  $('link').onclick = () => { save(); copied('linked', 'the link', location.href) }
   dragging()
-  const again = () => { if (sheetOf && lastDrawn.length) show(lastDrawn) }
+  const again = () => { if (sheetOf) show(lastDrawn) }
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again)
   addEventListener('resize', again)
   addEventListener('hashchange', () => { state = readAddress(); open() })

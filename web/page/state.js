@@ -4,7 +4,7 @@ const START = { system: '', field: '', params: {}, eps: '', at: [], steps: 4000,
 
 function readAddress() {
   const given = new URLSearchParams(location.hash.slice(1))
-  if (!given.has('field') && !given.has('system')) return { ...START, ...CLASSICAL[1] }
+  if (!given.has('field') && !given.has('system')) return { ...START, ...CLASSICAL[0] }
   const list = (name, between) => (given.get(name) || '').split(between).filter(Boolean)
   return {
     system: given.get('system') || '',

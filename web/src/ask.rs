@@ -6,7 +6,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, Form, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table,
+    Answer, Discover, End, Form, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table,
     Watch, list,
 };
 use kahan_systems::registry;
@@ -103,11 +103,12 @@ fn read<T: DeserializeOwned>(value: Value) -> Result<T, String> {
     serde_json::from_value(value).map_err(|mistake| mistake.to_string())
 }
 
-/// A block as one writes it: without what is said to readers of its source.
+/// A block as one writes it: without its header, and what is said to readers of its source.
 fn written(block: &str) -> String {
     let lines = block.lines().map(|line| line.strip_prefix("    ").unwrap_or(line));
     let lines = lines.filter(|line| !line.trim_start().starts_with("///"));
-    lines.collect::<Vec<_>>().join("\n").trim().to_owned()
+    let text = lines.collect::<Vec<_>>().join("\n");
+    text.split_once([';', '}']).map_or("", |(_header, items)| items).trim().to_owned()
 }
 
 /// The systems of the catalog with their texts, and values of their parameters that show something.
@@ -123,9 +124,10 @@ fn catalog() -> Result<Reply, StudyError> {
 }
 
 fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Reply, StudyError> {
-    let answer = json!(asked.ask(study, watch)?);
+    let shown = asked.ask(study, watch)?;
+    let answer = json!(shown);
     // Formulas in another notation are copied, and not shown.
-    let html = (asked.form == Form::Text).then(|| formulas(study, asked, watch)).transpose()?;
+    let html = (asked.form == Form::Latex).then(|| formulas(shown, asked.jacobian));
     Ok(Reply { answer, html, parameters: study.parameters().to_vec(), ..Reply::default() })
 }
 
@@ -150,7 +152,8 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
             _ => unreachable!("orbits in doubles have doubles and counts"),
         }
     }
-    let answer = json!({"head": head, "rows": table.count(), "stopped": end.last().map(|last| &last.why)});
+    let stopped = end.last().map(|last| json!({"step": last.step, "pole": matches!(end, End::Pole(_))}));
+    let answer = json!({"head": head, "rows": table.count(), "stopped": stopped});
     Ok(Reply { answer, columns, ..Reply::default() })
 }
 

@@ -5,23 +5,18 @@ use kahan_draw::document::{JACOBIAN, LINE, display};
 use kahan_draw::picture::{self, Look};
 use kahan_draw::{Sheet as Paper, answer};
 use kahan_latex::breaking;
-use kahan_study::{Answer, Form, HeightsFound, Sheet, Show, Shown, Study, StudyError, Watch};
+use kahan_study::{Answer, HeightsFound, Sheet, Shown};
 use maud::{Markup, html};
 
 pub(crate) use kahan_draw::document::readable;
 
 /// The field, A, b, the map, the claims that came with the field; or the Jacobian, where it is
-/// asked for.
-///
-/// # Errors
-/// Where the field divides by zero at its parameters.
-pub(crate) fn formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<String, StudyError> {
-    let shown = Show { form: Form::Latex, ..*asked }.ask(study, watch)?;
-    let markup = match shown {
-        Shown::Formulas(sheet) if asked.jacobian => jacobian(&sheet),
-        shown => return Ok(part(&Answer::Show(Box::new(shown)))),
-    };
-    Ok(markup.into_string())
+/// asked for. What is shown is LaTeX.
+pub(crate) fn formulas(shown: Shown, of_jacobian: bool) -> String {
+    match shown {
+        Shown::Formulas(sheet) if of_jacobian => jacobian(&sheet).into_string(),
+        shown => part(&Answer::Show(Box::new(shown))),
+    }
 }
 
 /// The Jacobian of the map, or how it is found where an entry is too long.

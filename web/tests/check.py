@@ -63,8 +63,8 @@ class Tab:
         return self.page.inner_text(selector)
 
 
-DRAWN = "document.querySelector('#ended').textContent.includes('points of')"
-FOUND = "document.querySelector('#stage').textContent.includes('Found in')"
+DRAWN = "document.querySelector('#ended').textContent.includes(' points ')"
+FOUND = "document.querySelector('#search-stage').textContent.includes('Found in')"
 
 
 def found(tab):
@@ -128,6 +128,15 @@ def bits_are_those_of_the_command(browser, kahan):
     print(f"{steps} steps have the bits of the command")
 
 
+def the_script_is_the_commands(browser, kahan):
+    with Tab(browser, address(field=E6)) as tab:
+        tab.opened()
+        asked = "new Asker().ask(subject(), {ask: 'show', as: 'sympy', jacobian: true})"
+        script = tab.page.evaluate(f"async () => written((await {asked}).answer, 'sympy')")
+    assert script == command(kahan, "show", "--field", E6, "--sympy", "--jacobian")
+    print("the script for SymPy is the command's")
+
+
 def mistakes_are_the_macros(browser, kahan):
     text = "xdot = y*(2*z - x);\nydot = x^3 - z^2;\nzdot = sin(y);"
     with Tab(browser, address(field=E6)) as tab:
@@ -148,7 +157,7 @@ def what_is_typed_overtakes_a_search(browser, _):
     with Tab(browser, address(field=slow)) as tab:
         tab.opened()
         tab.page.click("#search")
-        tab.waits("document.querySelector('#stage').textContent !== ''")
+        tab.waits("document.querySelector('#search-stage').textContent !== ''")
         tab.page.fill("#field", E6)
         tab.waits(FOUND)
         assert "H1 = (x*z + y^2)" in tab.text("#arrived")
@@ -185,6 +194,100 @@ def heights_and_poles_are_shown(browser, _):
         tab.waits("document.querySelector('#poles-shown table') !== null")
         assert "confined" in tab.text("#poles-shown")
     print("heights are drawn, and poles are followed")
+
+
+def long_numbers_and_traps_end_in_a_reply(browser, _):
+    own = "xdot = a*y - x*z;\nydot = y*z - a*x;\nzdot = x^2 - y^2;"
+    with Tab(browser, address(field=own, param="a=1/2", eps="1/8", at="1/2,1/4,1/6")) as tab:
+        tab.waits(DRAWN)
+        # A module whose answer is a trap takes the place of the page's own in the next worker.
+        tab.page.evaluate(
+            """() => { const post = Worker.prototype.postMessage
+                // (memory "memory" 1) (func "room" (param i32) (result i32) i32.const 0) (func "ask" (result i32) unreachable)
+                const trap = new WebAssembly.Module(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 10, 2, 96, 1, 127, 1, 127, 96, 0, 1, 127,
+                    3, 3, 2, 0, 1, 5, 3, 1, 0, 1, 7, 23, 3, 6, 109, 101, 109, 111, 114, 121, 2, 0, 4, 114, 111, 111, 109, 0, 0, 3, 97, 115, 107, 0, 1,
+                    10, 10, 2, 4, 0, 65, 0, 11, 3, 0, 0, 11]))
+                Worker.prototype.postMessage = function (data, ...rest) {
+                    if (data.module) Worker.prototype.postMessage = post
+                    post.call(this, data.module ? {module: trap} : data, ...rest)
+                } }"""
+        )
+        tab.page.click("#heights")
+        tab.waits("document.querySelector('#heights-stage').textContent.includes('failed')")
+        assert tab.page.get_attribute("#heights", "class") == "" and "unreachable" in tab.text("#heights-stage")
+        # Numbers of 39 000 digits on the way, and poles at the same time.
+        tab.page.click("#heights")
+        tab.page.click("#poles")
+        tab.waits("document.querySelector('#heights-stage').textContent.includes('over 60 steps')", 60)
+        tab.waits("document.querySelector('#poles-stage').textContent.includes('growth')", 60)
+        tab.page.click("#heights")
+        tab.page.click("#heights")
+        tab.waits("document.querySelector('#heights-stage').textContent === 'Stopped.'")
+    print("a trap ends in a sentence and a fresh worker; long exact orbits go on beside other work, or are stopped")
+
+
+def a_mistake_disables_what_follows(browser, _):
+    with Tab(browser, address(field=E6, eps="0.07", at="1,1/2,1/3;1,1,1/5")) as tab:
+        tab.waits(DRAWN)
+        tab.page.fill("#field", E6 + " ydot =")
+        tab.waits("document.querySelector('#rest').disabled")
+        assert tab.page.is_disabled("#search") and tab.page.is_disabled("#heights") and tab.page.is_visible("#first")
+        tab.page.fill("#field", E6.replace("2*z", "a*z"))
+        tab.waits("!document.querySelector('#rest').disabled && document.querySelector('#ended').textContent.includes('a is missing')")
+        tab.page.set_viewport_size({"width": 900, "height": 700})
+        assert tab.page.is_hidden("#panes"), "no orbit of another field is shown"
+        tab.page.fill("#parameters input", "2")
+        tab.waits(f"{DRAWN} && !document.querySelector('#panes').hidden")
+        assert tab.page.evaluate("[state.eps, state.at.join(';')]") == ["0.07", "1,1/2,1/3;1,1,1/5"]
+        assert "param=a%3D2" in tab.page.evaluate("location.hash")
+        tab.page.fill("#field", "xdot = y;\nydot = -x;")
+        hash = tab.page.evaluate("location.hash")
+        assert "xdot+%3D+y" in hash and "param" not in hash, hash
+        tab.waits("state.at[0].split(',').length === 2")
+    print("a mistake disables what follows from the field; what was chosen stays")
+
+
+def what_was_found_is_measured_kept_and_copied(browser, _):
+    with Tab(browser, address(field="xdot = v;\nvdot = -x - a*x^2;", eps="0.1", at="1/5,0")) as tab:
+        tab.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+        found(tab)
+        generic = tab.text("#arrived")
+        tab.page.fill("#parameters input", "1")
+        tab.waits("document.querySelector('#drifting').textContent.includes('H1')")
+        assert tab.text("#arrived") == generic and "generic a" in tab.text("#search-stage")
+        tab.page.click("#search")
+        tab.waits(FOUND)
+        tab.waits("searched.equations !== undefined")
+        assert "when a = 1" in tab.text("#arrived")
+        tab.waits("document.querySelector('#drifting').textContent.includes('H1')")
+        tab.page.click("[data-found=latex]")
+        tab.waits("document.querySelector('#copied-found').textContent.includes('LaTeX')")
+        assert "\\varepsilon" in tab.page.evaluate("navigator.clipboard.readText()")
+        tab.page.click("[data-copy=text]")
+        tab.waits("document.querySelector('#copied').textContent === 'Copied the map, A, b as text.'")
+        assert "J = " not in tab.page.evaluate("navigator.clipboard.readText()")
+        tab.page.fill("#parameters input", "2")
+        tab.waits("document.querySelector('#arrived').hidden && document.querySelector('#drift').parentElement.hidden")
+    print("what was found is measured along orbits, kept as long as it is true, and copied")
+
+
+def frames_follow_what_is_shown(browser, _):
+    with Tab(browser, address(field="xdot = v;\nvdot = -x - x^2;", eps="0.1", at="2/5,0", beside="euler")) as tab:
+        tab.waits(DRAWN)
+        assert "Euler blows up after" in tab.text("#ended")
+        tab.page.click("#whole")
+        wide = tab.page.evaluate("frame.window[0]")
+        assert wide[1] - wide[0] < 30, wide
+        tab.page.uncheck("#methods input[value=euler]")
+        tab.waits("document.querySelector('#ended').textContent.includes('points of')")
+        narrow = tab.page.evaluate("frame.window[0]")
+        assert narrow[1] - narrow[0] < 2, narrow
+        tab.page.check("#methods input[value=flow]")
+        tab.waits("lastDrawn.some(({method}) => method === 'flow')")
+        # The map moves at once, and the flow after it.
+        assert tab.page.evaluate("(async () => { state.at = ['3/10,0']; await move(); return lastDrawn.map(({method, at}) => method + at).join() })()") == "kahan3/10,0"
+        tab.waits("lastDrawn.some(({method, at}) => method === 'flow' && at === '3/10,0')")
+    print("frames follow what is shown, and the map does not wait for the flow")
 
 
 def axe_finds_no_serious_fault(browser, _):
@@ -265,10 +368,15 @@ CHECKS = [
     classical_systems_have_orbits,
     findings_are_those_of_the_command,
     bits_are_those_of_the_command,
+    the_script_is_the_commands,
     mistakes_are_the_macros,
     what_is_typed_overtakes_a_search,
     starts_are_clicked_and_dragged,
     heights_and_poles_are_shown,
+    long_numbers_and_traps_end_in_a_reply,
+    a_mistake_disables_what_follows,
+    what_was_found_is_measured_kept_and_copied,
+    frames_follow_what_is_shown,
     axe_finds_no_serious_fault,
 ]
 

@@ -99,6 +99,18 @@ impl Condition {
 }
 
 impl Claim {
+    /// Writes the values of these names in their place.
+    pub fn put_values(&mut self, values: &[(String, Rational)]) {
+        match &mut self.body {
+            ClaimBody::Function(value) => value.put_values(values),
+            ClaimBody::Tensor(entries) => entries.iter_mut().for_each(|entry| entry.value.put_values(values)),
+        }
+        for Condition { written, .. } in &mut self.conditions {
+            written.left.put_values(values);
+            written.right.put_values(values);
+        }
+    }
+
     /// What is claimed, with the values of the names that its conditions are solved for.
     #[must_use]
     pub fn where_it_holds(&self) -> Plan {

@@ -292,3 +292,28 @@ fn a_conditional_claim_is_evaluated_where_it_holds() {
     };
     assert_eq!(plan.evaluate(&Exact, value), [Some(Rational::from(-5))]);
 }
+
+#[test]
+fn values_are_put_into_what_was_written() {
+    let put = |claim: &str, value: (i64, i64)| {
+        let mut system =
+            sound(&format!("const a = 3; xdot = y; ydot = -x; integral H = {claim}*(x^2 + y^2);"));
+        system.claims[0].put_values(&[("a".to_owned(), Rational::new(value.0, value.1))]);
+        let text = claim_text(&system, &system.claims[0]);
+        text.strip_prefix("integral H = ")
+            .and_then(|text| text.strip_suffix(';'))
+            .expect("a claim")
+            .to_owned()
+    };
+    for (claim, value, wanted) in [
+        ("(1 - a)", (1, 2), "(1 - 1/2)*(x^2 + y^2)"),
+        ("(1 - a)", (-1, 2), "(1 + 1/2)*(x^2 + y^2)"),
+        ("6*a^2/5", (1, 2), "(3/10)*(x^2 + y^2)"),
+        ("6*a", (-1, 2), "-(3*(x^2 + y^2))"),
+        ("a", (1, 1), "(x^2 + y^2)"),
+        ("1/a", (1, 3), "3*(x^2 + y^2)"),
+        ("2*3", (1, 3), "2*3*(x^2 + y^2)"),
+    ] {
+        assert_eq!(put(claim, value), wanted, "{claim}");
+    }
+}

@@ -23,12 +23,12 @@ mod commands;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser};
 
 use commands::{BEFORE_CHART, Command, GROUPS};
 use printing::{Answer, Refusal, finish, warn};
-use reading::Source;
+use reading::{ONE_WORD, Source};
 
 /// Kahan's method for quadratic differential equations, exactly.
 ///
@@ -79,6 +79,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     if arguments.get(1).is_some_and(|command| command == BEFORE_CHART) {
         warn("`kahan map` is called `kahan chart` now");
     }
+    let named = arguments.get(1).and_then(|name| command().find_subcommand(name).cloned());
     let matches = command().try_get_matches_from(arguments);
     let note = matches.as_ref().ok().and_then(undeclared);
     let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
@@ -86,7 +87,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(cli) => {
             cli.command.map_or_else(|| Ok(Answer::verbatim(BEGINNING.to_owned())), |asked| asked.run(command))
         }
-        Err(error) => usage(&error),
+        Err(error) => usage(&error, named.as_ref().map_or("", |named| named.get_name())),
     };
     // Of refusals, those of a term may be about a name that was to be a variable.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
@@ -139,8 +140,9 @@ fn command() -> clap::Command {
     })
 }
 
-/// Help and version are answers; everything else that clap has to say becomes one paragraph.
-fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
+/// Help and version are answers; everything else that clap has to say of a command becomes one
+/// paragraph.
+fn usage(error: &clap::Error, command: &str) -> Result<Answer, Refusal> {
     let text = error.render().to_string();
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return Ok(Answer::verbatim(text));
@@ -153,8 +155,24 @@ fn usage(error: &clap::Error) -> Result<Answer, Refusal> {
     let said: Vec<&str> =
         lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass")).collect();
     let said = said.join(" ").replace(" tip: ", "; ");
+    let call = ["kahan", command, "--help"].into_iter().filter(|word| !word.is_empty());
     Err(Refusal::new(format!(
-        "{}; `kahan COMMAND --help` shows examples",
-        said.trim_start_matches("error: ")
+        "{}{}; `{}` shows examples",
+        said.trim_start_matches("error: "),
+        meant(error).map_or_else(String::new, |meant| format!("; {meant}")),
+        call.collect::<Vec<_>>().join(" ")
     )))
+}
+
+/// What an argument that no command has was probably meant to be.
+fn meant(error: &clap::Error) -> Option<&'static str> {
+    let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return None };
+    let is_number = argument.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    match (error.kind(), &**argument) {
+        (ErrorKind::UnknownArgument, "--dt" | "--h") => {
+            Some("--eps is half the time step: for steps of 0.05 write --eps 0.025")
+        }
+        (ErrorKind::UnknownArgument, _) if is_number => Some(ONE_WORD),
+        _ => None,
+    }
 }

@@ -61,6 +61,7 @@ impl fmt::Display for Progress<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.of {
             Some(of) => write!(f, "{} of {of} {}", self.done, self.what),
+            None if self.done > 0 => write!(f, "{} {}", self.done, self.what),
             None => f.write_str(self.what),
         }
     }

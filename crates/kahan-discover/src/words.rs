@@ -90,8 +90,12 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
     match report.bound {
         Bound::Orbits if report.independent == report.variables.len() => None,
         Bound::Orbits => Some(format!(
-            "With {} every orbit would close: nothing can be missing, and the search ended.",
-            if report.independent == 0 { "an integral" } else { "one more independent integral" }
+            "A map in dimension {} whose orbits do not close has {}: there is nothing more to look for, and the search ended.",
+            report.variables.len(),
+            match report.independent {
+                0 => "no integral".to_owned(),
+                count => format!("at most {}", counted(count, "independent integral")),
+            }
         )),
         Bound::Ceiling => Some("So nothing can be missing, and the search ended.".to_owned()),
         Bound::Degree => Some(format!(
@@ -145,7 +149,7 @@ fn orbits(report: &Report) -> Vec<String> {
         )
     } else {
         format!(
-            "Polynomial relations of degree ≤ {degree} confine an orbit to a set of dimension {} in dimension {n}, {from}: so many show {}.",
+            "Polynomial relations of degree ≤ {degree} confine an orbit to a set of dimension {} in dimension {n}, which shows {}; this was {from}.",
             hilbert.dimension(n),
             counted(hilbert.integrals, "independent integral")
         )
@@ -162,7 +166,7 @@ fn orbits(report: &Report) -> Vec<String> {
 /// A list of more characters is counted.
 const MOST_CHARACTERS: usize = 200;
 
-/// What stands below as claims, and what does not.
+/// What was found as formulas, and what was not.
 fn formulas(report: &Report) -> Vec<String> {
     let shown = report.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
     let formulas = report.integrals.len();
@@ -171,10 +175,10 @@ fn formulas(report: &Report) -> Vec<String> {
     let mut sentences = Vec::new();
     if formulas > 0 {
         sentences.push(format!(
-            "{} below, proved{}.",
+            "{} proved{}.",
             match formulas {
-                1 => "A formula of one integral stands".to_owned(),
-                _ => format!("Formulas of {formulas} independent integrals stand"),
+                1 => "A formula of one integral is".to_owned(),
+                _ => format!("Formulas of {formulas} independent integrals are"),
             },
             match report.independent.saturating_sub(shown + usize::from(is_alone)) {
                 0 => String::new(),
@@ -184,9 +188,8 @@ fn formulas(report: &Report) -> Vec<String> {
         ));
     }
     if is_alone {
-        sentences.push(
-            "One more integral, the modified Hamiltonian, stands below in its compact form.".to_owned(),
-        );
+        sentences
+            .push("One more integral, the modified Hamiltonian, is given in its compact form.".to_owned());
     }
     if let Some(index) = report.replaced() {
         let replaced = &report.integrals[index];
@@ -234,12 +237,12 @@ fn densities(report: &Report) -> String {
         Some(density) if density.degree == 0 => "The map preserves volume, proved.".to_owned(),
         Some(_) => match report.brackets.len() {
             0 if report.variables.len() >= 2 && report.integrals.len() + 2 >= report.variables.len() => {
-                "The invariant density below is proved; the Poisson brackets that it makes with integrals are too long to be written.".to_owned()
+                "An invariant density is proved; the Poisson brackets that it makes with integrals are too long to be written.".to_owned()
             }
-            0 => "The invariant density below is proved.".to_owned(),
-            1 => "The invariant density below is proved, and so is the Poisson bracket that it makes with integrals.".to_owned(),
+            0 => "An invariant density is proved.".to_owned(),
+            1 => "An invariant density is proved, and so is the Poisson bracket that it makes with integrals.".to_owned(),
             count => format!(
-                "The invariant density below is proved, and so are the {count} Poisson brackets that it makes with integrals."
+                "An invariant density is proved, and so are the {count} Poisson brackets that it makes with integrals."
             ),
         },
         None => match (report.density_search.seen, report.density_search.none_up_to) {
@@ -258,7 +261,7 @@ fn densities(report: &Report) -> String {
 fn own_density(report: &Report) -> Option<String> {
     let own = report.own_density.as_ref().filter(|_| !report.densities.is_empty())?;
     Some(format!(
-        "The field brings the density `{own}` along, and a block takes one: the line below would stand in its place. The quotient of two densities is an integral, if not a constant."
+        "The field brings the density `{own}` along, and a block takes one: the one that was found would stand in its place. The quotient of two densities is an integral, if not a constant."
     ))
 }
 
@@ -273,11 +276,11 @@ fn composition(report: &Report) -> Option<String> {
     let kept: Vec<String> = kept.chain(quotients).collect();
     let which = match (kept.is_empty(), survivors.hilbert.integrals) {
         (true, 0) => String::new(),
-        (true, _) => ", none of them a formula below or a quotient of two".to_owned(),
+        (true, _) => ", none of them a formula that was found or a quotient of two".to_owned(),
         (false, _) => format!(": {}", kept.join(", ")),
     };
     Some(format!(
-        "Steps of order 4, 6 and 8 (`kahan orbit --order`), which compose the map at several eps, keep {} of degree ≤ {}{which}.",
+        "The map itself keeps its integrals at one eps; steps of order 4, 6 and 8 (`kahan orbit --order`), which compose it at several eps, keep {} of degree ≤ {}{which}.",
         counted(survivors.hilbert.integrals, "integral"),
         survivors.hilbert.degree()
     ))

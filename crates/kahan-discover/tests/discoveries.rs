@@ -234,10 +234,10 @@ fn fields_with_little_in_them_end_in_true_sentences() {
         ("xdot = 0; ydot = 0;", 2, "bounded", "identity"),
         ("xdot = 0;", 1, "bounded", "identity"),
         ("xdot = 1;", 0, "bounded", "preserves volume"),
-        ("xdot = x^2 + 1;", 0, "bounded", "invariant density below is proved"),
-        ("xdot = y; ydot = -x;", 1, "bounded", "formula of one integral stands below"),
+        ("xdot = x^2 + 1;", 0, "bounded", "invariant density is proved"),
+        ("xdot = y; ydot = -x;", 1, "bounded", "formula of one integral is proved"),
         ("xdot = x + y; ydot = -2*x + y;", 0, "bounded", "divergence of the field is 2"),
-        ("xdot = x*y/2; ydot = a*x*y - a*y*x + x^2;", 1, "linear", "formula of one integral stands below"),
+        ("xdot = x*y/2; ydot = a*x*y - a*y*x + x^2;", 1, "linear", "formula of one integral is proved"),
         (
             "xdot = x^2 + y*z + 1; ydot = x*y - z^2; zdot = y^2 + 3*x;",
             0,

@@ -1,8 +1,12 @@
 //! Names in LaTeX.
 
 /// A name by its parts: what stands before its digits or its first `_`, and the indices behind.
-/// Greek names become Greek, other names of several letters are set as words.
+/// Greek names become Greek, other names of several letters are set as words, a `_` at the end is a
+/// prime.
 pub(super) fn latex_name(name: &str) -> String {
+    if let Some(name) = name.strip_suffix('_').filter(|name| !name.is_empty()) {
+        return format!("{}'", latex_name(name));
+    }
     let parts: Vec<&str> = name.split('_').collect();
     let [first, rest @ ..] = &parts[..] else { return word("mathit", name) };
     let stem = first.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -158,7 +162,8 @@ mod tests {
             ("epsilon", "\\epsilon"),
             ("ξ2", "\\xi_{2}"),
             ("_x", "\\mathit{\\_x}"),
-            ("x_", "\\mathit{x\\_}"),
+            ("x_", "x'"),
+            ("rho__", "\\rho''"),
             ("a__b", "\\mathit{a\\_\\_b}"),
             ("H2O", "\\mathit{H2O}"),
         ] {

@@ -46,6 +46,8 @@ pub struct MapAt<T> {
     map: Map,
     /// The parameters, and ε behind them.
     constants: Arc<[T]>,
+    /// The same for integrals, which of a composition are those of the flow: ε is 0 there.
+    of_integrals: Arc<[T]>,
     composition: Composition,
     instructions: Instructions,
     /// Those that differ.
@@ -64,6 +66,7 @@ impl<T: MachineFloat> MapAt<T> {
         let instructions = Instructions::OF_THE_BUILD;
         MapAt {
             map,
+            of_integrals: Arc::clone(&constants),
             constants,
             composition,
             instructions,
@@ -78,15 +81,22 @@ impl<T: MachineFloat> MapAt<T> {
     /// The same map with each step replaced by a composition of steps, which has a higher order; a
     /// step still takes the time 2ε. [`Composition`] says what survives and what does not.
     ///
-    /// It changes [`step`](Self::step) and what advances. Everything else, the Jacobian too, is of
-    /// the map itself at ε.
+    /// It changes [`step`](Self::step) and what advances, and the [`integrals`](Self::integrals). A
+    /// composition of maps at several ε keeps the integrals of none of them, but nearly those of the
+    /// flow, so the claims are evaluated at ε = 0. Everything else, the Jacobian too, is of the map
+    /// itself at ε.
     #[must_use]
     pub fn composed(&self, composition: Composition) -> Self {
         let (engine, constants) = (self.engine(), &self.constants);
         let stages = engine.stages(constants, composition).into();
         let kind = StepKind::of::<T>(self.instructions.fuses);
         let coded = engine.coded_stages(kind, &stage_constants(constants, composition), |number| [number]);
-        MapAt { composition, stages, coded, variational: Arc::default(), ..self.clone() }
+        let of_integrals = if composition == Composition::KAHAN {
+            Arc::clone(constants)
+        } else {
+            self.own().0.iter().copied().chain([T::zero()]).collect()
+        };
+        MapAt { of_integrals, composition, stages, coded, variational: Arc::default(), ..self.clone() }
     }
 
     /// The same map with the bits of a level of ensembles, whose larger ones fuse multiply-adds,

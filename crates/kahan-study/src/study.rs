@@ -6,7 +6,8 @@ use std::sync::{Arc, OnceLock};
 use kahan_algebra::interpret::Interpreter;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
+use kahan_algebra::syntax::ClaimKind;
+use kahan_algebra::system::{Claim, Condition, System};
 use kahan_runtime::{Field, FieldText, Map, MapAt};
 
 use crate::error::StudyError;
@@ -32,7 +33,7 @@ pub enum NoStep {
 #[derive(Clone, Debug)]
 pub struct Study(Arc<Parts>);
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Parts {
     name: String,
     /// The catalog's own, where it is the catalog's.
@@ -186,6 +187,37 @@ impl Study {
         let mut given = self.given().to_vec();
         given[place] = Some(value);
         self.at(given)
+    }
+
+    /// The same for this ε: integrals that are claimed `when` something holds are claimed without a
+    /// condition where the values of the parameters and ε are such. Where there are some, the field
+    /// is planned anew.
+    ///
+    /// # Errors
+    /// Claims that do not hold, and a field that divides by zero.
+    pub fn at_step(&self, eps: &Rational) -> Result<Self, StudyError> {
+        let is_open = |claim: &Claim| claim.kind == ClaimKind::Integral && !claim.is_unconditional();
+        if !self.proved()?.claims.iter().any(is_open) {
+            return Ok(self.clone());
+        }
+        let here = self.specialised()?;
+        let symbol = here.field.symbols.epsilon();
+        let is_here =
+            |condition: &Condition| condition.variable == symbol && condition.number().as_ref() == Some(eps);
+        let holds = |claim: &Claim| {
+            here.claims
+                .iter()
+                .any(|own| own.name.text == claim.name.text && own.conditions.iter().all(is_here))
+        };
+        let mut system = self.system().clone();
+        system
+            .claims
+            .iter_mut()
+            .filter(|claim| is_open(claim) && holds(claim))
+            .for_each(|claim| claim.conditions.clear());
+        let mut parts = Arc::unwrap_or_clone(self.at(self.given().to_vec()).0);
+        (parts.system, parts.field) = (system, OnceLock::new());
+        Ok(Study(Arc::new(parts)))
     }
 
     /// The same at other values of the parameters; what was planned of the field is shared.

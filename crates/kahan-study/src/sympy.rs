@@ -1,24 +1,27 @@
-//! Formulas as `sympy.sympify` reads them.
+//! Formulas as `sympy.sympify` reads them, and the script that has it read those of a sheet.
 
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Notation, Text};
+use kahan_algebra::render::{MatrixText, Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Expr;
+
+use crate::question::{ClaimShown, Sheet};
 
 /// The language of Python's SymPy: `1/2*x**2`, which `sympify` reads exactly.
 ///
 /// A name that Python keeps for itself gets a `_` behind it, and the second copy of a state, `x'`,
 /// is `x_prime`. SymPy has values of its own for names such as `E` or `S`: whoever reads a formula
-/// hands its symbols over, `sympify(formula, locals={"E": Symbol("E")})`.
+/// hands its symbols over, `sympify(formula, locals={"E": Symbol("E")})`, as [`Sheet::script`] does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymPy;
 
-/// The words that Python keeps for itself.
-const KEYWORDS: [&str; 35] = [
-    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def",
-    "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is",
-    "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
+/// The words that Python keeps for itself, and those by which `sympify` makes numbers and symbols.
+const KEYWORDS: [&str; 37] = [
+    "Integer", "Symbol", "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class",
+    "continue", "def", "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import",
+    "in", "is", "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with",
+    "yield",
 ];
 
 /// A formula of [`Text`] in the words of Python.
@@ -27,7 +30,8 @@ fn python(text: &str) -> String {
     for part in text.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_') {
         let name = part.trim_end_matches(|c: char| !c.is_alphanumeric() && c != '_');
         formula += name;
-        formula += if KEYWORDS.contains(&name) { "_" } else { "" };
+        // `lambda_` gets one more, so that it differs from `lambda`.
+        formula += if KEYWORDS.contains(&name.trim_end_matches('_')) { "_" } else { "" };
         formula += match &part[name.len()..] {
             "^" => "**",
             "'" => "_prime",
@@ -55,8 +59,12 @@ impl Notation for SymPy {
         Text.number(value)
     }
 
+    fn variable(&self, symbols: &Symbols, variable: Variable) -> String {
+        python(&Text.variable(symbols, variable))
+    }
+
     fn power(&self, base: &str, exponent: i64) -> String {
-        python(&Text.power(base, exponent))
+        Text.power(base, exponent).replace('^', "**")
     }
 
     fn product(&self, factors: &[String]) -> String {
@@ -74,4 +82,85 @@ impl Notation for SymPy {
     fn expression(&self, expr: &Expr) -> String {
         python(&Text.expression(expr))
     }
+}
+
+/// What [`Sheet::script`] says; the formulas of the sheet are in this notation.
+///
+/// A name beyond ASCII is a symbol to `sympify` unasked. It must not be handed over: Python would
+/// look `ϕ` up as `φ`.
+pub(crate) fn script(sheet: &Sheet) -> String {
+    let symbols = |names: &[String]| {
+        let names: Vec<String> = names.iter().map(|name| SymPy.name(name)).collect();
+        format!("[Symbol(name) for name in {}]", list(&names))
+    };
+    let column = |entries: &[String]| matrix(entries.chunks(1));
+    let square = |rows: &MatrixText| matrix(rows.iter().map(Vec::as_slice));
+    let none = || "None  # It is beyond the budget of terms.".to_owned();
+    let jacobian = sheet.jacobian.as_ref().map(|rows| format!("\njacobian = {}", square(rows)));
+    format!(
+        r#"# {system}{title}
+# The map solves A*map = b; eps is half the time step.
+from sympy import Matrix, Symbol, sympify
+
+variables = {variables}
+parameters = {parameters}
+eps = Symbol("eps")
+names = {{symbol.name: symbol for symbol in [*variables, *parameters, eps] if symbol.name.isascii()}}
+
+field = {field}
+field_jacobian = {field_jacobian}
+A = {a}
+b = {b}
+det_A = {determinant}
+map = {map}{jacobian}
+claims = {{}}
+{claims}"#,
+        system = sheet.system,
+        title = sheet.title.map(|title| format!(": {title}")).unwrap_or_default(),
+        variables = symbols(&sheet.variables),
+        parameters = symbols(&sheet.parameters),
+        field = column(&sheet.field),
+        field_jacobian = square(&sheet.field_jacobian),
+        a = square(&sheet.matrix),
+        b = column(&sheet.rhs),
+        determinant = sheet.determinant.as_ref().map_or_else(none, |text| read(text, "names")),
+        map = sheet.map.as_ref().map_or_else(none, |entries| column(entries)),
+        jacobian = jacobian.unwrap_or_default(),
+        claims = sheet.claims.iter().map(claim).collect::<String>(),
+    )
+}
+
+/// Texts as a list of Python's; there are neither quotes nor backslashes in them.
+fn list(texts: &[String]) -> String {
+    let quoted: Vec<String> = texts.iter().map(|text| format!("\"{text}\"")).collect();
+    format!("[{}]", quoted.join(", "))
+}
+
+/// A matrix, row by row.
+fn matrix<'a>(rows: impl Iterator<Item = &'a [String]>) -> String {
+    let rows: String = rows.map(|row| format!("    {},\n", list(row))).collect();
+    format!("Matrix(sympify([\n{rows}], locals=names))")
+}
+
+/// A formula whose names a dictionary holds.
+fn read(formula: &str, names: &str) -> String {
+    format!("sympify(\"{formula}\", locals={names})")
+}
+
+/// The lines that add a claim, in which earlier ones may stand.
+fn claim(claim: &ClaimShown) -> String {
+    let when = if claim.condition.is_empty() { String::new() } else { format!(" when {}", claim.condition) };
+    let notes = [claim.nonzero.as_str(), claim.source.unwrap_or_default()];
+    let notes: String =
+        notes.iter().filter(|note| !note.is_empty()).map(|note| format!("; {note}")).collect();
+    let name = SymPy.name(&claim.name);
+    let read = |formula: &str| read(formula, "names | claims");
+    let value = match claim.equations.as_slice() {
+        [(left, formula)] if *left == name => read(formula),
+        entries => {
+            let entries = entries.iter().map(|(place, value)| format!("    \"{place}\": {},\n", read(value)));
+            format!("{{\n{}}}", entries.collect::<String>())
+        }
+    };
+    format!("# {}{when}{notes}\nclaims[\"{name}\"] = {value}\n", claim.kind)
 }

@@ -247,3 +247,41 @@ fn crossings_are_rows_too() {
         assert_eq!(own, [crossing.time, crossing.point[0], crossing.point[1]]);
     }
 }
+
+#[test]
+fn every_method_shows_the_integrals_that_it_keeps() {
+    let e6 = study(Subject::named("e6"));
+    let at = vec![rational(1, 1), rational(2, 1), rational(3, 1)];
+    let columns = |orbit: Orbit| -> (f64, f64) {
+        let found = answer(&e6, &orbit);
+        let Kept::F64(values) = &found.rows.values[5] else { panic!("doubles") };
+        let greatest = values.iter().map(|value| (value - values[0]).abs()).fold(0.0, f64::max);
+        (values[0], greatest / values[0])
+    };
+    let orbit = Orbit::new(rational(1, 20), at, 50);
+    let (own, drift) = columns(orbit.clone());
+    assert!(own != 7.0 && drift < 1e-13, "{own}, {drift}");
+    // x z + y² is 7; the flow keeps it, a composition nearly.
+    let (flow, drift) = columns(Orbit { method: Method::Flow, ..orbit.clone() });
+    assert!(flow == 7.0 && drift < 1e-13, "{flow}, {drift}");
+    for other in [Orbit { order: 8, ..orbit.clone() }, Orbit { method: Method::Rk4, ..orbit.clone() }] {
+        let (first, drift) = columns(other);
+        assert!(first == 7.0 && drift > 1e-13, "{first}, {drift}");
+    }
+}
+
+#[test]
+fn what_is_claimed_at_one_step_is_a_column_there() {
+    let kept = "xdot = a*y; ydot = -x; integral H = x^2 + y^2 when a = 1; integral K = x^2 + a*y^2 when eps = 1/2, a = 2;";
+    let columns = |a: i64, eps: Rational| {
+        let study = study(Subject::text(kept).with("a", a.into()));
+        let orbit = Orbit::new(eps, vec![1.into(), 0.into()], 3);
+        let found = answer(&study, &orbit);
+        let named: Vec<String> = found.head.columns[4..].iter().map(|column| column.name.clone()).collect();
+        assert_eq!(rows(&study, &orbit, 0..4), found.rows);
+        named.join(" ")
+    };
+    assert_eq!(columns(1, rational(1, 2)), "H");
+    assert_eq!(columns(2, rational(1, 2)), "K");
+    assert_eq!(columns(2, rational(1, 3)), "");
+}

@@ -453,7 +453,12 @@ fn formulas_come_one_by_one_in_every_notation() {
     let sympy = shown("sympy");
     assert_eq!(sympy["field"], json!(["lambda_*y", "-1/2*x**2"]));
     assert_eq!(sympy["bilinear"][1], "-1/2*x*x_prime");
-    assert_eq!(sympy["map"][0], "x + 2*eps*(lambda_*y - 1/2*eps*lambda_*x**2)/(1 + eps**2*lambda_*x)");
+    let moved = "x + 2*eps*(lambda_*y - 1/2*eps*lambda_*x**2)/(1 + eps**2*lambda_*x)";
+    assert_eq!(sympy["map"][0], moved);
+    let script = sympy["script"].as_str().expect("a script");
+    assert!(script.contains(&format!("\nmap = Matrix(sympify([\n    [\"{moved}\"],\n")), "{script}");
+    assert!(script.contains("\nparameters = [Symbol(name) for name in [\"lambda_\"]]\n"), "{script}");
+    assert_eq!(shown("text").get("script"), None);
     assert_eq!(shown("kahan")["macro"], shown("text")["macro"]);
     assert_eq!(shown("plan")["objects"][0]["object"], "field f");
     assert_eq!(shown("plan")["derive_ms"], Value::Null);

@@ -206,15 +206,18 @@ fn an_interrupted_sweep_says_so_and_keeps_what_is_done() {
         .stderr(std::process::Stdio::piped())
         .spawn()
         .expect("the command runs");
-    std::thread::sleep(Duration::from_millis(1500));
+    let under_way = folder.path().join("r/part-000000000000.under-way");
+    let noted = || fs::read_dir(&under_way).is_ok_and(|files| files.count() > 0);
+    while !noted() {
+        std::thread::sleep(Duration::from_millis(5));
+    }
     let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill");
     assert!(kill.success());
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
     assert!(text(&output.stderr).contains("the same command goes on"));
     // What was done of the part is noted.
-    let noted = fs::read_dir(folder.path().join("r/part-000000000000.under-way")).expect("what is under way");
-    assert!(noted.count() > 0);
+    assert!(noted());
 }
 
 #[test]

@@ -70,6 +70,10 @@ impl Lexer<'_> {
             }
         } else if self.text[self.at..].starts_with("/*") {
             self.block_comment();
+        } else if c == '#' && !matches!(self.peek(1), Some('[' | '!')) {
+            let (message, help) =
+                ("`#` begins no comment here".to_owned(), "write `//` before a comment".to_owned());
+            self.push(TokenKind::Unreadable { message, help }, self.run(self.at, |c| c != '\n'));
         } else if c.is_ascii_digit() {
             let length = self.number_length();
             self.push(TokenKind::Literal, length);
@@ -174,5 +178,6 @@ fn explain_unreadable(c: char) -> (String, String) {
         '½' => ("fractions are written out", "write `1/2`"),
         _ => ("this character has no meaning in a field", "remove it"),
     };
-    (format!("`{}`: {what}", c.escape_debug()), help.to_owned())
+    let shown = if c == '\'' { c.to_string() } else { c.escape_debug().to_string() };
+    (format!("`{shown}`: {what}"), help.to_owned())
 }

@@ -220,6 +220,86 @@ impl Expr {
             }
         }
     }
+
+    /// Writes the values of these names in their place; numbers that are multiplied then become one.
+    pub fn put_values(&mut self, values: &[(String, Rational)]) {
+        match &mut self.kind {
+            ExprKind::Number(_) | ExprKind::Special(InFamily::Site { .. }) => {}
+            ExprKind::Name(name) => {
+                if let Some((_, value)) = values.iter().find(|(known, _)| known == name) {
+                    self.kind = ExprKind::number(value, self.span);
+                }
+            }
+            ExprKind::Sum(terms) => {
+                for Term { negative, expr } in terms {
+                    let was_negative = matches!(expr.kind, ExprKind::Negation(_));
+                    expr.put_values(values);
+                    if let ExprKind::Negation(inner) = &expr.kind
+                        && !was_negative
+                    {
+                        (*negative, *expr) = (!*negative, (**inner).clone());
+                    }
+                }
+            }
+            ExprKind::Product(factors) => {
+                let numbers = |factors: &[Factor]| factors.iter().filter_map(|one| one.expr.number()).count();
+                let written = numbers(factors);
+                factors.iter_mut().for_each(|factor| factor.expr.put_values(values));
+                if numbers(factors) > written {
+                    self.gather_numbers();
+                }
+            }
+            ExprKind::Power(base, exponent) => {
+                let exponent = i32::try_from(*exponent).ok().filter(|_| base.number().is_none());
+                base.put_values(values);
+                if let Some(power) =
+                    base.number().zip(exponent).and_then(|(base, exponent)| base.pow(exponent))
+                {
+                    self.kind = ExprKind::number(&power, self.span);
+                }
+            }
+            ExprKind::Negation(inner) | ExprKind::Special(InFamily::OverSites(inner)) => {
+                inner.put_values(values);
+            }
+        }
+    }
+
+    /// The number that it is, with its sign.
+    fn number(&self) -> Option<Rational> {
+        match &self.kind {
+            ExprKind::Number(value) => Some(value.clone()),
+            ExprKind::Negation(inner) => inner.number().map(|value| -value),
+            _ => None,
+        }
+    }
+
+    /// Makes one number of those among the factors, unless it would divide by zero.
+    fn gather_numbers(&mut self) {
+        let ExprKind::Product(factors) = &mut self.kind else { return };
+        let mut whole = Rational::one();
+        for Factor { divides, expr } in &*factors {
+            let Some(number) = expr.number() else { continue };
+            let Some(number) = (if *divides { number.recip() } else { Some(number) }) else { return };
+            whole = &whole * &number;
+        }
+        factors.retain(|factor| factor.expr.number().is_none());
+        if !whole.abs().is_one() || factors.first().is_none_or(|first| first.divides) {
+            let expr = Expr { kind: ExprKind::Number(whole.abs()), span: self.span };
+            factors.insert(0, Factor { divides: false, expr });
+        }
+        if whole.is_negative() {
+            let product = Box::new(self.clone());
+            self.kind = ExprKind::Negation(product);
+        }
+    }
+}
+
+impl ExprKind {
+    /// A number, with its sign before it.
+    fn number(value: &Rational, span: Span) -> Self {
+        let size = ExprKind::Number(value.abs());
+        if value.is_negative() { ExprKind::Negation(Box::new(Expr { kind: size, span })) } else { size }
+    }
 }
 
 /// The shapes of an expression.

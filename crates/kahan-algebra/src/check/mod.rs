@@ -42,7 +42,7 @@ pub fn number_of_sites_wanted(span: Span) -> Diagnostic {
         Kind::Empty,
         span,
         "a family of equations stands here, and the number of its sites is not known",
-        "say how many there are: `--sites 8` in the command; in a program `kahan_runtime::Lattice` takes the family",
+        "say how many there are: `--sites 8` in the command, `sites=8` in Python; programs step chains of any length, by `kahan_runtime::Lattice` or `kahan.Lattice`",
     )
 }
 

@@ -58,7 +58,7 @@ fn sheet(entry: &Entry, found: &Found<'_>) -> Markup {
                     Some(checked) => html! { "; " (badge(checked.established.outcome)) " (" (link(checked)) ")" },
                     None => html! { "; proved while compiling" },
                 };
-                (claim(shown, &outcome))
+                (claim(shown, sheet.variables.len(), &outcome))
             }
         }
     }

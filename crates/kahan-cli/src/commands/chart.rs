@@ -9,24 +9,29 @@ use clap::Args;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_draw::picture::{Chart as Shown, Look, chart};
 use kahan_study::{Axis, Observable, Observe, Over, Question, Spacing, Study, StudyError, Through};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::line::{Asking, Line};
 use super::look::{SheetOptions, file, format, usual};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use crate::printing::{Answer, Prompt, Refusal, Sink, is_table};
 use crate::reading::{self, Start, number, observable, whole};
 
 use rows::Rows;
 
 /// Charts what orbits do over one or two coordinates or parameters.
 ///
-/// One or two of the variables' first values, the parameters and eps are gone through; the others
-/// are those of --at, --param and --eps. At each value, or pair of values, an orbit begins, in
+/// --over says what varies, once or twice: the first value of a variable, a parameter, or eps. All
+/// else is as --at, --param and --eps say. At each value, or pair of values, an orbit begins, in
 /// doubles, for the same number of steps, and an observer says what it does: over one range a curve
-/// shows it, over two the colour of a cell around the values. SALI and drift are shown as
-/// logarithms to base 10. The curve has a gap, and the cell stays empty, where the orbit leaves the
-/// range of doubles, and under `escape` where it does not escape. The numbers do not depend on the
-/// number of threads. The file is a picture, or a table of the numbers with a row an orbit.
+/// shows it, over two the colour of a cell around the values. The curve has a gap, and the cell
+/// stays empty, where the orbit leaves the range of doubles, and under `escape` where it does not
+/// escape. The numbers do not depend on the number of threads. The file is a picture, or a table of
+/// the numbers with a row an orbit.
+///
+/// SALI and drift are shown as logarithms to base 10. Chaotic are the orbits where SALI is small,
+/// down to -16, and those where FLI, MEGNO or the Lyapunov exponent are large: on regular orbits
+/// SALI falls slowly if at all, FLI grows like log n, MEGNO tends to 2, and the exponent to 0.
+/// `kahan help dynamics` says what they are.
 ///
 /// A range is NAME=FROM:TO:COUNT, so many values with both ends; NAME=FROM:TO:+STEP, steps from
 /// FROM as long as TO is not passed; or NAME=FROM:TO:/CELLS, the middles of so many cells.
@@ -63,7 +68,7 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, 1_u64 << 40), default_value = "1000")]
     steps: u64,
 
-    /// What is shown.
+    /// What is shown; chaotic is where sali is small, and where fli, megno or lyapunov are large.
     #[arg(long, default_value = "sali", value_parser = observable(&COLOURS))]
     color: Observable,
 
@@ -111,7 +116,7 @@ impl Asking for Chart {
     fn asked(&self) -> Result<(Study, Over), Refusal> {
         let axes = self.over.iter().map(|over| reading::over(over, Spacing::Cells));
         let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
-        let (study, at, eps) = self.start.study_without_values()?;
+        let (study, at, eps) = self.start.study_over(&axes)?;
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let escape = number(&self.escape, "--escape")?.to_f64();
@@ -126,7 +131,11 @@ impl Asking for Chart {
 
     fn options(asked: &Over, line: Line) -> Line {
         let Question::Observe(observe) = &*asked.question else { return line };
-        let line = line.saying::<Self>(observe);
+        let mut said = json!(observe);
+        if asked.axes.iter().any(|axis| axis.name == "eps") {
+            said["eps"] = Value::Null;
+        }
+        let line = line.saying::<Self>(&said);
         let line = asked.axes.iter().rev().fold(line, |line, axis| match &axis.through {
             Through::Range(range) => line.with("--over", format!("{}={range}", axis.name)),
             Through::List(_) | Through::Drawn { .. } => line,
@@ -139,8 +148,7 @@ impl Asking for Chart {
 impl Chart {
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let is_table = self.out.extension().is_some_and(|ending| ending == "csv");
-        let format = if is_table { None } else { Some(format(&self.out)?) };
+        let format = if is_table(&self.out) { None } else { Some(format(&self.out)?) };
         let sink = Sink::file(&self.out, "--out")?;
         let shown = self.shown()?;
         let picture = chart(&shown, &Look::on(self.look.sheet(usual())));
@@ -165,7 +173,7 @@ impl Chart {
         let ends =
             extremes.map_or(String::new(), |(least, greatest)| format!(", from {least:.4} to {greatest:.4}"));
         let what = if self.from.is_some() { "cells" } else { "orbits" };
-        Ok(Answer::text(format!("{out} written: {} of {cells} {what}{ends}, {empty} empty\n", shown.label())))
+        Ok(Answer::text(format!("{out} written: {cells} {what}, {empty} empty; {}{ends}\n", shown.label())))
     }
 
     fn shown(&self) -> Result<Shown, Refusal> {
@@ -183,7 +191,11 @@ impl Chart {
     fn of_orbits(&self) -> Result<Shown, Refusal> {
         let (study, asked) = self.asked()?;
         if self.color == Observable::Drift && study.system().accessors(ClaimKind::Integral).next().is_none() {
-            return Err(Refusal::new(format!("--color drift: {} claims no integral", study.name())));
+            return Err(Refusal::new(format!(
+                "--color drift: {} claims no integral that could drift; claim one in the field (`integral H = …;`), as `kahan \
+                 discover` prints them",
+                study.name()
+            )));
         }
         let found = asked.ask(&study, &Prompt::new(asked.cells(&study)?, "orbits"))?;
         Ok(Shown::of(&asked, &found))

@@ -56,7 +56,7 @@ Examples:
   kahan discover lagrange --macro --out lagrange.rs
   kahan discover euler --latex
   kahan discover henon-heiles --degree 7
-  kahan discover --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] + x[i+2] - x[i-1] - x[i-2]); }' --sites 5";
+  kahan discover --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }' --sites 5";
 
 impl Asking for Discover {
     const COMMAND: &str = "discover";

@@ -1,19 +1,22 @@
 //! `kahan dynamics`: what one asks of an orbit, answered in the loop.
 
 use clap::Args;
-use kahan_draw::answer::{self, out_of_range};
+use kahan_algebra::render::lines;
+use kahan_draw::answer::{self, convergence, out_of_range};
 use kahan_study::{Observable, Observe, Observed, Seen, Study};
 
 use super::line::Asking;
-use crate::printing::layout::table;
+use crate::printing::layout::{screen_width, table};
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Start, observable, order, whole};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
 /// Nothing is stored; tangent vectors are carried by the exact Jacobian of the map. Exponents are
-/// per unit of time, of which a step takes 2 eps, with a distance that tells how far they have
-/// converged; all of them together are the mean of log |det J|.
+/// per unit of time, of which a step takes 2 eps. What an exponent still moves by is its distance
+/// from what the first eighth to quarter of the steps gave; its value has the digits that this
+/// leaves, and in JSON all. Where 0 lies within that, the largest exponent shows no chaos so far. All
+/// exponents together are the mean of log |det J|.
 ///
 /// Three indicators tell regular orbits from chaotic ones sooner. FLI, the fast Lyapunov indicator,
 /// is the logarithm of the largest growth of a tangent vector: it grows like log n on regular
@@ -102,5 +105,6 @@ fn text(observed: &Observed) -> String {
     }
     let tables = answer::observed(observed).into_iter().map(|table| table.rows).chain([last]);
     let tables: Vec<String> = tables.map(|rows| table(&rows, 1).join("\n") + "\n").collect();
-    tables.join("\n")
+    let words = convergence(observed).map(|words| lines(&words, screen_width()).join("\n") + "\n");
+    tables.into_iter().chain(words).collect::<Vec<_>>().join("\n")
 }

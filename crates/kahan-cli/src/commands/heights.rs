@@ -84,7 +84,7 @@ impl Heights {
             warn("`--csv` of heights is called `--out` now");
         }
         let out = self.out.as_deref().or(self.csv.as_deref());
-        let sink = out.map(|path| Sink::file(path, "--out")).transpose()?;
+        let sink = out.map(Sink::table).transpose()?;
         let found = asked.ask(&study, &Prompt::of("steps"))?;
         if let Some(sink) = sink {
             let all = (0..found.survey.heights.len()).collect();

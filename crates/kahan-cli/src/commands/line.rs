@@ -176,7 +176,8 @@ mod tests {
             plain.clone(),
         ]);
         let of = vec![Observable::Escape, Observable::Last];
-        let asked = Observe { of, escape: 12.5, ..plain.clone() };
+        // Where eps is gone through, its first value stands in the question.
+        let asked = Observe { of, escape: 12.5, eps: rational(1, 1), ..plain.clone() };
         let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();
         let two = study::Over::new(Question::Observe(asked), axes.clone());
         let plain = Observe { of: vec![Observable::Sali], ..plain };

@@ -85,7 +85,7 @@ pub(super) fn format(out: &Path) -> Result<Format, Refusal> {
     Format::of(out).map_err(|why| match why {
         NoFile::NotBuilt(format) => Refusal::new(format!(
             "--out: this build of the command writes no {format}, whose renderer takes long to build; name a file that ends in .svg, or \
-             build it with `cargo build --release -p kahan-cli --features {}`",
+             build it from the sources with `cargo build --release -p kahan-cli --features {}`",
             format.feature()
         )),
         _ => Refusal::new(format!(

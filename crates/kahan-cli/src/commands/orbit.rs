@@ -26,12 +26,12 @@ use chain::is_array;
 /// after orbit, and a first column says which, 0, 1, and so on. An orbit that ends early ends
 /// alone.
 ///
-/// The integrals are those of the block without `when`. A cell is empty where an integral is
-/// undefined, or beyond the range of the scalar. Floats are written so that they read back exactly,
-/// dd with 32 digits, and the steps are those of the compiled library, bit for bit; parameters are
-/// put in after the map is reduced. At a pole (det A = 0), or where floats overflow, the orbit
-/// ends: the rows up to there are kept, the place is reported, and the exit status is 1; with
-/// --projective it goes on. A negative eps steps back.
+/// The integrals are those of the block without `when`, and those `when` what holds for the orbit.
+/// A cell is empty where an integral is undefined, or beyond the range of the scalar. Floats are
+/// written so that they read back exactly, dd with 32 digits, and the steps are those of the
+/// compiled library, bit for bit; parameters are put in after the map is reduced. At a pole (det A
+/// = 0), or where floats overflow, the orbit ends: the rows up to there are kept, the place is
+/// reported, and the exit status is 1; with --projective it goes on. A negative eps steps back.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 #[command(mut_arg("at", |at| at.required(false).required_unless_present("begin")))]
@@ -60,15 +60,16 @@ pub(crate) struct Orbit {
     /// The order of the method.
     ///
     /// Order 2 is Kahan's map; orders 4, 6 and 8, over floats only, compose 5, 9 and 17 steps of it
-    /// into one. A composition keeps no integral that depends on eps: its column then oscillates
-    /// about a value.
+    /// into one. A composition keeps no integral that depends on eps, so the columns are those of
+    /// the flow, the claims at eps = 0, which then oscillate about a value.
     #[arg(long, value_name = "P", default_value = "2", value_parser = order())]
     order: u32,
 
     /// What a step is; each takes the time 2 eps.
     ///
     /// Other methods are there to compare Kahan's map with. `euler` and `rk4` are explicit steps on
-    /// the field. `flow` is the solution, by Taylor series in double-double, up to 8 variables.
+    /// the field. `flow` is the solution, by Taylor series in double-double, up to 8 variables. The
+    /// integrals of all three are those of the flow, the claims at eps = 0.
     #[arg(long, value_name = "M", value_parser = one_of(&Method::ALL, |of| PossibleValue::new(of.name()).help(of.meaning())), default_value = "kahan")]
     method: Method,
 
@@ -87,7 +88,7 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST))]
     every: u64,
 
-    /// Write the table to this file, or to F.npy the states of a chain.
+    /// Write the table to F.csv, or to F.npy the states of a chain.
     ///
     /// The file appears when it is complete. With --start, F.npy gets an array that has a row a
     /// point, of the sites, or of the sites and the arrays; the table is printed all the same.
@@ -148,6 +149,7 @@ impl Orbit {
         }
         let (study, starts, eps) = self.start.starts()?;
         let asked: Vec<Question> = starts.into_iter().map(|at| self.question(eps.clone(), at)).collect();
+        let study = asked[0].study(&study)?;
         // Nothing is written before all of them have begun.
         let begun = asked.iter().map(|asked| asked.begin(&study)).collect::<Result<Vec<_>, _>>()?;
         let head = json!(begun[0].head);

@@ -30,8 +30,9 @@ use findings::Search;
 /// `kahan discover` finds; what becomes of singularities, and heights of an exact orbit; orbits, a
 /// section, exponents, a chart of stability; and the cheapest settings of `kahan trade`. Under each
 /// figure stands the command that makes it again. What is not given is chosen: eps as the rates of
-/// the field allow, and a first point whose orbit stays. A parameter without a value is generic in
-/// the search, and has the catalog's value in the figures.
+/// the field allow, and a first point whose orbit stays. Formulas and findings have the values of
+/// --param. The catalog's other parameters are generic there, and have its values in the figures;
+/// a field of your own needs a value for each parameter.
 ///
 /// The page needs no network and no script. It appears whole or not at all, in place of an older
 /// one. What cannot be made is left out, and the page says why.

@@ -12,7 +12,7 @@ use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, 
 use super::line::Asking;
 use super::look::{SheetOptions, file, format, usual};
 use crate::printing::layout::{headed, table};
-use crate::printing::{Answer, Prompt, Refusal, Sink, csv};
+use crate::printing::{Answer, Prompt, Refusal, Sink, csv, is_table};
 use crate::reading::{Start, over, whole};
 
 /// Finds a periodic point near a first one: its multipliers, and how it changes.
@@ -24,9 +24,8 @@ use crate::reading::{Start, over, whole};
 /// and its stability is decided by the exact characteristic polynomial of that derivative.
 ///
 /// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
-/// multipliers go through the unit circle; there --eps or --param gives the value where the range
-/// begins, and may be left out. The table has about as many rows as the range has values: more
-/// round a fold, fewer where points move far, and the last one may lie beyond the range. --out
+/// multipliers go through the unit circle. The table has about as many rows as the range has values:
+/// more round a fold, fewer where points move far, and the last one may lie beyond the range. --out
 /// writes it as CSV, or draws it. The exit status is 1 where no cycle is found.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
@@ -63,7 +62,7 @@ Examples:
   kahan periodic lv --eps 1/10 --at 0.9,1.1
   kahan periodic henon-heiles --param a=1 --param b=1 --param c=-1 --eps 0.1 --at 0,0.9,0,0
   kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
-  kahan periodic --field 'xdot = a - x^2;' --param a=1 --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg";
+  kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg";
 
 impl Asking for Periodic {
     const COMMAND: &str = "periodic";
@@ -73,7 +72,7 @@ impl Asking for Periodic {
         // So many steps were one value more.
         let axis = self.over.as_deref().map(|axis| over(axis, |steps| Spacing::Count(steps + 1)));
         let axis = axis.transpose()?;
-        let (study, at, eps) = self.start.study_without_values()?;
+        let (study, at, eps) = self.start.study_over(axis.as_slice())?;
         Ok((study, Question { eps, at, period: self.period, over: axis }))
     }
 }
@@ -82,7 +81,7 @@ impl Periodic {
     /// The cycle, and its branch.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let format = match &self.out {
-            Some(out) if out.extension().is_some_and(|ending| ending == "csv") => None,
+            Some(out) if is_table(out) => None,
             Some(out) => Some(format(out)?),
             None => None,
         };

@@ -28,8 +28,8 @@ use starts::{At, Spread};
 ///
 /// A section (--plane) shows where orbits cross it with growing formula, refined as `kahan section`
 /// does it. An orbit diagram (--over) starts anew at each value, and shows the first of --axes as
-/// it is after the transient. Heights are drawn so that growth like a power of n is a straight
-/// line; where it is exponential, exponential growth is.
+/// it is after the transient. Heights that grow like a power of n are drawn over log n, and those
+/// that grow exponentially over n: either way they come near a straight line.
 ///
 /// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone;
 /// --paper draws for print. PNG and PDF are for builds with the features `png` and `pdf`.
@@ -249,9 +249,7 @@ impl Picture {
     fn over(&self) -> Result<What, Refusal> {
         // So many steps were one value more.
         let axis = over(self.over.as_deref().unwrap_or_default(), |steps| Spacing::Count(steps + 1))?;
-        if axis.name == "eps" && self.eps.is_some() {
-            return Err(Refusal::new("--over goes through values of eps; leave --eps out"));
-        }
+        self.source.leaves_free(std::slice::from_ref(&axis), self.eps.as_ref())?;
         Ok(What::Over(axis, self.transient))
     }
 

@@ -13,9 +13,11 @@ use crate::reading::{Source, number, seconds, whole};
 ///
 /// The curves (in three variables surfaces) are the factors of the map's common denominator and of
 /// its Jacobian determinant, and the points at infinity where they are blown down. A curve is blown
-/// down where its image has a lower dimension. The singularity is confined after k steps if the
-/// image after k steps is a curve (surface) again. Each curve is moved by delta and followed
-/// modulo two primes; what is not given (--eps, --param) is generic.
+/// down where its image has a lower dimension: then its points can no longer be told apart. The
+/// singularity is confined after k steps if the image after k steps is a curve (surface) again;
+/// where k is 1, nothing is lost. Each curve is moved by delta and followed modulo two primes; what
+/// is not given (--eps, --param) is generic. A polynomial that would fill a page is counted; JSON
+/// has it.
 ///
 /// Confinement alone proves nothing: the map of Henon and Heiles confines, and its degrees grow
 /// exponentially. So the degrees of iterates stand below, as measured and as the patterns imply

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use kahan_runtime::Ended;
 use kahan_study::{Section as Question, SectionFound, Side, Study};
 use serde_json::{Map, Value, json};
 
@@ -44,7 +45,7 @@ pub(crate) struct Section {
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object: system, variables, steps, times, points.
+    /// Print one JSON object: system, variables, steps, ended, times, points.
     #[arg(long)]
     json: bool,
 }
@@ -72,9 +73,9 @@ impl Section {
     /// Writes the crossings; what is left to say is the answer.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
-        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
+        let sink = self.out.as_deref().map(Sink::table).transpose()?;
         let found = asked.ask(&study, &Prompt::of("steps"))?;
-        let complaint = found.left_range.then(|| {
+        let complaint = (found.ended == Ended::Range).then(|| {
             format!(
                 "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings up to \
                  there are kept",

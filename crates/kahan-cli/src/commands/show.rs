@@ -1,5 +1,5 @@
-//! `kahan show`: the formulas of a system as text, as LaTeX, or as the block of the macro; or the
-//! plan of its code.
+//! `kahan show`: the formulas of a system as text, as LaTeX, for SymPy, or as the block of the
+//! macro; or the plan of its code.
 
 mod plan;
 mod sheet;
@@ -30,7 +30,7 @@ pub(crate) struct Show {
     #[arg(long, conflicts_with = "as_macro")]
     latex: bool,
 
-    /// Write the formulas for SymPy, whose `sympify` reads them.
+    /// Write a Python script that makes the formulas SymPy's.
     #[arg(long, conflicts_with_all = ["latex", "as_macro"])]
     sympy: bool,
 
@@ -106,6 +106,7 @@ impl Show {
         let shown = asked.ask(&study, &Prompt::stages())?;
         Ok(match &shown {
             _ if self.json => Answer::json(&json!(shown)),
+            Shown::Formulas(sheet) if let Some(script) = &sheet.script => Answer::verbatim(script.clone()),
             Shown::Formulas(sheet) if self.latex => Answer::verbatim(sheet::latex(sheet)),
             Shown::Formulas(sheet) => Answer::text(sheet::text(sheet)),
             Shown::Block { block, .. } => Answer::text(format!("{block}\n")),

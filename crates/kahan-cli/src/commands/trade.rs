@@ -6,15 +6,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::PossibleValue;
-use kahan_core::Need;
+use kahan_core::{Need, Precision};
 use kahan_draw::picture::{Look, trade, trade_sheet};
 use kahan_study::Study;
-use kahan_study::trade::{Trade as Question, need_name};
+use kahan_study::numbers::ScalarKind;
+use kahan_study::trade::{Trade as Question, Traded, need_name};
 
-use super::line::Asking;
+use super::line::{Asking, Line};
 use super::look::{SheetOptions, file, format};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
-use crate::reading::{Source, number, one_of, point, seconds};
+use crate::reading::{Block, Source, number, one_of, point, seconds};
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
 ///
@@ -27,8 +28,8 @@ use crate::reading::{Source, number, one_of, point, seconds};
 /// over the whole horizon, at the times of the steps and with the last point standing for the
 /// horizon, in the maximum norm, relative to the trajectory's largest coordinate. The trajectory is
 /// a Taylor series in 32 digits that agrees with a second method (the closed solution, where the
-/// catalog has one, else a composition of order 8) to a hundredth of the tolerance; what they
-/// differ by is taken off the tolerance. Where they do not agree, or the solution escapes to
+/// catalog has one, else a composition of order 8) to a hundredth of the tolerance; a
+/// setting serves where its error and that difference together are within the tolerance. Where they do not agree, or the solution escapes to
 /// infinity within the horizon, the command refuses.
 ///
 /// integrals: to keep the claimed integrals (those without `when`). The error is the largest change
@@ -112,7 +113,13 @@ impl Asking for Trade {
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
-        let study = self.source.study()?;
+        self.asked_of(&self.source.required_block()?)
+    }
+}
+
+impl Trade {
+    fn asked_of(&self, block: &Block) -> Result<(Study, Question), Refusal> {
+        let study = self.source.study_of_block(block)?;
         // A false claim is told before a number that is missing.
         study.proved()?;
         let asked = Question {
@@ -124,19 +131,39 @@ impl Asking for Trade {
         };
         Ok((study, asked))
     }
-}
 
-impl Trade {
+    /// The call that makes the orbit of the choice, where the command knows its numbers.
+    fn orbit(&self, traded: &Traded, block: &Block) -> Option<Line> {
+        let setting = &traded.choice()?.setting;
+        let scheme = setting.scheme();
+        let scalar = match scheme.precision {
+            Precision::Single => ScalarKind::F32,
+            Precision::Double => ScalarKind::F64,
+            Precision::DoubleDouble => ScalarKind::Dd,
+            Precision::SingleThroughDouble => return None,
+        };
+        let line =
+            Line::new("orbit", &self.source.words(block)).with("--eps", format!("{:?}", setting.eps()));
+        let line = line.with("--at", &self.at).with("--steps", setting.steps());
+        let line = line.unless(scalar == ScalarKind::F64, "--scalar", scalar.name());
+        (!scheme.compensated).then(|| line.unless(scheme.order() == 2, "--order", scheme.order()))
+    }
+
     /// The front and the choice; a complaint where nothing meets the tolerance.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let sink = |path: &PathBuf| Ok::<_, Refusal>((Sink::file(path, "--out")?, format(path)?));
         let sink = self.out.as_ref().map(sink).transpose()?;
-        let (study, asked) = self.asked()?;
-        let traded = asked.ask(&study, &Prompt::of("settings"))?;
+        let block = self.source.required_block()?;
+        let (study, asked) = self.asked_of(&block)?;
+        let traded = asked.ask(&study, &Prompt::stages())?;
         if let Some((sink, format)) = sink {
             let picture = trade(&traded, &Look::on(self.look.sheet(trade_sheet())));
             sink.put(file(&picture.drawing, format)?)?;
         }
-        Ok(Answer::of(&traded, self.json, report::text).but(report::complaint(&traded)))
+        let written =
+            self.out.as_ref().map_or_else(String::new, |out| format!("{} written\n", out.display()));
+        let call = self.orbit(&traded, &block);
+        let text = |traded: &Traded| report::text(traded, call.as_ref()) + &written;
+        Ok(Answer::of(&traded, self.json, text).but(report::complaint(&traded)))
     }
 }

@@ -86,6 +86,17 @@ impl Sink {
         Ok(Sink(Place::File { writer: BufWriter::new(file), path, unfinished }))
     }
 
+    /// The same for a table alone; a name without an ending tells no other format.
+    pub(crate) fn table(path: &Path) -> Result<Self, Refusal> {
+        if path.extension().is_none() || is_table(path) {
+            return Self::file(path, "--out");
+        }
+        Err(Refusal::new(format!(
+            "--out: the name of the file, {}, tells its format: a table is CSV, and ends in .csv",
+            path.display()
+        )))
+    }
+
     /// Whether it is standard output.
     pub(crate) fn is_standard(&self) -> bool {
         matches!(self.0, Place::Standard { .. })
@@ -147,6 +158,11 @@ impl Sink {
             Place::File { path, .. } => cannot_write(&path.display().to_string(), error),
         }
     }
+}
+
+/// Whether a file is to be a table, by its name.
+pub(crate) fn is_table(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
 fn cannot_write(place: &str, error: &io::Error) -> Broken {

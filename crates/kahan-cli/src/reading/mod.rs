@@ -21,5 +21,5 @@ pub(crate) use number_file::is_number_file;
 pub(crate) use points::{point, points};
 pub(crate) use range::{axis, over};
 pub(crate) use results::{columns, not_started, sweeper};
-pub(crate) use source::{Source, Start};
+pub(crate) use source::{ONE_WORD, Source, Start};
 pub(crate) use values::{number, observable, one_of, order, scalar, seconds, whole};

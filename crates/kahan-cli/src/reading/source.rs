@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::rational::Rational;
-use kahan_study::{Catalog, StudyError, Subject, Systems};
+use kahan_study::{Axis, Catalog, StudyError, Subject, Systems};
 use kahan_systems::lattices;
 use kahan_systems::registry::find;
 
@@ -15,6 +15,9 @@ use crate::printing::{Refusal, warn};
 use super::block::Block;
 use super::file::{chosen, read_file};
 use super::values::{number, whole};
+
+/// What to write where a value fell apart into words of its own.
+pub(crate) const ONE_WORD: &str = "a value is one word, as in --at 1,0.5,0.3 and --param a=0.4";
 
 /// The system that a command is about.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
@@ -119,6 +122,18 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
+    /// Refuses a value of what `axes` take through values; `eps` is that of --eps.
+    pub(crate) fn leaves_free(&self, axes: &[Axis], eps: Option<&String>) -> Result<(), Refusal> {
+        let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
+        let mut given = parameters.chain(eps.map(|_| ("--eps".to_owned(), "eps".to_owned())));
+        match given.find(|(_, name)| axes.iter().any(|axis| axis.name == *name)) {
+            Some((option, name)) => {
+                Err(Refusal::new(format!("--over goes through values of {name}; leave {option} out")))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// The field that was named, without its parameters.
     pub(super) fn subject(&self) -> Result<Subject, Refusal> {
         match &self.system {
@@ -146,7 +161,10 @@ impl Source {
                 }
                 Ok(Some(block))
             }
-            _ => Err(Refusal::new("one field at a time: give a SYSTEM, or --field, or --file")),
+            (Some(word), ..) => Err(Refusal::new(format!(
+                "one field at a time: `{word}` is read as a SYSTEM, and there is --field or --file besides; {ONE_WORD}"
+            ))),
+            _ => Err(Refusal::new("one field at a time: give --field or --file")),
         }
     }
 

@@ -2,7 +2,7 @@
 //! option to change.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{MOST_VARIABLES, Study, StudyError, Subject, Systems};
+use kahan_study::{Axis, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
 use super::formula::refused;
@@ -47,9 +47,13 @@ impl Start {
     }
 
     /// The field, the first point, and ε, where parameters and ε may have their values from
-    /// elsewhere.
-    pub(crate) fn study_without_values(&self) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
+    /// `axes`, and have them from there alone.
+    pub(crate) fn study_over(
+        &self,
+        axes: &[Axis],
+    ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
         let study = self.proved()?;
+        self.source.leaves_free(axes, self.eps.as_ref())?;
         let at = point(self.at(), study.variables())?;
         Ok((study, at, self.half_step()?))
     }

@@ -122,7 +122,7 @@ fn the_numbers_stand_before_the_claims() {
     assert_eq!((line("generic "), line("fixed ")), ("eps".to_owned(), "xi = 1".to_owned()));
     assert!(line("degrees of iterates ").starts_with("1, 2, 4, 6, 8, "));
     assert_eq!(line("  on an orbit "), "3, 5, 7, 9, 11, 13, 15, 17, 19");
-    assert!(page.contains("so many show 2 independent integrals"), "{page}");
+    assert!(page.contains("which shows 2 independent integrals"), "{page}");
     assert!(page.contains(" when xi = 1;"));
 }
 

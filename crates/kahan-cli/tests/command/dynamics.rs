@@ -82,6 +82,22 @@ fn tables_name_what_they_show() {
 }
 
 #[test]
+fn exponents_have_the_digits_that_are_known() {
+    let of_lorenz = ["dynamics", "lorenz", "--param", "s=10", "--param", "b=8/3", "--param"];
+    let of_lorenz = [&of_lorenz[..], &["r=28", "--eps", "1e-2", "--at", "1,1,1", "--steps", "4000"]].concat();
+    let of_e6 = vec!["dynamics", "e6", "--eps", "0.05", "--at", "1,2,3", "--steps", "4000"];
+    for (arguments, is_regular) in [(of_lorenz, false), (of_e6, true)] {
+        let table = answer(&arguments);
+        let row = table.lines().find(|line| line.starts_with("1 ")).expect("the largest");
+        let cells: Vec<&str> = row.split_whitespace().collect();
+        let error: f64 = cells[2].parse().expect("a number");
+        let places = cells[1].split_once('.').map_or(0, |(_, places)| places.len());
+        assert_eq!(places as f64, (-error.log10().floor()).clamp(0.0, 8.0), "{row}");
+        assert_eq!(table.contains("shows no chaos so far"), is_regular, "{table}");
+    }
+}
+
+#[test]
 fn sections_are_where_the_formula_vanishes() {
     let found = object(
         &[&["section"], &TURN[..], &["--steps", "500", "--plane", "y - x/2", "--direction", "both"]].concat(),
@@ -112,7 +128,7 @@ fn mistakes_are_told() {
         ("1 + eps", "one number everywhere"),
         ("w", "there are x, y, R, eps, pi"),
         ("x +", "missing"),
-        ("x = 1", "should end here"),
+        ("x = 1", "`x - y` for `x = y`"),
     ] {
         let paragraph = refusal(&[&["section"], &TURN[..], &["--steps", "5", "--plane", plane]].concat());
         assert!(paragraph.replace('\n', " ").contains(part), "{plane}: {paragraph}");
@@ -145,7 +161,7 @@ fn charts_show_what_each_orbit_does() {
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
     let chart = |over: &[&str], further: &[&str], out: &str| {
         let field = "xdot = y; ydot = r*x; integral E = y^2 - r*x^2;";
-        let given = ["--field", field, "--eps", "0.1", "--at", "1,0", "--param", "r=1", "--steps", "100"];
+        let given = ["--field", field, "--eps", "0.1", "--at", "1,0", "--steps", "100"];
         let over: Vec<&str> = over.iter().flat_map(|range| ["--over", range]).collect();
         answer(&[&["chart"], &given[..], &over, &["--out", out], further].concat());
         std::fs::read_to_string(out).expect("the file")
@@ -192,7 +208,7 @@ fn charts_show_what_each_orbit_does() {
     assert!(escapes.iter().all(|[r, _, step]| step.is_some() == r.is_some_and(|r| r > 0.0)), "{escapes:?}");
     let drifts = cells(&chart(&["r=-4:0:/2", "x=1:2:/2"], &["--color", "drift"], &file("d.csv")));
     assert!(drifts.iter().all(|[_, _, drift]| drift.is_some_and(|drift| drift < -12.0)), "{drifts:?}");
-    let picture = chart(&["x=-1:1:/8", "y=-1:1:/8"], &["--color", "fli"], &file("p.svg"));
+    let picture = chart(&["x=-1:1:/8", "y=-1:1:/8"], &["--color", "fli", "--param", "r=1"], &file("p.svg"));
     assert!(
         picture.contains("FLI of field over x from -1 to 1") && picture.contains("data:image/png;base64,")
     );
@@ -209,7 +225,7 @@ fn charts_refuse_what_is_no_range() {
         (vec!["--over", "x=0:1:/3", "--over", "w=0:1:/3"], "neither a variable nor a parameter"),
         (vec!["--over", "x=0:1", "--over", "y=0:1:/3"], "--over x: `0:1` is no range"),
         (vec!["--over", "0:1:3"], "write NAME=FROM:TO:COUNT"),
-        (vec!["--over", "x=0:1:/3", "--over", "y=0:1:/3", "--color", "drift"], "claims no integral"),
+        (vec!["--over", "x=0:1:/3", "--over", "y=0:1:/3", "--color", "drift"], "`kahan discover` prints"),
     ] {
         let given = [
             "chart",
@@ -231,16 +247,25 @@ fn charts_refuse_what_is_no_range() {
 }
 
 #[test]
-fn charts_of_parameters_and_eps_need_no_other_value_of_them() {
+fn what_is_gone_through_has_no_other_value() {
     let folder = tempfile::tempdir().expect("a folder");
-    let out = folder.path().join("m.csv").to_str().expect("text").to_owned();
-    let chart = |further: &[&str]| {
-        let given =
-            ["chart", "--field", "xdot = y; ydot = r*x;", "--at", "1,0", "--steps", "9", "--out", &out];
-        answer(&[&given, further, &["--over", "r=-4:4:/4", "--over", "eps=0:1:/3"]].concat());
-        std::fs::read_to_string(&out).expect("the file")
-    };
-    assert_eq!(chart(&[]), chart(&["--param", "r=7", "--eps", "2"]));
+    let out = folder.path().join("m.svg").to_str().expect("text").to_owned();
+    for command in ["chart", "picture", "periodic"] {
+        let steps: &[&str] = if command == "periodic" { &[] } else { &["--steps", "9"] };
+        let field = "xdot = r - x^2;";
+        let given = [&[command, "--field", field, "--at", "1", "--out", &out], steps].concat();
+        let over_r = [&given[..], &["--over", "r=1:2:+1/2", "--eps", "1/9"]].concat();
+        let over_eps = [&given[..], &["--over", "eps=1/9:1/8:+1/72", "--param", "r=1"]].concat();
+        answer(&over_r);
+        answer(&over_eps);
+        for (arguments, part) in [
+            ([&over_r[..], &["--param", "r=7"]].concat(), "values of r; leave --param r out"),
+            ([&over_eps[..], &["--eps", "2"]].concat(), "values of eps; leave --eps out"),
+        ] {
+            let paragraph = refusal(&arguments);
+            assert!(paragraph.contains(part), "{arguments:?}: {paragraph}");
+        }
+    }
 }
 
 /// A chart of rows, as a table.

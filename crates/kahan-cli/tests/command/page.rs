@@ -57,8 +57,9 @@ fn every_command_on_a_page_makes_what_stands_above_it() {
     for line in &lines[1..] {
         let output = shell(line, folder.path());
         let said = text(&output.stderr);
-        // Whether there was time for a reference trajectory is not known here.
-        let is_short = line.starts_with("kahan trade") && said.contains("give more time");
+        // Whether there was time for a reference trajectory, and for settings that reach the
+        // tolerance, is not known here.
+        let is_short = line.starts_with("kahan trade") && said.contains("--seconds");
         assert!(output.status.code() == Some(0) || is_short, "{line}: {said}");
     }
     // Heights depend on how much time there was.

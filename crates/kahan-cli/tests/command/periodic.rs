@@ -74,7 +74,7 @@ fn a_small_orbit_is_no_point_that_stands_still() {
 fn a_branch_goes_round_its_fold() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("branch.csv");
-    let field = ["--field", "xdot = a - x^2;", "--param", "a=1", "--eps", "1/10", "--at", "1"];
+    let field = ["--field", "xdot = a - x^2;", "--eps", "1/10", "--at", "1"];
     let over = ["--over", "a=1:-1:+-1/20", "--out", out.to_str().expect("UTF-8"), "--json"];
     let found = object(&[&["periodic"], &field[..], &over[..]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
@@ -93,10 +93,7 @@ fn a_branch_goes_round_its_fold() {
 fn what_changes_the_stability_of_the_lorenz_system_is_found() {
     // Equilibria lose their stability at r = s(s + b + 3)/(s − b − 1) = 470/19, those of the flow
     // and of the map: multipliers are (1 + ελ)/(1 − ελ).
-    let lorenz = [
-        "lorenz", "--param", "s=10", "--param", "r=28", "--param", "b=8/3", "--eps", "1/1000", "--at",
-        "8,8,27",
-    ];
+    let lorenz = ["lorenz", "--param", "s=10", "--param", "b=8/3", "--eps", "1/1000", "--at", "8,8,27"];
     let found = object(&[&["periodic"], &lorenz[..], &["--over", "r=28:20:+-2/5", "--json"]].concat());
     let turns = found["branch"]["turns"].as_array().expect("turns");
     assert_eq!(turns.len(), 1, "{turns:?}");
@@ -121,5 +118,6 @@ fn what_is_no_cycle_and_what_does_not_fit_is_said() {
         let said = refusal(&[&lv[..], arguments].concat());
         assert!(said.contains(word), "{word}: {said}");
     }
-    assert!(answer(&[&lv[..], &["--over", "eps=1/10:1:+1/5"]].concat()).contains("neutral"));
+    let over = ["periodic", "lv", "--at", "0.9,1", "--over", "eps=1/10:1:+1/5"];
+    assert!(answer(&over).contains("neutral"));
 }

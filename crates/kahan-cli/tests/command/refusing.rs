@@ -9,7 +9,7 @@ use kahan_algebra::render::report;
 #[test]
 fn bad_input_says_what_to_write_instead() {
     let at = |rest: &[&'static str]| [&["eval"], rest].concat();
-    let cases: [(Vec<&str>, &[&str]); 17] = [
+    let cases: [(Vec<&str>, &[&str]); 24] = [
         (at(&["eulr", "--eps", "1", "--at", "1,2,3"]), &["`eulr`", "`euler`", "e9"]),
         (at(&["e1", "--eps", "one", "--at", "1,2,3"]), &["--eps", "`one`", "3/7"]),
         (at(&["e1", "--eps", "1/0", "--at", "1,2,3"]), &["--eps", "divides by zero"]),
@@ -24,7 +24,20 @@ fn bad_input_says_what_to_write_instead() {
             at(&["--field", "xdot = x/a;", "--eps", "1", "--at", "1", "--param", "a=0"]),
             &["divides by zero at a = 0"],
         ),
-        (at(&["e1", "--field", "xdot = x;", "--eps", "1", "--at", "1"]), &["one field at a time"]),
+        (at(&["e1", "--field", "xdot = x;", "--eps", "1", "--at", "1"]), &["one field at a time", "`e1`"]),
+        (at(&["--field", "xdot = a;", "--param", "a", "0.4", "--eps", "1", "--at", "1"]), &["--param a=0.4"]),
+        (at(&["e7", "--param", "xi", "0.4", "--eps", "1", "--at", "1,2,3"]), &["'0.4'", "--param a=0.4"]),
+        (
+            at(&["e1", "--eps", "1", "--at", "1", "0.5", "-0.3"]),
+            &["'0.5'", "--at 1,0.5,0.3", "`kahan eval --help`"],
+        ),
+        (at(&["e1", "--eps", "1", "--at", "1", "-0.5"]), &["--at 1,0.5,0.3"]),
+        (at(&["e1", "--dt", "0.05", "--at", "1,2,3"]), &["'--dt'", "half the time step", "--eps 0.025"]),
+        (
+            at(&["--field", "# mine\nxdot = y;\nydot = -x; # too", "--eps", "1", "--at", "1,2"]),
+            &["`#`", "`//`"],
+        ),
+        (at(&["--field", "dx/dt = y; ydot = -x;", "--eps", "1", "--at", "1,2"]), &["write `xdot = …`"]),
         (at(&["--file", "no/such/file", "--eps", "1", "--at", "1"]), &["no/such/file"]),
         (at(&["--eps", "1", "--at", "1"]), &["which system"]),
         (at(&["e1", "--at", "1,2,3"]), &["--eps"]),
@@ -32,7 +45,7 @@ fn bad_input_says_what_to_write_instead() {
             at(&["e1", "--eps", "1", "--at", "1,2,3", "--scalar", "f16"]),
             &["'f16'", "exact, f32, f64, dd]; `kahan"],
         ),
-        (vec!["evall"], &["evall", "eval"]),
+        (vec!["evall"], &["evall", "eval", "`kahan --help`"]),
     ];
     for (arguments, expected) in &cases {
         let paragraph = refusal(arguments);

@@ -98,7 +98,7 @@ fn what_no_macro_can_read_is_not_expanded() {
 fn every_system_is_shown_in_every_form() {
     let names = kahan_systems::registry::all().map(|entry| entry.command);
     for name in names {
-        for form in ["--latex", "--macro", "--expand", "--json"] {
+        for form in ["--latex", "--sympy", "--macro", "--expand", "--json"] {
             assert!(!answer(&["show", name, form]).is_empty());
         }
         assert!(answer(&["show", name]).contains("A(x,eps) = I - eps f'(x)"));

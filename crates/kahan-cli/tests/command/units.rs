@@ -108,7 +108,10 @@ fn cycles_and_branches_are_the_same_in_every_unit() {
     let said = |unit: [i32; 2]| {
         let [k, j] = unit;
         let over = format!("eps={}:{}:+{}", scaled(1, -j - 3), scaled(1, -j - 1), scaled(3, -j - 6));
-        let found = run(object, &arguments("periodic", unit, &["--over", &over, "--json"]));
+        let mut given = arguments("periodic", unit, &["--over", &over, "--json"]);
+        let eps = given.iter().position(|word| word == "--eps").expect("an eps");
+        given.drain(eps..eps + 2);
+        let found = run(object, &given);
         let of_cycle = |cycle: &Value| {
             let lengths = ["points", "residual"].map(|name| of(&cycle[name], k));
             let others = ["period", "family", "multipliers"].map(|name| of(&cycle[name], 0));

@@ -75,6 +75,9 @@ fn a_false_claim_fails_with_a_counterexample_and_status_1() {
     assert!(report["claims"][0]["detail"].as_str().is_some_and(|detail| detail.contains("x = ")));
     assert_eq!(report["claims"][1]["outcome"], "proved");
     assert!(text(&output.stderr).contains("field.F"));
+    let lines = text(&kahan(&["verify", "--field", field]).stdout);
+    let statement = "integral F = x^2 + 2*y^2";
+    assert!(lines.matches(statement).count() == 1 && !lines.contains("--all"), "{lines}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What a map preserves, with the formulas that were proved, and the numbers of the search.
 
+use kahan_algebra::prove::ERROR_EXPONENT;
 use kahan_algebra::render::{Notation, Text};
 use kahan_discover::Report;
 use kahan_discover::basis::Basis;
@@ -20,8 +21,15 @@ pub(super) fn html(found: &Discovered) -> Markup {
         @if claimed.claims.is_empty() && report.bases.is_empty() && report.compact().is_none() {
             p { "No integral, density or bracket was found." }
         } @else if !claimed.claims.is_empty() {
-            p { "Each formula was proved when this page was written." }
-            @for one in &claimed.claims { (claim(&ClaimShown::of(claimed, one, Some(&Latex)), &html! {})) }
+            @let named = [&report.variables[..], &report.parameters[..]].concat().join(", ");
+            p {
+                "Each formula was proved before it was shown, as an identity in " (readable(&named)) ", ε: at random points \
+                 modulo primes, so many that a false one passes with a chance below 2"
+                sup { "−" (ERROR_EXPONENT) } ", and at an exact one."
+            }
+            @for one in &claimed.claims {
+                (claim(&ClaimShown::of(claimed, one, Some(&Latex)), report.variables.len(), &html! {}))
+            }
         }
         @if let Some(hamiltonian) = &report.structure.hamiltonian {
             p { "The flow is Hamiltonian: f = K ∇H with a constant antisymmetric K." }

@@ -14,7 +14,7 @@ use maud::{Markup, html};
 use crate::document::{JACOBIAN, LINE, claim, display, formulas};
 
 pub use discovered::{evaluation, numbers, states_and_images};
-pub use observed::{observed, out_of_range};
+pub use observed::{convergence, observed, out_of_range};
 pub use poles::poles;
 pub use traded::{choice, front};
 
@@ -36,13 +36,14 @@ pub fn html(answer: &Answer) -> Option<Markup> {
                     p { (sheet.variables.len()) " variables have formulas too long for a page." }
                 }
                 @if !sheet.claims.is_empty() { h4 { "What is claimed, and proved" } }
-                @for shown in &sheet.claims { (claim(shown, &html! {})) }
+                @for shown in &sheet.claims { (claim(shown, sheet.variables.len(), &html! {})) }
             },
             Shown::Block { .. } | Shown::Plan(_) => return None,
         },
         Answer::Observe(seen) => html! {
             @for table in observed(seen) { (table) }
-            @if let Some(why) = out_of_range(seen) { p.missing { (why) } }
+            @if let Some(words) = convergence(seen) { p { (words) } }
+            @if let Some(why) = out_of_range(seen) { p.missing { "Note: " (why) "." } }
         },
         Answer::Poles(found) if found.found.patterns.is_empty() => html! {
             p { "The map sends no curve to infinity and blows none down." }

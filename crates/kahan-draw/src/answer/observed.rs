@@ -9,7 +9,7 @@ use crate::document::Table;
 #[must_use]
 pub fn observed(observed: &Observed) -> Vec<Table> {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
-    let mut exponents = vec![row(&["Lyapunov exponent", "value", "converged to"])];
+    let mut exponents = vec![row(&["Lyapunov exponent", "value", "still moves by"])];
     let mut indicators = vec![row(&["indicator", "value"])];
     let mut variables = vec![row(&["variable"])];
     variables.extend(observed.variables.iter().map(|name| row(&[name])));
@@ -38,11 +38,12 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
                 of_variables(&["least", "greatest"], extrema.iter().map(ends).collect());
             }
             Seen::Exponent(one) => {
-                exponents.push(vec!["largest".to_owned(), number(one.value), short(one.error)]);
+                exponents.push(vec!["largest".to_owned(), known(one.value, one.error), short(one.error)]);
             }
             Seen::Spectrum(all) => {
                 for (k, one) in all.iter().enumerate() {
-                    exponents.push(vec![(k + 1).to_string(), number(one.value), short(one.error)]);
+                    let value = known(one.value, one.error);
+                    exponents.push(vec![(k + 1).to_string(), value, short(one.error)]);
                 }
                 let sum: f64 = all.iter().map(|exponent| exponent.value).sum();
                 exponents.push(vec!["sum".to_owned(), number(sum), String::new()]);
@@ -54,7 +55,8 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
                 indicators.push(vec![observable.name().to_uppercase(), number(*value)]);
             }
             Seen::Turns(turns) => {
-                let turns = turns.iter().map(|turns| vec![number(turns.value), short(turns.error)]);
+                let turns =
+                    turns.iter().map(|turns| vec![known(turns.value, turns.error), short(turns.error)]);
                 of_variables(&["turns a step", "error"], turns.collect());
             }
             Seen::Step(_) => {}
@@ -68,6 +70,28 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
     ];
     let tables = tables.into_iter().filter(|(_, rows)| rows.len() > 1 && rows[0].len() > 1);
     tables.map(|(caption, rows)| Table { caption, rows }).collect()
+}
+
+/// What the estimates of exponents say, where there are some: how far they are known, and whether
+/// the largest may be 0.
+#[must_use]
+pub fn convergence(observed: &Observed) -> Option<String> {
+    let largest = |observable| match observed.of(observable)? {
+        Seen::Exponent(one) => Some(one),
+        Seen::Spectrum(all) => all.first(),
+        _ => None,
+    };
+    let largest = largest(Observable::Lyapunov).or_else(|| largest(Observable::Spectrum))?;
+    let chaos = match largest.value.abs() <= largest.error {
+        true => " 0 lies within that of the largest exponent, which so shows no chaos so far.",
+        false => "",
+    };
+    largest.error.is_finite().then(|| {
+        format!(
+            "“Still moves by” is the distance of a value from what the first eighth to quarter of the steps gave; the value has the \
+             digits that this leaves.{chaos}"
+        )
+    })
 }
 
 /// Why there are fewer steps than asked.
@@ -96,6 +120,17 @@ fn number(value: f64) -> String {
         }
         _ => format!("{value:.7e}"),
     }
+}
+
+/// The digits up to the first that an error of this size changes.
+fn known(value: f64, error: f64) -> String {
+    let places = -error.log10().floor();
+    // What has no estimate, or one beyond eight digits behind the point, has its usual ones.
+    if !(value.is_finite() && (..=8.0).contains(&places)) {
+        return number(value);
+    }
+    let shown = format!("{value:.0$}", places.max(0.0) as usize);
+    if shown.parse() == Ok(0.0) { shown.trim_start_matches('-').to_owned() } else { shown }
 }
 
 /// Two digits.

@@ -2,10 +2,10 @@
 
 use kahan_study::PolesFound;
 
-use crate::document::{Table, shorten};
+use crate::document::Table;
 
-/// A longer formula of a curve is cut.
-const WIDEST: usize = 48;
+/// A polynomial of more characters would fill a page, and is counted.
+const LONGEST: usize = 1000;
 
 /// A row a pattern.
 #[must_use]
@@ -18,14 +18,24 @@ pub fn poles(found: &PolesFound) -> Table {
             if image.is_infinite { dimension + "'" } else { dimension }
         });
         let verdict = match pattern.confined {
-            Some(true) if !pattern.is_blown_down() => "not blown down".to_owned(),
+            Some(true) if !pattern.is_blown_down() => "nothing is lost".to_owned(),
             Some(true) => format!("confined after {} steps", pattern.steps),
             Some(false) => format!("none within {} steps", found.bound),
             None => "undecided".to_owned(),
         };
-        let curve = shorten(&pattern.name(&found.symbols), WIDEST);
-        vec![curve, verdict, images.collect::<Vec<_>>().join(" ")]
+        let place = match &pattern.curve {
+            Some(curve) => match pattern.name(&found.symbols) {
+                text if text.len() <= LONGEST => text,
+                _ => format!(
+                    "a polynomial of degree {} with {} terms",
+                    found.symbols.degree(curve),
+                    curve.terms().count()
+                ),
+            },
+            None => "the points at infinity".to_owned(),
+        };
+        vec![place, verdict, images.collect::<Vec<_>>().join(" ")]
     });
-    let caption = "Curves that the map sends to infinity or blows down, and whether what is lost comes back";
-    Table::new(caption, ["curve = 0", "what is lost comes back", "dimensions"], rows)
+    let caption = "What the map sends to infinity or blows down, and whether what is lost there comes back";
+    Table::new(caption, ["where this is 0", "what is lost comes back", "dimensions"], rows)
 }

@@ -36,24 +36,37 @@ pub fn choice(traded: &Traded) -> Option<[String; 2]> {
     Some([words, traded.rust.clone()?])
 }
 
+/// An error of a setting, where it was measured.
+type Error = fn(&Measured) -> Option<f64>;
+
+/// The errors by the headings of their columns.
+const ERRORS: [(&str, Error); 3] = [
+    ("trajectory", |measured| measured.trajectory_error),
+    ("integrals", |measured| measured.integral_drift),
+    ("return", |measured| measured.return_error),
+];
+
 /// A row for each setting that no other one beats in price and error together, the cheapest first.
+/// What was measured of none has no column.
 #[must_use]
 pub fn front(traded: &Traded) -> Table {
-    let rows = traded.settings.iter().filter(|measured| measured.on_front).map(|measured| {
+    let front = || traded.settings.iter().filter(|measured| measured.on_front);
+    let is_measured = |(_, error): &&(&str, Error)| front().any(|measured| error(measured).is_some());
+    let errors: Vec<&(&str, Error)> = ERRORS.iter().filter(is_measured).collect();
+    let rows = front().map(|measured| {
         let scheme = measured.setting.scheme();
-        vec![
+        let mut row = vec![
             scheme.precision.name().to_owned(),
             scheme.order().to_string(),
             if scheme.compensated { "yes" } else { "no" }.to_owned(),
             format!("{:?}", measured.setting.eps()),
             price(measured),
-            error(measured.trajectory_error),
-            error(measured.integral_drift),
-            error(measured.return_error),
-        ]
+        ];
+        row.extend(errors.iter().map(|(_, error)| written(error(measured))));
+        row
     });
-    let headings =
-        ["scalar", "order", "compensated", "eps", "ns per unit time", "trajectory", "integrals", "return"];
+    let headings = ["scalar", "order", "compensated", "eps", "ns per unit time"].into_iter();
+    let headings = headings.chain(errors.iter().map(|(heading, _)| *heading));
     Table::new("Settings that no other one beats in price and error together", headings, rows)
 }
 
@@ -72,7 +85,7 @@ fn price(measured: &Measured) -> String {
     format!("{price:.decimals$}")
 }
 
-fn error(value: Option<f64>) -> String {
+fn written(value: Option<f64>) -> String {
     match value {
         Some(value) if value.is_finite() => format!("{value:.1e}"),
         Some(_) => "not finite".to_owned(),

@@ -43,9 +43,9 @@ pub fn formulas(sheet: &Sheet) -> Markup {
     }
 }
 
-/// A claim: its kind, its condition and its source, what is said of it besides, and what it says, a
-/// formula each.
-pub fn claim(claim: &ClaimShown, besides: &Markup) -> Markup {
+/// A claim about a field of so many variables: its kind, its condition and its source, what is said
+/// of it besides, and what it says, a formula each.
+pub fn claim(claim: &ClaimShown, variables: usize, besides: &Markup) -> Markup {
     let is = |kind: ClaimKind| claim.kind == kind.keyword();
     let (kind, index) = match &claim.name {
         name if is(ClaimKind::Bracket) => ("Invariant Poisson bracket", format!("_{{{}}}", Latex.name(name))),
@@ -57,6 +57,9 @@ pub fn claim(claim: &ClaimShown, besides: &Markup) -> Markup {
         div.preserved {
             p.source {
                 (kind)
+                @if is(ClaimKind::Bracket) && claim.equations.len() < variables * (variables - 1) / 2 {
+                    ", 0 for every other pair of variables"
+                }
                 @if !claim.when.is_empty() { ", when " (readable(&claim.when)) }
                 @if let Some(source) = claim.source { "; " (readable(source)) }
                 (besides)

@@ -18,12 +18,12 @@ pub struct Table {
 impl Table {
     /// A table with these headings and rows below them.
     #[must_use]
-    pub fn new<const N: usize>(
+    pub fn new<'a>(
         caption: &'static str,
-        headings: [&str; N],
+        headings: impl IntoIterator<Item = &'a str>,
         rows: impl IntoIterator<Item = Vec<String>>,
     ) -> Self {
-        let headings = headings.map(str::to_owned).to_vec();
+        let headings = headings.into_iter().map(str::to_owned).collect();
         Table { caption, rows: [headings].into_iter().chain(rows).collect() }
     }
 }

@@ -28,10 +28,6 @@ fn logarithm(value: f64) -> f64 {
     if value < f64::EPSILON { f64::EPSILON.log10() } else { value.log10() }
 }
 
-fn is_logarithmic(column: &str) -> bool {
-    column == "sali" || column.starts_with("drift")
-}
-
 impl Chart {
     /// What the first observable of [`Observe`] says of orbits over one or two ranges, the last
     /// axis of the question to the right. A cell is empty where its orbit leaves the range of
@@ -53,16 +49,22 @@ impl Chart {
         Chart { steps: Some(observe.steps), ..chart }
     }
 
-    /// How the numbers of a column are shown: those that have many powers of ten as logarithms.
+    /// Whether the numbers of a column have so many powers of ten that their logarithms are shown.
+    #[must_use]
+    pub fn is_logarithmic(column: &str) -> bool {
+        column == "sali" || column.starts_with("drift")
+    }
+
+    /// How the numbers of a column are shown: as logarithms to base 10, or as they are.
     #[must_use]
     pub fn scale(column: &str) -> fn(f64) -> f64 {
-        if is_logarithmic(column) { logarithm } else { |value| value }
+        if Self::is_logarithmic(column) { logarithm } else { |value| value }
     }
 
     /// Numbers of a column of a file, on their [scale](Chart::scale).
     #[must_use]
     pub fn of_column(name: String, axes: Vec<Axis>, column: String, values: Vec<f64>) -> Self {
-        let is_logarithm = is_logarithmic(&column);
+        let is_logarithm = Self::is_logarithmic(&column);
         Chart { axes, values, name, column, is_logarithm, steps: None }
     }
 

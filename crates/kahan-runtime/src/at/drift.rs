@@ -99,7 +99,7 @@ impl<T: MachineFloat> MapAt<T> {
     fn integrals_abreast(maps: [&Self; GROUP], room: Vec<T>) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));
-        let constants = maps.map(|map| &*map.constants);
+        let constants = maps.map(|map| &*map.of_integrals);
         first.engine().integrals_abreast(constants, first.instructions, room).filter(|_| are_like_first)
     }
 }

@@ -50,12 +50,16 @@ impl<T: MachineFloat> MapAt<T> {
         Ok(self.engine().by_constant(&self.constants, place, x))
     }
 
-    /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals).
+    /// The integrals, in the order of [`Field::integrals`](crate::Field::integrals); of a
+    /// [composition](Self::composed) those of the flow.
     ///
     /// # Errors
     /// [`DimensionError`] if `x` has not an entry a variable, or `out` not one an integral.
     pub fn integrals(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.object(Object::Integrals, x, out, self.map.field().integrals().len())
+        self.check_state(x)?;
+        self.check_out(out, self.map.field().integrals().len())?;
+        self.engine().evaluate(Object::Integrals, &self.of_integrals, x, out);
+        Ok(())
     }
 
     /// The density of the invariant measure.
@@ -91,7 +95,10 @@ impl<T: MachineFloat> MapAt<T> {
     fn object(&self, object: Object, x: &[T], out: &mut [T], entries: usize) -> Result<(), DimensionError> {
         self.check_state(x)?;
         self.check_out(out, entries)?;
-        self.engine().evaluate(object, &self.constants, x, out);
+        // Each row of an orbit has its integrals, and most fields claim none.
+        if entries > 0 {
+            self.engine().evaluate(object, &self.constants, x, out);
+        }
         Ok(())
     }
 }

@@ -24,7 +24,7 @@ use dashu_int::{IBig, UBig};
 
 use super::integers::{bits, greatest_common_divisor, short_gcd};
 use super::map::Image;
-use super::reduction::in_two_threads;
+use super::reduction::in_halves;
 
 /// Finds less than one part in so many of the digits count as nothing.
 const NEGLIGIBLE: usize = 100;
@@ -166,8 +166,8 @@ fn predicted(point: &[IBig], gamma: &UBig) -> Option<Vec<IBig>> {
 /// between two threads.
 fn quotients(point: &[IBig], divisor: &UBig) -> Result<Vec<IBig>, UBig> {
     if longest(point) > WORTH_A_THREAD && point.len() > 1 {
-        let [left, right] = in_two_threads(point, |half| quotients_in_turn(half, divisor));
-        return Ok([left?, right?].concat());
+        let halves = in_halves(point, |half| quotients_in_turn(half, divisor));
+        return Ok(halves.into_iter().collect::<Result<Vec<_>, _>>()?.concat());
     }
     quotients_in_turn(point, divisor)
 }

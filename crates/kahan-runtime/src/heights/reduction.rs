@@ -8,8 +8,6 @@
 //! product. Its own gcd is quick, as the quotients by it are short. Long numbers are shared out
 //! between two threads, where the machine has two.
 
-use std::thread;
-
 use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
@@ -42,24 +40,20 @@ pub(crate) fn common_factors(x: &[IBig], weight: &UBig, parts: &[IBig], before: 
     if parts.len() > 1 && is_long {
         // ∏ gcd(B, ∏Xᵢ) over the parts B divides W, and gcd(Xᵢ, W) divides it.
         let share = |part: &IBig| shared_with_product(x, &part.unsigned_abs());
-        let shares = in_two_threads(parts, |parts| parts.iter().map(share).collect::<Vec<UBig>>());
+        let shares = in_halves(parts, |parts| parts.iter().map(share).collect::<Vec<UBig>>());
         return each_with(x, weight, &shares.iter().flatten().product());
     }
     if x.len() > 1 && is_long {
-        let factors = in_two_threads(x, |x| each_with(x, weight, &shared_with_product(x, weight)));
+        let factors = in_halves(x, |x| each_with(x, weight, &shared_with_product(x, weight)));
         return factors.into_iter().flatten().collect();
     }
     each_with(x, weight, &shared_with_product(x, weight))
 }
 
-/// What comes of the two halves of a list, at once.
-#[expect(clippy::disallowed_methods, reason = "the two halves share what they compute")]
-pub(super) fn in_two_threads<T: Sync, R: Send>(items: &[T], work: impl Fn(&[T]) -> R + Sync) -> [R; 2] {
+/// What comes of the two halves of a list, at once where the machine has two threads.
+pub(super) fn in_halves<T: Sync, R: Send>(items: &[T], work: impl Fn(&[T]) -> R + Sync) -> Vec<R> {
     let (left, right) = items.split_at(items.len() / 2);
-    thread::scope(|scope| {
-        let other = scope.spawn(|| work(right));
-        [work(left), other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))]
-    })
+    threads::map(2, None, |half| work([left, right][half]))
 }
 
 /// gcd(B, ∏Xᵢ) over the i with Xᵢ ≠ 0.

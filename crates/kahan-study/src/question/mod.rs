@@ -173,7 +173,7 @@ impl Study {
         watch: &dyn Watch,
     ) -> Result<End, StudyError> {
         match question {
-            Question::Orbit(asked) => Ok(asked.begin(self)?.rows(range, rows, watch)),
+            Question::Orbit(asked) => Ok(asked.begin(&asked.study(self)?)?.rows(range, rows, watch)),
             Question::Over(asked) => asked.rows(self, range, rows, watch),
             Question::Section(asked) => Ok(asked.ask(self, watch)?.rows(range, rows)),
             other => Err(StudyError::NoRows(other.name())),

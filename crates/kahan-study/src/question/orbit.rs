@@ -30,7 +30,8 @@ use maps::Moving;
 use points::{Course, Halt, Points, ended};
 
 /// Asks for the points of an orbit: rows of n, the time t = 2εn, the variables, the integrals that
-/// are claimed without `when`.
+/// are claimed without `when`, or `when` what holds for this orbit. A claim is about Kahan's map;
+/// compositions of it and other methods follow the flow, whose integrals are the claims at ε = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Orbit {
@@ -250,7 +251,16 @@ impl Orbit {
         }
     }
 
-    /// Begins the orbit of a system whose claims hold.
+    /// The study with the integrals that the orbit keeps without a condition.
+    ///
+    /// # Errors
+    /// Those of [`Study::at_step`].
+    pub fn study(&self, study: &Study) -> Result<Study, StudyError> {
+        let is_the_map = self.method == Method::Kahan && self.order == usual_order();
+        if is_the_map { study.at_step(&self.eps) } else { Ok(study.clone()) }
+    }
+
+    /// Begins the orbit of a system whose claims hold; of [its own](Self::study), with all integrals.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of the
@@ -279,7 +289,8 @@ impl Orbit {
     /// # Errors
     /// Those of [`begin`](Self::begin), and more than [`MOST_CELLS`].
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Orbited, StudyError> {
-        let begun = self.begin(study)?;
+        let study = self.study(study)?;
+        let begun = self.begin(&study)?;
         let head = begun.head.clone();
         let count = (self.steps / self.every).saturating_add(1);
         let cells = count.saturating_mul(head.columns.len() as u64);

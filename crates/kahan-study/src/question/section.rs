@@ -83,8 +83,8 @@ pub struct SectionFound {
     pub variables: Vec<String>,
     /// The steps that were made.
     pub steps: u64,
-    /// Whether numbers left the range of doubles.
-    pub left_range: bool,
+    /// How the orbit ended; it is done where it has so many crossings as were asked for.
+    pub ended: Ended,
     /// Where the orbit crosses, in order.
     pub crossings: Vec<Crossing<Vec<f64>, f64>>,
 }
@@ -196,7 +196,7 @@ impl Section {
             system: study.name().to_owned(),
             variables: study.variables().to_vec(),
             steps,
-            left_range: ended == Ended::Range,
+            ended,
             crossings,
         })
     }
@@ -238,6 +238,7 @@ struct Object<'a> {
     system: &'a str,
     variables: &'a [String],
     steps: u64,
+    ended: &'static str,
     times: Vec<f64>,
     points: Vec<&'a [f64]>,
 }
@@ -248,6 +249,12 @@ impl Serialize for SectionFound {
             system: &self.system,
             variables: &self.variables,
             steps: self.steps,
+            ended: match self.ended {
+                Ended::Complete => "complete",
+                Ended::Done => "points",
+                Ended::Range => "range",
+                Ended::Stopped => "stopped",
+            },
             times: self.crossings.iter().map(|crossing| crossing.time).collect(),
             points: self.crossings.iter().map(|crossing| &crossing.point[..]).collect(),
         };

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
 use crate::study::Study;
-use crate::sympy::SymPy;
+use crate::sympy::{self, SymPy};
 
 pub use plan::{Costs, Listing, Planned};
 
@@ -104,6 +104,10 @@ pub struct Sheet {
     /// The block of `kahan!`.
     #[serde(rename = "macro")]
     pub block: String,
+    /// In [`Form::Sympy`] a script for Python, which assigns the symbols, and the matrices and the
+    /// claims made of them, to the names of this sheet.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub script: Option<String>,
 }
 
 /// A claim as it is shown.
@@ -137,16 +141,18 @@ impl Show {
     /// [`StudyError`]: claims that do not hold, a field that is not defined at its parameters.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Shown, StudyError> {
         study.proved()?;
-        let system = study.specialised()?;
+        let mut system = study.specialised()?;
+        let block = macro_block(&system);
         let notation: &dyn Notation = match self.form {
             Form::Text => &Text,
             Form::Latex => &Latex,
             Form::Sympy => &SymPy,
             Form::Kahan => {
-                return Ok(Shown::Block { system: study.name().to_owned(), block: macro_block(&system) });
+                return Ok(Shown::Block { system: study.name().to_owned(), block });
             }
             Form::Plan => return Ok(Shown::Plan(Box::new(Planned::of(study.name(), &system, watch)))),
         };
+        system.claims.iter_mut().for_each(|claim| claim.put_values(&system.constants));
         let map = RationalMap::of(&system.field);
         let formulas = Formulas { field: &system.field, map: map.as_ref(), notation };
         let of_claims = Some(notation).filter(|_| self.form != Form::Text);
@@ -154,7 +160,7 @@ impl Show {
             source: study.source(&claim.name.text),
             ..ClaimShown::of(&system, claim, of_claims)
         });
-        Ok(Shown::Formulas(Box::new(Sheet {
+        let mut sheet = Sheet {
             system: study.name().to_owned(),
             title: study.title(),
             variables: system.field.symbols.states.clone(),
@@ -169,8 +175,11 @@ impl Show {
             jacobian: if self.jacobian { formulas.jacobian() } else { None },
             removed_factor: formulas.removed_factor(),
             claims: claims.collect(),
-            block: macro_block(&system),
-        })))
+            block,
+            script: None,
+        };
+        sheet.script = (self.form == Form::Sympy).then(|| sympy::script(&sheet));
+        Ok(Shown::Formulas(Box::new(sheet)))
     }
 }
 

@@ -328,7 +328,7 @@ impl<'a> Search<'a> {
             return;
         }
         // How many there will be depends on what they show.
-        let progress = Progress { what: "settings", done: self.settings.len() as u64, of: Some(60) };
+        let progress = Progress { what: "settings", done: self.settings.len() as u64, of: None };
         if let ControlFlow::Break(()) = self.watch.look(&progress) {
             self.deadline = Duration::ZERO;
         }

@@ -108,10 +108,11 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
         block.misspelt_states.push(left);
         return Err(cursor.unreadable().expect("the next token is unreadable"));
     }
-    let help = if cursor.is_punctuation(0, '=') {
-        format!("write `{}dot = …`", meant(&text))
-    } else {
-        SHAPES.to_owned()
+    let quotient = text.strip_prefix('d').filter(|state| !state.is_empty() && cursor.is_punctuation(0, '/'));
+    let help = match quotient {
+        Some(state) => format!("write `{state}dot = …`"),
+        None if cursor.is_punctuation(0, '=') => format!("write `{}dot = …`", meant(&text)),
+        None => SHAPES.to_owned(),
     };
     // Read as an equation all the same, so that the field keeps its dimension.
     if cursor.is_punctuation(0, '=') {

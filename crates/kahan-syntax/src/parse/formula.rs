@@ -53,12 +53,12 @@ fn check_end(cursor: &Cursor<'_>) -> Parsed<()> {
     if cursor.is_at_end() {
         return Ok(());
     }
-    error(
-        Kind::Syntax,
-        cursor.here(),
-        "the formula should end here",
-        "put an operator in between, as in `2*i`; formulas with names are separated by `;`",
-    )
+    let help = if cursor.is_punctuation(0, '=') {
+        "a formula has a value and no `=`: write `x` where it is to be 0, `x - y` for `x = y`"
+    } else {
+        "put an operator in between, as in `2*i`; formulas with names are separated by `;`"
+    };
+    error(Kind::Syntax, cursor.here(), "the formula should end here", help)
 }
 
 impl Dialect for InFormula {

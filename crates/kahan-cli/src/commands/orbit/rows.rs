@@ -45,7 +45,7 @@ impl Orbit {
             columns.insert(0, json!(kahan_study::free_name(&names, "orbit")));
         }
         let file = self.out.as_deref().filter(|path| !is_array(path));
-        let sink = file.map_or_else(|| Ok(Sink::standard()), |path| Sink::file(path, "--out"))?;
+        let sink = file.map_or_else(|| Ok(Sink::standard()), Sink::table)?;
         let steps = self.steps.saturating_mul(orbits.len() as u64);
         let prompt = has_room_for_progress(file.is_some()).then(|| Prompt::new(steps, "steps"));
         let written = self.write_into(sink, &head, orbits, prompt.as_ref(), fill);

@@ -96,8 +96,8 @@ impl Subject<'_> {
         html! {
             (Asked::of(self.generic, Question::Poles(poles)).html())
             (self.picture("heights", "Heights of an exact orbit", &heights, |_| html! {
-                "The logarithmic height of a fraction is about 2.3 times the number of its digits. A straight line is growth like "
-                "a power of the number of steps; where the axis below is n, growth is exponential."
+                "The logarithmic height of a fraction is about 2.3 times the number of its digits. Heights that grow like a power "
+                "of n are drawn over log n, and those that grow exponentially over n: either way they come near a straight line."
             }))
         }
     }
@@ -255,7 +255,7 @@ fn figure(
                     div.drawings { (drawing.inline()) }
                     figcaption {
                         p { (words) }
-                        @for note in notes { p.data { (note) "." } }
+                        @for note in notes { p.data { "Note: " (note) "." } }
                     }
                 },
                 Err(refusal) => p.missing { "Left out: " (refusal.message()) },

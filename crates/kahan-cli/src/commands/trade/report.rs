@@ -5,6 +5,7 @@ use kahan_draw::answer::{choice, front};
 use kahan_study::reference::Method;
 use kahan_study::trade::{Traded, need_name};
 
+use super::super::line::Line;
 use crate::printing::layout::table;
 
 /// Steps beyond which a badly rounded ε shows as a linear drift.
@@ -15,7 +16,8 @@ fn size(value: f64) -> String {
     if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
 }
 
-pub(super) fn text(traded: &Traded) -> String {
+/// `call` makes the orbit of the choice.
+pub(super) fn text(traded: &Traded, call: Option<&Line>) -> String {
     let mut lines = vec![
         format!(
             "{}: need {}, tolerance {:e}",
@@ -25,11 +27,12 @@ pub(super) fn text(traded: &Traded) -> String {
         ),
         String::new(),
     ];
-    lines.extend(table(&front(traded).rows, 3));
+    lines.extend(table(&front(traded).rows, 4));
     lines.push(String::new());
     if let Some([chosen, rust]) = choice(traded) {
         lines.push(format!("choice     {chosen}"));
-        lines.extend(rust.lines().map(|line| format!("           {line}")));
+        let call = call.map(|call| format!("           {call}"));
+        lines.extend(call.into_iter().chain(rust.lines().map(|line| format!("           {line}"))));
     }
     lines.extend(out_of_reach(traded));
     lines.extend(notes(traded));

@@ -18,17 +18,24 @@ pub(super) fn text(verdicts: &Verdicts) -> String {
     let room = screen_width().saturating_sub(2 + widths.iter().map(|width| width + 2).sum::<usize>());
     widths.push(room);
     let mut text = verdicts.claims.first().map_or_else(Vec::new, |row| title(&row.system));
+    let mut is_whole = true;
     for (row, cells) in verdicts.claims.iter().zip(&cells) {
-        let about = if row.source.is_empty() { &row.statement } else { &row.source };
-        let about = if room < LEAST_SEEN { String::new() } else { shorten(about, room) };
+        let is_failed = row.outcome == Outcome::Failed;
+        // What failed is said in full below.
+        let statement = if is_failed { "" } else { &row.statement };
+        let whole = if row.source.is_empty() { statement } else { &row.source };
+        let about = if room < LEAST_SEEN { String::new() } else { shorten(whole, room) };
+        is_whole &= about == statement;
         text.push(format!("  {}", columns(&[cells.as_slice(), &[about]].concat(), &widths)));
-        if row.outcome == Outcome::Failed {
+        if is_failed {
             text.push(format!("    {}", row.statement));
             text.push(format!("    {}", row.detail));
         }
     }
     text.push(totals(verdicts));
-    text.push("--all shows statements in full, with their sources and times".to_owned());
+    if !is_whole {
+        text.push("--all shows statements in full, with their sources and times".to_owned());
+    }
     text.join("\n") + "\n"
 }
 

@@ -1,6 +1,7 @@
 //! Output files.
 
 use super::*;
+use crate::running::refusal;
 
 const SHORT: [&str; 7] = ["e6", "--eps", "0.1", "--at", "1,2,3", "--steps", "9"];
 
@@ -30,6 +31,18 @@ fn a_file_may_be_read_by_whom_new_files_may_be_read_by_and_links_are_followed() 
     assert_eq!(mode(&file), mode(&other));
     assert_eq!(fs::read(&file).expect("the file"), fs::read(&other).expect("the file"));
     assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
+}
+
+#[test]
+fn the_ending_of_a_table_is_that_of_its_format() {
+    let parquet = ["--out", "no.parquet"];
+    let orbit = refusal(&[&["orbit"], &SHORT[..], &parquet].concat());
+    let start = ["--eps", "1/9", "--at", "1,2", "--steps", "9"];
+    let heights = refusal(&[&["heights", "lv"], &start[..], &parquet].concat());
+    let section = refusal(&[&["section", "lv", "--plane", "x - 1"], &start[..], &parquet].concat());
+    for told in [orbit, heights, section] {
+        assert!(told.contains("no.parquet") && told.contains("ends in .csv"), "{told}");
+    }
 }
 
 #[test]

@@ -12,7 +12,9 @@ use kahan_study::reference::{Limits, Reference, Trajectory};
 use kahan_systems::E6;
 use serde_json::Value;
 
-use crate::running::{kahan, refusal};
+#[cfg(unix)]
+use crate::running::shell;
+use crate::running::{answer, kahan, refusal};
 
 fn json(arguments: &[&str]) -> Value {
     let output = kahan(&[arguments, &["--json"]].concat());
@@ -218,6 +220,25 @@ fn the_text_names_the_choice_and_what_stands_behind_it() {
     let output = kahan(&[&E6_SCENE[..], &["--tolerance", "1e-20"]].concat());
     let text = String::from_utf8(output.stdout).expect("UTF-8");
     assert!(text.contains("too coarse f64, order 8: at best "), "{text}");
+}
+
+#[cfg(unix)]
+#[test]
+fn the_text_has_a_call_that_makes_the_orbit_of_the_choice() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("spring.svg");
+    let out = path.to_str().expect("UTF-8");
+    let spring = ["trade", "--field", "xdot = v; vdot = -x - x^2;", "--at", "0.3,0", "--horizon", "5"];
+    let text = answer(&[&spring[..], &["--tolerance", "1e-4", "--seconds", "60", "--out", out]].concat());
+    assert!(text.contains("return") && !text.contains("integrals"), "{text}");
+    assert!(text.ends_with(&format!("{out} written\n")), "{text}");
+    let call =
+        text.lines().map(str::trim).find(|line| line.starts_with("kahan orbit --field ")).expect("a call");
+    let orbit = shell(call, folder.path());
+    assert!(orbit.status.success(), "{call}");
+    let rows = String::from_utf8(orbit.stdout).expect("UTF-8");
+    let time = rows.lines().last().and_then(|row| row.split(',').nth(1)?.parse::<f64>().ok());
+    assert!((time.expect("a time") - 5.0).abs() < 1e-5, "{call}: {rows}");
 }
 
 #[test]

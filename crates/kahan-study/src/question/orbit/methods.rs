@@ -47,7 +47,8 @@ impl<A: Moving> Explicit<'_, A> {
         plan.evaluate(self.arithmetic, |variable| match symbols.symbol(variable) {
             Symbol::State(i) | Symbol::SecondState(i) => x[i].clone(),
             Symbol::Parameter(k) => self.parameters[k].clone(),
-            Symbol::Epsilon => self.eps.clone(),
+            // The field has none, and the integrals are those of the flow.
+            Symbol::Epsilon => A::round(&Rational::zero()),
         })
     }
 
@@ -145,7 +146,6 @@ impl QuadraticField<Dd, LARGEST_DIMENSION> for Directed {
 /// The flow, as Taylor series in double-double.
 struct Solution {
     field: Directed,
-    eps: Dd,
     /// |2ε|
     step: Dd,
     x: Point,
@@ -162,7 +162,7 @@ pub(super) fn flow<A: Moving>(
     let sign = Dd::from(if eps.is_negative() { -1.0 } else { 1.0 });
     let eps = DoubleDouble::round(eps);
     let x = Point::from_fn(|i, _| start.get(i).map_or_else(Dd::default, DoubleDouble::round));
-    Ok(Box::new(Solution { field: Directed { map, sign }, eps, step: eps * sign * Dd::from(2.0), x }))
+    Ok(Box::new(Solution { field: Directed { map, sign }, step: eps * sign * Dd::from(2.0), x }))
 }
 
 impl Solution {
@@ -209,7 +209,7 @@ impl Solution {
         let cell = |number: Dd| A::narrow(number).map_or(A::UNDEFINED, |number| A::cell(&number));
         let variables = self.field.map.variables().len();
         cells.extend(self.x.iter().take(variables).copied().map(cell));
-        let integrals = self.field.map.integrals(&self.x, &self.eps).into_iter();
+        let integrals = self.field.map.integrals(&self.x, &Dd::default()).into_iter();
         cells.extend(integrals.map(|value| value.map_or(A::UNDEFINED, cell)));
     }
 }
