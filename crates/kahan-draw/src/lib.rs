@@ -19,5 +19,5 @@ pub mod document;
 pub mod answer;
 
 pub use plot::{
-    Cloud, Drawing, Format, Grid, Mark, NoFile, NumberLine, Plot, Series, Sheet, Side, Space, Theme, decimal,
+    Cloud, Drawing, Format, Grid, Mark, Marks, NoFile, NumberLine, Plot, Series, Sheet, Space, Theme, decimal,
 };

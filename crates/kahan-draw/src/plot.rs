@@ -7,6 +7,8 @@
 
 mod drawing;
 mod grid;
+mod label;
+mod legend;
 mod number_line;
 mod palette;
 mod path;
@@ -23,12 +25,14 @@ use maud::{Markup, html};
 
 pub use drawing::{Drawing, Format, NoFile, Sheet};
 pub use grid::Grid;
+use label::{LARGE, SMALL, fitted, reach, text, width};
+use legend::Legend;
 use number_line::Tick;
-pub use number_line::{NumberLine, decimal};
+pub use number_line::{Marks, NumberLine, decimal};
 use palette::Paint;
 pub use palette::Theme;
 pub(crate) use palette::{style, variables};
-use path::{Place, dots, line, polyline, stroked, tenths, text};
+use path::{Place, dots, line, polyline, rings, stroked};
 pub use space::{Cloud, Space};
 
 /// How the points of a series are drawn.
@@ -36,6 +40,12 @@ pub use space::{Cloud, Space};
 pub enum Mark {
     /// A line through them.
     Line,
+    /// A thin line through very many of them.
+    Thin,
+    /// A broad pale line, to be drawn below others.
+    Band,
+    /// A dashed line, for comparison.
+    Level,
     /// A dot each.
     Dots,
     /// A small dot each.
@@ -44,43 +54,54 @@ pub enum Mark {
     Fine,
     /// A thin line with a dot at each.
     Both,
-}
-
-/// Where the label of a series stands, seen from its last point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// Above, to the right or to the left, where there is room.
-    Above,
-    /// Above, to the left.
-    Left,
-    /// Below.
-    Below,
+    /// A thin line with a small ring at each.
+    Rings,
+    /// A large ring around each.
+    Ring,
 }
 
 impl Mark {
     fn has_line(self) -> bool {
-        matches!(self, Mark::Line | Mark::Both)
-    }
-
-    fn has_dots(self) -> bool {
-        self != Mark::Line
+        !matches!(self, Mark::Dots | Mark::Points | Mark::Fine | Mark::Ring)
     }
 
     /// The width of its dots.
-    fn dot(self) -> f64 {
+    fn dot(self) -> Option<f64> {
         match self {
-            Mark::Points => 2.4,
-            Mark::Fine => 1.1,
-            _ => 4.0,
+            Mark::Dots | Mark::Both => Some(4.0),
+            Mark::Points => Some(2.4),
+            Mark::Fine => Some(1.1),
+            _ => None,
+        }
+    }
+
+    /// The radius of its rings.
+    fn ring(self) -> Option<f64> {
+        match self {
+            Mark::Rings => Some(2.2),
+            Mark::Ring => Some(6.0),
+            _ => None,
         }
     }
 
     /// The width of its line in a colour; the sixth is for what others are compared with.
     fn line(self, colour: usize) -> f64 {
         match self {
+            Mark::Band => 7.0,
+            Mark::Thin => 0.8,
             _ if colour == 6 => 1.4,
-            Mark::Both => 1.0,
+            Mark::Both | Mark::Rings => 1.0,
+            Mark::Ring => 1.6,
             _ => 2.0,
+        }
+    }
+
+    /// The dashes of its line, which tell colours apart where all are grey. They have round ends.
+    fn dashes(self, colour: usize) -> Option<&'static str> {
+        match (self, colour) {
+            (Mark::Level, _) => Some("5 4"),
+            (Mark::Band, _) => None,
+            _ => [None, Some("8 5"), Some("0.5 4"), Some("9 5 0.5 5"), Some("16 5"), None][colour - 1],
         }
     }
 }
@@ -88,10 +109,8 @@ impl Mark {
 /// Points that belong together.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// What stands where it ends; may be empty.
+    /// What the legend calls it; may be empty.
     pub label: String,
-    /// Where its label stands.
-    pub side: Side,
     /// The colour, 1 to 6.
     pub colour: usize,
     /// How it is drawn.
@@ -102,10 +121,24 @@ pub struct Series {
 }
 
 impl Series {
-    /// A series with its label above its end.
+    /// A series of these points.
     #[must_use]
     pub fn new(label: &str, colour: usize, mark: Mark, points: Vec<(f64, f64)>) -> Self {
-        Series { label: label.to_owned(), side: Side::Above, colour, mark, points }
+        Series { label: label.to_owned(), colour, mark, points }
+    }
+
+    /// Its lines through parts, and its dots or rings at places.
+    fn shape(&self, theme: Theme, parts: &[Vec<Place>], places: &[Place]) -> Markup {
+        let Series { mark, colour, .. } = *self;
+        let paint = if mark == Mark::Band { Paint::BAND } else { Paint::curve(colour) };
+        let is_dashed = mark == Mark::Level || !self.label.is_empty() || theme == Theme::Paper;
+        let dashes = mark.dashes(colour).filter(|_| is_dashed);
+        let lines = || parts.iter().map(|part| polyline(part)).collect::<String>();
+        paint.group(theme, &html! {
+            @if mark.has_line() { (stroked("line", &lines(), theme.line(mark.line(colour)), dashes)) }
+            @if let Some(dot) = mark.dot() { (stroked("dots", &dots(places), theme.line(dot), None)) }
+            @if let Some(radius) = mark.ring() { (stroked("rings", &rings(places, radius), theme.line(mark.line(colour)), None)) }
+        })
     }
 }
 
@@ -120,19 +153,14 @@ pub struct Plot {
     pub x: NumberLine,
     /// Upwards.
     pub y: NumberLine,
-    /// Horizontal lines for comparison: height and label.
-    pub levels: Vec<(f64, String)>,
     /// What is drawn, each over those before.
     pub series: Vec<Series>,
+    /// What stands behind the legend; may be empty.
+    pub note: String,
 }
 
-const LEFT: f64 = 66.0;
-const RIGHT: f64 = 18.0;
-const TOP: f64 = 16.0;
-const BOTTOM: f64 = 50.0;
-
 impl Plot {
-    /// A drawing without levels, whose axes show all points.
+    /// A drawing whose axes show all points.
     #[must_use]
     pub fn around(description: &str, [x, y]: [&str; 2], series: Vec<Series>) -> Self {
         let points = || series.iter().flat_map(|series| &series.points);
@@ -141,20 +169,9 @@ impl Plot {
             sheet: Sheet::page(480, 320),
             x: NumberLine::around(x, points().map(|point| point.0)),
             y: NumberLine::around(y, points().map(|point| point.1)),
-            levels: Vec::new(),
             series,
+            note: String::new(),
         }
-    }
-
-    fn frame(&self) -> Frame {
-        let (width, height) = self.sheet.view_box;
-        let (right, bottom) = (width - RIGHT, height - BOTTOM);
-        Frame { left: LEFT, right, top: TOP, bottom, theme: self.sheet.theme }
-    }
-
-    /// The place of a point in the view box.
-    fn place(&self, point: (f64, f64)) -> (f64, f64) {
-        self.frame().place(&self.x, &self.y, point)
     }
 
     fn shows(&self, &(x, y): &(f64, f64)) -> bool {
@@ -170,136 +187,125 @@ impl Plot {
     /// The drawing.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
+        let legend = Legend::of(&self.series, &self.note, self.sheet);
+        let frame = Frame::around(self.sheet, legend.height(), 0.0, &self.x, &self.y);
+        let drawn = |series: &Series| {
+            let parts = series.points.split(|point| !self.shows(point));
+            let place = |point: &(f64, f64)| frame.place(&self.x, &self.y, *point);
+            let parts: Vec<Vec<Place>> = parts.map(|part| part.iter().map(place).collect()).collect();
+            series.shape(self.sheet.theme, &parts, &parts.concat())
+        };
         let body = html! {
-            (self.frame().axes(&self.x, &self.y))
-            @for (level, label) in &self.levels { (self.level(*level, label)) }
-            @for series in &self.series { (self.series(series)) }
-            // Labels last, so that no curve runs through them.
-            @for (colour, place, anchor, words) in self.labels() {
-                (haloed(self.sheet.theme, Paint::label(colour), 600, &text(place, anchor, words)))
-            }
+            (frame.across(&self.x, &self.y))
+            (frame.axes(&self.x, &self.y))
+            @for series in &self.series { (drawn(series)) }
+            (legend.drawn())
         };
         Drawing { description: self.description.clone(), sheet: self.sheet, body }
-    }
-
-    fn level(&self, level: f64, label: &str) -> Markup {
-        if !self.y.shows(level) {
-            return html! {};
-        }
-        let (right, y) = self.place((self.x.high, level));
-        let rule = html! { g stroke-dasharray="5 4" { (line((LEFT, y), (right, y))) } };
-        html! {
-            (Paint::LEVEL.group(self.sheet.theme, &rule))
-            (haloed(self.sheet.theme, Paint::LEVEL_NAME, 400, &text(self.level_name(level), "end", label)))
-        }
-    }
-
-    /// Where the name of a level ends.
-    fn level_name(&self, level: f64) -> Place {
-        let (right, y) = self.place((self.x.high, level));
-        (right - 4.0, y - 5.0)
-    }
-
-    fn series(&self, series: &Series) -> Markup {
-        let parts = series.points.split(|point| !self.shows(point));
-        let parts: Vec<Vec<(f64, f64)>> =
-            parts.map(|part| part.iter().map(|&point| self.place(point)).collect()).collect();
-        let (mark, colour, theme) = (series.mark, series.colour, self.sheet.theme);
-        Paint::curve(colour).group(theme, &html! {
-            @if mark.has_line() {
-                (stroked("line", &parts.iter().map(|part| polyline(part)).collect::<String>(), theme.line(mark.line(colour))))
-            }
-            @if mark.has_dots() { (stroked("dots", &dots(&parts.concat()), theme.line(mark.dot()))) }
-        })
-    }
-
-    /// The colour, place, anchor and words of each label: beside the last point, on the side where
-    /// there is room, and below another one that would be in its way, or above it where the drawing
-    /// ends.
-    fn labels(&self) -> Vec<(usize, Place, &'static str, &str)> {
-        const LINE: f64 = 16.0;
-
-        let mut labels: Vec<(usize, Place, &'static str, &str)> = Vec::new();
-        let levels: Vec<Place> = self.levels.iter().map(|(level, _)| self.level_name(*level)).collect();
-        for series in self.series.iter().filter(|series| !series.label.is_empty()) {
-            let last = series.points.iter().rev().find(|point| self.shows(point));
-            let Some(&last) = last else { continue };
-            let (x, y) = self.place(last);
-            let anchor =
-                if series.side == Side::Left || x > 0.7 * self.sheet.view_box.0 { "end" } else { "start" };
-            let y = if series.side == Side::Below || y < TOP + 10.0 { y + 24.0 } else { y - 10.0 };
-            let is_taken = |y: f64| {
-                let mut others = labels.iter().map(|label| &label.1).chain(&levels);
-                others.any(|(at, height)| (at - x).abs() < 2.0 * LINE && (height - y).abs() < LINE)
-            };
-            let below = (0..).map(|i| y + f64::from(i) * LINE).take_while(|y| *y < self.frame().bottom);
-            let above = (1..self.series.len() + 2).map(|i| y - i as f64 * LINE);
-            let y = below.chain(above).find(|y| !is_taken(*y)).unwrap_or(y);
-            labels.push((series.colour, (x, y), anchor, &series.label));
-        }
-        labels
     }
 }
 
 /// The rectangle within a drawing that two axes span.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
+    sheet: Sheet,
     left: f64,
     right: f64,
     top: f64,
     bottom: f64,
-    theme: Theme,
 }
 
+/// Room above the frame and below it.
+const TOP: f64 = 12.0;
+const BOTTOM: f64 = 42.0;
+
 impl Frame {
-    fn place(&self, x: &NumberLine, y: &NumberLine, point: (f64, f64)) -> (f64, f64) {
+    /// The largest one beside and above which the values at the ticks and the names have room;
+    /// other things have so much room above, and on the right.
+    fn around(sheet: Sheet, above: f64, beside: f64, x: &NumberLine, y: &NumberLine) -> Self {
+        let (across, upwards) = sheet.view_box;
+        let frame = Frame { sheet, left: 0.0, right: across, top: above + TOP, bottom: upwards - BOTTOM };
+        let widest = |ticks: Vec<(Place, String)>| {
+            ticks.iter().map(|(_, value)| width(value, SMALL)).fold(0.0, f64::max)
+        };
+        let left = 20.0 + 6.0 + widest(frame.up(y)) + 7.0;
+        // A value below the right end of an axis stands out half its width.
+        let out = widest(Frame { left, ..frame }.along(x)) / 2.0 + 4.0;
+        Frame { left, right: across - beside.max(out.max(14.0)), ..frame }
+    }
+
+    fn place(&self, x: &NumberLine, y: &NumberLine, point: (f64, f64)) -> Place {
         (x.place(point.0, self.left, self.right), y.place(point.1, self.bottom, self.top))
     }
 
-    /// Both axes with their names, round values and lines across.
+    /// The ticks below it.
+    fn along(&self, x: &NumberLine) -> Vec<(Place, String)> {
+        placed(x, |value| (x.place(value, self.left, self.right), self.bottom))
+    }
+
+    /// The ticks beside it.
+    fn up(&self, y: &NumberLine) -> Vec<(Place, String)> {
+        placed(y, |value| (self.left, y.place(value, self.bottom, self.top)))
+    }
+
+    /// Lines across at round values, behind what is drawn.
+    fn across(&self, x: &NumberLine, y: &NumberLine) -> Markup {
+        grid(
+            self.sheet.theme,
+            &html! {
+                @for ((x, _), _) in self.along(x) { (line((x, self.top), (x, self.bottom))) }
+                @for ((_, y), _) in self.up(y) { (line((self.left, y), (self.right, y))) }
+            },
+        )
+    }
+
+    /// From below the legend to above the name of the lower axis, where the others have room.
+    fn height(&self) -> [f64; 2] {
+        [self.top - TOP, self.bottom + BOTTOM / 2.0]
+    }
+
+    /// Both axes with their names and round values.
     fn axes(&self, x: &NumberLine, y: &NumberLine) -> Markup {
-        let Frame { left, right, top, bottom, theme } = *self;
-        let xs = placed(x, |value| (x.place(value, left, right), bottom));
-        let ys = placed(y, |value| (left, y.place(value, bottom, top)));
-        let across = html! {
-            @for ((x, _), _) in &xs { (line((*x, top), (*x, bottom))) }
-            @for ((_, y), _) in &ys { (line((left, *y), (right, *y))) }
-        };
+        let Frame { sheet, left, right, top, bottom } = *self;
         let axes = html! {
             (line((left, bottom), (right, bottom)))
             (line((left, top), (left, bottom)))
         };
         let values = html! {
-            @for ((x, _), value) in &xs { (text((*x, bottom + 18.0), "middle", value)) }
-            @for ((_, y), value) in &ys { (text((left - 7.0, y + 4.5), "end", value)) }
-        };
-        let names = html! {
-            (text(((left + right) / 2.0, bottom + 42.0), "middle", &x.name()))
-            text transform=(format!("translate(16 {}) rotate(-90)", tenths((top + bottom) / 2.0))) text-anchor="middle" {
-                (y.name())
-            }
+            @for ((x, _), value) in self.along(x) { (text((x, bottom + 16.0), 0, "middle", SMALL, &value)) }
+            @for ((_, y), value) in self.up(y) { (text((left - 7.0, y + 4.2), 0, "end", SMALL, &value)) }
         };
         html! {
-            (grid(theme, &across))
-            (Paint::AXES.group(theme, &axes))
-            (ticks(theme, &values))
-            (names_of_axes(theme, &names))
+            (Paint::AXES.group(sheet.theme, &axes))
+            (Paint::TICKS.group(sheet.theme, &values))
+            (name(sheet.theme, [0.0, sheet.view_box.0], ((left + right) / 2.0, bottom + 34.0), 0, &x.name()))
+            (name(sheet.theme, self.height(), (16.0, (top + bottom) / 2.0), -90, &y.name()))
         }
     }
 }
 
+/// The name of an axis, with its middle at a place, or as near to it as it has room between two
+/// ends: along the lower side, or upwards or downwards along another.
+fn name(theme: Theme, [from, to]: [f64; 2], (x, y): Place, turn: i32, words: &str) -> Markup {
+    const FREE: f64 = 5.0;
+    let (words, size) = fitted(words, LARGE, to - from - 2.0 * FREE);
+    let half = reach(&words, size) + FREE;
+    let within = |middle: f64| middle.min(to - half).max(from + half);
+    let place = if turn == 0 { (within(x), y) } else { (x, within(y)) };
+    Paint::NAMES.group(theme, &text(place, turn, "middle", size, &words))
+}
+
 /// The ticks of an axis where they are drawn, as many as have room for their words.
 fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> {
-    /// The width of a digit, and the height of a line, with what is left free around them.
-    const DIGIT: f64 = 7.0;
-    const LINE: f64 = 13.0;
-    const FREE: f64 = 5.0;
+    /// The height of a line, and what is left free between words.
+    const LINE: f64 = 14.0;
+    const FREE: f64 = 7.0;
 
-    let width = |tick: &Tick| DIGIT * tick.text.chars().count() as f64 + FREE;
     let fits = |ticks: &[Tick]| {
         ticks.windows(2).all(|pair| {
             let ((x, y), (next_x, next_y)) = (at(pair[0].value), at(pair[1].value));
-            (next_y - y).abs() >= LINE || (next_x - x).abs() >= (width(&pair[0]) + width(&pair[1])) / 2.0
+            let both = width(&pair[0].text, SMALL) + width(&pair[1].text, SMALL);
+            (next_y - y).abs() >= LINE || (next_x - x).abs() >= both / 2.0 + FREE
         })
     };
     axis.ticks(fits).into_iter().map(|tick| (at(tick.value), tick.text)).collect()
@@ -308,25 +314,4 @@ fn placed(axis: &NumberLine, at: impl Fn(f64) -> Place) -> Vec<(Place, String)> 
 /// Lines behind what is drawn.
 fn grid(theme: Theme, lines: &Markup) -> Markup {
     html! { g stroke-width=(theme.line(0.8)) { (Paint::GRID.group(theme, lines)) } }
-}
-
-/// The values at the ticks of axes.
-fn ticks(theme: Theme, values: &Markup) -> Markup {
-    html! { g font-size="12" { (Paint::TICKS.group(theme, values)) } }
-}
-
-/// What axes are called.
-fn names_of_axes(theme: Theme, names: &Markup) -> Markup {
-    html! { g font-size="13" font-style="italic" { (Paint::NAMES.group(theme, names)) } }
-}
-
-/// Words on top of what is drawn there, with paper around them; they are written twice, as not
-/// every program that reads SVG can paint the outline of a letter below it.
-fn haloed(theme: Theme, paint: Paint, weight: u32, words: &Markup) -> Markup {
-    html! {
-        g font-size="12.5" font-weight=(weight) {
-            g stroke-width="3" stroke-linejoin="round" aria-hidden="true" { (Paint::HALO.group(theme, words)) }
-            (paint.group(theme, words))
-        }
-    }
 }

@@ -14,4 +14,5 @@ mod expression;
 mod name;
 mod notation;
 
+pub use name::symbol;
 pub use notation::Latex;

@@ -20,6 +20,24 @@ pub(super) fn latex_name(name: &str) -> String {
     if indices.is_empty() { stem } else { format!("{stem}_{{{}}}", indices.join(",")) }
 }
 
+/// A name as plain text, for drawings: Greek names become letters, and digits behind a letter or a
+/// Greek name become indices: `μ₁`.
+#[must_use]
+pub fn symbol(name: &str) -> String {
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let letters = stem.strip_suffix('_').filter(|_| stem != name).unwrap_or(stem);
+    let sign = |text: &str| {
+        GREEK.iter().find(|(known, _)| *known == text).map_or(text, |(_, sign)| *sign).to_owned()
+    };
+    let letter = if letters == "eps" { "ε".to_owned() } else { sign(letters) };
+    if letter.chars().count() != 1 {
+        return name.to_owned();
+    }
+    let index =
+        name[stem.len()..].bytes().filter_map(|digit| char::from_u32('₀' as u32 + u32::from(digit - b'0')));
+    letter + &index.collect::<String>()
+}
+
 /// A part behind `_`: a number, a letter, a Greek name with or without a number, or a word.
 fn index(part: &str) -> String {
     let stem = part.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -102,7 +120,22 @@ const GREEK: [(&str, &str); 40] = [
 
 #[cfg(test)]
 mod tests {
-    use super::latex_name;
+    use super::{latex_name, symbol};
+
+    #[test]
+    fn names_are_symbols_in_plain_text_where_they_are_letters() {
+        for (name, text) in [
+            ("eps", "ε"),
+            ("xi", "ξ"),
+            ("x0", "x₀"),
+            ("mu_12", "μ₁₂"),
+            ("al3", "al3"),
+            ("x_", "x_"),
+            ("prey", "prey"),
+        ] {
+            assert_eq!(symbol(name), text);
+        }
+    }
 
     #[test]
     fn names_are_set_by_their_kind() {

@@ -196,7 +196,7 @@ fn charts_show_what_each_orbit_does() {
         .collect();
     assert_eq!(column, format!("r,lyapunov\n{}", of_one.concat()));
     let curve = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.svg"));
-    assert!(curve.contains("per unit of time of field over r from -3 to 3, 100 steps each"), "{curve}");
+    assert!(curve.contains("per unit of t of field over r from -3 to 3, 100 steps each"), "{curve}");
     let points = |class: &str| {
         let shape = curve.split_once(&format!("class=\"{class}\" d=\"")).expect("a shape").1;
         shape.split('"').next().map_or(0, |shape| shape.matches(['M', 'L']).count())

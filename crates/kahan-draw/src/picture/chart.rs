@@ -1,9 +1,10 @@
 //! What an observer says of orbits over one range, as a curve, or over two, in colours.
 
+use kahan_latex::symbol;
 use kahan_study::{Axis, Kept, Observable, Observe, Over, OverFound, Question, Through, Varied};
 
 use super::{Look, Picture};
-use crate::plot::{Grid, Mark, NumberLine, Plot, Series};
+use crate::plot::{Grid, Mark, Marks, NumberLine, Plot, Series};
 
 /// Numbers over one range or two.
 #[derive(Clone, Debug)]
@@ -18,8 +19,8 @@ pub struct Chart {
     pub column: String,
     /// Whether they are logarithms of it, to base 10.
     pub is_logarithm: bool,
-    label: String,
-    description: String,
+    /// How many steps each orbit takes, where that is known.
+    steps: Option<u64>,
 }
 
 /// To base 10; what is smaller than a rounding of 1 counts as that.
@@ -42,14 +43,10 @@ impl Chart {
             other => panic!("a chart goes through ranges, and not {other:?}"),
         };
         let axes: Vec<Axis> = asked.axes.iter().rev().map(axis).collect();
-        let shown = observe.of[0];
-        let is_logarithm = Self::is_logarithmic(shown.name());
-        let (name, column) = (found.system.clone(), shown.name().to_owned());
+        let column = observe.of[0].name();
         let values = values(observe, axes.len(), found);
-        let chart = Chart::new(axes, values, name, column, is_logarithm);
-        let label = label(shown).to_owned();
-        let over = chart.over(&label);
-        Chart { description: format!("{over}, {} steps each", observe.steps), label, ..chart }
+        let chart = Chart::of_column(found.system.clone(), axes, column.to_owned(), values);
+        Chart { steps: Some(observe.steps), ..chart }
     }
 
     /// Whether the numbers of a column have so many powers of ten that their logarithms are shown.
@@ -68,50 +65,57 @@ impl Chart {
     #[must_use]
     pub fn of_column(name: String, axes: Vec<Axis>, column: String, values: Vec<f64>) -> Self {
         let is_logarithm = Self::is_logarithmic(&column);
-        Chart::new(axes, values, name, column, is_logarithm)
-    }
-
-    fn new(axes: Vec<Axis>, values: Vec<f64>, name: String, column: String, is_logarithm: bool) -> Self {
-        let label = if is_logarithm { format!("log {column}, to base 10") } else { column.clone() };
-        let chart = Chart {
-            axes,
-            values,
-            name,
-            column,
-            is_logarithm,
-            label: String::new(),
-            description: String::new(),
-        };
-        Chart { description: chart.over(&label), label, ..chart }
+        Chart { axes, values, name, column, is_logarithm, steps: None }
     }
 
     /// What the numbers are, in words.
     #[must_use]
-    pub fn label(&self) -> &str {
-        &self.label
+    pub fn label(&self) -> String {
+        let quantity = quantity(&self.column);
+        if self.is_logarithm { format!("log₁₀ of {quantity}") } else { quantity }
     }
 
     /// What is shown, in words: the values of a curve, the cells of a grid.
-    fn over(&self, label: &str) -> String {
+    fn description(&self) -> String {
         let through = |axis: &Axis| {
-            let [from, to] = if self.axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
+            let ends = if self.axes.len() == 1 { axis.range.ends() } else { axis.range.edges() };
+            let [from, to] = ends.map(|end| end.to_f64());
             format!("{} from {from} to {to}", axis.name)
         };
         let axes: Vec<String> = self.axes.iter().map(through).collect();
-        format!("{label} of {} over {}", self.name, axes.join(" and "))
+        let steps = self.steps.map_or(String::new(), |steps| format!(", {steps} steps each"));
+        format!("{} of {} over {}{steps}", self.label(), self.name, axes.join(" and "))
+    }
+
+    /// What there is to say where the colours tell nothing.
+    fn note(&self) -> String {
+        /// Some hundred roundings of 1.
+        const ROUNDING: f64 = 1e-13;
+
+        let numbers = || self.values.iter().copied().filter(|value| value.is_finite());
+        let (low, high) = (numbers().fold(f64::MAX, f64::min), numbers().fold(f64::MIN, f64::max));
+        let value = if self.is_logarithm { 10_f64.powf(low) } else { low };
+        match high - low {
+            length if length < 0.0 => "every cell is empty".to_owned(),
+            _ if self.is_logarithm && high <= ROUNDING.log10() => {
+                "no more than rounding in all cells".to_owned()
+            }
+            length if length <= 1e-9 * high.abs() => format!("the same in all cells: {value:.6}"),
+            _ => String::new(),
+        }
     }
 }
 
-/// What is shown, in words.
-fn label(shown: Observable) -> &'static str {
-    match shown {
-        Observable::Sali => "log SALI, to base 10",
-        Observable::Fli => "FLI",
-        Observable::Megno => "mean MEGNO",
-        Observable::Lyapunov => "largest exponent, per unit of time",
-        Observable::Drift => "log of the greatest drift, to base 10",
-        Observable::Escape => "step of the escape",
-        other => other.name(),
+/// What a column is, in words.
+fn quantity(column: &str) -> String {
+    match column {
+        "sali" => "SALI".to_owned(),
+        "fli" => "FLI".to_owned(),
+        "megno" => "mean MEGNO".to_owned(),
+        "lyapunov" => "largest exponent per unit of t".to_owned(),
+        "drift" => "greatest relative drift".to_owned(),
+        "escape" | "escaped" => "step of the escape".to_owned(),
+        other => symbol(other),
     }
 }
 
@@ -145,23 +149,26 @@ fn values(asked: &Observe, axes: usize, found: &OverFound) -> Vec<f64> {
 /// A chart over one range or two.
 #[must_use]
 pub fn chart(shown: &Chart, look: &Look) -> Picture {
-    let (description, sheet) = (shown.description.clone(), look.sheet);
+    let (description, sheet, note) = (shown.description(), look.sheet, shown.note());
+    let marks = if shown.is_logarithm { Marks::Powers } else { Marks::Round };
+    let quantity = quantity(&shown.column);
     let picture = if let [axis] = &shown.axes[..] {
         let places = axis.range.values().map(|value| value.to_f64());
         let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();
         // The dots show the values that no line leads to.
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
-        let plot = Plot::around(&description, [&axis.name, &shown.label], marked.into());
-        Plot { sheet, ..plot }.drawing()
+        let plot = Plot::around(&description, [&*symbol(&axis.name), &*quantity], marked.into());
+        let y = NumberLine { marks, ..plot.y };
+        Plot { sheet, y, note, ..plot }.drawing()
     } else {
         let line = |axis: &Axis| {
             let [low, high] = axis.range.edges().map(|edge| edge.to_f64());
-            NumberLine { label: axis.name.clone(), low, high }
+            NumberLine::new(&symbol(&axis.name), low, high)
         };
         let [x, y] = [0, 1].map(|axis| line(&shown.axes[axis]));
-        let scale = NumberLine::around_most(&shown.label, shown.values.iter().copied());
+        let scale = NumberLine { marks, ..NumberLine::around_most(&quantity, shown.values.iter().copied()) };
         let (columns, values) = (shown.axes[0].range.count(), shown.values.clone());
-        Grid { description, sheet, x, y, scale, columns, values }.drawing()
+        Grid { description, sheet, x, y, scale, columns, values, note }.drawing()
     };
     let points = shown.values.iter().filter(|value| !value.is_nan()).count();
     Picture { drawing: picture, points, outside: 0, visits: Vec::new() }

@@ -1,11 +1,12 @@
 //! How the heights of an exact orbit grow.
 
 use kahan_algebra::rational::Rational;
+use kahan_latex::symbol;
 use kahan_runtime::heights::Growth;
 use kahan_study::HeightsFound;
 
 use super::{COLOURS, Look, Picture};
-use crate::plot::{Mark, Plot, Series};
+use crate::plot::{Mark, Marks, NumberLine, Plot, Series};
 
 /// The heights of each variable, so that growth like a power of n is a straight line; where growth
 /// is exponential, that is. The orbit is one at this ε.
@@ -20,12 +21,15 @@ pub fn heights(found: &HeightsFound, eps: &Rational, look: &Look) -> Picture {
         let points = heights.map(|(n, h)| (across(n), h.ln()));
         // A height of 0 has no logarithm.
         let points = points.filter(|point| point.1.is_finite()).collect();
-        Series::new(name, index % COLOURS + 1, mark, points)
+        Series::new(&symbol(name), index % COLOURS + 1, mark, points)
     };
     let series = found.variables.iter().enumerate().map(series).collect();
-    let description =
-        format!("Logarithms of the heights of {} at eps = {eps}: growth is {}", found.system, survey.growth);
-    let across = if is_exponential { "n" } else { "log n" };
-    let plot = Plot::around(&description, [across, "log of the height h"], series);
-    Picture { outside: 0, ..Picture::of(&Plot { sheet: look.sheet, ..plot }) }
+    let description = format!(
+        "Natural logarithms of the heights of {} at eps = {eps}: growth is {}",
+        found.system, survey.growth
+    );
+    let (across, marks) = if is_exponential { ("n", Marks::Whole) } else { ("ln n", Marks::Round) };
+    let plot = Plot::around(&description, [across, "ln of the height"], series);
+    let x = NumberLine { marks, ..plot.x };
+    Picture { outside: 0, ..Picture::of(&Plot { sheet: look.sheet, x, ..plot }) }
 }

@@ -2,6 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::periodic::Stability;
+use kahan_latex::symbol;
 use kahan_study::{CycleFound, DiagramFound, Range};
 
 use super::{COLOURS, Look, Picture};
@@ -19,19 +20,18 @@ pub fn diagram(diagrams: &[DiagramFound], range: &Range, transient: u64, look: &
         let values = found.values.iter().map(Rational::to_f64).zip(&found.points);
         values.flat_map(|(value, points)| points.iter().map(move |point| (value, *point))).collect()
     };
-    let label = if axis == "eps" { "ε, half the time step, in units of time" } else { axis };
     let ends = range.ends();
     let [from, to] = &ends;
     let shown = diagrams.iter().flat_map(|found| &found.points).flatten();
-    let x = look.windowed(axis, NumberLine::around(label, ends.iter().map(Rational::to_f64)));
-    let y = look.windowed(variable, NumberLine::around_most(variable, shown.clone().copied()));
+    let x = look.windowed(axis, NumberLine::around(&symbol(axis), ends.iter().map(Rational::to_f64)));
+    let y = look.windowed(variable, NumberLine::around_most(&symbol(variable), shown.clone().copied()));
     let mark = if shown.count() > 2000 { Mark::Fine } else { Mark::Points };
     let series = diagrams.iter().enumerate();
     let series = series.map(|(index, found)| Series::new("", index % COLOURS + 1, mark, points(found)));
     let description =
         format!("{variable} of {system} over {axis} from {from} to {to}, after {transient} steps");
     let series = series.collect();
-    Picture::of(&Plot { description, sheet: look.sheet, x, y, levels: Vec::new(), series })
+    Picture::of(&Plot { description, sheet: look.sheet, x, y, series, note: String::new() })
 }
 
 /// The first variable of each point of a cycle over what changes along its branch: stable cycles
@@ -50,6 +50,6 @@ pub fn branch(found: &CycleFound, look: &Look) -> Picture {
         Series::new("repelling or saddle", 2, Mark::Dots, points(&|stability| !is_stable(stability))),
     ];
     let description = format!("Cycles of {} over {name}", found.system);
-    let plot = Plot::around(&description, [name, &found.variables[0]], series);
+    let plot = Plot::around(&description, [&*symbol(name), &*symbol(&found.variables[0])], series);
     Picture::of(&Plot { sheet: look.sheet, ..plot })
 }

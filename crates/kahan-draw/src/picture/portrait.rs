@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::ops::ControlFlow;
 
+use kahan_latex::symbol;
 use kahan_study::{Column, Rows, SectionFound, Values};
 
 use super::{COLOURS, Look, Picture};
@@ -51,8 +52,8 @@ impl Coordinate {
         look.windowed(
             name,
             match self {
-                Coordinate::Time => NumberLine::around("t, in units of time", values),
-                Coordinate::Variable(_) => NumberLine::around_most(name, values),
+                Coordinate::Time => NumberLine::around("t", values),
+                Coordinate::Variable(_) => NumberLine::around_most(&symbol(name), values),
             },
         )
     }
@@ -155,7 +156,7 @@ pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, l
                 Series::new("", colour, mark, points.collect())
             });
             let [x, y] = [&axes[0], &axes[1]].map(NumberLine::clone);
-            Picture::of(&Plot { description, sheet, x, y, levels: Vec::new(), series: series.collect() })
+            Picture::of(&Plot { description, sheet, x, y, series: series.collect(), note: String::new() })
         }
     };
     Picture { visits, ..picture }
@@ -165,10 +166,13 @@ pub fn portrait(description: String, variables: &[String], orbits: Vec<Trace>, l
 /// few places: these are drawn by dots that can be seen.
 fn marks(visits: &[Visits], look: &Look) -> Vec<Mark> {
     const FEW: usize = 24;
+    /// More points, joined by lines of the usual width, are an area.
+    const LINES: usize = 2000;
 
     let others = visits.iter().filter(|visits| visits.places > FEW);
     let points: usize = others.map(|visits| visits.points).sum();
     let mark = |visits: &Visits| match if visits.places <= FEW { 0 } else { points } {
+        points if look.lines && points > LINES => Mark::Thin,
         _ if look.lines => Mark::Line,
         0..=400 => Mark::Dots,
         401..=20_000 => Mark::Points,

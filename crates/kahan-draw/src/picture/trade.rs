@@ -1,11 +1,11 @@
-//! The work–precision picture: price against error, a line for each order in doubles, small dots
-//! for other scalars and for compensation, the front above all.
+//! The work–precision picture: price against error, a line for each order in doubles and in dd,
+//! small dots for other scalars and for compensation, the front below all.
 
-use kahan_core::Precision;
+use kahan_core::{Need, Precision};
 use kahan_study::trade::{Measured, Traded};
 
 use super::{Look, Picture};
-use crate::plot::{Mark, NumberLine, Plot, Series, Sheet, Side, Theme};
+use crate::plot::{Mark, Marks, NumberLine, Plot, Series, Sheet};
 
 /// What the picture is usually drawn on.
 #[must_use]
@@ -13,66 +13,74 @@ pub fn trade_sheet() -> Sheet {
     Sheet::page(720, 480)
 }
 
-/// Every setting that was measured.
+/// Every setting that was measured, but for those whose error is so large that it tells nothing.
 #[must_use]
 pub fn trade(traded: &Traded, look: &Look) -> Picture {
+    const LARGEST: f64 = 10.0;
+
     let what = traded.error_name();
-    let shown: Vec<&Measured> = traded.settings.iter().filter(is_shown).collect();
+    // An error of 0 has no place on a logarithmic axis.
+    let shown = traded.settings.iter().filter(|measured| place(measured).1.is_finite());
+    let (shown, beyond): (Vec<&Measured>, Vec<_>) = shown.partition(|measured| measured.error() <= LARGEST);
     let points = |chosen: &dyn Fn(&Measured) -> bool| -> Vec<(f64, f64)> {
-        shown.iter().filter(|setting| chosen(setting)).map(|measured| place(measured)).collect()
+        let mut points: Vec<_> =
+            shown.iter().filter(|setting| chosen(setting)).map(|measured| place(measured)).collect();
+        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        points
     };
-    let mut series = Vec::new();
     let mut schemes: Vec<_> = shown.iter().map(|measured| measured.setting.scheme()).collect();
-    schemes.sort_by_key(|scheme| (scheme.order(), scheme.precision.name(), scheme.compensated));
+    schemes.sort_by_key(|scheme| {
+        (scheme.precision != Precision::Double, scheme.order(), scheme.precision.name(), scheme.compensated)
+    });
     schemes.dedup();
+    let mut series = vec![Series::new("front", 6, Mark::Band, points(&|measured| measured.on_front))];
+    let is_line = |measured: &Measured| {
+        let scheme = measured.setting.scheme();
+        !scheme.compensated && matches!(scheme.precision, Precision::Double | Precision::DoubleDouble)
+    };
+    series.push(Series::new("f32, compensated", 6, Mark::Points, points(&|measured| !is_line(measured))));
     for scheme in schemes {
-        // One label an order, at the line of plain doubles; other scalars of the order share
-        // its colour.
         let (label, mark) = match (scheme.precision, scheme.compensated) {
             (Precision::Double, false) => (format!("order {}", scheme.order()), Mark::Both),
-            (Precision::DoubleDouble, false) => (format!("order {}, dd", scheme.order()), Mark::Both),
-            _ => (String::new(), Mark::Points),
+            (Precision::DoubleDouble, false) => (format!("order {}, dd", scheme.order()), Mark::Rings),
+            _ => continue,
         };
-        let colour = ORDER_COLOURS[scheme.order() as usize / 2 % ORDER_COLOURS.len()];
-        let mut points = points(&|measured| measured.setting.scheme() == scheme);
-        points.sort_by(|one, other| one.0.total_cmp(&other.0));
-        series.push(Series::new(&label, colour, mark, points));
+        let colour = (scheme.order() as usize / 2).clamp(1, 5);
+        series.push(Series::new(
+            &label,
+            colour,
+            mark,
+            points(&|measured| measured.setting.scheme() == scheme),
+        ));
     }
-    series.push(Series::new("", 6, Mark::Line, points(&|measured| measured.on_front)));
+    let tolerance = traded.scene.tolerance().log10();
+    let x = NumberLine::around("time per unit of t, ns", shown.iter().map(|measured| place(measured).0));
+    let errors = shown.iter().map(|measured| place(measured).1);
+    let relative = match traded.scene.need() {
+        Need::Trajectory => "relative error",
+        Need::Integrals => "relative drift",
+    };
+    let y = NumberLine::around(relative, errors.chain([tolerance]));
+    series.push(Series::new("tolerance", 6, Mark::Level, vec![(x.low, tolerance), (x.high, tolerance)]));
     if let Some(choice) = traded.choice() {
-        let points = points(&|measured| measured == choice);
-        series.push(Series { side: Side::Left, ..Series::new("choice", 4, Mark::Dots, points) });
+        series.push(Series::new("choice", 3, Mark::Ring, points(&|measured| measured == choice)));
     }
-    let level = (traded.scene.tolerance().log10(), "tolerance".to_owned());
-    // A column in print has no room for more.
-    let across = match look.sheet.theme {
-        Theme::Paper => "log10 of nanoseconds per unit of time",
-        _ => "log10 of nanoseconds per unit of time; small dots: other scalars than f64",
+    series.retain(|series| !series.points.is_empty());
+    let note = match beyond.len() {
+        0 => String::new(),
+        count => format!("not shown: {count} with errors above {LARGEST}"),
     };
-    let places = || shown.iter().map(|measured| place(measured));
-    let plot = Plot {
-        description: format!(
-            "{}: {what} against nanoseconds per unit of simulated time, both as decimal logarithms",
-            traded.title()
-        ),
+    let [x, y] = [x, y].map(|line| NumberLine { marks: Marks::Powers, ..line });
+    Picture::of(&Plot {
+        description: format!("{}: {what} against nanoseconds per unit of simulated time", traded.title()),
         sheet: look.sheet,
-        x: NumberLine::around(across, places().map(|(x, _)| x)),
-        y: NumberLine::around(&format!("log10 of {what}"), places().map(|(_, y)| y).chain([level.0])),
-        levels: vec![level],
+        x,
+        y,
         series,
-    };
-    Picture::of(&plot)
+        note,
+    })
 }
-
-/// The colour of each order: 2, 4, 6, 8.
-const ORDER_COLOURS: [usize; 5] = [6, 1, 2, 5, 3];
 
 fn place(measured: &Measured) -> (f64, f64) {
     (measured.nanoseconds_per_unit_time.log10(), measured.error().log10())
-}
-
-/// An error of 0 has no place on a logarithmic axis, nor has one that is infinite.
-fn is_shown(measured: &&Measured) -> bool {
-    let (x, y) = place(measured);
-    x.is_finite() && y.is_finite()
 }

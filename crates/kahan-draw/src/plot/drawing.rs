@@ -53,9 +53,12 @@ impl Drawing {
         let Sheet { view_box: (width, height), theme, .. } = self.sheet;
         let (css, paper) = (style(theme), Paint::PAPER);
         let [across, upwards] = self.sheet.lengths();
+        // The fonts of printers, whose letters are as wide as each other's.
+        let fonts =
+            if theme == Theme::Paper { "Helvetica, Arial, sans-serif" } else { "system-ui,sans-serif" };
         let svg = html! {
             svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width=(across) height=(upwards)
-                viewBox=(format!("0 0 {width} {height}")) font-family="system-ui,sans-serif" role="img" aria-label=(self.description) {
+                viewBox=(format!("0 0 {width} {height}")) font-family=(fonts) role="img" aria-label=(self.description) {
                 @if !css.is_empty() { style { (PreEscaped(css)) } }
                 rect.(paper.class()) width="100%" height="100%" fill=(paper.fill(theme)) {}
                 @if theme == Theme::Paper { g stroke-width=(theme.line(1.0)) { (self.body) } } @else { (self.body) }

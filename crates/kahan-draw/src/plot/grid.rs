@@ -4,10 +4,12 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use maud::{Markup, html};
 
+use super::label::{SMALL, text, width};
+use super::legend::Legend;
 use super::palette::Paint;
-use super::path::{line, tenths, text};
+use super::path::{line, tenths};
 use super::ramp::{Rgb, colour};
-use super::{Drawing, Frame, NumberLine, Sheet, placed};
+use super::{Drawing, Frame, NumberLine, Sheet, name, placed};
 
 /// Numbers over a rectangle, cell by cell.
 #[derive(Clone, Debug)]
@@ -27,12 +29,16 @@ pub struct Grid {
     pub columns: usize,
     /// Row by row from below, each from the left; a cell stays empty where this is not a number.
     pub values: Vec<f64>,
+    /// What stands above; may be empty.
+    pub note: String,
 }
 
 /// Colours of the image; one more is that of empty cells.
 const COLOURS: usize = 255;
-/// Room for the legend and its numbers.
-const LEGEND: f64 = 92.0;
+/// Where the column of colours begins and ends, to the right of the frame.
+const COLUMN: [f64; 2] = [12.0, 26.0];
+/// The room of the name on its right.
+const NAME: f64 = 28.0;
 
 impl Grid {
     /// The drawing.
@@ -41,18 +47,23 @@ impl Grid {
     /// If the numbers are no rows of that length.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
-        let (width, height) = self.sheet.view_box;
-        let (right, bottom, theme) = (width - LEGEND, height - 50.0, self.sheet.theme);
-        let frame = Frame { left: 66.0, right, top: 16.0, bottom, theme };
         let rows = self.values.len().checked_div(self.columns).unwrap_or(0);
         let (numbers, columns) = (self.values.len(), self.columns);
         assert!(rows > 0 && rows * columns == numbers, "{numbers} numbers are no rows of {columns} cells");
         // Images begin at the upper left.
         let cells: Vec<u8> = self.values.chunks(columns).rev().flatten().map(|v| self.index(*v)).collect();
+        let note = Legend::of(&[], &self.note, self.sheet);
+        let frame = |beside: f64| Frame::around(self.sheet, note.height(), beside, &self.x, &self.y);
+        let values = frame(0.0).up(&self.scale);
+        let widest = values.iter().map(|(_, value)| width(value, SMALL)).fold(0.0, f64::max);
+        let frame = frame(COLUMN[1] + 7.0 + widest + NAME);
+        let Frame { left, right, top, bottom, .. } = frame;
         let body = html! {
+            (frame.across(&self.x, &self.y))
+            (image([left, top, right, bottom], (columns, rows), &cells))
             (frame.axes(&self.x, &self.y))
-            (image([frame.left, frame.top, frame.right, frame.bottom], (columns, rows), &cells))
-            (self.legend(&frame))
+            (self.colours(&frame))
+            (note.drawn())
         };
         Drawing { description: self.description.clone(), sheet: self.sheet, body }
     }
@@ -67,31 +78,34 @@ impl Grid {
     }
 
     /// A column of all colours, the numbers that they mean, and the name of these.
-    fn legend(&self, frame: &Frame) -> Markup {
-        let (left, right) = (frame.right + 14.0, frame.right + 28.0);
+    fn colours(&self, frame: &Frame) -> Markup {
+        let [left, right] = COLUMN.map(|beside| frame.right + beside);
         let colours: Vec<u8> = (0..COLOURS as u8).rev().collect();
         let ticks = placed(&self.scale, |value| (right, self.scale.place(value, frame.bottom, frame.top)));
-        let middle = tenths((frame.top + frame.bottom) / 2.0);
         let marks = html! { @for ((_, y), _) in &ticks { (line((right, *y), (right + 4.0, *y))) } };
-        let values =
-            html! { @for ((_, y), value) in &ticks { (text((right + 7.0, y + 4.5), "start", value)) } };
-        let name = html! {
-            text transform=(format!("translate({} {middle}) rotate(90)", tenths(frame.right + 76.0))) text-anchor="middle" {
-                (self.scale.name())
-            }
-        };
+        let values = html! { @for ((_, y), value) in &ticks { (text((right + 7.0, y + 4.2), 0, "start", SMALL, value)) } };
+        let beside = (self.sheet.view_box.0 - 16.0, (frame.top + frame.bottom) / 2.0);
         html! {
             (image([left, frame.top, right, frame.bottom], (1, COLOURS), &colours))
-            (Paint::AXES.group(frame.theme, &marks))
-            (super::ticks(frame.theme, &values))
-            (super::names_of_axes(frame.theme, &name))
+            (Paint::AXES.group(self.sheet.theme, &marks))
+            (Paint::TICKS.group(self.sheet.theme, &values))
+            (name(self.sheet.theme, frame.height(), beside, 90, &self.scale.name()))
         }
     }
 }
 
 /// Cells from the upper left as an image between left, top, right and bottom.
+///
+/// Not every program leaves the pixels of an enlarged image as sharp as `image-rendering` asks for,
+/// so that cells are enlarged here until all have together about as many pixels a side as a print.
 fn image([left, top, right, bottom]: [f64; 4], (columns, rows): (usize, usize), cells: &[u8]) -> Markup {
-    let png = png(columns, rows, cells).expect("there are cells, and memory takes what is written");
+    const SIDE: usize = 1024;
+
+    let (across, upwards) = (SIDE.div_ceil(columns), SIDE.div_ceil(rows));
+    let row = |cells: &[u8]| cells.iter().flat_map(|cell| vec![*cell; across]).collect::<Vec<u8>>();
+    let pixels: Vec<u8> = cells.chunks(columns).flat_map(|cells| row(cells).repeat(upwards)).collect();
+    let png = png(across * columns, upwards * rows, &pixels)
+        .expect("there are cells, and memory takes what is written");
     // The old name of `href`, as Inkscape knows no other.
     html! {
         image x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(bottom - top))
@@ -107,6 +121,8 @@ fn png(columns: usize, rows: usize, cells: &[u8]) -> Result<Vec<u8>, png::Encodi
     let mut encoder = png::Encoder::new(&mut file, columns as u32, rows as u32);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
+    // Rows are repeated.
+    encoder.set_filter(png::Filter::Up);
     encoder.set_palette(palette.chain(Rgb::default()).collect::<Vec<u8>>());
     // The last colour lets the paper through.
     encoder.set_trns([vec![255; COLOURS], vec![0]].concat());
@@ -123,7 +139,7 @@ mod tests {
     use kahan_algebra::prime_field::SplitMix64;
 
     fn grid(columns: usize, values: Vec<f64>) -> Grid {
-        let line = |label: &str| NumberLine { label: label.to_owned(), low: 0.0, high: 1.0 };
+        let line = |label: &str| NumberLine::new(label, 0.0, 1.0);
         Grid {
             description: "a < b".to_owned(),
             sheet: Sheet::page(480, 400),
@@ -132,6 +148,7 @@ mod tests {
             scale: line("largest exponent"),
             columns,
             values,
+            note: String::new(),
         }
     }
 
@@ -146,8 +163,16 @@ mod tests {
         let mut reader = decoder.read_info().expect("a PNG");
         let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
         let info = reader.next_frame(&mut pixels).expect("pixels");
-        assert_eq!((info.width, info.height), (3, 2));
-        assert_eq!(pixels, [COLOURS as u8, 254, 0, 0, 127, 254]);
+        let (across, upwards) = (info.width as usize / 3, info.height as usize / 2);
+        assert_eq!((across * 3, upwards * 2), (1026, 1024));
+        for (cell, index) in [COLOURS as u8, 254, 0, 0, 127, 254].into_iter().enumerate() {
+            let (column, row) = (cell % 3, cell / 3);
+            for pixel in
+                [(row * upwards, column * across), ((row + 1) * upwards - 1, (column + 1) * across - 1)]
+            {
+                assert_eq!(pixels[pixel.0 * info.width as usize + pixel.1], index, "{pixel:?}");
+            }
+        }
         assert!(svg.contains("largest exponent") && svg.contains("a &lt; b"));
     }
 

@@ -3,12 +3,26 @@
 /// A number line.
 #[derive(Clone, Debug)]
 pub struct NumberLine {
-    /// What it shows: `log n`, `t, in units of time`.
+    /// What it shows, in words in which letters that stand alone are variables: `t`, `ln n`.
     pub label: String,
     /// The least value shown.
     pub low: f64,
     /// The greatest value shown.
     pub high: f64,
+    /// Which values it marks.
+    pub marks: Marks,
+}
+
+/// Which values a number line marks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Marks {
+    /// Round ones.
+    Round,
+    /// Whole ones, of what is counted.
+    Whole,
+    /// The values are decimal logarithms, and whole ones are written as powers of ten. A line on
+    /// which there are not two of these says in its name that it shows logarithms.
+    Powers,
 }
 
 /// A round value, and how it is written.
@@ -19,16 +33,28 @@ pub(super) struct Tick {
 }
 
 impl NumberLine {
-    /// One that shows all these values, with a little room.
+    /// One with round marks.
+    #[must_use]
+    pub fn new(label: &str, low: f64, high: f64) -> Self {
+        NumberLine { label: label.to_owned(), low, high, marks: Marks::Round }
+    }
+
+    /// One that shows all these values, with a little room. Values that differ by roundings only
+    /// are one.
     #[must_use]
     pub fn around(label: &str, values: impl Iterator<Item = f64>) -> Self {
+        const ROUNDING: f64 = 1e-13;
         let (low, high) = values
             .filter(|value| value.is_finite())
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
-        let size = if low == 0.0 { 1.0 } else { low.abs() };
-        let room = if high > low { 0.04 * (high - low) } else { 0.5 * size };
-        NumberLine { label: label.to_owned(), low: low - room, high: high + room }
+        let size = low.abs().max(high.abs());
+        let room = match high - low {
+            _ if size == 0.0 => 0.5,
+            length if length > ROUNDING * size => 0.04 * length,
+            _ => 0.5 * size,
+        };
+        NumberLine::new(label, low - room, high + room)
     }
 
     /// One that shows nearly all of these values: a few that lie far away, as beside a pole, do not
@@ -47,30 +73,63 @@ impl NumberLine {
         NumberLine::around(label, ends.into_iter())
     }
 
-    /// Its label, with the power of ten that the values at the ticks leave out.
+    /// Its label, with what the values at the ticks leave out: `(x − 2.5) / 10⁻⁸`.
     pub(super) fn name(&self) -> String {
+        let label = match self.marks {
+            Marks::Powers if !self.has_powers() => format!("log₁₀ of {}", self.label),
+            _ => self.label.clone(),
+        };
+        let offset = self.offset();
+        let (label, is_one) = match offset {
+            0.0 => (label, !self.label.contains(' ')),
+            _ if offset < 0.0 => (format!("{label} + {}", number(-offset)), false),
+            _ => (format!("{label} − {}", number(offset)), false),
+        };
         match self.power() {
-            0 => self.label.clone(),
-            power => format!("{}, times 10{}", self.label, superscript(power)),
+            0 => label,
+            power if is_one => format!("{label} / 10{}", superscript(power)),
+            power => format!("({label}) / 10{}", superscript(power)),
         }
+    }
+
+    /// The lengths of its parts are smaller by a power of ten than this.
+    fn unit(&self) -> f64 {
+        10_f64.powf((self.high - self.low).log10().floor())
+    }
+
+    /// What is taken off values that share their first digits.
+    fn offset(&self) -> f64 {
+        const SHARED: f64 = 1e4;
+        let unit = self.unit();
+        let is_far = self.low.abs().max(self.high.abs()) >= SHARED * unit;
+        if is_far { ((self.low / 2.0 + self.high / 2.0) / unit).round() * unit } else { 0.0 }
     }
 
     /// The power of ten that is taken out of very large and very small values.
     fn power(&self) -> i32 {
-        let largest = self.low.abs().max(self.high.abs());
+        let offset = self.offset();
+        let largest = (self.low - offset).abs().max((self.high - offset).abs());
         if (1e-2..1e5).contains(&largest) { 0 } else { largest.log10().floor() as i32 }
+    }
+
+    /// Whether two whole values lie on it.
+    fn has_powers(&self) -> bool {
+        self.high.floor() - self.low.ceil() >= 1.0
     }
 
     /// Round values on it: four to seven of them where `fits` says that their words do not run into
     /// each other, else as many as do.
     pub(super) fn ticks(&self, fits: impl Fn(&[Tick]) -> bool) -> Vec<Tick> {
-        let unit = 10_f64.powf((self.high - self.low).log10().floor());
+        let unit = self.unit();
         // Of all these steps, half or two fifths of each other, one leaves four to seven ticks.
         let finer = |factors: &'static [f64]| {
             [10.0, 1.0, 0.1].into_iter().flat_map(move |power| factors.iter().map(move |f| f * power))
         };
-        let steps = finer(&[5.0, 2.0, 1.0]).chain(finer(&[2.5]));
-        let marked = steps.map(|factor| self.every(factor * unit)).filter(|ticks| ticks.len() <= 7);
+        let steps = finer(&[5.0, 2.0, 1.0]).chain(finer(&[2.5])).map(|factor| factor * unit);
+        let is_whole = self.marks == Marks::Whole || self.marks == Marks::Powers && self.has_powers();
+        let steps =
+            steps.filter(|step| !is_whole || step.round() >= 1.0 && (step - step.round()).abs() < 1e-6);
+        let marked = steps.map(|step| self.every(step)).filter(|ticks| ticks.len() <= 7);
         let mut marked: Vec<Vec<Tick>> = marked.collect();
         // A stable order: four to seven first, the coarser before the finer, quarters last; then as
         // many as there can be.
@@ -83,7 +142,7 @@ impl NumberLine {
     fn every(&self, step: f64) -> Vec<Tick> {
         let first = (self.low / step).ceil();
         let ticks = (0..12).map(|i| (first + f64::from(i)) * step).take_while(|tick| *tick <= self.high);
-        let scale = 10_f64.powi(-self.power());
+        let (offset, scale) = (self.offset(), 10_f64.powi(-self.power()));
         // 0.1 + 0.2 is no label, and a step of 0.25 has one decimal more than its size.
         let size = (-(step * scale * 1.001).log10().floor()).max(0.0) as usize;
         let is_whole = |decimals: usize| {
@@ -91,8 +150,12 @@ impl NumberLine {
             (digits - digits.round()).abs() < 1e-6 * digits
         };
         let decimals = if is_whole(size) { size } else { size + 1 };
-        let round = |tick: f64| if tick.abs() < step / 2.0 { 0.0 } else { tick };
-        ticks.map(round).map(|value| Tick { value, text: decimal(value * scale, decimals) }).collect()
+        let round = |value: f64| if value.abs() < step / 2.0 { 0.0 } else { value };
+        let text = |value: f64| match self.marks {
+            Marks::Powers if self.has_powers() => format!("10{}", superscript(value.round() as i32)),
+            _ => decimal(round(value - offset) * scale, decimals),
+        };
+        ticks.map(round).map(|value| Tick { value, text: text(value) }).collect()
     }
 
     /// Where a value lies, if the least one lies at `from` and the greatest at `to`.
@@ -114,6 +177,18 @@ pub fn decimal(value: f64, decimals: usize) -> String {
     format!("{value:.decimals$}").replace('-', "−")
 }
 
+/// A number with as many of fourteen digits as it has.
+fn number(value: f64) -> String {
+    let digits = format!("{value:.13e}");
+    let (digits, power) = digits.split_once('e').expect("digits and a power");
+    let power: i32 = power.parse().expect("a whole number");
+    let rounded: f64 = format!("{digits}e{power}").parse().expect("a number");
+    if (-3..9).contains(&power) {
+        return rounded.to_string();
+    }
+    format!("{}×10{}", digits.trim_end_matches('0').trim_end_matches('.'), superscript(power))
+}
+
 /// A whole number as an exponent.
 fn superscript(power: i32) -> String {
     let raised = |c: char| match c {
@@ -125,11 +200,11 @@ fn superscript(power: i32) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{NumberLine, decimal};
+    use super::{Marks, NumberLine, decimal};
     use kahan_algebra::prime_field::SplitMix64;
 
     fn line(low: f64, high: f64) -> NumberLine {
-        NumberLine { label: "x".to_owned(), low, high }
+        NumberLine::new("x", low, high)
     }
 
     #[test]
@@ -176,10 +251,45 @@ mod tests {
     #[test]
     fn the_power_that_is_taken_out_stands_in_the_name() {
         let small = line(-2e-9, 2e-9);
-        assert_eq!(small.name(), "x, times 10⁻⁹");
+        assert_eq!(small.name(), "x / 10⁻⁹");
         let ticks = small.ticks(|_| true);
         assert!(ticks.iter().any(|tick| tick.text == "−1"), "{ticks:?}");
         assert_eq!(line(0.0, 10.0).name(), "x");
+    }
+
+    #[test]
+    fn what_values_share_stands_in_the_name() {
+        let texts =
+            |line: &NumberLine| line.ticks(|_| true).into_iter().map(|tick| tick.text).collect::<Vec<_>>();
+        let far = line(1_000_000.000_2, 1_000_000.001_8);
+        assert_eq!(
+            (far.name(), texts(&far)),
+            (
+                "(x − 1000000.001) / 10⁻⁴".into(),
+                ["−7.5", "−5.0", "−2.5", "0.0", "2.5", "5.0", "7.5"].map(str::to_owned).into()
+            )
+        );
+        let near = line(-2.531_915, -2.531_909);
+        assert_eq!(near.name(), "(x + 2.531912) / 10⁻⁶");
+        assert!(texts(&near).contains(&"−2".to_owned()), "{:?}", texts(&near));
+        assert_eq!(line(2.0, 2.1).name(), "x");
+    }
+
+    #[test]
+    fn what_is_counted_has_whole_ticks_and_logarithms_are_powers_of_ten() {
+        let texts = |marks, low, high| {
+            let line = NumberLine { marks, ..line(low, high) };
+            (
+                line.name(),
+                line.ticks(|_| true).into_iter().map(|tick| tick.text).collect::<Vec<_>>().join(" "),
+            )
+        };
+        assert_eq!(texts(Marks::Whole, 0.6, 4.4), ("x".into(), "1 2 3 4".into()));
+        assert_eq!(texts(Marks::Powers, -8.5, -1.5), ("x".into(), "10⁻⁸ 10⁻⁶ 10⁻⁴ 10⁻²".into()));
+        assert_eq!(
+            texts(Marks::Powers, -8.5, -7.9),
+            ("log₁₀ of x".into(), "−8.5 −8.4 −8.3 −8.2 −8.1 −8.0 −7.9".into())
+        );
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The colours of drawings, for light and for dark surroundings.
 //!
-//! The six colours of curves stay apart for readers who lack one of the three kinds of cones, and
-//! each stands out from the paper as text has to.
+//! The six colours of curves stay apart for readers who lack one of the three kinds of cones and in
+//! grey print, and each stands out from the paper as text has to.
 
 use std::fmt::Write as _;
 
@@ -40,12 +40,13 @@ const PAPER: Colour = Colour::new("--paper", "#fdfcf9", "#14171b", "#ffffff");
 const INK: Colour = Colour::new("--ink", "#1d2126", "#e4e6e8", "#000000");
 const SOFT: Colour = Colour::new("--soft", "#575e67", "#a3abb5", "#000000");
 const RULE: Colour = Colour::new("--rule", "#d9d6cd", "#353b43", "#dddddd");
+const BAND: Colour = Colour::new("--band", "#cbc8bf", "#4a515a", "#cccccc");
 const CURVES: [Colour; 6] = [
-    Colour::curve("--c1", "#1f76bf", "#2d8cb5"),
-    Colour::curve("--c2", "#085a3f", "#62d9a7"),
-    Colour::curve("--c3", "#810000", "#f4806f"),
-    Colour::curve("--c4", "#8a6500", "#edd15b"),
-    Colour::curve("--c5", "#762a83", "#dbb6fd"),
+    Colour::curve("--c1", "#435bc6", "#2d8bb9"),
+    Colour::curve("--c2", "#065440", "#59dfa7"),
+    Colour::curve("--c3", "#68000b", "#e86d6c"),
+    Colour::curve("--c4", "#784e03", "#f3db6b"),
+    Colour::curve("--c5", "#5d1488", "#daa3ff"),
     Colour::curve("--c6", "#6b7280", "#9aa3af"),
 ];
 
@@ -75,10 +76,7 @@ impl Paint {
     pub(super) const AXES: Paint = Paint::drawn("axes", SOFT);
     pub(super) const TICKS: Paint = Paint::filled("ticks", SOFT);
     pub(super) const NAMES: Paint = Paint::filled("names", INK);
-    pub(super) const LEVEL: Paint = Paint::drawn("level", SOFT);
-    pub(super) const LEVEL_NAME: Paint = Paint::filled("level-name", SOFT);
-    /// Behind words that curves run through.
-    pub(super) const HALO: Paint = Paint { class: "halo", fill: Some(PAPER), stroke: Some(PAPER) };
+    pub(super) const BAND: Paint = Paint::drawn("band", BAND);
     const CURVES: [Paint; 6] = [
         Paint::drawn("c1", CURVES[0]),
         Paint::drawn("c2", CURVES[1]),
@@ -87,23 +85,9 @@ impl Paint {
         Paint::drawn("c5", CURVES[4]),
         Paint::drawn("c6", CURVES[5]),
     ];
-    const LABELS: [Paint; 6] = [
-        Paint::filled("label1", CURVES[0]),
-        Paint::filled("label2", CURVES[1]),
-        Paint::filled("label3", CURVES[2]),
-        Paint::filled("label4", CURVES[3]),
-        Paint::filled("label5", CURVES[4]),
-        Paint::filled("label6", CURVES[5]),
-    ];
-
     /// The lines and dots of a colour, 1 to 6.
     pub(super) fn curve(colour: usize) -> Self {
         Paint::CURVES[colour - 1]
-    }
-
-    /// The words beside such a curve.
-    pub(super) fn label(colour: usize) -> Self {
-        Paint::LABELS[colour - 1]
     }
 
     pub(super) fn class(self) -> &'static str {
@@ -126,17 +110,8 @@ impl Paint {
     }
 
     fn all() -> impl Iterator<Item = Paint> {
-        let parts = [
-            Paint::PAPER,
-            Paint::GRID,
-            Paint::AXES,
-            Paint::TICKS,
-            Paint::NAMES,
-            Paint::LEVEL,
-            Paint::LEVEL_NAME,
-            Paint::HALO,
-        ];
-        parts.into_iter().chain(Paint::CURVES).chain(Paint::LABELS)
+        let parts = [Paint::PAPER, Paint::GRID, Paint::AXES, Paint::TICKS, Paint::NAMES, Paint::BAND];
+        parts.into_iter().chain(Paint::CURVES)
     }
 
     /// The rule that makes it dark.
@@ -170,19 +145,14 @@ impl Theme {
     }
 }
 
-/// Larger words on narrow windows, as on telephones.
-const NARROW: &str =
-    "@media (max-width:46rem){svg text{font-size:16px}.ticks text,.level-name text{font-size:14.5px}}\n";
-
 /// The style sheet of drawings.
 pub(crate) fn style(theme: Theme) -> String {
     match theme {
         Theme::Viewer => {
             let dark: String = Paint::all().map(Paint::rule).collect();
-            format!("@media (prefers-color-scheme:dark){{\n{dark}}}\n{NARROW}")
+            format!("@media (prefers-color-scheme:dark){{\n{dark}}}\n")
         }
-        Theme::Light | Theme::Dark => NARROW.to_owned(),
-        Theme::Paper => String::new(),
+        Theme::Light | Theme::Dark | Theme::Paper => String::new(),
     }
 }
 
@@ -205,7 +175,7 @@ pub(crate) fn variables() -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sight::{KINDS, contrast, distance, rgb, seen};
+    use super::super::sight::{KINDS, contrast, distance, lab, rgb, seen};
     use super::{CURVES, PAPER, Paint, Theme, style};
 
     #[test]
@@ -221,6 +191,9 @@ mod tests {
                         let apart = distance(seen(one, kind), seen(other, kind));
                         assert!(apart >= 20.0, "c{} and c{} as {kind:?}: {apart}", i + 1, j + 1);
                     }
+                    // In grey print.
+                    let grey = (lab(one)[0] - lab(other)[0]).abs();
+                    assert!(grey >= 5.0, "c{} and c{} in grey: {grey}", i + 1, j + 1);
                 }
             }
         }

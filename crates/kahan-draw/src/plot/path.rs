@@ -1,4 +1,4 @@
-//! The elements of drawings: lines, paths, dots and words, in tenths of a unit.
+//! The elements of drawings: lines, paths, dots and rings, in tenths of a unit.
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
@@ -13,17 +13,21 @@ pub(super) fn line(from: Place, to: Place) -> Markup {
     html! { line x1=(tenths(from.0)) y1=(tenths(from.1)) x2=(tenths(to.0)) y2=(tenths(to.1)) {} }
 }
 
-/// A line or dots, so wide; `shape` is [`polyline`] or [`dots`].
-pub(super) fn stroked(class: &str, shape: &str, width: f64) -> Markup {
+/// A line, dots or rings, so wide and dashed or not; `shape` is [`polyline`], [`dots`] or [`rings`].
+pub(super) fn stroked(class: &str, shape: &str, width: f64, dashes: Option<&str>) -> Markup {
     html! {
-        path.(class) d=(shape) stroke-width=((100.0 * width).round() / 100.0) stroke-linejoin="round"
-            stroke-linecap="round" {}
+        path.(class) d=(shape) stroke-width=((100.0 * width).round() / 100.0) stroke-dasharray=[dashes]
+            stroke-linejoin="round" stroke-linecap="round" {}
     }
 }
 
-/// Words at a place; `anchor` is `start`, `middle` or `end`.
-pub(super) fn text(at: Place, anchor: &str, words: &str) -> Markup {
-    html! { text x=(tenths(at.0)) y=(tenths(at.1)) text-anchor=(anchor) { (words) } }
+/// A circle around each place.
+pub(super) fn rings(places: &[Place], radius: f64) -> String {
+    let half = |by: f64| format!("a{radius} {radius} 0 1 0 {} 0", tenths(by));
+    let ring = |&(x, y): &Place| {
+        format!("M{} {}{}{}Z", tenths(x - radius), tenths(y), half(2.0 * radius), half(-2.0 * radius))
+    };
+    places.iter().map(ring).collect()
 }
 
 /// A line through places; places that fall together are one.

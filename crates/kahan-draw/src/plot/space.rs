@@ -1,11 +1,14 @@
 //! Orbits in space: a parallel projection of a box with its axes, near points and lines wider than
 //! far ones.
 
+use std::cell::Cell;
+
 use maud::{Markup, html};
 
+use super::label::{LARGE, SMALL, text, width};
 use super::palette::Paint;
-use super::path::{Place, dots, line, polyline, stroked, tenths, text};
-use super::{Drawing, Mark, NumberLine, Sheet, grid, names_of_axes, placed, ticks};
+use super::path::{Place, dots, line, polyline, stroked};
+use super::{Drawing, Mark, NumberLine, Sheet, Theme, grid, name, placed};
 
 /// Points in space that belong together.
 #[derive(Clone, Debug)]
@@ -31,20 +34,22 @@ pub struct Space {
     pub clouds: Vec<Cloud>,
 }
 
-/// Room that is left around the box: on the left and below for words.
-const LEFT: f64 = 62.0;
-const RIGHT: f64 = 24.0;
-const TOP: f64 = 14.0;
-const BOTTOM: f64 = 46.0;
+/// Room that is left around the box.
+const RIGHT: f64 = 16.0;
+const TOP: f64 = 10.0;
+const BOTTOM: f64 = 40.0;
 /// The width of lines in the middle of the box.
 const LINE: f64 = 1.4;
+const THIN: f64 = 0.7;
 const TURN: f64 = 0.62;
 const TILT: f64 = 0.5;
 /// Layers of depth, from the back: so many that the width of a line changes less from one to the
 /// next than can be seen.
 const LAYERS: usize = 24;
-/// Boxes that are longer than this many times their width are drawn as cubes.
+/// Boxes that are longer than this many times their width are drawn as others, upright or up to this
+/// many times as broad as high, as there is room.
 const SLENDER: f64 = 4.0;
+const BROAD: f64 = 2.0;
 
 /// To the right, upwards, and towards the eye: from the front, a little from the right and from
 /// above.
@@ -71,15 +76,34 @@ impl View {
         let middle = axes.each_ref().map(|axis| axis.low + (axis.high - axis.low) / 2.0);
         let (short, long) =
             (lengths.into_iter().fold(f64::MAX, f64::min), lengths.into_iter().fold(0.0, f64::max));
-        let stretch = if long > SLENDER * short { lengths.map(f64::recip) } else { [long.recip(); 3] };
-        let reach = |i: usize| {
-            let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch))[i].abs());
-            corners.fold(0.0, f64::max)
+        // As far as the corners of a box with this stretch are from its middle, to the right, upwards
+        // and towards the eye.
+        let reach = |stretch: [f64; 3]| -> [f64; 3] {
+            let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch)).map(f64::abs));
+            corners.fold([0.0; 3], |far, corner| std::array::from_fn(|i| far[i].max(corner[i])))
         };
-        let (width, height) = (size.0 - LEFT - RIGHT, size.1 - TOP - BOTTOM);
-        let scale = (width / 2.0 / reach(0)).min(height / 2.0 / reach(1));
-        let centre = (LEFT + width / 2.0, TOP + height / 2.0);
-        View { centre, middle, stretch, scale, depth: reach(2) }
+        // Beside the box stand the values of the third axis and half of those at the ends of the
+        // lower ones, and on the left a name.
+        let left = 27.0 + (7.0 + widest(&axes[2])).max(14.0 + widest(&axes[1]) / 2.0);
+        let right = RIGHT.max(12.0 + widest(&axes[0]) / 2.0);
+        let (width, height) = (size.0 - left - right, size.1 - TOP - BOTTOM);
+        let scale = |reach: [f64; 3]| (width / 2.0 / reach[0]).min(height / 2.0 / reach[1]);
+        let stretch = if long > SLENDER * short {
+            let broad = |by: f64| [by / lengths[0], by / lengths[1], 1.0 / lengths[2]];
+            // Up to there it becomes broader without becoming smaller.
+            let boxes = (0..=10).map(|part| broad(1.0 + (BROAD - 1.0) * f64::from(part) / 10.0));
+            let area = |stretch: [f64; 3]| {
+                let reach = reach(stretch);
+                reach[0] * reach[1] * scale(reach).powi(2)
+            };
+            boxes.max_by(|one, other| area(*one).total_cmp(&area(*other))).expect("there are eleven")
+        } else {
+            [long.recip(); 3]
+        };
+        let reach = reach(stretch);
+        let (scale, depth) = (scale(reach), reach[2]);
+        let centre = (left + width / 2.0, TOP + height / 2.0);
+        View { centre, middle, stretch, scale, depth }
     }
 
     fn turned(&self, point: [f64; 3]) -> [f64; 3] {
@@ -100,6 +124,16 @@ impl View {
     fn layer(&self, point: [f64; 3]) -> usize {
         ((self.nearness(point) * LAYERS as f64) as usize).min(LAYERS - 1)
     }
+}
+
+/// The width of the widest of the values that an axis may have.
+fn widest(axis: &NumberLine) -> f64 {
+    let most = Cell::new(0.0_f64);
+    axis.ticks(|ticks| {
+        ticks.iter().for_each(|tick| most.set(most.get().max(width(&tick.text, SMALL))));
+        false
+    });
+    most.get()
 }
 
 /// The width of lines or dots in a layer of depth, of those that are so wide in the middle.
@@ -179,42 +213,66 @@ impl Space {
             path
         };
         let (mark, theme) = (cloud.mark, self.sheet.theme);
+        let dashes = mark.dashes(cloud.colour).filter(|_| theme == Theme::Paper);
+        let middle = theme.line(if mark == Mark::Thin { THIN } else { LINE });
         Paint::curve(cloud.colour).group(theme, &html! {
-            @if mark.has_line() { (stroked("line", &lines(), width_in(layer, theme.line(LINE)))) }
-            @if mark.has_dots() { (stroked("dots", &dots(&places(&here)), width_in(layer, theme.line(mark.dot())))) }
+            @if mark.has_line() { (stroked("line", &lines(), width_in(layer, middle), dashes)) }
+            @if let Some(dot) = mark.dot() { (stroked("dots", &dots(&places(&here)), width_in(layer, theme.line(dot)), None)) }
         })
     }
 
     /// Round values along the edges of the axes, and the names of these further out.
     fn names(&self, view: &View) -> Markup {
-        let along = |axis: usize| {
-            let ((from, _), line) = (AXES[axis], &self.axes[axis]);
-            let beside = move |value: f64, (right, down): Place| {
-                let mut point = self.corner(from);
-                point[axis] = value;
-                let (x, y) = view.place(point);
-                (x + right, y + down)
-            };
-            let middle = line.low + (line.high - line.low) / 2.0;
-            let values = placed(line, |value| beside(value, BESIDE[axis]));
-            (values, beside(middle, NAMES[axis]))
+        let beside = |axis: usize, value: f64, (right, down): Place| {
+            let mut point = self.corner(AXES[axis].0);
+            point[axis] = value;
+            let (x, y) = view.place(point);
+            (x + right, y + down)
         };
-        let axes: Vec<_> = (0..3).map(along).collect();
-        let values = html! {
-            @for ((values, _), anchor) in axes.iter().zip(ANCHORS) {
-                @for (place, value) in values { (text(*place, anchor, value)) }
+        let middle = |axis: usize| {
+            let line = &self.axes[axis];
+            line.low + (line.high - line.low) / 2.0
+        };
+        let mut boxes: Vec<[f64; 4]> = Vec::new();
+        let mut values = Vec::new();
+        for axis in [2, 0, 1] {
+            for (place, value) in placed(&self.axes[axis], |value| beside(axis, value, BESIDE[axis])) {
+                let long = width(&value, SMALL);
+                let left = place.0 - if axis == 2 { long } else { long / 2.0 };
+                let own = [left - 4.0, place.1 - 11.0, left + long + 4.0, place.1 + 2.0];
+                // Near a corner, the values of two axes would touch.
+                if boxes.iter().all(|other| (0..2).any(|i| own[i] > other[i + 2] || other[i] > own[i + 2])) {
+                    boxes.push(own);
+                    values.push((place, ANCHORS[axis], value));
+                }
             }
+        }
+        let (across, upwards) = self.sheet.view_box;
+        let (corner, lowest) = view.place(self.corner(AXES[0].0));
+        let below = |axis: usize| {
+            let (named, (right, down)) = (self.axes[axis].name(), NAMES[axis]);
+            let out = right + right.signum() * widest(&self.axes[axis]) / 2.0;
+            let (x, y) = beside(axis, middle(axis), (out, down));
+            // A long name would run into values.
+            let is_long = width(&named, LARGE) > 2.0 * LARGE;
+            let room = if axis == 0 { [corner, across] } else { [0.0, corner] };
+            name(
+                self.sheet.theme,
+                room,
+                (x, if is_long { lowest + 34.0 } else { y }.min(upwards - 6.0)),
+                0,
+                &named,
+            )
         };
-        let [x, y, z] = self.axes.each_ref().map(NumberLine::name);
-        let (right, up) = (tenths(axes[2].1.0), tenths(axes[2].1.1));
-        let names = html! {
-            (text(axes[0].1, "start", &x))
-            (text(axes[1].1, "end", &y))
-            text transform=(format!("translate({right} {up}) rotate(-90)")) text-anchor="middle" { (z) }
-        };
+        let (leftmost, theme) = (boxes.iter().map(|own| own[0]).fold(across, f64::min), self.sheet.theme);
+        let y = beside(2, middle(2), (0.0, 0.0)).1;
+        let foot = view.place(self.corner(AXES[2].0)).1;
         html! {
-            (ticks(self.sheet.theme, &values))
-            (names_of_axes(self.sheet.theme, &names))
+            (Paint::TICKS.group(theme, &html! {
+                @for (place, anchor, value) in &values { (text(*place, 0, anchor, SMALL, value)) }
+            }))
+            (below(0)) (below(1))
+            (name(theme, [0.0, foot], (leftmost - 4.0, y), -90, &self.axes[2].name()))
         }
     }
 }
@@ -225,5 +283,5 @@ const AXES: [(usize, usize); 3] = [(0b000, 0b001), (0b000, 0b010), (0b010, 0b110
 const BESIDE: [Place; 3] = [(8.0, 16.0), (-14.0, 14.0), (-7.0, 4.5)];
 /// On which side of these places the values are.
 const ANCHORS: [&str; 3] = ["middle", "middle", "end"];
-/// The same of its name.
-const NAMES: [Place; 3] = [(20.0, 32.0), (-28.0, 28.0), (-50.0, 0.0)];
+/// The same of the names of the lower ones.
+const NAMES: [Place; 2] = [(20.0, 32.0), (-26.0, 28.0)];

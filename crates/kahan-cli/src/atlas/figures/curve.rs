@@ -66,11 +66,11 @@ fn projection(a: &str, i: usize, b: &str, j: usize, orbit: &[Point], curve: &[Po
         sheet: Sheet::page(360, 300),
         x: axis(a, i),
         y: axis(b, j),
-        levels: Vec::new(),
         series: vec![
             Series::new("", 6, Mark::Line, flat(curve)),
             Series::new("", 3, Mark::Points, flat(orbit)),
         ],
+        note: String::new(),
     }
     .drawing()
     .inline()

@@ -7,18 +7,16 @@ use super::super::words::grouped;
 use super::Plate;
 use super::orbit::{Heights, Orbit, h};
 use kahan_draw::decimal;
-use kahan_draw::{Mark, NumberLine, Plot, Series, Side};
+use kahan_draw::{Mark, Plot, Series};
 use kahan_paper::figures::{DE1, DE3, DE4, DE7, DE9, LV};
 
-fn drawing(description: &str, [x, y]: [&str; 2], levels: Vec<(f64, String)>, series: Vec<Series>) -> Markup {
-    let heights = series.iter().flat_map(|series| &series.points).map(|point| point.1);
-    let y_axis = NumberLine::around(y, heights.chain(levels.iter().map(|level| level.0)));
-    Plot { y: y_axis, levels, ..Plot::around(description, [x, y], series) }.drawing().inline()
+fn drawing(description: &str, axes: [&str; 2], series: Vec<Series>) -> Markup {
+    Plot::around(description, axes, series).drawing().inline()
 }
 
 /// Heights against n on logarithmic scales, where nᵏ is a straight line of slope k.
 fn log_log(description: &str, of: &str, series: Vec<Series>) -> Markup {
-    drawing(description, ["log n", &format!("log h({of})")], Vec::new(), series)
+    drawing(description, ["log n", &format!("log h({of})")], series)
 }
 
 /// The growth of x alone.
@@ -29,26 +27,32 @@ fn growth(description: &str, colour: usize, mark: Mark, x: &Heights) -> Markup {
 /// What is left of the heights of x when nᵏ is divided out: the limit is a dashed line.
 fn limit(description: &str, k: i32, colour: usize, x: &Heights, (value, shown): (f64, String)) -> Markup {
     let label = if k == 1 { "log(h(xₙ)/n)" } else { "log(h(xₙ)/n²)" };
-    let level = (value.ln(), format!("log {shown}"));
     let series = Series::new("", colour, Mark::Line, x.correction(k, x.last().0));
-    drawing(description, ["n", label], vec![level], vec![series])
+    let level = level(&format!("log {shown}"), 6, value.ln(), &series);
+    drawing(description, ["n", label], vec![series, level])
+}
+
+/// A dashed line at a height as far as a series goes.
+fn level(label: &str, colour: usize, height: f64, series: &Series) -> Series {
+    let ends = [series.points.first(), series.points.last()];
+    Series::new(label, colour, Mark::Level, ends.into_iter().flatten().map(|(n, _)| (*n, height)).collect())
 }
 
 /// Every kind of growth in one drawing.
 pub(super) fn overview(orbits: &Orbits<'_>) -> Option<Plate> {
     let chosen = [
-        (&DE1, "dE1", "z", 6, Side::Above),
-        (&DE3, "dE3", "x", 2, Side::Above),
-        (&DE4, "dE4", "x", 3, Side::Above),
-        (&DE7, "dE7", "z", 4, Side::Above),
-        (&DE9, "dE9", "x", 5, Side::Left),
-        (&LV, "LV", "x", 1, Side::Above),
+        (&DE1, "dE1", "z", 6),
+        (&DE3, "dE3", "x", 2),
+        (&DE4, "dE4", "x", 3),
+        (&DE7, "dE7", "z", 4),
+        (&DE9, "dE9", "x", 5),
+        (&LV, "LV", "x", 1),
     ];
     let mut series = Vec::new();
-    for (figure, name, variable, colour, side) in chosen {
+    for (figure, name, variable, colour) in chosen {
         let heights = Orbit::of(orbits, figure)?.heights(variable)?;
         let mark = if heights.0.len() < 30 { Mark::Both } else { Mark::Line };
-        series.push(Series { side, ..Series::new(name, colour, mark, heights.log_log()) });
+        series.push(Series::new(name, colour, mark, heights.log_log()));
     }
     Some(Plate {
         id: "figure-overview",
@@ -158,6 +162,11 @@ pub(super) fn de7(orbits: &Orbits<'_>) -> Option<Plate> {
         logs.iter().sum::<f64>() / logs.len() as f64
     };
     let first = orbit.steps().min(200);
+    let around_slopes = [("yₙ", 1, &y, slope_y), ("zₙ", 4, &z, slope_z)].map(|(name, colour, of, slope)| {
+        let series = Series::new("", colour, Mark::Line, of.correction(1, shown));
+        let level = level(&format!("{name}: log {}", decimal(slope, 3)), colour, slope.ln(), &series);
+        [series, level]
+    });
     Some(Plate {
         id: "figure-de7",
         title: "dE7: linear growth with arithmetic noise",
@@ -166,21 +175,14 @@ pub(super) fn de7(orbits: &Orbits<'_>) -> Option<Plate> {
                 "log h of y_n and of z_n against log n for dE7: two straight lines of slope 1",
                 "yₙ), log h(zₙ",
                 vec![
-                    Series { side: Side::Below, ..Series::new("yₙ", 1, Mark::Line, y.log_log()) },
-                    Series { side: Side::Left, ..Series::new("zₙ", 4, Mark::Line, z.log_log()) },
+                    Series::new("yₙ", 1, Mark::Line, y.log_log()),
+                    Series::new("zₙ", 4, Mark::Line, z.log_log()),
                 ],
             ),
             drawing(
                 "log of h over n against n for the first iterates of dE7: both curves fluctuate around constants",
                 ["n", "log(h/n)"],
-                vec![
-                    (slope_y.ln(), format!("yₙ: log {}", decimal(slope_y, 3))),
-                    (slope_z.ln(), format!("zₙ: log {}", decimal(slope_z, 3))),
-                ],
-                vec![
-                    Series::new("", 1, Mark::Line, y.correction(1, shown)),
-                    Series::new("", 4, Mark::Line, z.correction(1, shown)),
-                ],
+                around_slopes.concat(),
             ),
         ],
         data: html! { (orbit.data()) "; right: the first " (shown) },

@@ -89,7 +89,7 @@ fn inner_euler_steps(orbit: &[Point]) -> usize {
 }
 
 fn portrait(title: &str, seen: &str, mark: Mark, orbits: &[Vec<Point>]) -> Markup {
-    let axis = |label: &str| NumberLine { label: label.to_owned(), low: 0.0, high: SHOWN };
+    let axis = |label: &str| NumberLine::new(label, 0.0, SHOWN);
     let series = orbits.iter().enumerate().map(|(index, orbit)| {
         let points = orbit.iter().map(|point| (point[0], point[1])).collect();
         Series::new("", index + 1, mark, points)
@@ -99,8 +99,8 @@ fn portrait(title: &str, seen: &str, mark: Mark, orbits: &[Vec<Point>]) -> Marku
         sheet: Sheet::page(400, 400),
         x: axis("x"),
         y: axis("y"),
-        levels: Vec::new(),
         series: series.collect(),
+        note: String::new(),
     };
     html! { div.portrait { p.title { (title) } (plot.drawing().inline()) } }
 }

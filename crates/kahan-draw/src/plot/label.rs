@@ -1,0 +1,163 @@
+//! The words of drawings: how much room they take, and how they are set.
+//!
+//! In: words in which letters that stand alone are variables, and raised and lowered characters are
+//! exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Out: elements with variables in italic
+//! and the rest upright. Not every font has the raised and lowered characters, so these are smaller
+//! digits off the line.
+
+use maud::{Markup, html};
+
+use super::path::{Place, tenths};
+
+/// The size of words at ticks and in legends; 8.6 points in print.
+pub(super) const SMALL: f64 = 12.0;
+/// The size of the names of axes.
+pub(super) const LARGE: f64 = 13.0;
+/// Nothing is smaller: 6 points in print.
+const LEAST: f64 = 8.4;
+
+/// How wide words are in one of the wider usual fonts, DejaVu Sans.
+pub(super) fn width(words: &str, size: f64) -> f64 {
+    let part = |c: char| match c {
+        ' ' | '.' | ',' | ':' | ';' | '(' | ')' | '/' | '|' | 'f' | 'i' | 'j' | 'l' | 'r' | 't' => 0.41,
+        'm' | 'w' | 'M' | 'W' | '−' | '+' | '=' | '≤' | '≥' | '<' | '>' | '×' | '…' => 0.98,
+        'A'..='Z' => 0.75,
+        _ => 0.64,
+    };
+    words.chars().map(|c| script(c).map_or(size * part(c), |(_, c)| small(size) * part(c))).sum()
+}
+
+/// The size of exponents and indices.
+fn small(size: f64) -> f64 {
+    (0.7 * size).max(LEAST)
+}
+
+/// The part of [`width`] that words take in most fonts.
+const USUAL: f64 = 0.92;
+
+/// How far from their middle words reach, in whatever usual font they are.
+pub(super) fn reach(words: &str, size: f64) -> f64 {
+    (1.0 - USUAL / 2.0) * width(words, size)
+}
+
+/// Words in a size in which they take no more room than this, without their end where that would
+/// be too small to read.
+pub(super) fn fitted(words: &str, size: f64, room: f64) -> (String, f64) {
+    let smaller = (size * (room / 2.0 / reach(words, size)).clamp(0.7, 1.0)).max(LEAST);
+    let mut shown = words.to_owned();
+    while 2.0 * reach(&shown, smaller) > room && shown.chars().count() > 2 {
+        let count = shown.chars().count();
+        shown = shown.chars().take(count - 2).chain(['…']).collect();
+    }
+    (shown, smaller)
+}
+
+/// How a part of words is set.
+#[derive(Clone, Copy, PartialEq)]
+enum Set {
+    Upright,
+    Italic,
+    Raised,
+    Lowered,
+}
+
+impl Set {
+    /// How far below the line it stands, in sizes of the words.
+    fn drop(self) -> f64 {
+        match self {
+            Set::Raised => -0.35,
+            Set::Lowered => 0.2,
+            Set::Upright | Set::Italic => 0.0,
+        }
+    }
+}
+
+/// What a raised or lowered character stands for.
+fn script(c: char) -> Option<(Set, char)> {
+    const RAISED: [char; 11] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹', '⁻'];
+    const LOWERED: [char; 11] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉', 'ₙ'];
+    let digit = |index: usize, tenth: char| char::from_digit(index as u32, 10).unwrap_or(tenth);
+    let raised = RAISED.iter().position(|raised| *raised == c).map(|i| (Set::Raised, digit(i, '−')));
+    raised.or_else(|| LOWERED.iter().position(|low| *low == c).map(|i| (Set::Lowered, digit(i, 'n'))))
+}
+
+/// The parts of words that are set alike.
+fn parts(words: &str) -> Vec<(Set, String)> {
+    let letters: Vec<char> = words.chars().collect();
+    let is_word =
+        |i: usize| letters.get(i).is_some_and(|c| (c.is_alphanumeric() || *c == '_') && script(*c).is_none());
+    let mut parts: Vec<(Set, String)> = Vec::new();
+    for (i, &letter) in letters.iter().enumerate() {
+        let stands_alone = letter.is_alphabetic() && !(is_word(i + 1) || i > 0 && is_word(i - 1));
+        let plain = if stands_alone { Set::Italic } else { Set::Upright };
+        let (set, letter) = script(letter).unwrap_or((plain, letter));
+        match parts.last_mut() {
+            Some((before, part)) if *before == set => part.push(letter),
+            _ => parts.push((set, letter.to_string())),
+        }
+    }
+    parts
+}
+
+/// Words at a place, turned by so many degrees; `anchor` is `start`, `middle` or `end`.
+pub(super) fn text(at: Place, turn: i32, anchor: &str, size: f64, words: &str) -> Markup {
+    let transform =
+        (turn != 0).then(|| format!("translate({} {}) rotate({turn})", tenths(at.0), tenths(at.1)));
+    let (x, y) = if turn == 0 { at } else { (0.0, 0.0) };
+    let italic = |set: Set| (set == Set::Italic).then_some("italic");
+    let parts = parts(words);
+    if let [(set, part)] = &parts[..] {
+        return html! {
+            text transform=[transform] x=(tenths(x)) y=(tenths(y)) text-anchor=(anchor) font-size=(tenths(size)) font-style=[italic(*set)] {
+                (part)
+            }
+        };
+    }
+    // Programs disagree on where words of several parts end, but not on where they begin.
+    let before = match anchor {
+        "start" => 0.0,
+        "middle" => 0.5,
+        _ => 1.0,
+    };
+    let x = x - USUAL * before * width(words, size);
+    let mut line = 0.0;
+    let parts = parts.into_iter().map(|(set, part)| {
+        let drop = set.drop() * size;
+        let dy = (drop != line).then(|| tenths(drop - line));
+        line = drop;
+        let small = (set.drop() != 0.0).then(|| tenths(small(size)));
+        html! { tspan dy=[dy] font-size=[small] font-style=[italic(set)] { (part) } }
+    });
+    html! {
+        text transform=[transform] x=(tenths(x)) y=(tenths(y)) text-anchor="start" font-size=(tenths(size)) {
+            @for part in parts { (part) }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LEAST, fitted, text, width};
+
+    #[test]
+    fn variables_are_italic_and_words_and_numbers_are_not() {
+        let set = |words| text((0.0, 0.0), 0, "start", 12.0, words).into_string();
+        assert!(set("x").contains("font-style=\"italic\">x<") && !set("n1").contains("italic"));
+        let ln = set("ln n");
+        assert!(ln.contains("<tspan>ln </tspan><tspan font-style=\"italic\">n<"), "{ln}");
+        let power = set("10⁻⁸");
+        assert!(power.contains("<tspan>10</tspan><tspan dy=\"-4.2\" font-size=\"8.4\">−8<"), "{power}");
+        let index = set("x₀ + 1");
+        assert!(index.contains("italic\">x<") && index.contains("<tspan dy=\"-2.4\"> + 1<"), "{index}");
+    }
+
+    #[test]
+    fn what_is_too_long_is_smaller_and_then_cut() {
+        let words = "a long name of an axis";
+        for room in [20.0, 60.0, 100.0, 170.0, 900.0] {
+            let (shown, size) = fitted(words, 13.0, room);
+            assert!(width(&shown, size) <= room && size >= LEAST, "{room}: {shown} at {size}");
+            assert_eq!(shown == words, room > 150.0, "{room}: {shown}");
+        }
+    }
+}
