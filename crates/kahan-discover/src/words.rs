@@ -90,7 +90,7 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
     match report.bound {
         Bound::Orbits if report.independent == report.variables.len() => None,
         Bound::Orbits => Some(format!(
-            "A map in dimension {} whose orbits do not close has {}: there is nothing more to look for, and the search ended.",
+            "A map in dimension {} whose orbits do not close has {}: nothing can be missing, and the search ended.",
             report.variables.len(),
             match report.independent {
                 0 => "no integral".to_owned(),
