@@ -5,9 +5,12 @@ function inWorker() {
   const text = (at, length) => new TextDecoder().decode(new Uint8Array(module.memory.buffer, at, length))
   const page = {
     now: () => performance.now(),
-    look: (at, length) => postMessage({ look: JSON.parse(text(at, length)) }),
+    look: (at, length) => {
+      const look = JSON.parse(text(at, length))
+      if ('failed' in look) throw new Error(look.failed)
+      postMessage({ look })
+    },
     found: (at, length) => postMessage({ found: JSON.parse(text(at, length)) }),
-    failed: (at, length) => { throw new Error(text(at, length)) },
   }
   const answer = question => {
     const bytes = new TextEncoder().encode(question)

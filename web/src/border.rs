@@ -1,4 +1,4 @@
-//! What the page's worker calls, and what it lends: a clock, an ear for progress, findings and failures.
+//! What the page's worker calls, and what it lends: a clock, an ear for progress, and one for findings.
 //!
 //! A question is a text: the worker asks for `room`, writes the text there, calls `ask`, and reads
 //! the answer at `answer` and the columns at `columns`, each with its length. What it was given
@@ -21,12 +21,10 @@ use crate::ask::{Answered, Asker};
 unsafe extern "C" {
     /// The milliseconds since the worker began.
     safe fn now() -> f64;
-    /// Hears how far work is, as JSON.
+    /// Hears how far work is, or why it failed, as JSON.
     safe fn look(text: *const u8, length: usize);
     /// Hears of a finding, as JSON.
     safe fn found(text: *const u8, length: usize);
-    /// Hears why a question is given up, in words.
-    safe fn failed(text: *const u8, length: usize);
 }
 
 /// The worker.
@@ -78,8 +76,8 @@ extern "C" fn room(length: usize) -> *mut u8 {
 extern "C" fn ask() -> usize {
     // A panic ends the worker; the page is told why before that.
     std::panic::set_hook(Box::new(|panic| {
-        let why = panic.payload_as_str().unwrap_or_default();
-        failed(why.as_ptr(), why.len());
+        let text = json!({"failed": panic.payload_as_str()}).to_string();
+        look(text.as_ptr(), text.len());
     }));
     STATE.with_borrow_mut(|State { question, asker, answered }| {
         *answered = asker.ask(&String::from_utf8_lossy(question), &Page);

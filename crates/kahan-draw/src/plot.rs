@@ -115,8 +115,8 @@ pub struct Series {
     pub colour: usize,
     /// How it is drawn.
     pub mark: Mark,
-    /// (x, y) in the units of the axes; what these do not show is left out, and no line leads
-    /// there.
+    /// (x, y) in the units of the axes. What these do not show is left out, and lines end where they
+    /// leave what is shown.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -178,6 +178,40 @@ impl Plot {
         self.x.shows(x) && self.y.shows(y)
     }
 
+    /// The lines from point to point, as far as the axes show them.
+    fn lines(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+        let mut lines: Vec<Vec<(f64, f64)>> = Vec::new();
+        for pair in points.windows(2) {
+            let Some([from, to]) = self.part(pair[0], pair[1]) else { continue };
+            match lines.last_mut() {
+                Some(line) if line.last() == Some(&from) => line.push(to),
+                _ => lines.push(vec![from, to]),
+            }
+        }
+        let alone = points.iter().filter(|point| points.len() == 1 && self.shows(point));
+        lines.extend(alone.map(|point| vec![*point]));
+        lines
+    }
+
+    /// The part of the line between two points that the axes show.
+    fn part(&self, from: (f64, f64), to: (f64, f64)) -> Option<[(f64, f64); 2]> {
+        let mut ends = [0.0_f64, 1.0];
+        for (axis, from, to) in [(&self.x, from.0, to.0), (&self.y, from.1, to.1)] {
+            if axis.shows(from) && axis.shows(to) {
+                continue;
+            }
+            let at = [axis.low, axis.high].map(|end| (end - from) / (to - from));
+            if !at.iter().all(|at| at.is_finite()) {
+                return None;
+            }
+            ends = [ends[0].max(at[0].min(at[1])), ends[1].min(at[0].max(at[1]))];
+        }
+        let between =
+            |from: f64, to: f64, part: f64| if part == 1.0 { to } else { from + part * (to - from) };
+        let at = |part: f64| (between(from.0, to.0, part), between(from.1, to.1, part));
+        (ends[0] <= ends[1]).then(|| ends.map(at))
+    }
+
     /// How many points there are that the axes do not show.
     #[must_use]
     pub fn outside(&self) -> usize {
@@ -190,10 +224,11 @@ impl Plot {
         let legend = Legend::of(&self.series, &self.note, self.sheet);
         let frame = Frame::around(self.sheet, legend.height(), 0.0, &self.x, &self.y);
         let drawn = |series: &Series| {
-            let parts = series.points.split(|point| !self.shows(point));
             let place = |point: &(f64, f64)| frame.place(&self.x, &self.y, *point);
-            let parts: Vec<Vec<Place>> = parts.map(|part| part.iter().map(place).collect()).collect();
-            series.shape(self.sheet.theme, &parts, &parts.concat())
+            let lines: Vec<Vec<Place>> =
+                self.lines(&series.points).iter().map(|line| line.iter().map(place).collect()).collect();
+            let shown = series.points.iter().filter(|point| self.shows(point));
+            series.shape(self.sheet.theme, &lines, &shown.map(place).collect::<Vec<_>>())
         };
         let body = html! {
             (frame.across(&self.x, &self.y))

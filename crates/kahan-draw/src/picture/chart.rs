@@ -87,8 +87,8 @@ impl Chart {
         format!("{} of {} over {}{steps}", self.label(), self.name, axes.join(" and "))
     }
 
-    /// What there is to say where the colours tell nothing.
-    fn note(&self) -> String {
+    /// What there is to say where the colours of a scale tell nothing.
+    fn note(&self, scale: Option<&NumberLine>) -> String {
         /// Some hundred roundings of 1.
         const ROUNDING: f64 = 1e-13;
 
@@ -101,7 +101,15 @@ impl Chart {
                 "no more than rounding in all cells".to_owned()
             }
             length if length <= 1e-9 * high.abs() => format!("the same in all cells: {value:.6}"),
-            _ => String::new(),
+            _ => {
+                let beyond =
+                    numbers().filter(|value| scale.is_some_and(|scale| !scale.shows(*value))).count();
+                let empty = self.values.len() - numbers().count();
+                let beyond =
+                    (beyond > 0).then(|| format!("{beyond} beyond the colours: {low:.3} to {high:.3}"));
+                let empty = (empty > 0 && scale.is_some()).then(|| format!("{empty} empty"));
+                beyond.into_iter().chain(empty).collect::<Vec<_>>().join("; ")
+            }
         }
     }
 }
@@ -149,7 +157,7 @@ fn values(asked: &Observe, axes: usize, found: &OverFound) -> Vec<f64> {
 /// A chart over one range or two.
 #[must_use]
 pub fn chart(shown: &Chart, look: &Look) -> Picture {
-    let (description, sheet, note) = (shown.description(), look.sheet, shown.note());
+    let (description, sheet) = (shown.description(), look.sheet);
     let marks = if shown.is_logarithm { Marks::Powers } else { Marks::Round };
     let quantity = quantity(&shown.column);
     let picture = if let [axis] = &shown.axes[..] {
@@ -159,7 +167,7 @@ pub fn chart(shown: &Chart, look: &Look) -> Picture {
         let marked = [Mark::Line, Mark::Points].map(|mark| Series::new("", 1, mark, points.clone()));
         let plot = Plot::around(&description, [&*symbol(&axis.name), &*quantity], marked.into());
         let y = NumberLine { marks, ..plot.y };
-        Plot { sheet, y, note, ..plot }.drawing()
+        Plot { sheet, y, note: shown.note(None), ..plot }.drawing()
     } else {
         let line = |axis: &Axis| {
             let [low, high] = axis.range.edges().map(|edge| edge.to_f64());
@@ -167,7 +175,8 @@ pub fn chart(shown: &Chart, look: &Look) -> Picture {
         };
         let [x, y] = [0, 1].map(|axis| line(&shown.axes[axis]));
         let scale = NumberLine { marks, ..NumberLine::around_most(&quantity, shown.values.iter().copied()) };
-        let (columns, values) = (shown.axes[0].range.count(), shown.values.clone());
+        let (columns, values, note) =
+            (shown.axes[0].range.count(), shown.values.clone(), shown.note(Some(&scale)));
         Grid { description, sheet, x, y, scale, columns, values, note }.drawing()
     };
     let points = shown.values.iter().filter(|value| !value.is_nan()).count();

@@ -29,7 +29,7 @@ pub fn heights(found: &HeightsFound, eps: &Rational, look: &Look) -> Picture {
         found.system, survey.growth
     );
     let (across, marks) = if is_exponential { ("n", Marks::Whole) } else { ("ln n", Marks::Round) };
-    let plot = Plot::around(&description, [across, "ln of the height"], series);
+    let plot = Plot::around(&description, [across, "ln of the logarithmic height"], series);
     let x = NumberLine { marks, ..plot.x };
     Picture { outside: 0, ..Picture::of(&Plot { sheet: look.sheet, x, ..plot }) }
 }

@@ -38,7 +38,7 @@ pub fn trade(traded: &Traded, look: &Look) -> Picture {
         let scheme = measured.setting.scheme();
         !scheme.compensated && matches!(scheme.precision, Precision::Double | Precision::DoubleDouble)
     };
-    series.push(Series::new("f32, compensated", 6, Mark::Points, points(&|measured| !is_line(measured))));
+    series.push(Series::new("f32 or compensated", 6, Mark::Points, points(&|measured| !is_line(measured))));
     for scheme in schemes {
         let (label, mark) = match (scheme.precision, scheme.compensated) {
             (Precision::Double, false) => (format!("order {}", scheme.order()), Mark::Both),

@@ -30,7 +30,10 @@ pub(super) fn rings(places: &[Place], radius: f64) -> String {
     places.iter().map(ring).collect()
 }
 
-/// A line through places; places that fall together are one.
+/// What makes a dot of a place: some programs draw no path that has neither width nor height.
+const DOT: &str = "h.01";
+
+/// A line through places; places that fall together are one, and a dot if there is no other.
 pub(super) fn polyline(places: &[Place]) -> String {
     let mut path = String::new();
     let mut before = None;
@@ -42,6 +45,9 @@ pub(super) fn polyline(places: &[Place]) -> String {
             let _ = write!(path, "{command}{} {}", here.0, here.1);
             before = Some(here);
         }
+    }
+    if before.is_some() && !path.contains('L') {
+        path += DOT;
     }
     path
 }
@@ -67,10 +73,9 @@ pub(super) fn dots(places: &[Place]) -> String {
             (units, cells) = (coarser, distinct(coarser));
         }
     }
-    // Some programs draw no path that has neither width nor height.
-    let length = if cells.len() == 1 { ".01" } else { "0" };
+    let dot = if cells.len() == 1 { DOT } else { "h0" };
     cells.into_iter().fold(String::new(), |mut path, (x, y)| {
-        let _ = write!(path, "M{} {}h{length}", tenths(x as f64 * units), tenths(y as f64 * units));
+        let _ = write!(path, "M{} {}{dot}", tenths(x as f64 * units), tenths(y as f64 * units));
         path
     })
 }
@@ -87,6 +92,7 @@ mod tests {
     #[test]
     fn places_that_fall_together_are_one() {
         assert_eq!(polyline(&[(1.0, 2.0), (1.01, 2.04), (3.25, 4.0)]), "M1 2L3.2 4");
+        assert_eq!(polyline(&[(1.0, 2.0), (1.01, 2.04)]), "M1 2h.01");
         assert_eq!(dots(&[(1.0, 2.0), (3.0, 4.0), (1.04, 1.96)]), "M1 2h0M3 4h0");
         assert_eq!(dots(&[(1.0, 2.0), (1.04, 1.96)]), "M1 2h.01");
     }

@@ -23,7 +23,7 @@ fn a_description_and_labels_are_escaped() {
 }
 
 #[test]
-fn what_the_axes_do_not_show_is_left_out_and_no_line_leads_there() {
+fn what_the_axes_do_not_show_is_left_out_and_lines_end_at_the_frame() {
     let axis = |low, high| NumberLine::new("x", low, high);
     let points = vec![(1.0, 1.0), (2.0, 2.0), (99.0, 1.0), (3.0, f64::NAN), (4.0, 4.0), (5.0, 5.0)];
     let series = Series::new("", 1, Mark::Line, points);
@@ -32,7 +32,9 @@ fn what_the_axes_do_not_show_is_left_out_and_no_line_leads_there() {
     let svg = plot.drawing().inline().into_string();
     let (_, path) = svg.split_once(" d=\"").expect("a path");
     let path = path.split('"').next().expect("its end");
-    assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 2), "{path}");
+    assert_eq!((path.matches('M').count(), path.matches('L').count()), (2, 3), "{path}");
+    // The right end of the frame, on the way to (99, 1).
+    assert!(path.contains("L466 "), "{path}");
 }
 
 /// A line or a cloud along y, away from the eye.
@@ -89,7 +91,8 @@ fn near_points_of_space_are_drawn_over_far_ones_and_no_width_jumps() {
 fn a_line_in_space_has_no_gaps() {
     let shapes = shapes(&receding(Mark::Line), "line");
     let ends = |path: &str| {
-        let places: Vec<String> = path.split(['M', 'L']).skip(1).map(str::to_owned).collect();
+        let places: Vec<String> =
+            path.trim_end_matches("h.01").split(['M', 'L']).skip(1).map(str::to_owned).collect();
         (places[0].clone(), places[places.len() - 1].clone())
     };
     // The line goes to the back, where drawing begins.
