@@ -105,9 +105,10 @@ impl Chart {
                 let beyond =
                     numbers().filter(|value| scale.is_some_and(|scale| !scale.shows(*value))).count();
                 let empty = self.values.len() - numbers().count();
-                let beyond =
-                    (beyond > 0).then(|| format!("{beyond} beyond the colours: {low:.3} to {high:.3}"));
-                let empty = (empty > 0 && scale.is_some()).then(|| format!("{empty} empty"));
+                let beyond = (beyond > 0).then(|| {
+                    format!("values from {low:.3} to {high:.3}, {beyond} of them beyond the colours")
+                });
+                let empty = (empty > 0 && scale.is_some()).then(|| format!("{empty} cells empty"));
                 beyond.into_iter().chain(empty).collect::<Vec<_>>().join("; ")
             }
         }
