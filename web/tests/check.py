@@ -6,6 +6,7 @@ import argparse
 import json
 import pathlib
 import shutil
+import statistics
 import struct
 import subprocess
 import time
@@ -337,12 +338,16 @@ def figures(browser, kahan):
     size = sum(len(subprocess.run(["gzip", "-9", "-c", file], check=True, capture_output=True).stdout) for file in (WEB / "dist").iterdir())
     context = browser.new_context(offline=True)
     opening = []
-    for _ in range(4):
+    for _ in range(8):
         page = context.new_page()
         begun = time.perf_counter()
         page.goto(address(field=E6))
         page.wait_for_function("document.querySelector('#formulas math') !== null", polling="raf")
         opening.append(1000 * (time.perf_counter() - begun))
+        # What a page does next is not to delay the one that is opened after it.
+        page.wait_for_function(DRAWN)
+        time.sleep(0.5)
+    opening = statistics.median(opening[1:])
     search = page.evaluate(
         f"""async () => {{ const asker = new Asker(), subject = {{field: {json.dumps(E6)}}}
             await asker.ask(subject, {{ask: 'show'}})
@@ -360,7 +365,7 @@ def figures(browser, kahan):
     context.close()
     return [
         ("all files by gzip -9", f"{size} bytes", size <= 1_000_000),
-        ("first formula after opening, warm", f"{min(opening[1:]):.0f} ms of 300", min(opening[1:]) <= 300),
+        ("first formula after opening, warm", f"{opening:.0f} ms of 300", opening <= 300),
         ("discover of E6 against the command", f"{search:.0f} ms, {search / own / 1000:.1f} times of 4", search / own / 1000 <= 4),
         ("an orbit of 100 000 steps redrawn", f"{drag:.0f} ms of 33", drag <= 33),
         ("lines of JavaScript", f"{lines} of 1500", lines <= 1500),
