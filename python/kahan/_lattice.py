@@ -19,8 +19,9 @@ __all__ = ["Lattice"]
 class Lattice(Chain):
     """A chain of a family ``for i in periodic { … }`` at one eps, half the time step.
 
-    ``family`` is its text, or its name in the catalog, as ``"kdv"``. ``values`` are the family's parameters: a number each, or one a site. A state has a row a site,
-    with a column for each of ``arrays``; of one array it may be a list of the sites.
+    ``family`` is its text, or its name in the catalog, as ``"kdv"``. ``values`` are the family's
+    parameters: a number each, or one a site. A state has a row a site, with a column for each of
+    ``arrays``; of one array it may be a list of the sites.
 
     >>> import kahan, numpy as np
     >>> ring = kahan.Lattice("for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }", 100, eps=0.01)

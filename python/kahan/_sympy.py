@@ -43,6 +43,7 @@ def expression(text: str) -> Any:
 
     import sympy
 
-    # A name beyond ASCII is a symbol to SymPy unasked. It must not be given: Python looks ``ϕ`` up as ``φ``.
+    # A name beyond ASCII is a symbol to SymPy unasked. It must not be given: Python looks ``ϕ`` up
+    # as ``φ``.
     symbols = {name: sympy.Symbol(name) for name in re.findall(r"[^\W\d]\w*", text) if name.isascii()}
     return sympy.sympify(text, locals=symbols)

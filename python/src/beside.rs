@@ -163,8 +163,8 @@ pub(crate) fn beside<R: Send>(
     })
 }
 
-/// The same for work that borrows nothing, and may compute for seconds before it hears that it is to
-/// end, as with numbers of a million digits: it is left to do so by itself.
+/// The same for work that borrows nothing, and may compute for seconds before it hears that it is
+/// to end, as with numbers of a million digits: it is left to do so by itself.
 ///
 /// # Errors
 /// Those of [`beside`].

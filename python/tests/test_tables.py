@@ -145,7 +145,8 @@ def test_plots():
     assert E6.orbit([1, "2/3", 3], "1/7", 3, scalar="exact").plot("t", "x").get_xlabel() == "t"
     many = E6.ensemble(np.random.default_rng(1).uniform(0.1, 0.3, (20, 3)), 0.05, 20, observe=["sali"])
     assert many.plot().collections and many.plot("start_x", "sali", color="sali").figure.axes[1].get_ylabel() == "log of sali, to base 10"
-    # SALI of chaotic orbits has many powers of ten, which are seen as logarithms, as `kahan chart` shows them.
+    # SALI of chaotic orbits has many powers of ten, which are seen as logarithms, as `kahan chart`
+    # shows them.
     chart = E6.chart({"x": (-1, 1, 5), "y": (-1, 1, 5)}, [0, 1, 1], 0.1)
     axes = chart.plot()
     shown = axes.collections[0].get_array()

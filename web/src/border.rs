@@ -1,4 +1,5 @@
-//! What the page's worker calls, and what it lends: a clock, an ear for progress, and one for findings.
+//! What the page's worker calls, and what it lends: a clock, an ear for progress, and one for
+//! findings.
 //!
 //! A question is a text: the worker asks for `room`, writes the text there, calls `ask`, and reads
 //! the answer at `answer` and the columns at `columns`, each with its length. What it was given

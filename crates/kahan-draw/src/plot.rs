@@ -115,8 +115,8 @@ pub struct Series {
     pub colour: usize,
     /// How it is drawn.
     pub mark: Mark,
-    /// (x, y) in the units of the axes. What these do not show is left out, and lines end where they
-    /// leave what is shown.
+    /// (x, y) in the units of the axes. What these do not show is left out, and lines end where
+    /// they leave what is shown.
     pub points: Vec<(f64, f64)>,
 }
 

@@ -82,9 +82,9 @@ impl<T: MachineFloat> MapAt<T> {
     /// step still takes the time 2ε. [`Composition`] says what survives and what does not.
     ///
     /// It changes [`step`](Self::step) and what advances, and the [`integrals`](Self::integrals). A
-    /// composition of maps at several ε keeps the integrals of none of them, but nearly those of the
-    /// flow, so the claims are evaluated at ε = 0. Everything else, the Jacobian too, is of the map
-    /// itself at ε.
+    /// composition of maps at several ε keeps the integrals of none of them, but nearly those of
+    /// the flow, so the claims are evaluated at ε = 0. Everything else, the Jacobian too, is of the
+    /// map itself at ε.
     #[must_use]
     pub fn composed(&self, composition: Composition) -> Self {
         let (engine, constants) = (self.engine(), &self.constants);

@@ -12,7 +12,8 @@ use crate::question::{ClaimShown, Sheet};
 ///
 /// A name that Python keeps for itself gets a `_` behind it, and the second copy of a state, `x'`,
 /// is `x_prime`. SymPy has values of its own for names such as `E` or `S`: whoever reads a formula
-/// hands its symbols over, `sympify(formula, locals={"E": Symbol("E")})`, as [`Sheet::script`] does.
+/// hands its symbols over, `sympify(formula, locals={"E": Symbol("E")})`, as [`Sheet::script`]
+/// does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymPy;
 

@@ -221,7 +221,8 @@ impl Expr {
         }
     }
 
-    /// Writes the values of these names in their place; numbers that are multiplied then become one.
+    /// Writes the values of these names in their place; numbers that are multiplied then become
+    /// one.
     pub fn put_values(&mut self, values: &[(String, Rational)]) {
         match &mut self.kind {
             ExprKind::Number(_) | ExprKind::Special(InFamily::Site { .. }) => {}

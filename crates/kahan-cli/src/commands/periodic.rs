@@ -24,9 +24,9 @@ use crate::reading::{Start, over, whole};
 /// and its stability is decided by the exact characteristic polynomial of that derivative.
 ///
 /// --over follows the cycle along a range of eps or of a parameter, round folds, and tells where
-/// multipliers go through the unit circle. The table has about as many rows as the range has values:
-/// more round a fold, fewer where points move far, and the last one may lie beyond the range. --out
-/// writes it as CSV, or draws it. The exit status is 1 where no cycle is found.
+/// multipliers go through the unit circle. The table has about as many rows as the range has
+/// values: more round a fold, fewer where points move far, and the last one may lie beyond the
+/// range. --out writes it as CSV, or draws it. The exit status is 1 where no cycle is found.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 // ε may be what changes.

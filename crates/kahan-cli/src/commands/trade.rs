@@ -28,9 +28,9 @@ use crate::reading::{Block, Source, number, one_of, point, seconds};
 /// over the whole horizon, at the times of the steps and with the last point standing for the
 /// horizon, in the maximum norm, relative to the trajectory's largest coordinate. The trajectory is
 /// a Taylor series in 32 digits that agrees with a second method (the closed solution, where the
-/// catalog has one, else a composition of order 8) to a hundredth of the tolerance; a
-/// setting serves where its error and that difference together are within the tolerance. Where they do not agree, or the solution escapes to
-/// infinity within the horizon, the command refuses.
+/// catalog has one, else a composition of order 8) to a hundredth of the tolerance; a setting
+/// serves where its error and that difference together are within the tolerance. Where they do not
+/// agree, or the solution escapes to infinity within the horizon, the command refuses.
 ///
 /// integrals: to keep the claimed integrals (those without `when`). The error is the largest change
 /// over the horizon relative to the value at the beginning, evaluated in 32 digits at the eps of

@@ -1,9 +1,9 @@
 //! The words of drawings: how much room they take, and how they are set.
 //!
 //! In: words in which letters that stand alone are variables, and raised and lowered characters are
-//! exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Out: elements with variables in italic
-//! and the rest upright. Not every font has the raised and lowered characters, so these are smaller
-//! digits off the line.
+//! exponents and indices: `time per unit of t`, `10⁻⁸`, `x₀`. Out: elements with variables in
+//! italic and the rest upright. Not every font has the raised and lowered characters, so these are
+//! smaller digits off the line.
 
 use maud::{Markup, html};
 

@@ -13,7 +13,8 @@ pub(super) fn line(from: Place, to: Place) -> Markup {
     html! { line x1=(tenths(from.0)) y1=(tenths(from.1)) x2=(tenths(to.0)) y2=(tenths(to.1)) {} }
 }
 
-/// A line, dots or rings, so wide and dashed or not; `shape` is [`polyline`], [`dots`] or [`rings`].
+/// A line, dots or rings, so wide and dashed or not; `shape` is [`polyline`], [`dots`] or
+/// [`rings`].
 pub(super) fn stroked(class: &str, shape: &str, width: f64, dashes: Option<&str>) -> Markup {
     html! {
         path.(class) d=(shape) stroke-width=((100.0 * width).round() / 100.0) stroke-dasharray=[dashes]

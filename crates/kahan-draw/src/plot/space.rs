@@ -46,8 +46,8 @@ const TILT: f64 = 0.5;
 /// Layers of depth, from the back: so many that the width of a line changes less from one to the
 /// next than can be seen.
 const LAYERS: usize = 24;
-/// Boxes that are longer than this many times their width are drawn as others, upright or up to this
-/// many times as broad as high, as there is room.
+/// Boxes that are longer than this many times their width are drawn as others, upright or up to
+/// this many times as broad as high, as there is room.
 const SLENDER: f64 = 4.0;
 const BROAD: f64 = 2.0;
 
@@ -76,8 +76,8 @@ impl View {
         let middle = axes.each_ref().map(|axis| axis.low + (axis.high - axis.low) / 2.0);
         let (short, long) =
             (lengths.into_iter().fold(f64::MAX, f64::min), lengths.into_iter().fold(0.0, f64::max));
-        // As far as the corners of a box with this stretch are from its middle, to the right, upwards
-        // and towards the eye.
+        // As far as the corners of a box with this stretch are from its middle, to the right,
+        // upwards and towards the eye.
         let reach = |stretch: [f64; 3]| -> [f64; 3] {
             let corners = (0..8).map(|bits| turned(half(bits, lengths, stretch)).map(f64::abs));
             corners.fold([0.0; 3], |far, corner| std::array::from_fn(|i| far[i].max(corner[i])))

@@ -56,10 +56,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// # Errors
     /// [`DimensionError`] if `x` has not an entry a variable, or `out` not one an integral.
     pub fn integrals(&self, x: &[T], out: &mut [T]) -> Result<(), DimensionError> {
-        self.check_state(x)?;
-        self.check_out(out, self.map.field().integrals().len())?;
-        self.engine().evaluate(Object::Integrals, &self.of_integrals, x, out);
-        Ok(())
+        self.object(Object::Integrals, x, out, self.map.field().integrals().len())
     }
 
     /// The density of the invariant measure.
@@ -97,7 +94,9 @@ impl<T: MachineFloat> MapAt<T> {
         self.check_out(out, entries)?;
         // Each row of an orbit has its integrals, and most fields claim none.
         if entries > 0 {
-            self.engine().evaluate(object, &self.constants, x, out);
+            let is_integral = matches!(object, Object::Integrals);
+            let constants = if is_integral { &self.of_integrals } else { &self.constants };
+            self.engine().evaluate(object, constants, x, out);
         }
         Ok(())
     }

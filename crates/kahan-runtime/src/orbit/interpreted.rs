@@ -25,8 +25,8 @@ pub(super) trait Interpreting: Running {
 pub(super) struct Walk<V> {
     map: Map,
     kind: StepKind,
-    /// What integrals take: the parameters, and ε, which is 0 for a composition, as it keeps those of
-    /// the flow nearly, and of no map.
+    /// What integrals take: the parameters, and ε, which is 0 for a composition, as it keeps those
+    /// of the flow nearly, and of no map.
     constants: Vec<V>,
     stages: Vec<Stage<V>>,
     state: Vec<V>,

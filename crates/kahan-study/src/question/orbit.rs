@@ -260,7 +260,8 @@ impl Orbit {
         if is_the_map { study.at_step(&self.eps) } else { Ok(study.clone()) }
     }
 
-    /// Begins the orbit of a system whose claims hold; of [its own](Self::study), with all integrals.
+    /// Begins the orbit of a system whose claims hold; of [its own](Self::study), with all
+    /// integrals.
     ///
     /// # Errors
     /// [`StudyError`]: claims that do not hold, values that are missing or beyond the range of the
