@@ -4,7 +4,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;
-use kahan_core::{KahanMap, Lift, Pivot, PreparedStep, Scalar, WideStep};
+use kahan_core::{Elimination, KahanMap, Lift, Pivot, PreparedStep, Scalar, WideStep};
 use kahan_runtime::Field;
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_systems::registry::find;
@@ -200,33 +200,41 @@ fn a_field_of_more_variables_than_the_type_has_is_refused() {
     }
 }
 
-/// Three variables among eight: the same bits in each object, and the others stay where they are.
+/// Three variables among more: the same bits in each object, and the others stay where they are.
 #[test]
 fn variables_that_stand_still_change_nothing() {
     for (command, parameters) in [("e1", vec![]), ("e3", vec![]), ("e9", vec![q("0.1")])] {
-        let text = find(command).expect("in the catalog").text();
-        let own = read::<3>(text, &parameters).rounded::<f64>();
-        let among = read::<8>(text, &parameters).rounded::<f64>();
-        for (x, eps) in samples::<f64, 3>(40) {
-            let wide = SVector::<f64, 8>::from_fn(|i, _| x.get(i).copied().unwrap_or(0.0));
-            let same = |next: SVector<f64, 3>, wide: SVector<f64, 8>| {
-                assert_eq!(next.as_slice(), &wide.as_slice()[..3], "{command} at {x:?}, {eps}");
-                assert_eq!(wide.as_slice()[3..], [0.0; 5], "{command}");
-            };
-            same(own.step(&x, eps), among.step(&wide, eps));
-            same(own.field(&x), among.field(&wide));
-            same(own.bilinear(&x, &own.field(&x)), among.bilinear(&wide, &among.field(&wide)));
-            same(own.rational_map(&x, eps).0, among.rational_map(&wide, eps).0);
-            assert_eq!(own.rational_map(&x, eps).1, among.rational_map(&wide, eps).1, "{command}");
-            assert_eq!(own.det_matrix(&x, eps), among.det_matrix(&wide, eps), "{command}");
-            let stable = (own.try_step(&x, eps).ok(), among.try_step(&wide, eps).ok());
-            match stable {
-                (Some(next), Some(wide)) => same(next, wide),
-                (one, other) => assert!(one.is_none() && other.is_none(), "{command}: a flag of one"),
-            }
-            let (slopes, wide_slopes) = (own.field_jacobian(&x), among.field_jacobian(&wide));
-            assert_eq!(slopes, wide_slopes.fixed_view::<3, 3>(0, 0).into_owned(), "{command}");
+        stand_still::<f64, 4>(command, &parameters);
+        stand_still::<f64, 8>(command, &parameters);
+        // Among eight it would begin in `f64`.
+        stand_still::<f32, 4>(command, &parameters);
+    }
+}
+
+fn stand_still<T: Pivot + Copy, const N: usize>(command: &str, parameters: &[BigRational]) {
+    let text = find(command).expect("in the catalog").text();
+    let own = read::<3>(text, parameters).rounded::<T>();
+    let among = read::<N>(text, parameters).rounded::<T>();
+    for (x, eps) in samples::<T, 3>(40) {
+        let wide = SVector::<T, N>::from_fn(|i, _| x.get(i).copied().unwrap_or_else(T::zero));
+        let same = |next: SVector<T, 3>, wide: SVector<T, N>| {
+            assert_eq!(next.as_slice(), &wide.as_slice()[..3], "{command} at {x:?}, {eps:?}");
+            assert!(wide.as_slice()[3..].iter().all(T::is_zero), "{command}");
+        };
+        same(own.step(&x, eps), among.step(&wide, eps));
+        let by_elimination = Elimination::new(own.clone(), eps).next(&x).expect("a float has a value");
+        same(by_elimination, Elimination::new(among.clone(), eps).next(&wide).expect("the same"));
+        same(own.field(&x), among.field(&wide));
+        same(own.bilinear(&x, &own.field(&x)), among.bilinear(&wide, &among.field(&wide)));
+        same(own.rational_map(&x, eps).0, among.rational_map(&wide, eps).0);
+        assert_eq!(own.rational_map(&x, eps).1, among.rational_map(&wide, eps).1, "{command}");
+        assert_eq!(own.det_matrix(&x, eps), among.det_matrix(&wide, eps), "{command}");
+        match (own.try_step(&x, eps).ok(), among.try_step(&wide, eps).ok()) {
+            (Some(next), Some(wide)) => same(next, wide),
+            (one, other) => assert!(one.is_none() && other.is_none(), "{command}: a flag of one"),
         }
+        let (slopes, wide_slopes) = (own.field_jacobian(&x), among.field_jacobian(&wide));
+        assert_eq!(slopes, wide_slopes.fixed_view::<3, 3>(0, 0).into_owned(), "{command}");
     }
 }
 
