@@ -130,18 +130,33 @@ impl PeriodicPoint {
         let derivative =
             all[..period].iter().fold(DMatrix::identity(n, n), |product, x| map.derivative(x) * product);
         let points = all[..period].iter().map(|x| map.outside(x)).collect();
+        let Linearized { multipliers, family, rounding } = Linearized::of(derivative);
+        let (residual, size) = (residual * map.unit.length, largest * map.unit.length);
+        PeriodicPoint { points, residual, multipliers, family, size, rounding }
+    }
+}
+
+/// What the derivative of the map along a cycle says. A function of its own, so that the
+/// decompositions are compiled here, once, and not anew for each type of map.
+struct Linearized {
+    multipliers: Vec<Complex<f64>>,
+    family: usize,
+    rounding: f64,
+}
+
+impl Linearized {
+    fn of(derivative: DMatrix<f64>) -> Self {
         let mut multipliers: Vec<Complex<f64>> = derivative.complex_eigenvalues().iter().copied().collect();
         multipliers.sort_by(|a, b| {
             size(b).total_cmp(&size(a)).then(b.re.total_cmp(&a.re)).then(b.im.total_cmp(&a.im))
         });
+        let n = derivative.nrows();
         let left = (derivative - DMatrix::identity(n, n)).singular_values();
         let scale = left.max().max(1.0);
         let family = left.iter().filter(|value| **value < CIRCLE * scale).count();
         // What rounding leaves of a derivative is in proportion to it, and has its root in a double
         // eigenvalue.
-        let rounding = CIRCLE * scale.sqrt();
-        let (residual, size) = (residual * map.unit.length, largest * map.unit.length);
-        PeriodicPoint { points, residual, multipliers, family, size, rounding }
+        Linearized { multipliers, family, rounding: CIRCLE * scale.sqrt() }
     }
 }
 
