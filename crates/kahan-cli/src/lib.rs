@@ -16,8 +16,6 @@ mod printing;
 
 mod reading;
 
-pub mod atlas;
-
 mod commands;
 
 use std::ffi::OsString;

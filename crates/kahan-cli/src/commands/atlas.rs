@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
-use crate::atlas::{Found, Making, page};
 use clap::Args;
+use kahan_atlas::{Found, Making, page};
 use kahan_paper::Paper;
 
 use crate::printing::{Answer, Prompt, Refusal, Sink};
