@@ -56,3 +56,6 @@ struct Measure;
 
 #[doc = include_str!("../../crates/kahan-draw/README.md")]
 struct Draw;
+
+#[doc = include_str!("../../crates/kahan-atlas/README.md")]
+struct Atlas;

@@ -12,7 +12,7 @@ const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
     ("clap", &["kahan-cli"]),
     ("indicatif", &["kahan-cli"]),
     ("tempfile", &["kahan-cli"]),
-    ("maud", &["kahan-cli", "kahan-draw"]),
+    ("maud", &["kahan-atlas", "kahan-cli", "kahan-draw"]),
     ("pulldown-latex", &["kahan-draw"]),
 ];
 

@@ -69,11 +69,8 @@ const ALGEBRA: Layered = Layered {
     ],
 };
 
-const COMMAND: Layered = Layered {
-    folder: "crates/kahan-cli",
-    name: "kahan_cli",
-    layers: &["printing", "reading", "atlas", "commands"],
-};
+const COMMAND: Layered =
+    Layered { folder: "crates/kahan-cli", name: "kahan_cli", layers: &["printing", "reading", "commands"] };
 
 const DRAW: Layered = Layered {
     folder: "crates/kahan-draw",
@@ -259,7 +256,7 @@ fn every_way_up_is_found() {
         (ALGEBRA, "plan/step/mod.rs", "use super::super::system::System;"),
         (COMMAND, "printing/table.rs", "fn f(block: &super::super::reading::Block) {}"),
         (DRAW, "plot.rs", "use super::document::document;"),
-        (COMMAND, "atlas/found.rs", "use crate::{printing::columns, commands::verify::Verify};"),
+        (COMMAND, "reading/source.rs", "use crate::{printing::columns, commands::verify::Verify};"),
     ];
     for (layered, file, text) in ways_up {
         let (upward, _) = layered.upward(&layered.source().join(file), text);
@@ -267,7 +264,7 @@ fn every_way_up_is_found() {
     }
     let allowed = [
         (CORE, "map/orbit/mod.rs", "use super::{KahanMap, at::KahanAt}; use crate::Scalar;"),
-        (COMMAND, "atlas/figures/orbit.rs", "use super::super::found::Found; use crate::reading::Block;"),
+        (COMMAND, "commands/page/figures.rs", "use super::super::line::Line; use crate::reading::Block;"),
     ];
     for (layered, file, text) in allowed {
         let (upward, paths) = layered.upward(&layered.source().join(file), text);

@@ -16,8 +16,6 @@ mod printing;
 
 mod reading;
 
-pub mod atlas;
-
 mod commands;
 
 use std::ffi::OsString;
@@ -27,7 +25,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser};
 
 use commands::{BEFORE_CHART, Command, GROUPS};
-use printing::{Answer, Refusal, finish, warn};
+use printing::{Answer, Refusal, finish, joined, warn};
 use reading::{ONE_WORD, Source};
 
 /// Kahan's method for quadratic differential equations, exactly.
@@ -120,9 +118,9 @@ fn grouped(command: &clap::Command) -> String {
 /// The command line. `--help` fits a screen everywhere; `kahan help COMMAND` says all.
 fn command() -> clap::Command {
     let cli = Cli::command();
+    let groups = grouped(&cli);
     let template = format!(
-        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\nOptions:\n{{options}}{{after-help}}",
-        grouped(&cli)
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}\nOptions:\n{{options}}{{after-help}}"
     );
     let on_a_screen = |one: clap::Command| {
         let help = Arg::new("help").short('h').long("help").help("Print help").action(ArgAction::HelpShort);
@@ -147,21 +145,15 @@ fn usage(error: &clap::Error, command: &str) -> Result<Answer, Refusal> {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         return Ok(Answer::verbatim(text));
     }
-    let lines = text
-        .lines()
-        .map(str::trim)
-        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
+    let is_end = |line: &str| line.starts_with("Usage:") || line.starts_with("For more");
+    let lines = text.lines().map(str::trim).take_while(|line| !is_end(line));
     // How to pass a flag as a value is never what was meant.
-    let said: Vec<&str> =
-        lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass")).collect();
-    let said = said.join(" ").replace(" tip: ", "; ");
-    let call = ["kahan", command, "--help"].into_iter().filter(|word| !word.is_empty());
-    Err(Refusal::new(format!(
-        "{}{}; `{}` shows examples",
-        said.trim_start_matches("error: "),
-        meant(error).map_or_else(String::new, |meant| format!("; {meant}")),
-        call.collect::<Vec<_>>().join(" ")
-    )))
+    let said = lines.filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"));
+    let said = joined(said, " ").replace(" tip: ", "; ");
+    let said = said.trim_start_matches("error: ");
+    let meant = meant(error).map_or_else(String::new, |meant| format!("; {meant}"));
+    let call = joined(["kahan", command, "--help"].iter().filter(|word| !word.is_empty()), " ");
+    Err(Refusal::new(format!("{said}{meant}; `{call}` shows examples")))
 }
 
 /// What an argument that no command has was probably meant to be.

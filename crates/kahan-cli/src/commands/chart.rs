@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_draw::picture::{Chart as Shown, Look, chart};
-use kahan_study::{Axis, Observable, Observe, Over, Question, Spacing, Study, StudyError, Through};
+use kahan_study::{Axis, Observable, Observe, Over, Question, Spacing, Study, StudyError};
 use serde_json::{Value, json};
 
 use super::line::{Asking, Line};
-use super::look::{SheetOptions, file, format, usual};
-use crate::printing::{Answer, Prompt, Refusal, Sink, is_table};
+use super::look::{OutFile, SheetOptions, usual};
+use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{self, Start, number, observable, whole};
 
 use rows::Rows;
@@ -40,7 +40,12 @@ use rows::Rows;
 /// is followed. --over NAME goes through the values that are there, and --over with a range shows
 /// the mean of the rows in the cell around each value.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan chart e9 --at 1,1/2,1/3 --over xi=-1:1:/40 --over eps=0:1/2:/40 --color megno --out e9.svg
+  kahan chart lv --eps 1/7 --at 1,1 --over x=1/10:1:+1/50 --color fli --out fli.svg
+  kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
+  kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
 // Rows have ε and their places in themselves, and ε may be gone through.
 #[command(mut_arg("eps", |eps| eps.required(false)))]
 #[command(mut_arg("at", |at| at.required(false).required_unless_present("from")))]
@@ -98,19 +103,11 @@ const COLOURS: [Observable; 6] = [
     Observable::Escape,
 ];
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan chart e9 --at 1,1/2,1/3 --over xi=-1:1:/40 --over eps=0:1/2:/40 --color megno --out e9.svg
-  kahan chart lv --eps 1/7 --at 1,1 --over x=1/10:1:+1/50 --color fli --out fli.svg
-  kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
-  kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg";
-
 /// What orbits need, and rows have in themselves.
 const OF_ORBITS: [&str; 9] =
     ["system", "field", "file", "sites", "parameters", "eps", "at", "steps", "escape"];
 
 impl Asking for Chart {
-    const COMMAND: &str = "chart";
     type Question = Over;
 
     fn asked(&self) -> Result<(Study, Over), Refusal> {
@@ -135,59 +132,45 @@ impl Asking for Chart {
         if asked.axes.iter().any(|axis| axis.name == "eps") {
             said["eps"] = Value::Null;
         }
-        let line = line.saying::<Self>(&said);
-        let line = asked.axes.iter().rev().fold(line, |line, axis| match &axis.through {
-            Through::Range(range) => line.with("--over", format!("{}={range}", axis.name)),
-            Through::List(_) | Through::Drawn { .. } => line,
-        });
-        let colour = observe.of.first().filter(|of| **of != Observable::Sali);
-        line.with_some("--color", colour.map(|of| of.name())).with("--out", "chart.svg")
+        said["over"] = json!(asked.axes.iter().rev().collect::<Vec<_>>());
+        said["color"] = json!(observe.of[0].name());
+        line.saying::<Self>(&said).with("--out", "chart.svg")
+    }
+
+    /// Writes the file; the answer says what is in it.
+    fn run(&self) -> Result<Answer, Refusal> {
+        let out = OutFile::picture_or_table(&self.out)?;
+        let shown = match &self.from {
+            _ if self.over.len() > 2 => {
+                return Err(Refusal::new(
+                    "--over: a chart goes through one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
+                ));
+            }
+            Some(from) => self.of_rows(from)?,
+            None => self.of_orbits()?,
+        };
+        let picture = chart(&shown, &Look::on(self.look.sheet(usual())));
+        out.put(&picture.drawing, || table(&shown))?;
+        let values = shown.values.iter().filter(|value| !value.is_nan());
+        let ends = [f64::min as fn(f64, f64) -> f64, f64::max];
+        let [least, greatest] = ends.map(|end| values.clone().copied().reduce(end));
+        let (out, cells) = (self.out.display().to_string(), shown.values.len());
+        let empty = cells - values.count();
+        if self.json {
+            return Ok(Answer::json(&json!({
+                "system": shown.name, "color": shown.column, "out": out, "shows": picture.drawing.description, "cells": cells,
+                "empty": empty, "least": least, "greatest": greatest,
+            })));
+        }
+        let ends = least.zip(greatest);
+        let ends =
+            ends.map_or(String::new(), |(least, greatest)| format!(", from {least:.4} to {greatest:.4}"));
+        let what = if self.from.is_some() { "cells" } else { "orbits" };
+        Ok(Answer::text(format!("{out} written: {cells} {what}, {empty} empty; {}{ends}\n", shown.label())))
     }
 }
 
 impl Chart {
-    /// Writes the file; the answer says what is in it.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let format = if is_table(&self.out) { None } else { Some(format(&self.out)?) };
-        let sink = Sink::file(&self.out, "--out")?;
-        let shown = self.shown()?;
-        let picture = chart(&shown, &Look::on(self.look.sheet(usual())));
-        let file = match format {
-            Some(format) => file(&picture.drawing, format)?,
-            None => table(&shown).into_bytes(),
-        };
-        sink.put(file)?;
-        let values = shown.values.iter().filter(|value| !value.is_nan());
-        let extremes = values.clone().fold(None, |ends: Option<(f64, f64)>, value| {
-            let (least, greatest) = ends.unwrap_or((*value, *value));
-            Some((least.min(*value), greatest.max(*value)))
-        });
-        let (out, cells, empty) =
-            (self.out.display().to_string(), shown.values.len(), shown.values.len() - values.count());
-        if self.json {
-            return Ok(Answer::json(&json!({
-                "system": shown.name, "color": shown.column, "out": out, "shows": picture.drawing.description, "cells": cells,
-                "empty": empty, "least": extremes.map(|ends| ends.0), "greatest": extremes.map(|ends| ends.1),
-            })));
-        }
-        let ends =
-            extremes.map_or(String::new(), |(least, greatest)| format!(", from {least:.4} to {greatest:.4}"));
-        let what = if self.from.is_some() { "cells" } else { "orbits" };
-        Ok(Answer::text(format!("{out} written: {cells} {what}, {empty} empty; {}{ends}\n", shown.label())))
-    }
-
-    fn shown(&self) -> Result<Shown, Refusal> {
-        if self.over.len() > 2 {
-            return Err(Refusal::new(
-                "--over: a chart goes through one range or two, as in --over x=-1:1:/60 --over y=0:2:/60",
-            ));
-        }
-        match &self.from {
-            Some(from) => self.of_rows(from),
-            None => self.of_orbits(),
-        }
-    }
-
     fn of_orbits(&self) -> Result<Shown, Refusal> {
         let (study, asked) = self.asked()?;
         if self.color == Observable::Drift && study.system().accessors(ClaimKind::Integral).next().is_none() {

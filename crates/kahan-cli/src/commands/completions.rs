@@ -5,22 +5,20 @@ use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 use kahan_systems::registry::all;
 
-use crate::printing::{Answer, Refusal};
+use crate::printing::{Answer, Refusal, joined};
 
 /// Prints a script that lets a shell complete words: commands, options, systems.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  source <(kahan completions bash)                  in ~/.bashrc
+  source <(kahan completions zsh)                   in ~/.zshrc, after compinit
+  kahan completions fish > ~/.config/fish/completions/kahan.fish")]
 pub(crate) struct Completions {
     /// The shell.
     #[arg(value_enum)]
     shell: Shell,
 }
-
-const EXAMPLES: &str = "\
-Examples:
-  source <(kahan completions bash)                  in ~/.bashrc
-  source <(kahan completions zsh)                   in ~/.zshrc, after compinit
-  kahan completions fish > ~/.config/fish/completions/kahan.fish";
 
 impl Completions {
     /// The script for the command line `command`.
@@ -28,8 +26,7 @@ impl Completions {
         let mut command = naming_systems(command);
         let mut script = Vec::new();
         generate(self.shell, &mut command, "kahan", &mut script);
-        let script = String::from_utf8(script)
-            .map_err(|_| Refusal::new("the script cannot be written: a name is no text"))?;
+        let script = String::from_utf8(script).expect("names and words are texts");
         let script = if self.shell == Shell::Fish { script + &fish_systems(&command) } else { script };
         Ok(Answer::verbatim(script))
     }
@@ -52,14 +49,8 @@ fn naming_systems(command: Command) -> Command {
 
 /// The systems for fish, whose generator leaves positional values out.
 fn fish_systems(command: &Command) -> String {
-    let taking = command
-        .get_subcommands()
-        .filter(|subcommand| subcommand.get_positionals().any(|argument| argument.get_id() == "system"));
-    let subcommands: Vec<&str> = taking.map(Command::get_name).collect();
-    let systems: Vec<&str> = all().map(|entry| entry.command).collect();
-    format!(
-        "complete -c kahan -n \"__fish_seen_subcommand_from {}\" -a \"{}\"\n",
-        subcommands.join(" "),
-        systems.join(" ")
-    )
+    let takes_system = |one: &&Command| one.get_positionals().any(|argument| argument.get_id() == "system");
+    let taking = joined(command.get_subcommands().filter(takes_system).map(Command::get_name), " ");
+    let systems = joined(all().map(|entry| entry.command), " ");
+    format!("complete -c kahan -n \"__fish_seen_subcommand_from {taking}\" -a \"{systems}\"\n")
 }

@@ -1,18 +1,22 @@
 //! `kahan discover`: what a field's map preserves, found from its equations alone. What is found is
 //! `kahan-discover`'s; this only prints it.
 
-mod discovery;
-
+use std::iter;
 use std::path::PathBuf;
 
 use clap::Args;
-use kahan_algebra::render::{folded, macro_block};
-use kahan_study::{Discover as Question, Study};
+use kahan_algebra::render::{Formulas, Notation, Text, folded, lines as breakable, macro_block};
+use kahan_discover::report::HamiltonianReport;
+use kahan_draw::answer::{evaluation, numbers, states_and_images};
+use kahan_latex::Latex;
+use kahan_latex::breaking::{self, PAGE_WIDTH};
+use kahan_study::{ClaimShown, Discover as Question, Discovered, Study};
 
 use super::line::Asking;
-use super::search::Search;
+use crate::printing::layout::{labelled, matrix, paragraphs, screen_width};
+use crate::printing::page::{Page, aligned};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
-use crate::reading::number;
+use crate::reading::{Source, number, seconds, whole};
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, structure, growth.
@@ -29,7 +33,16 @@ use crate::reading::number;
 /// how many monomials of degree at most 1, 2, ... are independent on an orbit; `found` has kind,
 /// name and expression of every integral, density, bracket and Hamiltonian.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
+  kahan discover e6
+  kahan discover lv --eps 1
+  kahan discover e9 --param xi=-1 --json
+  kahan discover lagrange --macro --out lagrange.rs
+  kahan discover euler --latex
+  kahan discover henon-heiles --degree 7
+  kahan discover --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }' --sites 5")]
 pub(crate) struct Discover {
     #[command(flatten)]
     search: Search,
@@ -47,19 +60,38 @@ pub(crate) struct Discover {
     out: Option<PathBuf>,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan discover --field 'xdot = y; ydot = 6*x^2 - a;'
-  kahan discover e6
-  kahan discover lv --eps 1
-  kahan discover e9 --param xi=-1 --json
-  kahan discover lagrange --macro --out lagrange.rs
-  kahan discover euler --latex
-  kahan discover henon-heiles --degree 7
-  kahan discover --field 'for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }' --sites 5";
+/// A field, and the bounds of a search.
+#[derive(Args, Debug)]
+pub(crate) struct Search {
+    #[command(flatten)]
+    pub(crate) source: Source,
+
+    /// Half the time step, where it is fixed; generic otherwise. `scan` takes a range, too.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    pub(crate) eps: Option<String>,
+
+    /// The degree up to which relations on orbits are looked for.
+    ///
+    /// Where it is not given, the number of variables chooses: as high as some 200 monomials allow,
+    /// in `scan` some 80; and `discover` goes on to higher degrees while integrals may be missing
+    /// and there is time.
+    #[arg(long, value_name = "D", allow_hyphen_values = true, value_parser = whole(1, u32::MAX))]
+    pub(crate) degree: Option<u32>,
+
+    /// The time that the search may take.
+    ///
+    /// Each stage has its share, orbits and their relations up to two fifths. What is not finished
+    /// then is left out, and the answer says so. `discover` takes all of it only where integrals
+    /// may be missing; --degree ends it earlier, with the same answer on every machine.
+    #[arg(long, value_name = "S", default_value = "60", allow_hyphen_values = true, value_parser = seconds)]
+    pub(crate) seconds: f64,
+
+    /// Print one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
 
 impl Asking for Discover {
-    const COMMAND: &str = "discover";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
@@ -67,21 +99,19 @@ impl Asking for Discover {
         let eps = eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
     }
-}
 
-impl Discover {
     /// The report.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::stages())?;
         let answer = if self.latex {
-            Answer::verbatim(discovery::latex(&found)?)
+            Answer::verbatim(latex(&found)?)
         } else if self.as_macro {
             let block = folded(&macro_block(&found.claimed()?), SOURCE_WIDTH);
-            Answer::verbatim(discovery::comments(&found, SOURCE_WIDTH) + &block)
+            Answer::verbatim(comments(&found, SOURCE_WIDTH) + &block)
         } else {
-            Answer::of(&found, self.search.json, discovery::text)
+            Answer::of(&found, self.search.json, text)
         };
         let Some(sink) = sink else { return Ok(answer) };
         sink.put(&answer.text)?;
@@ -91,3 +121,88 @@ impl Discover {
 
 /// The width of lines of Rust.
 const SOURCE_WIDTH: usize = 100;
+
+/// Summary, sentences, and last the claims, so that they paste as a whole.
+fn text(found: &Discovered) -> String {
+    let report = &found.report;
+    let numbers = numbers(found).rows.into_iter().skip(1);
+    let numbers = numbers.flat_map(|row| labelled(&row[0], &row[1], KEY_WIDTH));
+    let tensor = report.structure.hamiltonian.iter().map(|hamiltonian| {
+        let rows = matrix(&hamiltonian.tensor, '[', ']', screen_width());
+        iter::once("K =".to_owned()).chain(rows.iter().map(|row| format!("  {row}"))).collect()
+    });
+    let modified = report.compact().map(|hamiltonian| vec![modified(found, hamiltonian)]);
+    let claims = found.claims(found.report.replaced());
+    let claims: Vec<String> = claims.iter().map(|claim| (*claim).to_owned()).collect();
+    let groups = [numbers.collect(), report.sentences.clone()].into_iter().chain(tensor).chain(modified);
+    let groups = groups.chain(bases(found).map(Vec::from));
+    paragraphs(groups.chain(Some(claims).filter(|claims| !claims.is_empty())))
+}
+
+/// The modified Hamiltonian in its compact form.
+fn modified(found: &Discovered, hamiltonian: &HamiltonianReport) -> String {
+    let [states, images] = states_and_images(&found.report, &Text);
+    let (formula, condition) = (hamiltonian.modified(&Text), condition(found));
+    format!("H~ = {formula}, where {images} is the image of {states}{condition}")
+}
+
+/// `, when a = 1, eps = 1/2`, or empty.
+fn condition(found: &Discovered) -> String {
+    let parameters = found.fixed.iter().map(|(name, value)| format!("{name} = {value}"));
+    let fixed: Vec<String> = parameters.chain(found.eps.as_ref().map(|eps| format!("eps = {eps}"))).collect();
+    if fixed.is_empty() { String::new() } else { format!(", when {}", fixed.join(", ")) }
+}
+
+/// Every basis: its relation, and how it is evaluated.
+fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
+    let variables = &found.report.variables;
+    found.report.bases.iter().enumerate().map(|(number, basis)| {
+        let relation = basis.relation(variables, &Text);
+        [format!("basis {}{}: {relation}", number + 1, condition(found)), evaluation(basis, &Text, "")]
+    })
+}
+
+/// What a block cannot claim, as comments before it.
+fn comments(found: &Discovered, width: usize) -> String {
+    let alone = found.report.compact().filter(|_| found.report.replaced().is_none());
+    let modified = alone.map(|hamiltonian| modified(found, hamiltonian));
+    let texts = modified.into_iter().chain(bases(found).flatten());
+    let comment = |text: String| -> String {
+        let rows = breakable(&text, width.saturating_sub(3));
+        rows.iter().map(|row| format!("// {row}\n")).collect()
+    };
+    texts.map(comment).collect()
+}
+
+fn latex(found: &Discovered) -> Result<String, Refusal> {
+    let system = found.readable()?;
+    let notation = &Latex;
+    let mut page = Page::default();
+    page.line(&format!("% {}", found.system));
+    let values = Formulas { field: &system.field, map: None, notation }.field();
+    let states = system.field.symbols.states.iter().map(|state| format!("\\dot {}", notation.name(state)));
+    page.display(&aligned(
+        states.zip(&values).map(|(left, right)| breaking::equation(&left, right, PAGE_WIDTH)).collect(),
+    ));
+    for claim in &system.claims {
+        page.claim(&ClaimShown::of(&system, claim, Some(notation)));
+    }
+    if let Some(hamiltonian) = found.report.compact() {
+        page.line(&format!("% modified Hamiltonian{}", condition(found)));
+        let equation = breaking::equation("\\widetilde{H}", &hamiltonian.modified(notation), PAGE_WIDTH);
+        let [states, images] = states_and_images(&found.report, notation);
+        let image = format!("&\\text{{where }} {images} \\text{{ is the image of }} {states}");
+        page.display(&aligned(vec![equation, image]));
+    }
+    for (number, basis) in found.report.bases.iter().enumerate() {
+        page.line(&format!("% Hirota-Kimura basis {}{}", number + 1, condition(found)));
+        let relation = basis.relation(&found.report.variables, notation);
+        let left = relation.strip_suffix(" = 0").unwrap_or(&relation);
+        page.display(&aligned(vec![breaking::equation("0", left, PAGE_WIDTH)]));
+        page.line(&evaluation(basis, notation, "$"));
+    }
+    Ok(page.text)
+}
+
+/// The width of the words before the numbers.
+const KEY_WIDTH: usize = 21;

@@ -6,7 +6,7 @@ use kahan_draw::answer::{self, convergence, out_of_range};
 use kahan_study::{Observable, Observe, Observed, Seen, Study};
 
 use super::line::Asking;
-use crate::printing::layout::{screen_width, table};
+use crate::printing::layout::{paragraphs, screen_width, table};
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Start, observable, order, whole};
 
@@ -30,7 +30,12 @@ use crate::reading::{Start, observable, order, whole};
 /// to the first value. Steps are those of `kahan orbit` in f64. Where numbers leave the range of
 /// f64, the answer covers the steps before, and the exit status is 1.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan dynamics lorenz --param s=10 --param r=28 --param b=8/3 --eps 1e-3 --at 1,1,1 --steps 1e4
+  kahan dynamics e3 --eps 0.05 --at 1,2,3 --steps 1e4 --json
+  kahan dynamics e6 --eps 0.05 --at 1,2,3 --steps 1e4 --order 4
+  kahan dynamics --field 'xdot = y; ydot = 6*x^2 - 2;' --eps 0.01 --at 0,0.1 --steps 9999")]
 pub(crate) struct Dynamics {
     #[command(flatten)]
     start: Start,
@@ -52,23 +57,12 @@ pub(crate) struct Dynamics {
     escape: f64,
 
     /// What is observed, in this order; nothing else is computed.
-    #[arg(long = "observe", value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = usual(), value_parser = observable(Observable::ALL))]
+    #[arg(long = "observe", value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observe::USUAL.iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
     of: Vec<Observable>,
 
     /// Print one JSON object; what has no value is null.
     #[arg(long)]
     json: bool,
-}
-
-const EXAMPLES: &str = "\
-Examples:
-  kahan dynamics lorenz --param s=10 --param r=28 --param b=8/3 --eps 1e-3 --at 1,1,1 --steps 1e4
-  kahan dynamics e3 --eps 0.05 --at 1,2,3 --steps 1e4 --json
-  kahan dynamics e6 --eps 0.05 --at 1,2,3 --steps 1e4 --order 4
-  kahan dynamics --field 'xdot = y; ydot = 6*x^2 - 2;' --eps 0.01 --at 0,0.1 --steps 9999";
-
-fn usual() -> Vec<&'static str> {
-    Observe::USUAL.iter().map(|of| of.name()).collect()
 }
 
 fn radius(text: &str) -> Result<f64, String> {
@@ -77,7 +71,6 @@ fn radius(text: &str) -> Result<f64, String> {
 }
 
 impl Asking for Dynamics {
-    const COMMAND: &str = "dynamics";
     type Question = Observe;
 
     fn asked(&self) -> Result<(Study, Observe), Refusal> {
@@ -85,11 +78,9 @@ impl Asking for Dynamics {
         let Dynamics { steps, order, every, escape, ref of, .. } = *self;
         Ok((study, Observe { eps, at, steps, order, every, escape, of: of.clone() }))
     }
-}
 
-impl Dynamics {
     /// The answers; a complaint where the orbit ends early.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let observed = asked.ask(&study, &Prompt::of("steps"))?;
         Ok(Answer::of(&observed, self.json, text).but(out_of_range(&observed)))
@@ -104,7 +95,7 @@ fn text(observed: &Observed) -> String {
         last.push(vec!["escaped".to_owned(), escaped]);
     }
     let tables = answer::observed(observed).into_iter().map(|table| table.rows).chain([last]);
-    let tables: Vec<String> = tables.map(|rows| table(&rows, 1).join("\n") + "\n").collect();
-    let words = convergence(observed).map(|words| lines(&words, screen_width()).join("\n") + "\n");
-    tables.into_iter().chain(words).collect::<Vec<_>>().join("\n")
+    let tables = tables.map(|rows| table(&rows, 1));
+    let words = convergence(observed).map(|words| lines(&words, screen_width()));
+    paragraphs(tables.chain(words))
 }

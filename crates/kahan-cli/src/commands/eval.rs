@@ -1,5 +1,7 @@
 //! `kahan eval`: every object of a system at one point, in exact or in floating-point numbers.
 
+use std::iter;
+
 use clap::Args;
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_study::numbers::ScalarKind;
@@ -7,8 +9,8 @@ use kahan_study::{Evaluate, NoStep, Study, Unwatched};
 use serde_json::{Value, json};
 
 use super::line::Asking;
-use crate::printing::layout::{labelled, matrix_within, screen_width};
-use crate::printing::{Answer, Refusal};
+use crate::printing::layout::{beside, labelled, matrix, screen_width};
+use crate::printing::{Answer, Refusal, joined};
 use crate::reading::{Start, scalar};
 
 /// Evaluates every object of a system at a point: field, matrices, Jacobian, claims.
@@ -17,7 +19,13 @@ use crate::reading::{Start, scalar};
 /// factor that vanishes was divided out) the rest is printed all the same, and the exit status is
 /// 1.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan eval e6 --eps 1/2 --at 1,2,3
+  kahan eval e7 --eps -1/2 --at 3/7,11/13,23/47 --param xi=19/17 --json
+  kahan eval lv --eps 0.1 --at 1/2,5/3 --scalar f64
+  kahan eval lv --eps 0.1 --at 1/2,5/3 --scalar dd
+  kahan eval --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1")]
 pub(crate) struct Eval {
     #[command(flatten)]
     start: Start,
@@ -31,27 +39,16 @@ pub(crate) struct Eval {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan eval e6 --eps 1/2 --at 1,2,3
-  kahan eval e7 --eps -1/2 --at 3/7,11/13,23/47 --param xi=19/17 --json
-  kahan eval lv --eps 0.1 --at 1/2,5/3 --scalar f64
-  kahan eval lv --eps 0.1 --at 1/2,5/3 --scalar dd
-  kahan eval --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1";
-
 impl Asking for Eval {
-    const COMMAND: &str = "eval";
     type Question = Evaluate;
 
     fn asked(&self) -> Result<(Study, Evaluate), Refusal> {
         let (study, at, eps) = self.start.study()?;
         Ok((study, Evaluate { eps, at, scalar: self.scalar }))
     }
-}
 
-impl Eval {
     /// The object of all values; a complaint at a pole.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let values = asked.ask(&study, &Unwatched)?;
         let complaint = values.no_step.map(|why| no_step(&study, &asked, why));
@@ -63,10 +60,7 @@ impl Eval {
 fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
     let (name, place) = (study.name(), study.place(&asked.at, &asked.eps));
     match why {
-        NoStep::Unreduced => format!(
-            "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of \
-             {TERM_BUDGET} terms, so it is not reduced, and it may have a value there"
-        ),
+        NoStep::Unreduced => unreduced(name, &place),
         NoStep::Pole => format!(
             "the map of {name} has a pole at {place}: det A = 0 there, and the next point has no value"
         ),
@@ -74,6 +68,14 @@ fn no_step(study: &Study, asked: &Evaluate, why: NoStep) -> String {
             "the next point of {name} is beyond the range of the scalar at {place}; try --scalar exact"
         ),
     }
+}
+
+/// That det A = 0 at a place stands for a pole of this system's map.
+pub(super) fn unreduced(name: &str, place: &str) -> String {
+    format!(
+        "det A = 0 at {place}, which counts as a pole of the map of {name}: its closed form is beyond the budget of {TERM_BUDGET} \
+         terms, so it is not reduced, and it may have a value there"
+    )
 }
 
 /// The same object as lines: a label, then a value, a vector or a matrix.
@@ -109,8 +111,7 @@ fn lines_of(label: &str, value: &Value) -> Vec<String> {
             beside_or_below(label, &rows, LABELS)
         }
         Value::Array(items) => {
-            let items: Vec<String> = items.iter().map(cell).collect();
-            labelled(label, &format!("({})", items.join(", ")), LABELS)
+            labelled(label, &format!("({})", joined(items.iter().map(cell), ", ")), LABELS)
         }
         single => labelled(label, &cell(single), LABELS),
     }
@@ -118,15 +119,13 @@ fn lines_of(label: &str, value: &Value) -> Vec<String> {
 
 /// A matrix beside its label, or below it where that spares breaks.
 fn beside_or_below(label: &str, rows: &[Vec<String>], labels: usize) -> Vec<String> {
+    let length = |text: &str| text.chars().count();
     let room = screen_width().saturating_sub(labels + 2);
-    let beside = matrix_within(rows, '[', ']', room);
-    if label.chars().count() <= labels
-        && beside.len() == rows.len()
-        && beside.iter().all(|line| line.chars().count() <= room)
-    {
-        let labelled = std::iter::once(label).chain(std::iter::repeat("")).zip(&beside);
-        return labelled.map(|(label, line)| format!("{label:<labels$}  {line}")).collect();
+    let lines = matrix(rows, '[', ']', room);
+    let fits = lines.len() == rows.len() && lines.iter().all(|line| length(line) <= room);
+    if length(label) <= labels && fits {
+        return beside(label, lines, labels);
     }
-    let below = matrix_within(rows, '[', ']', screen_width().saturating_sub(2));
-    std::iter::once(label.to_owned()).chain(below.iter().map(|line| format!("  {line}"))).collect()
+    let below = matrix(rows, '[', ']', screen_width().saturating_sub(2));
+    iter::once(label.to_owned()).chain(below.iter().map(|line| format!("  {line}"))).collect()
 }

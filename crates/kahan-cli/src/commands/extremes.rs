@@ -1,12 +1,12 @@
 //! `kahan extremes`: how far floats can be trusted, judged by exact arithmetic.
 
-mod report;
-
 use clap::Args;
-use kahan_study::{Extremes as Question, Study, Subject, Systems};
+use kahan_study::extremes::{Broken, Cell, Place};
+use kahan_study::{Extremes as Question, Judged, Study, Systems};
 
 use super::line::Asking;
-use crate::printing::{Answer, Prompt, Refusal};
+use crate::printing::layout::{headed, labelled, paragraphs, table};
+use crate::printing::{Answer, Prompt, Refusal, joined};
 use crate::reading::{Source, whole};
 
 /// Tries steps at the extremes and judges each by exact arithmetic.
@@ -38,7 +38,18 @@ use crate::reading::{Source, whole};
 /// The exit status is 1 if the stable tier is silently wrong anywhere, or refuses where it must
 /// not.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Without a SYSTEM it tries the systems of the paper and the Volterra lattice with three sites (volterra). Every system is
+interpreted, with the bits that its compiled code has.
+
+Examples:
+  kahan extremes
+  kahan extremes e3 --trials 100000
+  kahan extremes volterra --seed 7 --json
+  kahan extremes e9 --param xi=1/2
+  kahan extremes --field 'xdot = x*y; ydot = mu - x^2;'
+  kahan extremes --trials 10000000 --random-fields 50
+  kahan extremes --trials 1 --odd-fields 2000")]
 pub(crate) struct Extremes {
     #[command(flatten)]
     source: Source,
@@ -82,25 +93,17 @@ pub(crate) struct Extremes {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Without a SYSTEM it tries the systems of the paper and the Volterra lattice with three sites (volterra). Every system is
-interpreted, with the bits that its compiled code has.
-
-Examples:
-  kahan extremes
-  kahan extremes e3 --trials 100000
-  kahan extremes volterra --seed 7 --json
-  kahan extremes e9 --param xi=1/2
-  kahan extremes --field 'xdot = x*y; ydot = mu - x^2;'
-  kahan extremes --trials 10000000 --random-fields 50
-  kahan extremes --trials 1 --odd-fields 2000";
-
 impl Asking for Extremes {
-    const COMMAND: &str = "extremes";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         Ok((self.source.study()?, self.question()))
+    }
+
+    /// The table of all cells; a complaint if the stable tier breaks its promise.
+    fn run(&self) -> Result<Answer, Refusal> {
+        let judged = self.question().of(&self.studies()?, &Prompt::of("trials"))?;
+        Ok(Answer::of(&judged, self.json, text).but(complaint(&judged)))
     }
 }
 
@@ -110,22 +113,83 @@ impl Extremes {
         Question { trials, random_fields, odd_fields, odd_trials, seed }
     }
 
-    /// The table of all cells; a complaint if the stable tier breaks its promise.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let judged = self.question().of(&self.studies()?, &Prompt::of("trials"))?;
-        Ok(Answer::of(&judged, self.json, report::text).but(report::complaint(&judged)))
-    }
-
     fn studies(&self) -> Result<Vec<Study>, Refusal> {
-        if self.source.is_named() {
-            return Ok(vec![self.source.study()?]);
-        }
-        if self.source.has_parameters() {
-            return Err(Refusal::new(
+        match (self.source.is_named(), self.source.has_parameters()) {
+            (true, _) => Ok(vec![self.source.study()?]),
+            (false, true) => Err(Refusal::new(
                 "--param: of which system? name one before its parameters, as in e9 --param xi=1/2",
-            ));
+            )),
+            (false, false) => {
+                Systems::at_the_extremes().map(|subject| Ok(subject.study(&Systems)?)).collect()
+            }
         }
-        let study = |subject: Subject| Ok(subject.study(&Systems)?);
-        Systems::at_the_extremes().map(study).collect()
+    }
+}
+
+/// The columns of the labels below the table.
+const LABELS: usize = 15;
+
+fn text(judged: &Judged) -> String {
+    let headings =
+        ["regime", "tier", "scalar", "trials", "largest error", "flagged", "without right", "silently wrong"];
+    let cells = table(&headed(headings, judged.tally.cells.iter().map(row)), 3);
+    let mut lines = labelled("systems", &judged.systems.join(", "), LABELS);
+    let removable = match judged.removable.as_slice() {
+        [] => "none; their quarter went to the poles".to_owned(),
+        systems => systems.join(", "),
+    };
+    lines.extend(labelled("removable poles", &removable, LABELS));
+    lines.extend(judged.random_fields.iter().map(|(name, equations)| format!("{name}: {equations}")));
+    if judged.odd_fields > 0 {
+        lines.push(format!("besides {} random fields of odd tempers, all of them judged", judged.odd_fields));
+    }
+    for (name, Broken { text, silently_wrong, unjustified, first }) in &judged.tally.broken {
+        lines.push(format!(
+            "{name}, {silently_wrong} silently wrong, {unjustified} flagged without right: {text}"
+        ));
+        lines.push(format!("  {}", first.text));
+    }
+    lines.push(format!("seed {}, {:.1} seconds", judged.seed, judged.seconds.unwrap_or_default()));
+    paragraphs([cells, lines])
+}
+
+/// What the stable tier did against its promise.
+fn complaint(judged: &Judged) -> Option<String> {
+    let [wrong, flags] = judged.against_the_promise();
+    let examples = joined(judged.tally.failures.iter().map(|failure| &failure.text), "; ");
+    (wrong + flags > 0).then(|| {
+        format!(
+            "the stable tier breaks its promise: {wrong} silently wrong, {flags} flagged without right. The first of each: {examples}"
+        )
+    })
+}
+
+fn row((place, cell): (&Place, &Cell)) -> Vec<String> {
+    let (regime, tier, scalar) = place;
+    let error = match cell.max_error_u {
+        None => "-".to_owned(),
+        Some(error) if error < 1000.0 => format!("{error:.2} u"),
+        Some(error) => format!("{error:.1e} u"),
+    };
+    let rate = 100.0 * cell.flagged as f64 / cell.trials as f64;
+    let without_right = if *tier == "stable" { cell.unjustified.to_string() } else { "-".to_owned() };
+    vec![
+        regime.name().to_owned(),
+        (*tier).to_owned(),
+        (*scalar).to_owned(),
+        cell.trials.to_string(),
+        error,
+        format!("{rate:.2} %"),
+        without_right,
+        silently_wrong(cell),
+    ]
+}
+
+/// The count; none among n trials bounds the rate by 3/n with a confidence of 95 %, as (1 − 3/n)ⁿ
+/// is about 1/20.
+fn silently_wrong(cell: &Cell) -> String {
+    match cell.silently_wrong {
+        0 => format!("0, < 3/{} at 95 %", cell.trials),
+        wrong => format!("{wrong}, {:.2} %", 100.0 * wrong as f64 / cell.trials as f64),
     }
 }

@@ -1,15 +1,16 @@
 //! `kahan heights`: the Diophantine test on one orbit, within bounds.
 
+use std::iter;
 use std::path::PathBuf;
 
 use clap::Args;
-use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_draw::document::Rows;
 use kahan_runtime::heights::{Growth, Stop, Survey};
 use kahan_study::{Heights as Question, HeightsFound, NoStep, Study, fifteen_digits};
 
+use super::eval::unreduced;
 use super::line::Asking;
-use crate::printing::layout::{headed, table};
+use crate::printing::layout::{headed, paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, Sink, csv, warn};
 use crate::reading::{Start, seconds, whole};
 
@@ -27,7 +28,12 @@ use crate::reading::{Start, seconds, whole};
 /// the orbit, what is known is printed with a note, and the exit status is 0. At a pole of the map
 /// (det A = 0) what is known is printed too, the pole is reported, and the exit status is 1.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan heights lv --eps 9/14 --at 1/2,5/3 --steps 17
+  kahan heights e4 --eps 1/2 --at 7/3,11/13,23/47 --steps 60 --out e4.csv
+  kahan heights e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 400 --json
+  kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30")]
 pub(crate) struct Heights {
     #[command(flatten)]
     start: Start,
@@ -58,15 +64,7 @@ pub(crate) struct Heights {
     csv: Option<PathBuf>,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan heights lv --eps 9/14 --at 1/2,5/3 --steps 17
-  kahan heights e4 --eps 1/2 --at 7/3,11/13,23/47 --steps 60 --out e4.csv
-  kahan heights e7 --param xi=19/17 --eps 1/2 --at 3/7,11/13,23/47 --steps 400 --json
-  kahan heights --field 'xdot = y; ydot = 6*x^2 - a;' --param a=0.5 --eps 1/3 --at 0,1 --steps 30";
-
 impl Asking for Heights {
-    const COMMAND: &str = "heights";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
@@ -74,11 +72,9 @@ impl Asking for Heights {
         let Heights { steps, max_digits, seconds, .. } = *self;
         Ok((study, Question { eps, at, steps, max_digits, seconds }))
     }
-}
 
-impl Heights {
     /// The heights; a complaint at a pole.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         if self.csv.is_some() {
             warn("`--csv` of heights is called `--out` now");
@@ -96,70 +92,59 @@ impl Heights {
 
 /// Of these steps: n, the heights, the digits of the longest.
 fn rows(found: &HeightsFound, steps: Vec<usize>, name: fn(&String) -> String) -> Rows {
-    let numbers = |step: usize| {
+    let row = |step: usize| {
         let heights = &found.survey.heights[step];
         let logarithms = heights.logarithms.iter().map(|h| fifteen_digits(*h).to_string());
-        [heights.step.to_string()]
-            .into_iter()
-            .chain(logarithms)
-            .chain([heights.longest().to_string()])
-            .collect()
+        [vec![heights.step.to_string()], logarithms.collect(), vec![heights.longest().to_string()]].concat()
     };
     let names = found.variables.iter().map(name);
-    headed(
-        ["n".to_owned()].into_iter().chain(names).chain(["digits".to_owned()]),
-        steps.into_iter().map(numbers),
-    )
+    let headings = [vec!["n".to_owned()], names.collect(), vec!["digits".to_owned()]].concat();
+    headed(headings, steps.into_iter().map(row))
 }
 
 fn text(found: &HeightsFound, asked: &Question) -> String {
     let all = found.survey.heights.len();
     let shown = shown_rows(all);
     let is_cut = shown.len() < all;
-    let mut lines = table(&rows(found, shown, |name| format!("h({name})")), 1);
-    if is_cut {
-        lines.push("(--json and --out have every step)".to_owned());
-    }
-    lines.push(String::new());
+    let mut steps = table(&rows(found, shown, |name| format!("h({name})")), 1);
+    steps.extend(is_cut.then(|| "(--json and --out have every step)".to_owned()));
     let Survey { growth, entropy, .. } = &found.survey;
-    lines.push(format!("growth    {growth}"));
-    lines.push(match growth {
+    let entropy = match growth {
         Growth::Exponential => format!("entropy   {entropy:.6} = log {:.4}", entropy.exp()),
         _ => "entropy   0".to_owned(),
-    });
-    lines.push(format!("seconds   {:.3}", found.seconds.unwrap_or_default()));
-    lines.extend(note(found, asked));
-    lines.join("\n") + "\n"
+    };
+    let seconds = format!("seconds   {:.3}", found.seconds.unwrap_or_default());
+    let mut measured = vec![format!("growth    {growth}"), entropy, seconds];
+    measured.extend(note(found, asked));
+    paragraphs([steps, measured])
 }
 
 /// Which bound ended the orbit, and what to do about it.
 fn note(found: &HeightsFound, asked: &Question) -> Option<String> {
-    let (bound, way_out) = match found.survey.stopped? {
+    let (bound, option) = match found.survey.stopped? {
         Stop::Pole => return None,
-        Stop::Digits => (
-            format!("the next point would have more than --max-digits {} decimal digits", asked.max_digits),
-            "a larger --max-digits",
-        ),
+        Stop::Digits => {
+            let digits = asked.max_digits;
+            (
+                format!("the next point would have more than --max-digits {digits} decimal digits"),
+                "--max-digits",
+            )
+        }
         Stop::Seconds => {
-            (format!("the next step would end later than --seconds {}", asked.seconds), "a larger --seconds")
+            (format!("the next step would end later than --seconds {}", asked.seconds), "--seconds")
         }
     };
     let (done, wanted) = (found.steps(), asked.steps);
-    Some(format!("note      stopped after {done} of {wanted} steps: {bound}; {way_out} goes further"))
+    Some(format!("note      stopped after {done} of {wanted} steps: {bound}; a larger {option} goes further"))
 }
 
 fn complaint(found: &HeightsFound) -> Option<String> {
-    let pole = found.pole?;
-    let (step, name) = (found.steps(), &found.system);
-    Some(if pole == NoStep::Unreduced {
-        format!(
-            "det A = 0 at step {step} of the orbit, which counts as a pole of the map of {name}: its closed form is beyond \
-             the budget of {TERM_BUDGET} terms, so it is not reduced, and it may have a value there"
-        )
-    } else {
-        format!(
+    let (pole, step, name) = (found.pole?, found.steps(), &found.system);
+    Some(match pole {
+        NoStep::Unreduced => unreduced(name, &format!("step {step} of the orbit")),
+        _ => format!(
             "the orbit ends at step {step} in a pole of the map of {name}: det A = 0 there, and the next point has no value"
-        )
+        ),
     })
 }
 
@@ -170,15 +155,7 @@ fn shown_rows(count: usize) -> Vec<usize> {
     if count <= ALL {
         return (0..count).collect();
     }
-    let last = count - 1;
-    let mut rows: Vec<usize> = (0..=10).collect();
-    let mut step = 10;
-    while rows.last().is_some_and(|row| row + step < last) {
-        let row = rows.last().map_or(0, |row| row + step);
-        rows.push(row);
-        // 10, 20, …, 100, 200, …: nine rows a decade.
-        step = 10_usize.pow(row.ilog10());
-    }
-    rows.push(last);
-    rows
+    // 10, 20, …, 100, 200, …: nine rows a decade.
+    let decades = iter::successors(Some(10), |row: &usize| Some(row + 10_usize.pow(row.ilog10())));
+    (0..10).chain(decades.take_while(|row| *row < count - 1)).chain([count - 1]).collect()
 }

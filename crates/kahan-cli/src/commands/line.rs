@@ -2,18 +2,16 @@
 
 use std::fmt;
 
-use clap::{Args, FromArgMatches};
+use clap::{ArgAction, Args, FromArgMatches};
 use kahan_study::Study;
 use kahan_study::numbers::number;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::printing::Refusal;
+use crate::printing::{Answer, Refusal};
 
 /// A command that asks a question: its arguments say which, and a question says its arguments.
 pub(crate) trait Asking: Args + FromArgMatches {
-    /// The command's name.
-    const COMMAND: &'static str;
     /// What it asks.
     type Question: PartialEq + Serialize;
 
@@ -25,10 +23,8 @@ pub(crate) trait Asking: Args + FromArgMatches {
         line.saying::<Self>(asked)
     }
 
-    /// The call that asks this about the system that these words name.
-    fn call(system: &[String], asked: &Self::Question) -> Line {
-        Self::options(asked, Line::new(Self::COMMAND, system))
-    }
+    /// Asks, and shows the answer.
+    fn run(&self) -> Result<Answer, Refusal>;
 }
 
 /// A call of one of the commands.
@@ -53,16 +49,24 @@ impl Line {
             let argument = command.get_arguments().find(|argument| argument.get_id() == name)?;
             let usual: Vec<&str> =
                 argument.get_default_values().iter().filter_map(|of| of.to_str()).collect();
-            Some((format!("--{}", argument.get_long()?), usual.join(","), value))
+            // An option that takes no list is given once for each value.
+            let takes_all = argument.get_value_delimiter().is_some();
+            let is_repeated = matches!(argument.get_action(), ArgAction::Append) && !takes_all;
+            let values = match value {
+                Value::Array(list) if is_repeated => &list[..],
+                value => std::slice::from_ref(value),
+            };
+            let option = format!("--{}", argument.get_long()?);
+            Some(values.iter().map(move |value| (option.clone(), usual.join(","), value)))
         });
-        said.fold(self, |line, (option, usual, value)| match value {
+        said.flatten().fold(self, |line, (option, usual, value)| match value {
             Value::Null | Value::Bool(false) => line,
             Value::Bool(true) => line.with_flag(&option),
             value => {
                 let value = words(value);
                 let is_usual =
                     value == usual || number(&value).is_ok_and(|value| number(&usual) == Ok(value));
-                line.unless(is_usual, &option, value)
+                if is_usual { line } else { line.with(&option, value) }
             }
         })
     }
@@ -76,11 +80,6 @@ impl Line {
     /// With one more option where it has a value.
     pub(crate) fn with_some(self, option: &str, value: Option<impl ToString>) -> Self {
         value.into_iter().fold(self, |line, value| line.with(option, value))
-    }
-
-    /// With one more option unless it is as usual.
-    pub(crate) fn unless(self, is_usual: bool, option: &str, value: impl ToString) -> Self {
-        if is_usual { self } else { self.with(option, value) }
     }
 
     /// With a flag.
@@ -143,7 +142,7 @@ mod tests {
     /// Reads each of these questions back from its call.
     fn reads_back<C: Asking>(questions: impl IntoIterator<Item = C::Question>) {
         for asked in questions {
-            let line = C::call(&["lv".to_owned()], &asked);
+            let line = C::options(&asked, Line::new("", &["lv".to_owned()]));
             let read: C = read(&line);
             assert!(read.asked().expect("a question").1 == asked, "{line}");
         }
@@ -213,7 +212,7 @@ mod tests {
         let over = Shown { what: over, eps: None, ..plain.clone() };
         let rich = Shown { at: line, spread, axes, windows, lines: true, ..plain.clone() };
         for asked in [plain, section, heights, over, rich] {
-            let line = Picture::call(&["lv".to_owned()], &asked);
+            let line = Picture::options(&asked, Line::new("", &["lv".to_owned()]));
             let read: Picture = read(&line);
             assert!(read.asked().expect("a picture").1 == asked, "{line}");
         }

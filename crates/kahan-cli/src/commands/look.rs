@@ -4,9 +4,10 @@ use std::path::Path;
 
 use clap::Args;
 use kahan_draw::{Drawing, Format, NoFile, Sheet, Theme};
+use serde_json::json;
 
 use super::line::Line;
-use crate::printing::Refusal;
+use crate::printing::{Refusal, Sink, is_table};
 use crate::reading::one_of;
 
 /// The themes for screens.
@@ -22,7 +23,7 @@ fn screen(theme: Theme) -> &'static str {
 }
 
 /// What a picture is drawn on.
-#[derive(Args, Clone, Debug, PartialEq)]
+#[derive(Args, Clone, Debug, Default, PartialEq)]
 pub(crate) struct SheetOptions {
     /// Width and height in pixels; on paper 300 of them are an inch.
     #[arg(long, value_name = "WxH", value_parser = pixels)]
@@ -47,18 +48,12 @@ fn pixels(text: &str) -> Result<(u32, u32), String> {
     })
 }
 
-impl Default for SheetOptions {
-    fn default() -> Self {
-        SheetOptions { size: None, theme: Theme::Viewer, paper: false }
-    }
-}
-
 impl SheetOptions {
     /// The line with the options that ask for this.
     pub(super) fn options(&self, line: Line) -> Line {
-        let line = line.with_some("--size", self.size.map(|(width, height)| format!("{width}x{height}")));
-        let line = line.unless(screen(self.theme) == "viewer", "--theme", screen(self.theme));
-        if self.paper { line.with_flag("--paper") } else { line }
+        let size = self.size.map(|(width, height)| format!("{width}x{height}"));
+        let said = json!({ "size": size, "theme": screen(self.theme), "paper": self.paper });
+        line.saying::<Self>(&said)
     }
 
     /// What the picture is drawn on, where it is usually drawn on this in colours for a screen.
@@ -80,8 +75,42 @@ pub(super) fn usual() -> Sheet {
     Sheet::new((960, 720), Theme::Viewer)
 }
 
-/// The format of the picture that `--out` names; refused where this build cannot write it.
-pub(super) fn format(out: &Path) -> Result<Format, Refusal> {
+/// The file that `--out` names.
+pub(super) struct OutFile {
+    sink: Sink,
+    /// That of a picture; `None` for a table.
+    format: Option<Format>,
+}
+
+impl OutFile {
+    /// For a picture.
+    pub(super) fn picture(path: &Path) -> Result<Self, Refusal> {
+        let format = Some(format(path)?);
+        Ok(OutFile { sink: Sink::file(path, "--out")?, format })
+    }
+
+    /// For a picture or a table, as its name says.
+    pub(super) fn picture_or_table(path: &Path) -> Result<Self, Refusal> {
+        if is_table(path) {
+            return Ok(OutFile { sink: Sink::file(path, "--out")?, format: None });
+        }
+        Self::picture(path)
+    }
+
+    /// Writes the one that it is for; how many bytes these are.
+    pub(super) fn put(self, drawing: &Drawing, table: impl FnOnce() -> String) -> Result<usize, Refusal> {
+        let file = match self.format {
+            Some(format) => drawing.file(format).map_err(|why| Refusal::new(format!("--out: {why}")))?,
+            None => table().into_bytes(),
+        };
+        let bytes = file.len();
+        self.sink.put(file)?;
+        Ok(bytes)
+    }
+}
+
+/// The format of a picture in this file; refused where this build cannot write it.
+fn format(out: &Path) -> Result<Format, Refusal> {
     Format::of(out).map_err(|why| match why {
         NoFile::NotBuilt(format) => Refusal::new(format!(
             "--out: this build of the command writes no {format}, whose renderer takes long to build; name a file that ends in .svg, or \
@@ -93,9 +122,4 @@ pub(super) fn format(out: &Path) -> Result<Format, Refusal> {
             out.display()
         )),
     })
-}
-
-/// The file of a drawing.
-pub(super) fn file(drawing: &Drawing, format: Format) -> Result<Vec<u8>, Refusal> {
-    drawing.file(format).map_err(|why| Refusal::new(format!("--out: {why}")))
 }

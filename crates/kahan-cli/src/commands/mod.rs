@@ -18,7 +18,6 @@ mod periodic;
 mod picture;
 mod poles;
 mod scan;
-mod search;
 mod section;
 mod show;
 mod sweep;
@@ -64,7 +63,7 @@ macro_rules! commands {
                     $($($(
                         Question::$question(asked) => {
                             $(let asked = &$($shown)::+(asked);)?
-                            $module::$command::call(system, asked)
+                            $module::$command::options(asked, Line::new(stringify!($module), system))
                         }
                     )?)*)*
                 }

@@ -3,22 +3,21 @@
 //! Rows are written as they are computed and then forgotten, so the length of an orbit costs no
 //! memory.
 
-mod chain;
 mod rows;
 
-use std::path::PathBuf;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::PossibleValue;
 use kahan_algebra::rational::Rational;
 use kahan_study::numbers::ScalarKind;
-use kahan_study::{Method, Orbit as Question, Study};
+use kahan_study::{MOST_VARIABLES, Method, Orbit as Question, Study};
 use serde_json::json;
 
 use super::line::Asking;
-use crate::printing::{Answer, Refusal};
+use crate::printing::{Answer, Npy, Refusal, Sink};
 use crate::reading::{Start, one_of, order, scalar, whole};
-use chain::is_array;
 
 /// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
 ///
@@ -33,7 +32,18 @@ use chain::is_array;
 /// = 0), or where floats overflow, the orbit ends: the rows up to there are kept, the place is
 /// reported, and the exit status is 1; with --projective it goes on. A negative eps steps back.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000
+  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8 --scalar dd
+  kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
+  kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
+  kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
+  kahan orbit lv --eps 1/7 --at starts.csv --steps 100 --every 10
+  kahan orbit lv --eps 1/7 --at 1/2,5/3 --steps 100 --method rk4
+  kahan orbit e1 --eps 1/2 --at -1,2/3,5/7 --steps 5 --scalar exact --projective
+  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
+  kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
 #[command(mut_arg("at", |at| at.required(false).required_unless_present("begin")))]
 pub(crate) struct Orbit {
     #[command(flatten)]
@@ -105,40 +115,19 @@ pub(crate) struct Orbit {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000
-  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8 --scalar dd
-  kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
-  kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
-  kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
-  kahan orbit lv --eps 1/7 --at starts.csv --steps 100 --every 10
-  kahan orbit lv --eps 1/7 --at 1/2,5/3 --steps 100 --method rk4
-  kahan orbit e1 --eps 1/2 --at -1,2/3,5/7 --steps 5 --scalar exact --projective
-  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
-  kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9";
-
 /// Rows count steps in 64 bits with a sign.
 const MOST: u64 = i64::MAX as u64;
 
 impl Asking for Orbit {
-    const COMMAND: &str = "orbit";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
         Ok((study, self.question(eps, at)))
     }
-}
-
-impl Orbit {
-    fn question(&self, eps: Rational, at: Vec<Rational>) -> Question {
-        let Orbit { steps, every, scalar, order, method, projective, .. } = *self;
-        Question { eps, at, steps, every, scalar, order, method, projective }
-    }
 
     /// Writes the rows; what is left to say is the answer.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         if let Some(start) = &self.begin {
             return self.chain(start);
         }
@@ -155,4 +144,49 @@ impl Orbit {
         let head = json!(begun[0].head);
         self.write(head, begun, |orbit, table, watch| Ok(orbit.rows(0..u64::MAX, table, watch)))
     }
+}
+
+impl Orbit {
+    fn question(&self, eps: Rational, at: Vec<Rational>) -> Question {
+        let Orbit { steps, every, scalar, order, method, projective, .. } = *self;
+        Question { eps, at, steps, every, scalar, order, method, projective }
+    }
+
+    /// The orbit of a chain that begins with what `--start` says.
+    fn chain(&self, start: &str) -> Result<Answer, Refusal> {
+        let has_numbers = self.scalar != ScalarKind::F64 || self.order != 2;
+        if has_numbers || self.method != Method::Kahan {
+            let what = if has_numbers { " in f64: leave --scalar and --order" } else { ": leave --method" };
+            return Err(Refusal::new(format!(
+                "--start is for chains, which are stepped by Kahan's map{what} out"
+            )));
+        }
+        let array = self.out.as_deref().filter(|path| is_array(path));
+        let has_table_file = self.out.is_some() && array.is_none();
+        let most_names = if has_table_file { usize::MAX } else { MOST_VARIABLES };
+        let mut chain = self.start.chain(start, most_names)?;
+        let arrays = chain.lattice.arrays().len();
+        let sizes = if arrays == 1 { vec![chain.sites] } else { vec![chain.sites, arrays] };
+        let array = array.map(|path| Npy::new(Sink::file(path, "--out")?, sizes).map_err(Refusal::from));
+        let mut array = array.transpose()?;
+        let head = chain.head(self.steps, self.every);
+        self.write(json!(head), vec![&mut chain], |chain, table, watch| {
+            // The file is wanted even where nobody reads the table.
+            table.outlive_reader(array.is_some());
+            let mut written = Ok(());
+            let see = &mut |state: &[f64]| {
+                written = array.as_mut().map_or(Ok(()), |array| array.row(state));
+                if written.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            };
+            let end = chain.rows([self.steps, self.every], 0..u64::MAX, table, see, watch);
+            written?;
+            array.take().map_or(Ok(()), Npy::finish)?;
+            Ok(end)
+        })
+    }
+}
+
+/// Whether a file is to be an array of NumPy's.
+fn is_array(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "npy")
 }

@@ -3,26 +3,24 @@
 //! Each figure is what another command draws, and is shown with the call that makes it again.
 
 mod figures;
-mod findings;
 
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::Args;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::render::macro_block;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_study::{Scene, Study};
+use kahan_algebra::system::System;
+use kahan_draw::document::{Making, colophon, document, readable};
+use kahan_study::{Answer as Found, Scene, Study, Systems};
 use kahan_systems::entry::Entry;
 use maud::{Markup, html};
 
-use super::atlas::{index_in, today};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
-use crate::reading::{Block, Source, number, point, seconds};
-use kahan_draw::document::{Making, colophon, document, readable};
-
+use super::atlas::Index;
 use super::line::Line;
-use figures::{Field, Subject, command};
-use findings::Search;
+use crate::printing::{Answer, Prompt, Refusal, joined};
+use crate::reading::{Block, Source, number, point, seconds};
+use figures::{Asked, Field, Subject, command};
 
 /// Writes one page on one field: formulas, findings with proofs, figures, settings.
 ///
@@ -37,7 +35,11 @@ use findings::Search;
 /// The page needs no network and no script. It appears whole or not at all, in place of an older
 /// one. What cannot be made is left out, and the page says why.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan page e6 --out e6 --seconds 5
+  kahan page --field 'xdot = y; ydot = 6*x^2 - a;' --param a=1 --seconds 5 --out weierstrass
+  kahan page lorenz --eps 1/500 --at 1,1,1 --seconds 5 --out lorenz")]
 pub(crate) struct Page {
     #[command(flatten)]
     source: Source,
@@ -59,19 +61,10 @@ pub(crate) struct Page {
     out: PathBuf,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan page e6 --out e6 --seconds 5
-  kahan page --field 'xdot = y; ydot = 6*x^2 - a;' --param a=1 --seconds 5 --out weierstrass
-  kahan page lorenz --eps 1/500 --at 1,1,1 --seconds 5 --out lorenz";
-
 impl Page {
     /// Where the page is.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let clock = Instant::now();
-        let path = index_in(&self.out)?;
-        // Whether the file can be written shows before the work begins.
-        drop(Sink::file(&path, "--out")?);
+        let index = Index::begin(&self.out)?;
         let block = self.source.required_block()?;
         let read = |source: &Source| -> Result<Field, Refusal> {
             Ok(Field { words: source.words(&block), study: source.study_of_block(&block)? })
@@ -85,16 +78,8 @@ impl Page {
         let subject =
             Subject { valued: &valued, kept: &valued, generic: &generic, variables, scene: &scene, seconds };
         let chapters = chapters(&subject);
-        let again = self.line(&block);
-        let making = Making { date: today(), seconds: clock.elapsed().as_secs_f64() };
-        let text = written(&subject, block.entry, &chapters, &again, &making);
-        Sink::file(&path, "--out")?.put(&text)?;
-        Ok(Answer::text(format!(
-            "{} written: {:.2} MB, {:.1} s\n",
-            path.display(),
-            text.len() as f64 / 1e6,
-            clock.elapsed().as_secs_f64()
-        )))
+        let text = written(&subject, block.entry, &chapters, &self.line(&block), &index.making());
+        index.put(&text, "", 2)
     }
 
     /// The source with the catalog's values of the parameters that none was given for.
@@ -115,14 +100,8 @@ impl Page {
 
     /// The call that writes the page.
     fn line(&self, block: &Block) -> Line {
-        let given = [("--eps", &self.eps), ("--at", &self.at)];
-        let line =
-            given.into_iter().fold(Line::new("page", &self.source.words(block)), |line, (option, value)| {
-                match value {
-                    Some(value) => line.with(option, value),
-                    None => line,
-                }
-            });
+        let line = Line::new("page", &self.source.words(block));
+        let line = line.with_some("--eps", self.eps.as_ref()).with_some("--at", self.at.as_ref());
         line.with("--seconds", self.seconds).with("--out", self.out.display())
     }
 }
@@ -145,17 +124,16 @@ fn chapters(subject: &Subject<'_>) -> Vec<Chapter> {
     };
     chapter("formulas", "Formulas", &|| subject.formulas());
     progress.say("What the map preserves");
-    let search = Search::of(subject, generic.field.dimension());
-    chapter("found", "What the map preserves", &|| search.chapter());
+    let search = subject.search();
+    chapter("found", "What the map preserves", &|| search.html());
     let claims_some = generic.accessors(ClaimKind::Integral).next().is_some();
-    let found = if claims_some { None } else { search.with_integrals(&valued.fixed()) };
+    let found = if claims_some { None } else { with_integrals(&search, &valued.fixed()) };
     let subject = &Subject { kept: found.as_ref().unwrap_or(subject.kept), ..*subject };
     chapter("growth", "Singularities and heights", &|| subject.growth());
     chapter("orbits", "Orbits", &|| subject.orbits());
     chapter("dynamics", "Exponents and rotation", &|| subject.dynamics());
     chapter("stability", "Stability", &|| subject.chart());
     chapter("settings", "The cheapest settings", &|| subject.settings());
-    progress.finish();
     chapters
 }
 
@@ -168,11 +146,9 @@ fn written(
     making: &Making,
 ) -> String {
     let study = &subject.valued.study;
-    let title = match entry {
-        Some(entry) => format!("{} and its Kahan map", entry.name),
-        None if study.system().header.is_some() => format!("{} and its Kahan map", study.name()),
-        None => "A field and its Kahan map".to_owned(),
-    };
+    let header = study.system().header.as_ref().map(|_| study.name());
+    let name = entry.map(|entry| entry.name).or(header).unwrap_or("A field");
+    let title = format!("{name} and its Kahan map");
     let body = html! {
         header {
             h1 { (title) }
@@ -193,9 +169,8 @@ fn written(
 
 fn introduction(subject: &Subject<'_>) -> Markup {
     let (study, scene) = (&subject.valued.study, subject.scene);
-    let values = study.fixed().into_iter();
-    let values: Vec<String> = values.map(|(name, value)| format!("{name} = {value}")).collect();
-    let start: Vec<String> = scene.start.iter().map(ToString::to_string).collect();
+    let values = study.fixed();
+    let values = joined(values.iter().map(|(name, value)| format!("{name} = {value}")), ", ");
     html! {
         @if let Some(title) = study.title() { p.lead { (readable(title)) } }
         p.lead {
@@ -204,10 +179,37 @@ fn introduction(subject: &Subject<'_>) -> Markup {
             "stands the command that makes it again."
         }
         p {
-            "The figures are at ε = " (scene.eps) ", half the time step, and begin at (" (start.join(", ")) ")"
-            @if !values.is_empty() { ", with " (values.join(", ")) }
+            "The figures are at ε = " (scene.eps) ", half the time step, and begin at (" (joined(&scene.start, ", ")) ")"
+            @if !values.is_empty() { ", with " (values) }
             "."
             @if !scene.stays { " This orbit does not stay: it reaches a pole or grows beyond a thousand times its first size." }
         }
     }
+}
+
+/// The field with the integrals that were found, at these values of its parameters; `None` where
+/// there are none, or too long ones for a line that one reads.
+fn with_integrals(found: &Asked, values: &[(String, Rational)]) -> Option<Field> {
+    /// Longer lines are no reading.
+    const LONGEST: usize = 800;
+
+    let Ok(Found::Discover(found)) = &found.answer else { return None };
+    let claimed = &found.readable().ok()?;
+    let claims = claimed.claims.iter().filter(|claim| claim.kind == ClaimKind::Integral);
+    let claimed = System { claims: claims.cloned().collect(), ..claimed.clone() };
+    let names = claimed.field.symbols.parameters.iter().enumerate();
+    let values = names.filter_map(|(k, name)| {
+        let (_, value) = values.iter().find(|(known, _)| known == name)?;
+        Some((k, value.clone()))
+    });
+    let at_values = claimed.specialise(&values.collect::<Vec<_>>())?;
+    let block = macro_block(&at_values);
+    let body = block.strip_prefix("kahan! {").and_then(|block| block.strip_suffix('}'))?;
+    let text = joined(body.split_whitespace(), " ");
+    let has_integrals = at_values.accessors(ClaimKind::Integral).next().is_some();
+    if !has_integrals || text.len() > LONGEST {
+        return None;
+    }
+    let study = kahan_study::Subject::text(&text).study(&Systems).ok()?;
+    Some(Field { words: vec!["--field".to_owned(), text], study })
 }

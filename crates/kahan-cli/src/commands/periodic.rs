@@ -10,9 +10,9 @@ use kahan_draw::picture::{Look, branch};
 use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
 
 use super::line::Asking;
-use super::look::{SheetOptions, file, format, usual};
-use crate::printing::layout::{headed, table};
-use crate::printing::{Answer, Prompt, Refusal, Sink, csv, is_table};
+use super::look::{OutFile, SheetOptions, usual};
+use crate::printing::layout::{headed, paragraphs, table};
+use crate::printing::{Answer, Prompt, Refusal, csv, joined};
 use crate::reading::{Start, over, whole};
 
 /// Finds a periodic point near a first one: its multipliers, and how it changes.
@@ -28,7 +28,12 @@ use crate::reading::{Start, over, whole};
 /// values: more round a fold, fewer where points move far, and the last one may lie beyond the
 /// range. --out writes it as CSV, or draws it. The exit status is 1 where no cycle is found.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan periodic lv --eps 1/10 --at 0.9,1.1
+  kahan periodic henon-heiles --param a=1 --param b=1 --param c=-1 --eps 0.1 --at 0,0.9,0,0
+  kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
+  kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg")]
 // ε may be what changes.
 #[command(mut_arg("eps", |eps| eps.required(false)))]
 pub(crate) struct Periodic {
@@ -57,15 +62,7 @@ pub(crate) struct Periodic {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan periodic lv --eps 1/10 --at 0.9,1.1
-  kahan periodic henon-heiles --param a=1 --param b=1 --param c=-1 --eps 0.1 --at 0,0.9,0,0
-  kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
-  kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg";
-
 impl Asking for Periodic {
-    const COMMAND: &str = "periodic";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
@@ -75,35 +72,23 @@ impl Asking for Periodic {
         let (study, at, eps) = self.start.study_over(axis.as_slice())?;
         Ok((study, Question { eps, at, period: self.period, over: axis }))
     }
-}
 
-impl Periodic {
     /// The cycle, and its branch.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let format = match &self.out {
-            Some(out) if is_table(out) => None,
-            Some(out) => Some(format(out)?),
-            None => None,
-        };
+    fn run(&self) -> Result<Answer, Refusal> {
+        let out = self.out.as_deref().map(OutFile::picture_or_table).transpose()?;
         let (study, asked) = self.asked()?;
-        let sink = self.out.as_deref().map(|path| Sink::file(path, "--out")).transpose()?;
         let found = match asked.ask(&study, &Prompt::of("cycles")) {
             Err(why @ StudyError::NoCycle { .. }) => {
-                return Ok(Answer { complaint: Some(why.to_string()), ..Answer::text(String::new()) });
+                return Ok(Answer::text(String::new()).but(Some(why.to_string())));
             }
             Err(why @ StudyError::LongCycle { .. }) => {
                 return Err(Refusal::new(format!("--period {}: {why}", self.period)));
             }
             found => found?,
         };
-        if let Some(sink) = sink {
-            match format {
-                Some(format) => {
-                    let picture = branch(&found, &Look::on(self.look.sheet(usual())));
-                    sink.put(file(&picture.drawing, format)?)?;
-                }
-                None => sink.put(csv(&points(&found)))?,
-            }
+        if let Some(out) = out {
+            let picture = branch(&found, &Look::on(self.look.sheet(usual())));
+            out.put(&picture.drawing, || csv(&points(&found)))?;
         }
         Ok(Answer::of(&found, self.json, text))
     }
@@ -111,52 +96,40 @@ impl Periodic {
 
 fn text(found: &CycleFound) -> String {
     let cycle = &found.cycle;
-    let mut lines = vec![
+    let family = match cycle.family {
+        0 => "it stands alone".to_owned(),
+        1 => "1 direction leads to neighbours of the same period".to_owned(),
+        directions => format!("{directions} directions lead to neighbours of the same period"),
+    };
+    let cycle_lines = vec![
         format!("period       {}", cycle.points.len()),
         format!("stability    {}", cycle.stability()),
         format!("multipliers  {}", multipliers(cycle)),
-        format!(
-            "family       {}",
-            match cycle.family {
-                0 => "it stands alone".to_owned(),
-                1 => "1 direction leads to neighbours of the same period".to_owned(),
-                directions => format!("{directions} directions lead to neighbours of the same period"),
-            }
-        ),
+        format!("family       {family}"),
         format!("residual     {:.1e}", cycle.residual),
-        String::new(),
     ];
     let points = cycle.points.iter().enumerate().map(|(n, point)| {
         [n.to_string()].into_iter().chain(point.iter().map(|x| format!("{x:?}"))).collect()
     });
-    lines.extend(table(&headed([&"n".to_owned()].into_iter().chain(&found.variables), points), 1));
-    if let Some(exact) = &found.exact {
-        let points = exact.points.iter().map(|point| {
-            format!("({})", point.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
-        });
-        lines.push(String::new());
-        lines.push(format!("proved exactly: {}", points.collect::<Vec<_>>().join(" → ")));
-        lines.push(format!(
-            "multipliers are the roots of {}: {}",
-            characteristic_polynomial(exact),
-            exact.stability
-        ));
-    }
-    if let Some((name, branch)) = &found.branch {
-        lines.push(String::new());
-        lines.extend(table(&branch_rows(found, name, branch), 1));
-        lines.push(String::new());
-        lines.extend(
-            branch.turns.iter().map(|turn| format!("at {name} = {:.10}: {}", turn.parameter, turn.change)),
-        );
-        if branch.is_cut {
-            lines.push(
-                "the branch ends before the range does: at a pole, where cycles come together, or since it winds"
-                    .to_owned(),
-            );
-        }
-    }
-    lines.join("\n").trim_end().to_owned() + "\n"
+    let points = table(&headed([&"n".to_owned()].into_iter().chain(&found.variables), points), 1);
+    let exact = found.exact.iter().map(|exact| {
+        let points = exact.points.iter().map(|point| format!("({})", joined(point, ", ")));
+        let polynomial = characteristic_polynomial(exact);
+        vec![
+            format!("proved exactly: {}", joined(points, " → ")),
+            format!("multipliers are the roots of {polynomial}: {}", exact.stability),
+        ]
+    });
+    let branch = found.branch.iter().flat_map(|(name, branch)| {
+        let turns = branch.turns.iter();
+        let turns = turns.map(|turn| format!("at {name} = {:.10}: {}", turn.parameter, turn.change));
+        let cut =
+            "the branch ends before the range does: at a pole, where cycles come together, or since it winds";
+        let changes = turns.chain(branch.is_cut.then(|| cut.to_owned())).collect();
+        [table(&branch_rows(found, name, branch), 1), changes]
+    });
+    let groups = [cycle_lines, points].into_iter().chain(exact).chain(branch);
+    paragraphs(groups.filter(|lines| !lines.is_empty()))
 }
 
 /// A row a step of the branch.
@@ -172,24 +145,22 @@ fn branch_rows(found: &CycleFound, name: &str, branch: &Branch) -> Rows {
 
 /// All points of each cycle of the branch, one behind the other.
 fn points(found: &CycleFound) -> Rows {
-    let (name, branch) = found.branch.as_ref().map_or(("", None), |(name, branch)| (name, Some(branch)));
-    let points = branch.into_iter().flat_map(|branch| &branch.points);
-    let rows = points.flat_map(|point| {
-        let row = |(n, x): (usize, &Vec<f64>)| {
-            let numbers = x.iter().map(|x| format!("{x:?}"));
+    let (name, branch) = found.branch.as_ref().expect("a branch is written where there is one");
+    let rows = branch.points.iter().flat_map(|point| {
+        point.cycle.points.iter().enumerate().map(|(n, x)| {
             let before = [format!("{:?}", point.parameter), n.to_string()];
+            let numbers = x.iter().map(|x| format!("{x:?}"));
             before.into_iter().chain(numbers).chain([point.cycle.stability().to_string()]).collect()
-        };
-        point.cycle.points.iter().enumerate().map(row)
+        })
     });
     let variables = found.variables.iter().map(String::as_str);
     headed([name, "n"].into_iter().chain(variables).chain(["stability"]), rows)
 }
 
 fn multipliers(cycle: &PeriodicPoint) -> String {
-    let texts = cycle.multipliers.iter().map(|one| match one.im {
+    let shown = cycle.multipliers.iter().map(|one| match one.im {
         0.0 => format!("{:.6}", one.re),
         im => format!("{:.6}{}{:.6}i", one.re, if im < 0.0 { "-" } else { "+" }, im.abs()),
     });
-    texts.collect::<Vec<_>>().join("  ")
+    joined(shown, "  ")
 }

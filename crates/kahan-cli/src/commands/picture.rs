@@ -13,8 +13,8 @@ use kahan_study::{Spacing, Study};
 use serde_json::json;
 
 use super::line::Line;
-use super::look::{SheetOptions, file, format};
-use crate::printing::{Answer, Refusal, Sink};
+use super::look::{OutFile, SheetOptions};
+use crate::printing::{Answer, Refusal};
 use crate::reading::{Source, number, over, seconds, whole};
 use shown::{Drawn, Shown, What};
 use starts::{At, Spread};
@@ -34,7 +34,12 @@ use starts::{At, Spread};
 /// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone;
 /// --paper draws for print. PNG and PDF are for builds with the features `png` and `pdf`.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
+  kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
+  kahan picture lv --over eps=1/10:1:+1/400 --at 1/2,1 --axes x --steps 100 --out over.svg
+  kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg")]
 pub(crate) struct Picture {
     #[command(flatten)]
     source: Source,
@@ -111,13 +116,6 @@ pub(crate) struct Picture {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
-  kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
-  kahan picture lv --over eps=1/10:1:+1/400 --at 1/2,1 --axes x --steps 100 --out over.svg
-  kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg";
-
 /// The kinds of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Kind {
@@ -135,13 +133,17 @@ impl Picture {
     /// What is drawn, and of which field.
     pub(super) fn asked(&self) -> Result<(Study, Shown), Refusal> {
         let kind = self.kind()?;
-        let study = self.source.study()?;
-        // A false claim is told before a number that is missing.
-        study.proved()?;
+        let study = self.source.proved()?;
         let what = match kind {
             Kind::Portrait => What::Portrait,
             Kind::Section => What::Section(self.plane.clone().unwrap_or_default()),
-            Kind::OrbitsOver => self.over()?,
+            Kind::OrbitsOver => {
+                // So many steps were one value more.
+                let axis = self.over.as_deref().unwrap_or_default();
+                let axis = over(axis, |steps| Spacing::Count(steps + 1))?;
+                self.source.leaves_free(std::slice::from_ref(&axis), self.eps.as_ref())?;
+                What::Over(axis, self.transient)
+            }
             Kind::Heights if self.starts.is_some() || !self.axes.is_empty() => {
                 return Err(Refusal::new(
                     "--kind heights shows all variables of one orbit; leave --starts and --axes out",
@@ -167,90 +169,58 @@ impl Picture {
         };
         let names = shown.names(&study)?;
         if let Some((name, _)) = shown.windows.iter().find(|(name, _)| !names.contains(name)) {
-            return Err(Refusal::new(format!(
-                "--window: the picture has no axis `{name}`; it has {}",
-                names.join(", ")
-            )));
+            let known = names.join(", ");
+            return Err(Refusal::new(format!("--window: the picture has no axis `{name}`; it has {known}")));
         }
         Ok((study, shown))
     }
 
-    /// The call that draws this of the system that these words name; what is as usual is left out.
-    pub(super) fn call(system: &[String], asked: &Shown) -> Line {
-        let line = Line::new("picture", system);
+    /// The line with the options that draw this; what is as usual is left out.
+    pub(super) fn options(asked: &Shown, line: Line) -> Line {
         let Shown { what, eps, at, spread, steps, axes, windows, lines, seconds, look, out } = asked;
-        let usual = Spread::default();
-        let line = line.with_some("--eps", eps.as_ref());
-        let line = at.iter().fold(line, |line, at| line.with("--at", at));
-        let line = line.with_some("--starts", spread.count);
-        let line = line.unless(spread.radius == usual.radius, "--radius", &spread.radius);
-        let line = line.unless(spread.seed == usual.seed, "--seed", spread.seed);
-        let line = match what {
-            What::Portrait => line,
-            What::Section(plane) => line.with("--plane", plane),
-            What::Over(axis, transient) => line
-                .with("--over", format!("{}={}", axis.name, axis.range))
-                .unless(*transient == 1000, "--transient", transient),
-            What::Heights => line.with("--kind", "heights"),
+        let (kind, plane, over) = match what {
+            What::Portrait => (None, None, None),
+            What::Heights => (Some("heights"), None, None),
+            What::Section(section) => (None, Some(section), None),
+            What::Over(axis, transient) => (None, None, Some((axis, transient))),
         };
-        let line = line.unless(axes.is_empty(), "--axes", axes.join(","));
-        let line = line.with("--steps", steps);
-        let line = windows
-            .iter()
-            .fold(line, |line, (name, [low, high])| line.with("--window", format!("{name}={low}:{high}")));
-        let line = if *lines { line.with_flag("--lines") } else { line };
-        let line = look.options(line.unless(*seconds == 60.0, "--seconds", format!("{seconds:?}")));
-        line.with("--out", out.display())
+        let windows = windows.iter().map(|(name, [low, high])| format!("{name}={low}:{high}"));
+        let line = line.saying::<Self>(&json!({
+            "eps": eps.as_ref().map(Rational::to_string), "at": at.iter().map(At::to_string).collect::<Vec<_>>(),
+            "starts": spread.count, "radius": spread.radius.to_string(), "seed": spread.seed, "plane": plane,
+            "over": over.map(|over| over.0), "transient": over.map(|over| over.1), "kind": kind, "axes": axes,
+            "steps": steps, "window": windows.collect::<Vec<_>>(), "lines": lines, "seconds": seconds,
+        }));
+        look.options(line).with("--out", out.display())
     }
 
     /// Writes the file; the answer says what is in it.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let kind = self.kind()?;
-        let format = format(&self.out)?;
-        let sink = Sink::file(&self.out, "--out")?;
+        let out = OutFile::picture(&self.out)?;
         let (study, shown) = self.asked()?;
         let drawn = shown.drawn(&study)?;
-        let file = file(&drawn.picture.drawing, format)?;
-        let bytes = file.len();
-        sink.put(file)?;
+        let bytes = out.put(&drawn.picture.drawing, String::new)?;
         Ok(self.answer(study.name(), kind, &drawn, bytes))
     }
 
     fn kind(&self) -> Result<Kind, Refusal> {
-        let implied = match (&self.plane, &self.over) {
-            (Some(_), Some(_)) => {
-                return Err(Refusal::new(
-                    "--plane is for a section and --over for an orbit diagram; leave one out",
-                ));
+        Err(Refusal::new(match (self.kind, &self.plane, &self.over) {
+            (_, Some(_), Some(_)) => {
+                "--plane is for a section and --over for an orbit diagram; leave one out"
             }
-            (Some(_), None) => Some(Kind::Section),
-            (None, Some(_)) => Some(Kind::OrbitsOver),
-            (None, None) => None,
-        };
-        match (self.kind, implied) {
-            (Some(Kind::OrbitsOver), None) => Err(Refusal::new(
-                "--kind orbits-over: over what? give a range to a parameter or to eps, as in --over eps=1/10:1:+1/400",
-            )),
-            (Some(Kind::Section), None) => {
-                Err(Refusal::new("--kind section: where? give what vanishes there, as in --plane 'z - 27'"))
+            (None | Some(Kind::Section), Some(_), None) => return Ok(Kind::Section),
+            (Some(_), Some(_), None) => "--plane makes a section; leave it out, or leave --kind out",
+            (None | Some(Kind::OrbitsOver), None, Some(_)) => return Ok(Kind::OrbitsOver),
+            (Some(_), None, Some(_)) => "--over makes an orbit diagram; leave it out, or leave --kind out",
+            (Some(Kind::OrbitsOver), None, None) => {
+                "--kind orbits-over: over what? give a range to a parameter or to eps, as in --over eps=1/10:1:+1/400"
             }
-            (Some(kind), Some(implied)) if kind != implied => {
-                let (option, made) = match implied {
-                    Kind::Section => ("--plane", "a section"),
-                    _ => ("--over", "an orbit diagram"),
-                };
-                Err(Refusal::new(format!("{option} makes {made}; leave it out, or leave --kind out")))
+            (Some(Kind::Section), None, None) => {
+                "--kind section: where? give what vanishes there, as in --plane 'z - 27'"
             }
-            (kind, implied) => Ok(implied.or(kind).unwrap_or(Kind::Portrait)),
-        }
-    }
-
-    /// What goes through values, and the steps before what is shown.
-    fn over(&self) -> Result<What, Refusal> {
-        // So many steps were one value more.
-        let axis = over(self.over.as_deref().unwrap_or_default(), |steps| Spacing::Count(steps + 1))?;
-        self.source.leaves_free(std::slice::from_ref(&axis), self.eps.as_ref())?;
-        Ok(What::Over(axis, self.transient))
+            (kind, None, None) => return Ok(kind.unwrap_or(Kind::Portrait)),
+        }))
     }
 
     fn answer(&self, system: &str, kind: Kind, drawn: &Drawn, bytes: usize) -> Answer {
@@ -264,12 +234,9 @@ impl Picture {
             }));
         }
         let mut lines = vec![format!("{file} written: {points} points, {} kB", bytes.div_ceil(1000))];
-        lines.extend(notes.iter().map(|note| format!("note: {note}")));
-        if *outside > 0 {
-            lines.push(format!(
-                "note: {outside} of the points lie outside of the axes; --window moves their ends"
-            ));
-        }
+        let outside = (*outside > 0)
+            .then(|| format!("{outside} of the points lie outside of the axes; --window moves their ends"));
+        lines.extend(notes.iter().cloned().chain(outside).map(|note| format!("note: {note}")));
         Answer::text(lines.join("\n") + "\n")
     }
 }
@@ -277,16 +244,13 @@ impl Picture {
 /// Reads NAME=LOW:HIGH.
 fn read_window(window: &str) -> Result<(String, [Rational; 2]), Refusal> {
     let (name, range) = window.split_once('=').unwrap_or((window, ""));
-    let wrong = || {
-        Refusal::new(format!(
-            "--window: `{window}` is not NAME=LOW:HIGH with LOW below HIGH, as in {name}=-2:2"
-        ))
-    };
-    let (low, high) = range.split_once(':').ok_or_else(wrong)?;
-    let (low, high) = (number(low, "--window")?, number(high, "--window")?);
-    let [from, to] = [&low, &high].map(Rational::to_f64);
-    if !(from.is_finite() && to.is_finite() && from < to) {
-        return Err(wrong());
+    let wrong = format!("--window: `{window}` is not NAME=LOW:HIGH with LOW below HIGH, as in {name}=-2:2");
+    let (low, high) = range.split_once(':').ok_or_else(|| Refusal::new(&wrong))?;
+    let ends = [number(low, "--window")?, number(high, "--window")?];
+    let [from, to] = ends.each_ref().map(Rational::to_f64);
+    if from.is_finite() && to.is_finite() && from < to {
+        Ok((name.trim().to_owned(), ends))
+    } else {
+        Err(Refusal::new(wrong))
     }
-    Ok((name.trim().to_owned(), [low, high]))
 }

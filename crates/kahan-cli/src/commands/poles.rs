@@ -5,8 +5,8 @@ use kahan_draw::answer::poles;
 use kahan_study::{Poles as Question, PolesFound, Study};
 
 use super::line::Asking;
-use crate::printing::layout::table;
-use crate::printing::{Answer, Prompt, Refusal};
+use crate::printing::layout::{paragraphs, table};
+use crate::printing::{Answer, Prompt, Refusal, joined};
 use crate::reading::{Source, number, seconds, whole};
 
 /// Follows what a map sends to infinity or blows down: whether it comes back, and when.
@@ -23,7 +23,12 @@ use crate::reading::{Source, number, seconds, whole};
 /// exponentially. So the degrees of iterates stand below, as measured and as the patterns imply
 /// them. Nor does its absence: maps that can be made linear need not confine.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan poles weierstrass
+  kahan poles lv --eps 1
+  kahan poles e9 --param xi=-1 --steps 6 --json
+  kahan poles --field 'xdot = y; ydot = 6*x^2 - a;'")]
 pub(crate) struct Poles {
     #[command(flatten)]
     source: Source,
@@ -45,26 +50,16 @@ pub(crate) struct Poles {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan poles weierstrass
-  kahan poles lv --eps 1
-  kahan poles e9 --param xi=-1 --steps 6 --json
-  kahan poles --field 'xdot = y; ydot = 6*x^2 - a;'";
-
 impl Asking for Poles {
-    const COMMAND: &str = "poles";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         Ok((self.source.study()?, Question { eps, steps: self.steps, seconds: self.seconds }))
     }
-}
 
-impl Poles {
     /// The patterns.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::stages())?;
         Ok(Answer::of(&found, self.json, text))
@@ -73,25 +68,19 @@ impl Poles {
 
 fn text(answer: &PolesFound) -> String {
     let PolesFound { system: name, found, growth: verdict, seconds } = answer;
-    let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
-    let mut lines = table(&poles(answer).rows, 1);
-    lines.push(String::new());
-    lines.push("dimensions of the images, step by step; ' is at infinity".to_owned());
-    lines.push(String::new());
-    lines.push(format!("degrees of the iterates of {name}"));
-    lines.push(format!("growth    {}: {}", verdict.growth, verdict.evidence));
-    lines.push(format!("measured  {}", numbers(&found.degrees)));
-    if let Some(implied) = &found.implied_degrees {
-        lines.push(format!("implied   {}", numbers(implied)));
-    }
-    if !found.is_complete {
-        lines.push(
-            "note: the Jacobian determinant is too long to factor, so curves may be missing".to_owned(),
-        );
-    }
-    if found.patterns.iter().any(|pattern| pattern.confined.is_none()) {
-        lines.push("note: what is undecided may be decided in more --seconds or fewer --steps".to_owned());
-    }
-    lines.push(format!("seconds   {:.2}", seconds.unwrap_or_default()));
-    lines.join("\n") + "\n"
+    let is_undecided = found.patterns.iter().any(|pattern| pattern.confined.is_none());
+    let notes = [
+        (!found.is_complete, "the Jacobian determinant is too long to factor, so curves may be missing"),
+        (is_undecided, "what is undecided may be decided in more --seconds or fewer --steps"),
+    ];
+    let mut degrees = vec![
+        format!("degrees of the iterates of {name}"),
+        format!("growth    {}: {}", verdict.growth, verdict.evidence),
+        format!("measured  {}", joined(&found.degrees, " ")),
+    ];
+    degrees.extend(found.implied_degrees.iter().map(|implied| format!("implied   {}", joined(implied, " "))));
+    degrees.extend(notes.iter().filter(|(holds, _)| *holds).map(|(_, note)| format!("note: {note}")));
+    degrees.push(format!("seconds   {:.2}", seconds.unwrap_or_default()));
+    let dimensions = vec!["dimensions of the images, step by step; ' is at infinity".to_owned()];
+    paragraphs([table(&poles(answer).rows, 1), dimensions, degrees])
 }

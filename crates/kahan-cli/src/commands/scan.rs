@@ -5,10 +5,10 @@ use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{Proposal, Sight};
 use kahan_study::{Axis, Scan as Question, ScanFound, Spacing, Study};
 
+use super::discover::Search;
 use super::line::{Asking, Line};
-use super::search::Search;
-use crate::printing::layout::table;
-use crate::printing::{Answer, Prompt, Refusal};
+use crate::printing::layout::{paragraphs, table};
+use crate::printing::{Answer, Prompt, Refusal, joined};
 use crate::reading::{axis, number};
 
 /// Finds special values of parameters and of eps, on a grid.
@@ -25,23 +25,20 @@ use crate::reading::{axis, number};
 /// and printed as claims `when` the relation holds, each proved; where none is, the relation is
 /// only seen.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
-pub(crate) struct Scan {
-    #[command(flatten)]
-    search: Search,
-}
-
-const EXAMPLES: &str = "\
+#[command(after_help = "\
 The JSON object holds every point: system, names, generic, points, special, relations, out_of_time, seconds.
 
 Examples:
   kahan scan e9 --param xi=-2:2:+1/12
   kahan scan lv --eps -2:2:+1/4
   kahan scan e7 --param xi=-2:2:+1/4 --eps 1/4:2:+1/4 --json
-  kahan scan --field 'xdot = y; ydot = c*y + 6*x^2 - a;' --param c=-1:1:+1/5 --param a=1";
+  kahan scan --field 'xdot = y; ydot = c*y + 6*x^2 - a;' --param c=-1:1:+1/5 --param a=1")]
+pub(crate) struct Scan {
+    #[command(flatten)]
+    search: Search,
+}
 
 impl Asking for Scan {
-    const COMMAND: &str = "scan";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
@@ -67,11 +64,9 @@ impl Asking for Scan {
         });
         line.saying::<Self>(asked)
     }
-}
 
-impl Scan {
     /// The special points, or all in JSON.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let found = asked.ask(&study, &Prompt::of("points"))?;
         Ok(Answer::of(&found, self.search.json, text))
@@ -92,21 +87,20 @@ fn relation_lines(found: &Proposal) -> Vec<String> {
         1 => "1 integral".to_owned(),
         count => format!("{count} integrals"),
     };
-    let seen =
-        format!("when {relation}: all {points} points of the grid there are special, with {integrals}");
-    let verdict = if claims.is_empty() { "only seen, nothing is proved" } else { "proved" };
-    let mut lines =
-        vec![String::new(), format!("{seen}; {verdict}{}", if claims.is_empty() { "" } else { ":" })];
-    lines.extend(claims.iter().cloned());
-    lines
+    let verdict = if claims.is_empty() { "only seen, nothing is proved" } else { "proved:" };
+    let seen = format!(
+        "when {relation}: all {points} points of the grid there are special, with {integrals}; {verdict}"
+    );
+    [vec![seen], claims.clone()].concat()
 }
 
 fn text(answer: &ScanFound) -> String {
     let ScanFound { system: name, found, total, seconds } = answer;
     let seconds = seconds.unwrap_or_default();
-    let numbers = |values: &[usize]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
     let seen = |sight: &Option<Sight>| match sight {
-        Some(sight) => vec![sight.integrals.to_string(), numbers(&sight.hilbert), numbers(&sight.degrees)],
+        Some(sight) => {
+            vec![sight.integrals.to_string(), joined(&sight.hilbert, " "), joined(&sight.degrees, " ")]
+        }
         None => vec!["-".to_owned(), "no map that can be inverted, or every orbit ends at a pole".to_owned()],
     };
     let headings = ["integrals", "Hilbert function", "degrees"].map(str::to_owned);
@@ -117,22 +111,22 @@ fn text(answer: &ScanFound) -> String {
         let values: Vec<String> = point.values.iter().map(ToString::to_string).collect();
         [values, seen(&point.sight)].concat()
     }));
-    let special = rows.len() - 2;
-    let mut lines = table(&rows, found.names.len());
-    lines.push(String::new());
+    let special = match rows.len() - 2 {
+        0 => "none is".to_owned(),
+        1 => "1 is".to_owned(),
+        several => format!("{several} are"),
+    };
     let looked = found.points.len();
-    lines.push(format!(
-        "{name}: {} special of {looked} points; seen are the degrees of {} iterates and relations of degree {} at most; {seconds:.2} s",
-        if special == 0 { "none is".to_owned() } else { format!("{special} {}", if special == 1 { "is" } else { "are" }) },
+    let mut lines = vec![format!(
+        "{name}: {special} special of {looked} points; seen are the degrees of {} iterates and relations of degree {} at most; \
+         {seconds:.2} s",
         found.generic.degrees.len().saturating_sub(1),
         found.generic.hilbert.len(),
-    ));
-    if found.out_of_time {
-        lines.push(format!(
-            "note: time ran out before {} of {total} points; a larger --seconds goes further",
-            total - looked
-        ));
-    }
-    lines.extend(found.relations.iter().flat_map(relation_lines));
-    lines.join("\n") + "\n"
+    )];
+    lines.extend(found.out_of_time.then(|| {
+        let left = total - looked;
+        format!("note: time ran out before {left} of {total} points; a larger --seconds goes further")
+    }));
+    let relations = found.relations.iter().map(relation_lines);
+    paragraphs([table(&rows, found.names.len()), lines].into_iter().chain(relations))
 }

@@ -20,7 +20,12 @@ use crate::reading::{Start, one_of, whole};
 /// `kahan orbit` in f64. Where numbers leave the range of f64, the crossings up to there are kept,
 /// and the exit status is 1.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan section volterra --eps 0.02 --at 1,2,3 --plane 'x - y' --steps 1e4
+  kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --points 5
+  kahan section e6 --eps 0.05 --at 1,2,3 --plane 'x - y' --direction both --steps 1e4 --out e6.csv
+  kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane y-x/2 --steps 99 --json")]
 pub(crate) struct Section {
     #[command(flatten)]
     start: Start,
@@ -50,15 +55,7 @@ pub(crate) struct Section {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan section volterra --eps 0.02 --at 1,2,3 --plane 'x - y' --steps 1e4
-  kahan section lv --eps 0.01 --at 1/2,5/3 --plane y-1 --direction falling --steps 1e4 --points 5
-  kahan section e6 --eps 0.05 --at 1,2,3 --plane 'x - y' --direction both --steps 1e4 --out e6.csv
-  kahan section --field 'xdot = y; ydot = -x;' --eps 0.1 --at 1,0 --plane y-x/2 --steps 99 --json";
-
 impl Asking for Section {
-    const COMMAND: &str = "section";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
@@ -67,20 +64,17 @@ impl Asking for Section {
         let plane = plane.clone();
         Ok((study, Question { eps, at, steps, plane, side, points }))
     }
-}
 
-impl Section {
     /// Writes the crossings; what is left to say is the answer.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(Sink::table).transpose()?;
         let found = asked.ask(&study, &Prompt::of("steps"))?;
         let complaint = (found.ended == Ended::Range).then(|| {
+            let (system, next) = (&found.system, found.steps + 1);
             format!(
-                "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; the crossings up to \
-                 there are kept",
-                found.system,
-                found.steps + 1
+                "the orbit of {system} leaves the range of f64 at step {next}: a pole (det A = 0) or too large numbers; the \
+                 crossings up to there are kept"
             )
         });
         if let Some(sink) = sink.or_else(|| (!self.json).then(Sink::standard)) {

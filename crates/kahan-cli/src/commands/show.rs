@@ -21,7 +21,16 @@ use crate::reading::{Block, Source};
 /// terms, det A is shown as a determinant. With --plan: what the generated code computes, in
 /// straight lines, and what that costs.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan show e6
+  kahan show euler --latex
+  kahan show e9 --param xi=1
+  kahan show --field 'xdot = a*y*z; ydot = -x*z; zdot = x*y;' --macro
+  kahan show --file field.txt --json
+  kahan show e3 --expand                      what the macro makes of it
+  kahan show e3 --plan                        operations, bytes and the step in straight lines
+  kahan show --field 'xdot = y; ydot = x^2 - a;' --param a=1 --plan")]
 pub(crate) struct Show {
     #[command(flatten)]
     source: Source,
@@ -57,30 +66,18 @@ pub(crate) struct Show {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan show e6
-  kahan show euler --latex
-  kahan show e9 --param xi=1
-  kahan show --field 'xdot = a*y*z; ydot = -x*z; zdot = x*y;' --macro
-  kahan show --file field.txt --json
-  kahan show e3 --expand                      what the macro makes of it
-  kahan show e3 --plan                        operations, bytes and the step in straight lines
-  kahan show --field 'xdot = y; ydot = x^2 - a;' --param a=1 --plan";
-
 impl Asking for Show {
-    const COMMAND: &str = "show";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
-        let flags = [
-            (self.latex, Form::Latex),
-            (self.sympy, Form::Sympy),
-            (self.plan, Form::Plan),
+        let form = match self {
+            Show { latex: true, .. } => Form::Latex,
+            Show { sympy: true, .. } => Form::Sympy,
+            Show { plan: true, .. } => Form::Plan,
             // As JSON the block stands among the formulas.
-            (self.as_macro && !self.json, Form::Kahan),
-        ];
-        let form = flags.into_iter().find(|(is_set, _)| *is_set).map(|(_, form)| form).unwrap_or_default();
+            Show { as_macro: true, json: false, .. } => Form::Kahan,
+            _ => Form::Text,
+        };
         Ok((self.source.study()?, Question { form, jacobian: self.jacobian }))
     }
 
@@ -94,11 +91,9 @@ impl Asking for Show {
             Form::Plan => line.with_flag("--plan"),
         }
     }
-}
 
-impl Show {
     /// The formulas of the system.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         if self.expand {
             return self.expanded();
         }
@@ -113,19 +108,18 @@ impl Show {
             Shown::Plan(planned) => Answer::text(plan::text(planned)),
         })
     }
+}
 
+impl Show {
     /// The block as the macro expands it; with values of parameters, the block that `--macro`
     /// prints.
     fn expanded(&self) -> Result<Answer, Refusal> {
-        let study = self.source.study()?;
-        study.proved()?;
+        let study = self.source.proved()?;
         let core = "::kahan_core".parse().expect("a path");
-        let block = match study.fixed().as_slice() {
-            [] => study.text().to_owned(),
-            _ => {
-                let block = macro_block(&study.specialised()?);
-                Block::of_text(block, "--macro".to_owned()).text().to_owned()
-            }
+        let block = if study.fixed().is_empty() {
+            study.text().to_owned()
+        } else {
+            Block::of_text(macro_block(&study.specialised()?), "--macro".to_owned()).text().to_owned()
         };
         let expansion = rust::text(&core, &block).map_err(|why| {
             Refusal::new(format!(

@@ -15,18 +15,16 @@ use crate::reading::{not_started, sweeper};
 /// crates/kahan-sweep`. What stands behind `sweep` is handed on to it, and `kahan-sweep --help`
 /// says what that may be.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan sweep plan.toml --dry-run
+  kahan sweep plan.toml --out results
+  kahan sweep plan.toml --out results --shard 3/10")]
 pub(crate) struct Sweep {
     /// The plan, and options of kahan-sweep.
     #[arg(value_name = "ARGUMENTS", trailing_var_arg = true, allow_hyphen_values = true)]
     arguments: Vec<OsString>,
 }
-
-const EXAMPLES: &str = "\
-Examples:
-  kahan sweep plan.toml --dry-run
-  kahan sweep plan.toml --out results
-  kahan sweep plan.toml --out results --shard 3/10";
 
 impl Sweep {
     /// The exit status of kahan-sweep.

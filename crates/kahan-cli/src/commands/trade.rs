@@ -1,20 +1,21 @@
 //! `kahan trade`: speed against accuracy on one scene, and the cheapest setting that does.
 
-mod report;
-
 use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::PossibleValue;
-use kahan_core::{Need, Precision};
+use kahan_core::{Composition, Need, Precision};
+use kahan_draw::answer::{choice, front};
 use kahan_draw::picture::{Look, trade, trade_sheet};
 use kahan_study::Study;
 use kahan_study::numbers::ScalarKind;
-use kahan_study::trade::{Trade as Question, Traded, need_name};
+use kahan_study::reference::Method;
+use kahan_study::trade::{Measured, Trade as Question, Traded, need_name};
 
 use super::line::{Asking, Line};
-use super::look::{SheetOptions, file, format};
-use crate::printing::{Answer, Prompt, Refusal, Sink};
+use super::look::{OutFile, SheetOptions};
+use crate::printing::layout::{paragraphs, table};
+use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::{Block, Source, number, one_of, point, seconds};
 
 /// Measures what accuracy costs on one scene: which setting is the cheapest that serves.
@@ -54,7 +55,12 @@ use crate::reading::{Block, Source, number, one_of, point, seconds};
 /// there is no machine code, E6 is timed and its prices are scaled by what the two steps are
 /// counted to cost. Where no setting meets the tolerance the exit status is 1.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan trade e6 --at 1,1/2,1/3 --horizon 100
+  kahan trade lv --at 1/2,5/3 --horizon 50 --tolerance 1e-10 --out lv.svg
+  kahan trade e6 --at 1,1/2,1/3 --horizon 1000 --need integrals --tolerance 1e-12
+  kahan trade --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --at -1/2,1/5 --horizon 20 --json")]
 pub(crate) struct Trade {
     #[command(flatten)]
     source: Source,
@@ -68,7 +74,7 @@ pub(crate) struct Trade {
     horizon: String,
 
     /// What the orbit is for.
-    #[arg(long, value_parser = one_of(&NEEDS, need), default_value = "trajectory")]
+    #[arg(long, value_parser = one_of(&[Need::Trajectory, Need::Integrals], need), default_value = "trajectory")]
     need: Need,
 
     /// The largest error that is accepted.
@@ -92,15 +98,6 @@ pub(crate) struct Trade {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan trade e6 --at 1,1/2,1/3 --horizon 100
-  kahan trade lv --at 1/2,5/3 --horizon 50 --tolerance 1e-10 --out lv.svg
-  kahan trade e6 --at 1,1/2,1/3 --horizon 1000 --need integrals --tolerance 1e-12
-  kahan trade --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --at -1/2,1/5 --horizon 20 --json";
-
-const NEEDS: [Need; 2] = [Need::Trajectory, Need::Integrals];
-
 fn need(need: Need) -> PossibleValue {
     PossibleValue::new(need_name(need)).help(match need {
         Need::Trajectory => "To follow the flow's trajectory",
@@ -109,11 +106,26 @@ fn need(need: Need) -> PossibleValue {
 }
 
 impl Asking for Trade {
-    const COMMAND: &str = "trade";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         self.asked_of(&self.source.required_block()?)
+    }
+
+    /// The front and the choice; a complaint where nothing meets the tolerance.
+    fn run(&self) -> Result<Answer, Refusal> {
+        let out = self.out.as_deref().map(OutFile::picture).transpose()?;
+        let block = self.source.required_block()?;
+        let (study, asked) = self.asked_of(&block)?;
+        let traded = asked.ask(&study, &Prompt::stages())?;
+        if let Some(out) = out {
+            out.put(&trade(&traded, &Look::on(self.look.sheet(trade_sheet()))).drawing, String::new)?;
+        }
+        let written =
+            self.out.as_ref().map_or_else(String::new, |out| format!("{} written\n", out.display()));
+        let call = self.orbit(&traded, &block);
+        let shown = |traded: &Traded| text(traded, call.as_ref()) + &written;
+        Ok(Answer::of(&traded, self.json, shown).but(complaint(&traded)))
     }
 }
 
@@ -145,25 +157,121 @@ impl Trade {
         let line =
             Line::new("orbit", &self.source.words(block)).with("--eps", format!("{:?}", setting.eps()));
         let line = line.with("--at", &self.at).with("--steps", setting.steps());
-        let line = line.unless(scalar == ScalarKind::F64, "--scalar", scalar.name());
-        (!scheme.compensated).then(|| line.unless(scheme.order() == 2, "--order", scheme.order()))
+        let line = line.with_some("--scalar", (scalar != ScalarKind::F64).then(|| scalar.name()));
+        let order = Some(scheme.order()).filter(|order| *order != 2);
+        (!scheme.compensated).then(|| line.with_some("--order", order))
     }
+}
 
-    /// The front and the choice; a complaint where nothing meets the tolerance.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let sink = |path: &PathBuf| Ok::<_, Refusal>((Sink::file(path, "--out")?, format(path)?));
-        let sink = self.out.as_ref().map(sink).transpose()?;
-        let block = self.source.required_block()?;
-        let (study, asked) = self.asked_of(&block)?;
-        let traded = asked.ask(&study, &Prompt::stages())?;
-        if let Some((sink, format)) = sink {
-            let picture = trade(&traded, &Look::on(self.look.sheet(trade_sheet())));
-            sink.put(file(&picture.drawing, format)?)?;
-        }
-        let written =
-            self.out.as_ref().map_or_else(String::new, |out| format!("{} written\n", out.display()));
-        let call = self.orbit(&traded, &block);
-        let text = |traded: &Traded| report::text(traded, call.as_ref()) + &written;
-        Ok(Answer::of(&traded, self.json, text).but(report::complaint(&traded)))
+/// Steps beyond which a badly rounded ε shows as a linear drift.
+const LONG_RUN: u64 = 100_000;
+
+/// A size with four decimals, or digits where it is very large or small.
+fn size(value: f64) -> String {
+    if (1e-2..1e6).contains(&value) { format!("{value:.4}") } else { format!("{value:.3e}") }
+}
+
+/// `call` makes the orbit of the choice.
+fn text(traded: &Traded, call: Option<&Line>) -> String {
+    let scene = &traded.scene;
+    let title =
+        format!("{}: need {}, tolerance {:e}", traded.title(), need_name(scene.need()), scene.tolerance());
+    let mut lines = Vec::new();
+    if let Some([chosen, rust]) = choice(traded) {
+        lines.push(format!("choice     {chosen}"));
+        let call = call.map(|call| format!("           {call}"));
+        lines.extend(call.into_iter().chain(rust.lines().map(|line| format!("           {line}"))));
     }
+    lines.extend(out_of_reach(traded));
+    lines.extend(notes(traded));
+    paragraphs([vec![title], table(&front(traded).rows, 4), lines])
+}
+
+/// The schemes that cannot reach the tolerance, with the best they reached.
+fn out_of_reach(traded: &Traded) -> Vec<String> {
+    let mut lines = Vec::new();
+    for &scheme in &traded.stalled {
+        let best = best(traded, |measured| measured.setting.scheme() == scheme);
+        let Some(best) = best.filter(|best| best.error() > traded.scene.tolerance()) else { continue };
+        let reached = match best.error() {
+            error if error.is_finite() => format!("{error:.1e} at eps = {:?}", best.setting.eps()),
+            _ => "no finite numbers".to_owned(),
+        };
+        let heading = if lines.is_empty() { "too coarse" } else { "" };
+        lines.push(format!("{heading:<10} {scheme}: at best {reached}"));
+    }
+    lines
+}
+
+/// The setting with the smallest error among these.
+fn best(traded: &Traded, is_among: impl Fn(&Measured) -> bool) -> Option<&Measured> {
+    let among = traded.settings.iter().filter(|measured| is_among(measured));
+    among.min_by(|a, b| a.error().total_cmp(&b.error()))
+}
+
+fn notes(traded: &Traded) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut note = |text: String| lines.push(format!("note       {text}"));
+    if let Some(certificate) = traded.certificate {
+        let second = match certificate.method {
+            Method::ClosedSolution => "the closed solution".to_owned(),
+            Method::Composition { steps } => format!("{steps} steps of order 8 in dd"),
+        };
+        let scale = size(traded.scale.expect("a reference has a scale"));
+        let difference = certificate.difference;
+        note(format!(
+            "errors are against a Taylor series that differs from {second} by {difference:.1e}; relative to {scale}"
+        ));
+    }
+    if !traded.is_code {
+        note("prices are predicted: the field has no machine code here; E6 was timed, and scaled by the plans' costs".into());
+    }
+    if let Some(choice) = traded.choice() {
+        let (scheme, eps, steps) = (choice.setting.scheme(), choice.setting.eps(), choice.setting.steps());
+        let keeps = traded.scene.need() == Need::Integrals && scheme.composition == Composition::KAHAN;
+        if keeps {
+            let flow = choice.flow_integral_drift.expect("the need is to keep integrals");
+            note(format!(
+                "the map's own integrals are kept at any eps; at this one the flow's vary by {flow:.1e}, and the orbit need not \
+                 follow the flow"
+            ));
+        }
+        if keeps && steps >= LONG_RUN && scheme.precision != Precision::DoubleDouble {
+            note(format!(
+                "keep eps = {eps:?} to the last digit: where the step has powers of eps, one with more bits would have them rounded, and \
+                 over {steps} steps what the map conserves would drift linearly, compensated or not"
+            ));
+        }
+    }
+    for (scheme, eps) in &traded.skipped {
+        note(format!("no time for {scheme} from eps = {eps:?} on; --seconds gives more"));
+    }
+    lines
+}
+
+/// Why there is no choice.
+fn complaint(traded: &Traded) -> Option<String> {
+    if traded.choice().is_some() {
+        return None;
+    }
+    let (title, tolerance) = (traded.title(), traded.scene.tolerance());
+    if traded.settings.is_empty() {
+        return Some(format!(
+            "nothing was measured on {title}, there was no time for it; try more --seconds, or a shorter --horizon"
+        ));
+    }
+    let wanted = format!("no setting reaches the tolerance {tolerance:e} on {title}");
+    let best = match best(traded, |_| true).filter(|best| best.error().is_finite()) {
+        Some(best) => {
+            let (setting, error) = (&best.setting, best.error());
+            format!("the best is {}, eps = {:?}, with {error:.1e}", setting.scheme(), setting.eps())
+        }
+        None => "none gives finite numbers".to_owned(),
+    };
+    let way_out = if traded.skipped.is_empty() {
+        "a larger --tolerance or a shorter --horizon"
+    } else {
+        "more --seconds, a larger --tolerance or a shorter --horizon"
+    };
+    Some(format!("{wanted}: {best}; try {way_out}"))
 }

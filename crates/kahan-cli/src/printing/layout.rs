@@ -8,12 +8,12 @@
 #[cfg(test)]
 mod tests;
 
-use std::io::{IsTerminal, stdout};
+use std::io::stdout;
+use std::iter;
+use std::ops::Range;
 
 use kahan_algebra::render::lines;
 use kahan_draw::document::Rows;
-
-use super::output::{columns, widths};
 
 /// The columns of a screen whose width nobody knows.
 const USUAL_WIDTH: usize = 80;
@@ -33,12 +33,8 @@ pub(crate) fn page_width() -> usize {
 
 /// The columns of the terminal that is standard output; `None` where it is none.
 pub(crate) fn terminal_width() -> Option<usize> {
-    if !stdout().is_terminal() {
-        return None;
-    }
     let (terminal_size::Width(width), _) = terminal_size::terminal_size_of(stdout())?;
-    // Terminals that do not know themselves say 0.
-    (width > 0).then(|| usize::from(width).max(NARROWEST))
+    Some(usize::from(width).max(NARROWEST))
 }
 
 fn length(text: &str) -> usize {
@@ -47,6 +43,32 @@ fn length(text: &str) -> usize {
 
 fn longest_word(text: &str) -> usize {
     text.split(' ').map(length).max().unwrap_or(0)
+}
+
+/// The largest of the cells of a column, by this size of them.
+fn largest(rows: &[Vec<String>], column: usize, size: fn(&str) -> usize) -> usize {
+    rows.iter().filter_map(|row| row.get(column)).map(|cell| size(cell)).max().unwrap_or(0)
+}
+
+/// The width of each column of `rows`.
+pub(crate) fn widths(rows: &[Vec<String>]) -> Vec<usize> {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    (0..columns).map(|column| largest(rows, column, length)).collect()
+}
+
+/// One row in columns of these widths, two spaces apart, without spaces at the end.
+pub(crate) fn columns(row: &[String], widths: &[usize]) -> String {
+    let cells = row.iter().zip(widths).map(|(cell, &width)| {
+        // A format's own width ends at 65 535 characters.
+        cell.clone() + &" ".repeat(width.saturating_sub(length(cell)))
+    });
+    cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
+}
+
+/// Rows in columns as wide as their cells.
+pub(crate) fn aligned(rows: &[Vec<String>]) -> Vec<String> {
+    let widths = widths(rows);
+    rows.iter().map(|row| columns(row, &widths)).collect()
 }
 
 /// The width of columns of these widths, two spaces apart.
@@ -79,27 +101,32 @@ fn table_within(rows: &[Vec<String>], keys: usize, width: usize) -> Vec<String> 
         return rows.iter().map(|row| columns(row, &natural)).collect();
     }
     let compact = below_heading(rows);
-    let half: Vec<usize> = (0..natural.len())
-        .map(|column| if compact[column] > SENTENCE { compact[column].div_ceil(2) } else { compact[column] })
-        .collect();
+    let half = compact.iter().map(|&width| if width > SENTENCE { width.div_ceil(2) } else { width });
+    let half: Vec<usize> = half.collect();
     if let Some(narrower) = squeezed(rows, &half, width) {
-        return rows.iter().flat_map(|row| side_by_side(row, &narrower)).collect();
+        return rows.iter().flat_map(|row| row_within(row, &narrower)).collect();
     }
     let Some(groups) = groups(rows, &compact, keys, width) else { return records(rows, width) };
-    let mut lines = Vec::new();
-    for group in groups {
-        if !lines.is_empty() {
-            lines.push(String::new());
-        }
+    let parts = groups.into_iter().map(|group| {
         let pick = |row: &Vec<String>| -> Vec<String> {
             (0..keys).chain(group.clone()).filter_map(|column| row.get(column).cloned()).collect()
         };
         let part: Vec<Vec<String>> = rows.iter().map(pick).collect();
         let least = vec![0; part.first().map_or(0, Vec::len)];
         let fitting = squeezed(&part, &least, width).unwrap_or_else(|| widths(&part));
-        lines.extend(part.iter().flat_map(|row| side_by_side(row, &fitting)));
-    }
-    lines
+        part.iter().flat_map(|row| row_within(row, &fitting)).collect()
+    });
+    below_each_other(parts)
+}
+
+/// Groups of lines, an empty line between two of them.
+fn below_each_other(groups: impl IntoIterator<Item = Vec<String>>) -> Vec<String> {
+    groups.into_iter().collect::<Vec<_>>().join(&String::new())
+}
+
+/// The same as a text.
+pub(crate) fn paragraphs(groups: impl IntoIterator<Item = Vec<String>>) -> String {
+    below_each_other(groups).join("\n") + "\n"
 }
 
 /// From here on a cell is a sentence, or a list, of which two lines read as well as one.
@@ -108,21 +135,16 @@ const SENTENCE: usize = 24;
 /// The width of each column when its heading takes as many lines as it has words.
 fn below_heading(rows: &[Vec<String>]) -> Vec<usize> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
-    let cells = widths(rows);
-    let heading = heading.iter().map(|name| longest_word(name)).enumerate();
-    heading.map(|(column, word)| word.max(cells.get(column).copied().unwrap_or(0))).collect()
+    let heading = heading.iter().enumerate();
+    heading.map(|(column, name)| longest_word(name).max(largest(rows, column, length))).collect()
 }
 
 /// The widths of columns that give way, the widest first, none to less than `least` or a word;
 /// `None` if that is not enough.
 fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<usize>> {
     let mut narrower = widths(rows);
-    let least: Vec<usize> = (0..narrower.len())
-        .map(|column| {
-            let words = rows.iter().filter_map(|row| row.get(column)).map(|cell| longest_word(cell));
-            words.max().unwrap_or(0).max(least[column])
-        })
-        .collect();
+    let least: Vec<usize> =
+        least.iter().enumerate().map(|(k, &least)| largest(rows, k, longest_word).max(least)).collect();
     while total(&narrower) > width {
         let (widest, _) =
             narrower.iter().enumerate().filter(|&(k, &now)| now > least[k]).max_by_key(|&(_, &now)| now)?;
@@ -132,55 +154,48 @@ fn squeezed(rows: &[Vec<String>], least: &[usize], width: usize) -> Option<Vec<u
 }
 
 /// The columns behind the keys, as many at a time as fit beside them; `None` if one does not.
-fn groups(
-    rows: &[Vec<String>],
-    natural: &[usize],
-    keys: usize,
-    width: usize,
-) -> Option<Vec<std::ops::Range<usize>>> {
+fn groups(rows: &[Vec<String>], natural: &[usize], keys: usize, width: usize) -> Option<Vec<Range<usize>>> {
     let keys_width = total(&natural[..keys.min(natural.len())]);
     let room = width.checked_sub(if keys == 0 { 0 } else { keys_width + 2 })?;
-    let mut groups: Vec<std::ops::Range<usize>> = Vec::new();
-    for column in keys..natural.len() {
-        let words = rows.iter().filter_map(|row| row.get(column)).map(|cell| longest_word(cell));
-        if words.max().unwrap_or(0) > room {
-            return None;
-        }
+    let others = keys..natural.len();
+    others
+        .clone()
+        .all(|column| largest(rows, column, longest_word) <= room)
+        .then(|| side_by_side(others, natural, room))
+}
+
+/// Columns, as many at a time as have room, and at least one.
+fn side_by_side(columns: Range<usize>, widths: &[usize], room: usize) -> Vec<Range<usize>> {
+    let mut groups: Vec<Range<usize>> = Vec::new();
+    for column in columns {
         match groups.last_mut() {
-            Some(group) if total(&natural[group.start..=column]) <= room => group.end = column + 1,
+            Some(group) if total(&widths[group.start..=column]) <= room => group.end = column + 1,
             _ => groups.push(column..column + 1),
         }
     }
-    Some(groups)
+    groups
 }
 
 /// A row in columns of these widths; a cell of more takes further lines.
-fn side_by_side(row: &[String], widths: &[usize]) -> Vec<String> {
+fn row_within(row: &[String], widths: &[usize]) -> Vec<String> {
     let cells: Vec<Vec<String>> = row.iter().zip(widths).map(|(cell, &width)| lines(cell, width)).collect();
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
-    (0..height)
-        .map(|line| {
-            let at_line: Vec<String> =
-                cells.iter().map(|cell| cell.get(line).cloned().unwrap_or_default()).collect();
-            columns(&at_line, widths)
-        })
-        .collect()
+    let line = |line: usize| {
+        let cells = cells.iter().map(|cell| cell.get(line).cloned().unwrap_or_default());
+        columns(&cells.collect::<Vec<_>>(), widths)
+    };
+    (0..height).map(line).collect()
 }
 
 /// Each row as a list: the heading of a column, then the cell.
 fn records(rows: &[Vec<String>], width: usize) -> Vec<String> {
     let Some((heading, rows)) = rows.split_first() else { return Vec::new() };
     let names = heading.iter().map(|name| length(name)).max().unwrap_or(0).min(width / 2);
-    let mut lines = Vec::new();
-    for row in rows {
-        if !lines.is_empty() {
-            lines.push(String::new());
-        }
-        lines.extend(
-            heading.iter().zip(row).flat_map(|(name, cell)| labelled_within(name, cell, names, width)),
-        );
-    }
-    lines
+    let record = |row: &Vec<String>| {
+        let cells = heading.iter().zip(row);
+        cells.flat_map(|(name, cell)| labelled_within(name, cell, names, width)).collect()
+    };
+    below_each_other(rows.iter().map(record))
 }
 
 /// A label of `room` columns, and a text beside it that goes on below; a word too wide for that
@@ -190,15 +205,19 @@ pub(crate) fn labelled(label: &str, text: &str, room: usize) -> Vec<String> {
 }
 
 fn labelled_within(label: &str, text: &str, room: usize, width: usize) -> Vec<String> {
-    let beside = width.saturating_sub(room + 2);
-    if longest_word(text) > beside || length(label) > room && length(label) + 2 + length(text) > width {
-        let below = lines(text, width.saturating_sub(2)).into_iter();
-        let indented = below.map(|line| format!("  {line}"));
-        return std::iter::once(label.to_owned()).chain(indented).collect();
+    let place = width.saturating_sub(room + 2);
+    if longest_word(text) > place || length(label) > room && length(label) + 2 + length(text) > width {
+        let below = lines(text, width.saturating_sub(2));
+        return iter::once(label.to_owned()).chain(below.iter().map(|line| format!("  {line}"))).collect();
     }
-    let texts = if length(label) > room { vec![text.to_owned()] } else { lines(text, beside) };
-    let labels = std::iter::once(label).chain(std::iter::repeat(""));
-    labels.zip(texts).map(|(label, text)| format!("{label:<room$}  {text}").trim_end().to_owned()).collect()
+    let texts = if length(label) > room { vec![text.to_owned()] } else { lines(text, place) };
+    beside(label, texts, room)
+}
+
+/// Lines beside a label of `room` columns.
+pub(crate) fn beside(label: &str, lines: Vec<String>, room: usize) -> Vec<String> {
+    let labels = iter::once(label).chain(iter::repeat(""));
+    labels.zip(lines).map(|(label, line)| format!("{label:<room$}  {line}").trim_end().to_owned()).collect()
 }
 
 /// A line of cells with commas, broken after some so that each part has at most `width` characters;
@@ -220,22 +239,11 @@ pub(crate) fn after_commas(line: &str, width: usize) -> String {
 
 /// A matrix between `left` and `right`, a line a row, or as many as it takes to break a row between
 /// its entries.
-pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
-    matrix_within(rows, left, right, screen_width())
-}
-
-/// The same where fewer columns are left.
-pub(crate) fn matrix_within(rows: &[Vec<String>], left: char, right: char, width: usize) -> Vec<String> {
+pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char, width: usize) -> Vec<String> {
     const BRACKETS: usize = 4;
     let widths = widths(rows);
     let room = width.saturating_sub(BRACKETS);
-    let mut groups: Vec<std::ops::Range<usize>> = Vec::new();
-    for column in 0..widths.len() {
-        match groups.last_mut() {
-            Some(group) if total(&widths[group.start..=column]) <= room => group.end = column + 1,
-            _ => groups.push(column..column + 1),
-        }
-    }
+    let groups = side_by_side(0..widths.len(), &widths, room);
     let last = groups.len().saturating_sub(1);
     let mut lines = Vec::new();
     for row in rows {

@@ -12,7 +12,7 @@ mod table;
 
 pub(crate) use kahan_draw::document::shorten;
 pub(crate) use npy::Npy;
-pub(crate) use output::{Answer, Refusal, columns, csv, finish, warn, widths};
+pub(crate) use output::{Answer, Refusal, csv, finish, joined, warn};
 pub(crate) use prompt::Prompt;
-pub(crate) use sink::{Broken, Sink, has_room_for_progress, is_table};
+pub(crate) use sink::{Broken, Sink, is_table};
 pub(crate) use table::{Format, Table};

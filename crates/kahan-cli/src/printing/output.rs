@@ -103,33 +103,13 @@ pub(crate) fn finish(result: Result<Answer, Refusal>) -> u8 {
     }
 }
 
-/// The width of each column of `rows`.
-pub(crate) fn widths<'a>(rows: impl IntoIterator<Item = &'a Vec<String>>) -> Vec<usize> {
-    let mut widths = Vec::new();
-    for row in rows {
-        for (index, cell) in row.iter().enumerate() {
-            if index == widths.len() {
-                widths.push(0);
-            }
-            widths[index] = widths[index].max(cell.chars().count());
-        }
-    }
-    widths
+/// These in their order, with something between two of them.
+pub(crate) fn joined<T: ToString>(items: impl IntoIterator<Item = T>, between: &str) -> String {
+    let words: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    words.join(between)
 }
 
 /// Rows of cells without commas as CSV.
 pub(crate) fn csv(rows: &[Vec<String>]) -> String {
     rows.iter().map(|row| row.join(",") + "\n").collect()
-}
-
-/// The spaces that bring a cell to its width. (A format's own width ends at 65 535 characters.)
-fn gap(cell: &str, width: usize) -> String {
-    " ".repeat(width.saturating_sub(cell.chars().count()))
-}
-
-/// One row in columns of these widths, two spaces apart, without spaces at the end.
-pub(crate) fn columns(row: &[String], widths: &[usize]) -> String {
-    let cells: Vec<String> =
-        row.iter().zip(widths).map(|(cell, &width)| cell.clone() + &gap(cell, width)).collect();
-    cells.join("  ").trim_end().to_owned()
 }

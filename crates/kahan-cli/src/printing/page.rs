@@ -7,7 +7,7 @@ use kahan_latex::Latex;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
 use kahan_study::ClaimShown;
 
-use super::layout::{matrix_within, screen_width};
+use super::layout::{self, screen_width};
 
 /// Text that grows downwards.
 #[derive(Default)]
@@ -28,11 +28,11 @@ impl Page {
         }
     }
 
-    pub(crate) fn section(&mut self, title: &str, lines: Vec<String>) {
+    pub(crate) fn section(&mut self, title: &str, lines: impl IntoIterator<Item: AsRef<str>>) {
         self.line("");
         self.line(title);
         for line in lines {
-            self.line(&format!("{:INDENT$}{line}", ""));
+            self.line(&format!("{:INDENT$}{}", "", line.as_ref()));
         }
     }
 
@@ -50,13 +50,10 @@ impl Page {
         let is_bracket = *kind == ClaimKind::Bracket.keyword();
         let index = if is_bracket { format!("_{{{}}}", Latex.name(name)) } else { String::new() };
         let equations = claim.equations.iter();
-        let mut rows: Vec<String> = equations
+        let rows = equations
             .map(|(left, right)| breaking::equation(&format!("{left}{index}"), right, PAGE_WIDTH))
-            .collect();
-        if !condition.is_empty() {
-            rows.push(format!("&\\text{{where }} {condition}"));
-        }
-        self.display(&aligned(rows));
+            .chain((!condition.is_empty()).then(|| format!("&\\text{{where }} {condition}")));
+        self.display(&aligned(rows.collect()));
     }
 }
 
@@ -70,7 +67,7 @@ const INDENT: usize = 2;
 
 /// A matrix as lines of a section.
 pub(crate) fn matrix(rows: &[Vec<String>], left: char, right: char) -> Vec<String> {
-    matrix_within(rows, left, right, screen_width().saturating_sub(INDENT))
+    layout::matrix(rows, left, right, screen_width().saturating_sub(INDENT))
 }
 
 /// Sentences as lines of a section.

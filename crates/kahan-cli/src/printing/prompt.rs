@@ -1,8 +1,9 @@
 //! Who watches long work at a prompt: a bar or a spinner on standard error, where that is a
 //! terminal, the machine's clock, and its processors.
 
-use std::io::{IsTerminal, stderr};
+use std::io::{IsTerminal, stderr, stdout};
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,6 +15,10 @@ use kahan_runtime::threads;
 pub(crate) struct Prompt {
     bar: ProgressBar,
     since: Instant,
+    /// When the work is stopped.
+    end: Option<Instant>,
+    /// Steps of the parts of the work that are done.
+    done: AtomicU64,
 }
 
 impl Prompt {
@@ -24,26 +29,39 @@ impl Prompt {
 
     /// A bar of so many steps of one sort: `claims`.
     pub(crate) fn new(steps: u64, what: &str) -> Self {
-        Self::showing(|| {
-            let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} ({elapsed}, {eta} left)");
-            let bar = ProgressBar::new(steps).with_message(what.to_owned());
-            bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-        })
+        Self::showing(true, || bar(steps, what))
+    }
+
+    /// A bar of steps of orbits whose rows go to a file, or to standard output; where that is a
+    /// terminal the bar would stand among the rows.
+    pub(crate) fn beside_rows(in_file: bool, steps: u64) -> Self {
+        Self::showing(in_file || !stdout().is_terminal(), || bar(steps, "steps"))
     }
 
     /// A spinner, for work in stages whose end is not known.
     pub(crate) fn stages() -> Self {
-        Self::showing(|| {
-            let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})");
+        Self::showing(true, || {
             let spinner = ProgressBar::new_spinner();
             spinner.enable_steady_tick(Duration::from_millis(120));
-            spinner.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()))
+            styled(spinner, "{spinner} {msg} ({elapsed})")
         })
     }
 
-    fn showing(bar: impl FnOnce() -> ProgressBar) -> Self {
-        let bar = if stderr().is_terminal() { bar() } else { ProgressBar::hidden() };
-        Prompt { bar, since: Instant::now() }
+    fn showing(has_room: bool, bar: impl FnOnce() -> ProgressBar) -> Self {
+        let bar = if has_room && stderr().is_terminal() { bar() } else { ProgressBar::hidden() };
+        Prompt { bar, since: Instant::now(), end: None, done: AtomicU64::new(0) }
+    }
+
+    /// The same, and the work is stopped after so many seconds.
+    pub(crate) fn within(self, seconds: f64) -> Self {
+        // A time beyond all clocks is no bound, and a century is none either.
+        let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
+        Prompt { end: Some(self.since + allowed), ..self }
+    }
+
+    /// Whether the time is up.
+    pub(crate) fn is_over(&self) -> bool {
+        self.end.is_some_and(|end| Instant::now() >= end)
     }
 
     /// The stage that begins.
@@ -51,21 +69,20 @@ impl Prompt {
         self.bar.set_message(stage.to_owned());
     }
 
-    /// So many steps are done.
-    pub(crate) fn advance(&self, steps: u64) {
-        self.bar.inc(steps);
-    }
-
-    /// Removes the bar before this ends.
-    pub(crate) fn finish(&self) {
-        self.bar.finish_and_clear();
+    /// A part of the work is done, which took so many steps.
+    pub(crate) fn done(&self, steps: u64) {
+        let done = self.done.fetch_add(steps, Ordering::Relaxed) + steps;
+        self.bar.set_position(done);
     }
 }
 
-impl Drop for Prompt {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
-    }
+fn bar(steps: u64, what: &str) -> ProgressBar {
+    let bar = ProgressBar::new(steps).with_message(what.to_owned());
+    styled(bar, "{bar:40} {pos}/{len} {msg} ({elapsed}, {eta} left)")
+}
+
+fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
+    bar.with_style(ProgressStyle::with_template(template).expect("the template names parts of a bar"))
 }
 
 impl Watch for Prompt {
@@ -74,13 +91,18 @@ impl Watch for Prompt {
     }
 
     fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
-        // A bar counts one sort of things to its end; stages in between are no part of that.
-        let is_bar = self.bar.length().is_some();
-        if let (true, Some(of)) = (is_bar, progress.of) {
-            self.bar.set_length(of);
-            self.bar.set_position(progress.done);
-        } else if !is_bar {
-            self.say(&progress.to_string());
+        if self.is_over() {
+            return ControlFlow::Break(());
+        }
+        match (self.bar.length(), progress.of) {
+            // A bar counts one sort of things to its end; stages in between are no part of that.
+            (Some(length), Some(of)) => {
+                let done = self.done.load(Ordering::Relaxed);
+                self.bar.set_length(length.max(done + of));
+                self.bar.set_position(done + progress.done);
+            }
+            (Some(_), None) => {}
+            (None, _) => self.say(&progress.to_string()),
         }
         ControlFlow::Continue(())
     }

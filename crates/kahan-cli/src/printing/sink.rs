@@ -7,7 +7,7 @@
 //! them do not take a million system calls.
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, ErrorKind, IsTerminal, Seek, SeekFrom, Stdout, Write};
+use std::io::{self, BufWriter, ErrorKind, Seek, SeekFrom, Stdout, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -35,10 +35,10 @@ pub(crate) enum Broken {
 
 impl From<Broken> for Refusal {
     fn from(broken: Broken) -> Self {
-        Refusal::new(match broken {
-            Broken::ReaderGone => "the reader of the output has gone away".to_owned(),
-            Broken::Failed(reason) => reason,
-        })
+        match broken {
+            Broken::ReaderGone => Refusal::new("the reader of the output has gone away"),
+            Broken::Failed(reason) => Refusal::new(reason),
+        }
     }
 }
 
@@ -64,15 +64,11 @@ impl Sink {
         let path = match fs::canonicalize(path) {
             Ok(found) if found.is_file() => found,
             Ok(found) if found.is_dir() => return Err(refused("it is a directory; add a file name")),
-            Ok(_) => {
-                return Err(refused("it is no ordinary file; name one"));
-            }
+            Ok(_) => return Err(refused("it is no ordinary file; name one")),
             Err(_) => path.to_path_buf(),
         };
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
+        let folder = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+        let folder = folder.unwrap_or(Path::new("."));
         if path.file_name().is_none() {
             return Err(refused("it has no file name"));
         }
@@ -135,10 +131,7 @@ impl Sink {
 
     /// Writes what is left; a file now appears under its name.
     pub(crate) fn finish(mut self) -> Result<(), Broken> {
-        let flushed = match &mut self.0 {
-            Place::File { writer, .. } => writer.flush(),
-            Place::Standard { writer, .. } => writer.flush(),
-        };
+        let flushed = if let Place::Standard { writer, .. } = &mut self.0 { writer.flush() } else { Ok(()) };
         flushed.map_err(|error| self.broken(&error))?;
         if let Place::File { writer, path, unfinished } = self.0 {
             let kept = writer.into_inner().map_err(io::IntoInnerError::into_error).and_then(|file| {
@@ -179,10 +172,4 @@ fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder)
-}
-
-/// Whether a progress bar on standard error does not disturb the rows: they go elsewhere than to
-/// the terminal.
-pub(crate) fn has_room_for_progress(to_file: bool) -> bool {
-    to_file || !io::stdout().is_terminal()
 }

@@ -11,6 +11,7 @@ use kahan_study::{Cell, Column, Rows, Values};
 use serde_json::{Map, Value};
 
 use super::layout::{after_commas, terminal_width};
+use super::output::joined;
 use super::sink::{Broken, Sink};
 
 /// How a table is written.
@@ -48,7 +49,7 @@ impl Table {
         let text = match format {
             Format::Csv => {
                 let columns = head.get("columns").and_then(Value::as_array).into_iter().flatten();
-                let line = columns.filter_map(Value::as_str).collect::<Vec<_>>().join(",") + "\n";
+                let line = joined(columns.filter_map(Value::as_str), ",") + "\n";
                 width.map_or_else(|| line.clone(), |width| after_commas(&line, width))
             }
             Format::Json => {
@@ -65,8 +66,8 @@ impl Table {
     }
 
     /// Of several orbits, numbered from 0, the one that the next rows are of.
-    pub(crate) fn begin_orbit(&mut self, orbit: usize) {
-        self.orbit = Some(orbit);
+    pub(crate) fn begin_orbit(&mut self, orbit: Option<usize>) {
+        self.orbit = orbit;
     }
 
     /// Lets rows be made even where nobody reads them any more.

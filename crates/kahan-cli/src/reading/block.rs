@@ -1,16 +1,19 @@
-//! A text with a block in it; everything that is wrong with it becomes a
-//! [`Refusal`].
+//! A text with a block in it, `--file`, and `--block`, which part of that is the field; what is
+//! wrong becomes a [`Refusal`].
 
 use std::ops::Range;
+use std::path::Path;
+use std::{fs, io};
 
 use kahan_algebra::family::Family;
 use kahan_runtime::FieldText;
 use kahan_study::Subject;
 use kahan_systems::entry::Entry;
 use kahan_systems::lattices;
+use kahan_systems::registry::find;
 
-use super::rust_file::blocks;
-use crate::printing::Refusal;
+use super::rust_file::{RustBlock, blocks};
+use crate::printing::{Refusal, joined};
 
 /// A text with a block in it.
 #[derive(Debug)]
@@ -23,14 +26,11 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// A block of the catalog.
-    pub(crate) fn of_catalog(entry: &'static Entry) -> Self {
-        Block::new(Some(entry), entry.text().to_owned(), entry.command.to_owned())
-    }
-
-    /// A family of the catalog.
-    pub(crate) fn of_family(family: &lattices::Entry) -> Self {
-        Block::new(None, family.text.to_owned(), family.command.to_owned())
+    /// A system or a family of the catalog.
+    pub(super) fn named(name: &str) -> Option<Self> {
+        let of = |entry, text: &str, name: &str| Block::new(entry, text.to_owned(), name.to_owned());
+        let system = find(name).map(|entry| of(Some(entry), entry.text(), entry.command));
+        system.or_else(|| lattices::find(name).map(|family| of(None, family.text, family.command)))
     }
 
     /// A text from elsewhere; `origin` is what it is called in reports.
@@ -74,4 +74,48 @@ impl Block {
     pub(crate) fn text(&self) -> &str {
         self.text.text()
     }
+}
+
+/// The text of a file, or of standard input for `-`, and what it is called in reports.
+pub(super) fn read_file(path: &Path) -> Result<(String, String), Refusal> {
+    let is_input = path.as_os_str() == "-";
+    let origin = if is_input { "standard input".to_owned() } else { path.display().to_string() };
+    let read = if is_input { io::read_to_string(io::stdin()) } else { fs::read_to_string(path) };
+    let what = if is_input { "" } else { "the file " };
+    match read {
+        Ok(text) => Ok((text, origin)),
+        Err(error) => Err(Refusal::new(format!("cannot read {what}{origin}: {error}"))),
+    }
+}
+
+/// Where the field stands: all of the text, or one call of `kahan!`, by its name or line if there
+/// are several.
+pub(super) fn chosen(text: &str, origin: &str, wanted: Option<&str>) -> Result<Range<usize>, Refusal> {
+    let blocks = blocks(text);
+    let is_wanted = |block: &&RustBlock| {
+        wanted.is_none_or(|wanted| block.name.as_deref() == Some(wanted) || block.line.to_string() == wanted)
+    };
+    let found: Vec<&RustBlock> = blocks.iter().filter(is_wanted).collect();
+    let listed = blocks.iter().map(|block| match &block.name {
+        Some(name) => format!("{name} (line {})", block.line),
+        None => format!("line {}", block.line),
+    });
+    let listed = joined(listed, ", ");
+    Err(Refusal::new(match (&found[..], wanted) {
+        ([one], _) => return Ok(one.range.clone()),
+        ([], None) => return Ok(0..text.len()),
+        ([], Some(wanted)) if blocks.is_empty() => {
+            format!("--block {wanted}: {origin} has no call of `kahan!`; leave it out")
+        }
+        ([], Some(wanted)) => {
+            format!("--block {wanted}: there is no such block in {origin}; it has {listed}")
+        }
+        (several, None) => format!(
+            "{origin} has {} blocks: {listed}; choose one by --block NAME, or by its line",
+            several.len()
+        ),
+        (_, Some(wanted)) => {
+            format!("--block {wanted} is not one block: {origin} has {listed}; choose by the line")
+        }
+    }))
 }

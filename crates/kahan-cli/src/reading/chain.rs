@@ -7,11 +7,10 @@ use kahan_study::formula::{Formula, Known};
 use kahan_study::number_file::Numbers;
 use kahan_study::{Chain, StudyError};
 
-use super::formula::{formula, formulas};
-use super::number_file::{is_number_file, read};
+use super::points::{is_number_file, read};
 use super::source::Start;
-use super::values::number;
-use crate::printing::Refusal;
+use super::values::{formula, formulas, named, number};
+use crate::printing::{Refusal, joined};
 
 impl Start {
     /// The chain that begins with what `--start` says; the names of its variables are made for at
@@ -48,8 +47,8 @@ impl Start {
         let parameters: Vec<(String, f64)> = lattice.parameters().iter().filter_map(once).collect();
         let known: Vec<(String, f64)> = known.iter().chain(&parameters).cloned().collect();
         let state = state(start, lattice.arrays(), sites, &known)?;
-        let variables =
-            if map.unknowns() <= most_names { family.symbols_at(sites).states } else { Vec::new() };
+        let has_names = map.unknowns() <= most_names;
+        let variables = if has_names { family.symbols_at(sites).states } else { Vec::new() };
         let name = family.name().to_owned();
         Ok(Chain { name, variables, map, sites, eps, parameters, state, lattice })
     }
@@ -57,10 +56,7 @@ impl Start {
 
 /// The numbers of `--param NAME=V`: one, or one a site.
 fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str, Vec<f64>), Refusal> {
-    let Some((name, value)) = given.split_once('=') else {
-        return Err(Refusal::new(format!("--param: `{given}` is not NAME=VALUE, as in --param c=1/2")));
-    };
-    let (name, value) = (name.trim(), value.trim());
+    let (name, value) = named(given, "--param", "c=1/2")?;
     let option = format!("--param {name}");
     if is_number_file(value) {
         return Ok((name, read(value, &option)?.values));
@@ -82,12 +78,10 @@ fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<
         (0..sites).flat_map(|site| formulas.iter().map(move |formula| formula.at(site))).collect()
     };
     match state.iter().position(|value| !value.is_finite()) {
-        Some(place) => Err(Refusal::new(format!(
-            "--start: {}[{}] is {}, and a state is of numbers",
-            arrays[place % arrays.len()],
-            place / arrays.len(),
-            state[place]
-        ))),
+        Some(place) => {
+            let (array, site, value) = (&arrays[place % arrays.len()], place / arrays.len(), state[place]);
+            Err(Refusal::new(format!("--start: {array}[{site}] is {value}, and a state is of numbers")))
+        }
         None => Ok(state),
     }
 }
@@ -95,10 +89,9 @@ fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<
 fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refusal> {
     let Numbers { names, sizes, values } = read(path, "--start")?;
     if let Some(names) = names.filter(|names| names != arrays) {
+        let [names, arrays] = [&names[..], arrays].map(|names| names.join(", "));
         return Err(Refusal::new(format!(
-            "--start: the columns of {path} are {}, and those of a state {}",
-            names.join(", "),
-            arrays.join(", ")
+            "--start: the columns of {path} are {names}, and those of a state {arrays}"
         )));
     }
     // Of one array, a row a site may be a list as well; of several states, the last is the start.
@@ -114,12 +107,11 @@ fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refu
         let first = values.len() - sites * arrays.len();
         return Ok(values[first..].to_vec());
     }
-    let shape = |sizes: &[usize]| sizes.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
     Err(Refusal::new(format!(
         "--start: the file {path} has {} numbers, and {sites} sites take {}: a row a site, each with its {}; of several states \
          the last is taken",
-        shape(&sizes),
-        shape(&[sites, arrays.len()]),
+        joined(&sizes, " x "),
+        joined([sites, arrays.len()], " x "),
         arrays.join(", ")
     )))
 }
@@ -129,27 +121,19 @@ fn in_order(given: Vec<(String, Formula)>, arrays: &[String]) -> Result<Vec<Form
     let mut formulas: Vec<Option<Formula>> = vec![None; arrays.len()];
     for (name, formula) in given {
         let Some(index) = arrays.iter().position(|array| *array == name) else {
-            return Err(Refusal::new(format!(
-                "--start: there is no array `{name}`; the family has {}",
-                arrays.join(", ")
-            )));
+            let known = arrays.join(", ");
+            return Err(Refusal::new(format!("--start: there is no array `{name}`; the family has {known}")));
         };
         if formulas[index].replace(formula).is_some() {
             return Err(Refusal::new(format!("--start: `{name}` is given twice; leave one of them out")));
         }
     }
-    let missing: Vec<String> = arrays
-        .iter()
-        .zip(&formulas)
-        .filter(|(_, f)| f.is_none())
-        .map(|(name, _)| format!("`{name} = …`"))
-        .collect();
+    let missing = arrays.iter().zip(&formulas).filter(|(_, formula)| formula.is_none());
+    let missing = joined(missing.map(|(name, _)| format!("`{name} = …`")), ", ");
     if missing.is_empty() {
-        Ok(formulas.into_iter().flatten().collect())
-    } else {
-        Err(Refusal::new(format!(
-            "--start: add {}; a start is a file F.npy or F.csv, or a formula for each array, as in 'x = 1 + 1/2*cos(2*pi*i/n)'",
-            missing.join(", ")
-        )))
+        return Ok(formulas.into_iter().flatten().collect());
     }
+    Err(Refusal::new(format!(
+        "--start: add {missing}; a start is a file F.npy or F.csv, or a formula for each array, as in 'x = 1 + 1/2*cos(2*pi*i/n)'"
+    )))
 }

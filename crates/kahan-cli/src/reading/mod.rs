@@ -5,11 +5,7 @@
 
 mod block;
 mod chain;
-mod file;
-mod formula;
-mod number_file;
 mod points;
-mod range;
 mod results;
 mod rust_file;
 mod source;
@@ -17,9 +13,7 @@ mod study;
 mod values;
 
 pub(crate) use block::Block;
-pub(crate) use number_file::is_number_file;
-pub(crate) use points::{point, points};
-pub(crate) use range::{axis, over};
+pub(crate) use points::{is_number_file, point, points};
 pub(crate) use results::{columns, not_started, sweeper};
 pub(crate) use source::{ONE_WORD, Source, Start};
-pub(crate) use values::{number, observable, one_of, order, scalar, seconds, whole};
+pub(crate) use values::{axis, named, number, observable, one_of, order, over, scalar, seconds, whole};

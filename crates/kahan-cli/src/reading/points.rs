@@ -1,13 +1,27 @@
-//! Points behind `--at`: their coordinates with commas, or a file that has a row for each of them.
-//!
-//! In: the text, and the names of the variables. Out: exact points. What begins there, this module
-//! must not know.
+//! Files of numbers behind options, and points behind `--at`: their coordinates with commas, or a
+//! file that has a row for each of them. What begins there, this module must not know.
+
+use std::fs;
+use std::path::Path;
 
 use kahan_algebra::rational::Rational;
+use kahan_study::number_file::{Entry, Numbers};
 
-use super::number_file::{is_number_file, read};
 use super::values::number;
 use crate::printing::Refusal;
+
+/// Whether a text names such a file.
+pub(crate) fn is_number_file(text: &str) -> bool {
+    let ending = Path::new(text).extension().and_then(|ending| ending.to_str());
+    ending.is_some_and(|ending| ending == "npy" || ending == "csv")
+}
+
+/// Reads a file; `option` names it in the refusal.
+pub(super) fn read<V: Entry>(path: &str, option: &str) -> Result<Numbers<V>, Refusal> {
+    let refused = |why: String| Refusal::new(format!("{option}: cannot read the file {path}: {why}"));
+    let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
+    Numbers::of(path, &bytes).map_err(refused)
+}
 
 /// The points that `--at` gives, at least one.
 pub(crate) fn points(at: &str, states: &[String]) -> Result<Vec<Vec<Rational>>, Refusal> {
@@ -38,11 +52,10 @@ pub(super) fn only(mut points: Vec<Vec<Rational>>, at: &str) -> Result<Vec<Ratio
 fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
     let parts: Vec<&str> = text.split(',').collect();
     if parts.len() != states.len() {
-        let (expected, plural) = (states.len(), if states.len() == 1 { "" } else { "s" });
-        let names = states.join(",");
+        let (expected, given, names) = (states.len(), parts.len(), states.join(","));
+        let plural = if expected == 1 { "" } else { "s" };
         return Err(Refusal::new(format!(
-            "--at: {expected} coordinate{plural} {names} expected, {} given",
-            parts.len()
+            "--at: {expected} coordinate{plural} {names} expected, {given} given"
         )));
     }
     parts.iter().zip(states).map(|(part, state)| number(part, &format!("--at, coordinate {state}"))).collect()

@@ -1,13 +1,13 @@
 //! Columns of numbers from files with names above them: results of `kahan sweep`, tables.
 
 use std::env::consts::EXE_SUFFIX;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use kahan_study::number_file::Numbers;
 
-use super::number_file::read;
+use super::points::read;
 use crate::printing::Refusal;
 
 /// The program that runs sweeps and reads their results: beside this one, or where programs are.
@@ -53,37 +53,26 @@ pub(crate) fn columns(path: &Path, names: &[&str], option: &str) -> Result<Vec<V
     let known = numbers.names.ok_or_else(|| {
         Refusal::new(format!("{option}: {shown} does not begin with a line of its columns' names"))
     })?;
-    let places: Vec<usize> = names
-        .iter()
-        .map(|name| {
-            known.iter().position(|known| known == name).ok_or_else(|| {
-                let known = known.join(", ");
-                Refusal::new(format!("{option}: {shown} has no column `{name}`; it has {known}"))
-            })
-        })
-        .collect::<Result<_, _>>()?;
-    let rows = || numbers.values.chunks_exact(known.len());
-    Ok(places.into_iter().map(|place| rows().map(|row| row[place]).collect()).collect())
+    let column = |name: &&str| {
+        let place = known.iter().position(|known| known == name).ok_or_else(|| {
+            let known = known.join(", ");
+            Refusal::new(format!("{option}: {shown} has no column `{name}`; it has {known}"))
+        })?;
+        Ok(numbers.values.iter().skip(place).step_by(known.len()).copied().collect())
+    };
+    names.iter().map(column).collect()
 }
 
 /// Columns of a file of Parquet, as kahan-sweep reads it.
 fn swept(path: &Path, names: &[&str], option: &str) -> Result<Numbers, Refusal> {
     let mut program = sweeper();
     program.arg("--read").arg(path).arg("--columns").arg(names.join(","));
-    let started = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
-    let mut reader = started.map_err(|error| not_started(&error))?;
-    let (mut rows, mut complaint) = (Vec::new(), String::new());
-    let read = reader.stdout.take().map_or(Ok(0), |mut pipe| pipe.read_to_end(&mut rows));
-    // What it cannot say is not more important than that it failed.
-    let _ = reader.stderr.take().map(|mut words| words.read_to_string(&mut complaint));
-    let refused = |why: &str| Refusal::new(format!("{option}: {}", why.trim()));
-    match reader.wait() {
-        Ok(status) if status.success() => {
-            let numbers =
-                read.map_err(|error| error.to_string()).and_then(|_| Numbers::of("rows.csv", &rows));
-            numbers.map_err(|why| refused(&format!("{}: {why}", path.display())))
-        }
-        Ok(_) => Err(refused(complaint.trim_start_matches("error: "))),
-        Err(error) => Err(refused(&error.to_string())),
+    let read = program.output().map_err(|error| not_started(&error))?;
+    if !read.status.success() {
+        let complaint = String::from_utf8_lossy(&read.stderr);
+        let why = complaint.trim_start_matches("error: ").trim();
+        return Err(Refusal::new(format!("{option}: {why}")));
     }
+    let numbers = Numbers::of("rows.csv", &read.stdout);
+    numbers.map_err(|why| Refusal::new(format!("{option}: {}: {why}", path.display())))
 }

@@ -7,14 +7,11 @@ use clap::Args;
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, Catalog, StudyError, Subject, Systems};
-use kahan_systems::lattices;
-use kahan_systems::registry::find;
 
-use crate::printing::{Refusal, warn};
+use crate::printing::{Refusal, joined, warn};
 
-use super::block::Block;
-use super::file::{chosen, read_file};
-use super::values::{number, whole};
+use super::block::{Block, chosen, read_file};
+use super::values::{named, number, whole};
 
 /// What to write where a value fell apart into words of its own.
 pub(crate) const ONE_WORD: &str = "a value is one word, as in --at 1,0.5,0.3 and --param a=0.4";
@@ -82,22 +79,18 @@ impl Source {
     /// The words by which a command line names this; standard input, which can be read once only,
     /// is named by its text.
     pub(crate) fn words(&self, block: &Block) -> Vec<String> {
-        let option = |name: &str, value: &str| vec![name.to_owned(), value.to_owned()];
         let is_input = self.is_input();
         let field = self.field.clone().or_else(|| is_input.then(|| block.text().trim().to_owned()));
         let file = self.file.as_ref().filter(|_| !is_input);
-        let words = [
-            self.system.iter().cloned().collect(),
-            field.map_or_else(Vec::new, |field| option("--field", &field)),
-            file.map_or_else(Vec::new, |path| option("--file", &path.to_string_lossy())),
-            file.and(self.block.as_ref()).map_or_else(Vec::new, |name| option("--block", name)),
-            self.sites.map_or_else(Vec::new, |sites| option("--sites", &sites.to_string())),
+        let options = [
+            ("--field", field),
+            ("--file", file.map(|path| path.to_string_lossy().into_owned())),
+            ("--block", file.and(self.block.clone())),
+            ("--sites", self.sites.map(|sites| sites.to_string())),
         ];
-        words
-            .into_iter()
-            .chain(self.parameters.iter().map(|given| option("--param", given)))
-            .flatten()
-            .collect()
+        let options = options.into_iter().filter_map(|(option, value)| Some([option.to_owned(), value?]));
+        let parameters = self.parameters.iter().map(|given| ["--param".to_owned(), given.clone()]);
+        self.system.iter().cloned().chain(options.chain(parameters).flatten()).collect()
     }
 
     /// Whether a field was named.
@@ -113,10 +106,7 @@ impl Source {
     /// The values behind `--param NAME=V`, by name.
     pub(super) fn given(&self) -> Result<Vec<(String, Rational)>, Refusal> {
         let value = |given: &String| {
-            let (name, value) = given.split_once('=').ok_or_else(|| {
-                Refusal::new(format!("--param: `{given}` is not NAME=VALUE, as in --param xi=1/2"))
-            })?;
-            let name = name.trim();
+            let (name, value) = named(given, "--param", "xi=1/2")?;
             Ok((name.to_owned(), number(value, &format!("--param {name}"))?))
         };
         self.parameters.iter().map(value).collect()
@@ -126,12 +116,10 @@ impl Source {
     pub(crate) fn leaves_free(&self, axes: &[Axis], eps: Option<&String>) -> Result<(), Refusal> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given = parameters.chain(eps.map(|_| ("--eps".to_owned(), "eps".to_owned())));
-        match given.find(|(_, name)| axes.iter().any(|axis| axis.name == *name)) {
-            Some((option, name)) => {
-                Err(Refusal::new(format!("--over goes through values of {name}; leave {option} out")))
-            }
-            None => Ok(()),
-        }
+        let Some((option, name)) = given.find(|(_, name)| axes.iter().any(|axis| axis.name == *name)) else {
+            return Ok(());
+        };
+        Err(Refusal::new(format!("--over goes through values of {name}; leave {option} out")))
     }
 
     /// The field that was named, without its parameters.
@@ -146,10 +134,9 @@ impl Source {
     pub(crate) fn block(&self) -> Result<Option<Block>, Refusal> {
         match (&self.system, &self.field, &self.file) {
             (None, None, None) => Ok(None),
-            (Some(name), None, None) => match (find(name), lattices::find(name)) {
-                (Some(entry), _) => Ok(Some(Block::of_catalog(entry))),
-                (None, Some(family)) => Ok(Some(Block::of_family(family))),
-                (None, None) => Err(StudyError::unknown_system(name, &Systems).into()),
+            (Some(name), None, None) => match Block::named(name) {
+                None => Err(StudyError::unknown_system(name, &Systems).into()),
+                block => Ok(block),
             },
             (None, Some(text), None) => Ok(Some(Block::of_text(text.clone(), "--field".to_owned()))),
             (None, None, Some(path)) => {
@@ -191,17 +178,14 @@ impl Source {
         names.retain(|name| !given.contains(&name.as_str()));
         let more = if names.len() > MOST { ", …" } else { "" };
         names.truncate(MOST);
-        let equations: Vec<String> = names.iter().map(|name| format!("{name}dot")).collect();
+        let equations = joined(names.iter().map(|name| format!("{name}dot")), ", ");
         let taken = match names.len() {
             0 => return None,
             1 => "is taken as a parameter",
             _ => "are taken as parameters",
         };
-        Some(brief(&format!(
-            "{}{more} {taken}: nothing defines {}{more}",
-            names.join(", "),
-            equations.join(", ")
-        )))
+        let names = names.join(", ");
+        Some(brief(&format!("{names}{more} {taken}: nothing defines {equations}{more}")))
     }
 
     /// This source with single values only, and the parameters that are given as ranges:
@@ -222,10 +206,8 @@ impl Source {
     /// The block that was named, of a command that needs one.
     pub(crate) fn required_block(&self) -> Result<Block, Refusal> {
         self.block()?.ok_or_else(|| {
-            Refusal::new(format!(
-                "which system? give one of {}, or --field TEXT, or --file FILE",
-                Systems.names().iter().map(|[name, _]| *name).collect::<Vec<_>>().join(", ")
-            ))
+            let names = joined(Systems.names().iter().map(|[name, _]| name), ", ");
+            Refusal::new(format!("which system? give one of {names}, or --field TEXT, or --file FILE"))
         })
     }
 }

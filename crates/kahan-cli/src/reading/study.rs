@@ -5,16 +5,22 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
-use super::formula::refused;
 use super::points::{only, point, points};
 use super::source::{Source, Start};
-use super::values::number;
+use super::values::{number, refused};
 use crate::printing::Refusal;
 
 impl Source {
     /// The field with its given parameters.
     pub(crate) fn study(&self) -> Result<Study, Refusal> {
         self.study_of(self.subject()?)
+    }
+
+    /// The same. A false claim is told before a number that is missing.
+    pub(crate) fn proved(&self) -> Result<Study, Refusal> {
+        let study = self.study()?;
+        study.proved()?;
+        Ok(study)
     }
 
     /// The same of a block that was read from here: standard input can be read once only.
@@ -40,7 +46,7 @@ impl Start {
 
     /// The same with all first points.
     pub(crate) fn starts(&self) -> Result<(Study, Vec<Vec<Rational>>, Rational), Refusal> {
-        let study = self.proved()?;
+        let study = self.source.proved()?;
         let starts = points(self.at(), study.variables())?;
         study.values()?;
         Ok((study, starts, self.half_step()?.ok_or(StudyError::MissingStep)?))
@@ -52,17 +58,10 @@ impl Start {
         &self,
         axes: &[Axis],
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
-        let study = self.proved()?;
+        let study = self.source.proved()?;
         self.source.leaves_free(axes, self.eps.as_ref())?;
         let at = point(self.at(), study.variables())?;
         Ok((study, at, self.half_step()?))
-    }
-
-    /// The field. A false claim is told before a number that is missing.
-    fn proved(&self) -> Result<Study, Refusal> {
-        let study = self.source.study()?;
-        study.proved()?;
-        Ok(study)
     }
 
     fn at(&self) -> &str {
@@ -112,13 +111,11 @@ impl From<StudyError> for Refusal {
             }
             StudyError::BeyondRange { .. } => format!("--{error}").replace("use scalar", "use --scalar"),
             StudyError::Orbit(_) => {
-                let options = ["scalar", "order", "method"];
-                let names = |said: String, name: &str| {
-                    ["; use", ", or", "; leave"]
-                        .into_iter()
-                        .fold(said, |said, word| said.replace(&format!("{word} {name}"), &format!("{word} --{name}")))
-                };
-                options.into_iter().fold(format!("--{error}"), names)
+                let options = ["scalar", "order", "method"].into_iter();
+                let words = options.flat_map(|name| ["; use", ", or", "; leave"].map(|word| (word, name)));
+                words.fold(format!("--{error}"), |said, (word, name)| {
+                    said.replace(&format!("{word} {name}"), &format!("{word} --{name}"))
+                })
             }
             StudyError::Degree { .. } => {
                 format!("--degree: {error}").replace("ask for none", "leave --degree out")

@@ -1,18 +1,27 @@
-//! Exact numbers, counts and times behind options; what is wrong with them becomes a
-//! [`Refusal`].
+//! Exact numbers, counts, times, ranges and formulas behind options; what is wrong with them becomes
+//! a [`Refusal`].
 
 use std::fmt::Display;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use kahan_algebra::rational::Rational;
-use kahan_study::Observable;
+use kahan_study::formula::{self, Formula, Known, NoFormula};
 use kahan_study::numbers::{self, ScalarKind};
+use kahan_study::{Axis, Observable, Range, Spacing};
 
-use crate::printing::Refusal;
+use crate::printing::{Refusal, warn};
 
 /// An exact number; `what` names it in the refusal.
 pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
     numbers::number(text).map_err(|why| Refusal::new(format!("{what}: {why}")))
+}
+
+/// NAME=VALUE behind an option, as in the example.
+pub(crate) fn named<'a>(given: &'a str, option: &str, example: &str) -> Result<(&'a str, &'a str), Refusal> {
+    let parts = given.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
+    parts.ok_or_else(|| {
+        Refusal::new(format!("{option}: `{given}` is not NAME=VALUE, as in {option} {example}"))
+    })
 }
 
 /// Reads a count between these.
@@ -54,4 +63,49 @@ pub(crate) fn scalar() -> impl TypedValueParser<Value = ScalarKind> {
 /// Reads the order of a method.
 pub(crate) fn order() -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse().expect("clap takes no others"))
+}
+
+/// NAME=FROM:TO:…, as `--over` has it; `before` as of [`axis`].
+pub(crate) fn over(text: &str, before: fn(usize) -> Spacing) -> Result<Axis, Refusal> {
+    let (name, range) = text.split_once('=').ok_or_else(|| {
+        Refusal::new(format!(
+            "--over: `{text}` does not say of what; write NAME=FROM:TO:COUNT, as in eps=1/10:1:400"
+        ))
+    })?;
+    axis(name.trim(), range, &format!("--over {}", name.trim()), before)
+}
+
+/// FROM:TO:… behind an option, for what has this name. `before` is what a bare COUNT meant there
+/// until now, which a note says.
+pub(crate) fn axis(
+    name: &str,
+    text: &str,
+    option: &str,
+    before: fn(usize) -> Spacing,
+) -> Result<Axis, Refusal> {
+    let range = Range::read(text).map_err(|why| Refusal::new(format!("{option}: {why}")))?;
+    if let Spacing::Count(count) = range.spacing()
+        && let Some(meant) = range.spaced(before(*count))
+    {
+        warn(&format!(
+            "{option}: {range} means {} now; it meant {}, which is written {meant}",
+            range.spacing().words(),
+            meant.spacing().words()
+        ));
+    }
+    Ok(Axis { name: name.to_owned(), range })
+}
+
+/// One formula of the index of a site; `option` is what the text is called in reports.
+pub(super) fn formula(text: &str, known: &Known, option: &str) -> Result<Formula, Refusal> {
+    formula::formula(text, known).map_err(|why| refused(&why, option))
+}
+
+/// Formulas of the index of a site by name: `a = 1; b = i/n`.
+pub(super) fn formulas(text: &str, known: &Known, option: &str) -> Result<Vec<(String, Formula)>, Refusal> {
+    formula::formulas(text, known).map_err(|why| refused(&why, option))
+}
+
+pub(super) fn refused(why: &NoFormula, option: &str) -> Refusal {
+    Refusal::reports(why.report(option))
 }

@@ -124,9 +124,10 @@ impl Paint {
 }
 
 /// Which colours a drawing has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
     /// Light or dark, as the viewer has it.
+    #[default]
     Viewer,
     /// Light everywhere.
     Light,

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use kahan_study::{Axis, Range, Spacing};
 
-use crate::printing::Refusal;
-use crate::reading::{self, number, over};
+use crate::printing::{Refusal, joined};
+use crate::reading::{self, named, number, over};
 
 /// What is drawn, and of which rows.
 pub(super) struct Rows<'a> {
@@ -60,10 +60,9 @@ impl<'a> Rows<'a> {
         let counts: Vec<usize> = ranges.iter().map(|axis| axis.range.count()).collect();
         let count = counts.iter().try_fold(1_usize, |count, own| count.checked_mul(*own));
         let count = count.filter(|count| *count <= MOST_CELLS).ok_or_else(|| {
-            let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
+            let counts = joined(&counts, " times ");
             Refusal::new(format!(
-                "--over: {} cells are too many; give fewer, as in --over {}=-1:1:/600",
-                counts.join(" times "),
+                "--over: {counts} cells are too many; give fewer, as in --over {}=-1:1:/600",
                 names[0]
             ))
         })?;
@@ -79,16 +78,13 @@ impl<'a> Rows<'a> {
         let shared = cells.iter().position(|cell| cell.rows > 1);
         if let Some(cell) = shared.filter(|_| !axes.clone().any(has_range)) {
             let places = [cell % counts[0], cell / counts[0]];
-            let at: Vec<String> = ranges
-                .iter()
-                .zip(places)
-                .map(|(axis, place)| format!("{} = {}", axis.name, axis.range.value(place)))
-                .collect();
+            let at = ranges.iter().zip(places);
+            let at = at.map(|(axis, place)| format!("{} = {}", axis.name, axis.range.value(place)));
             return Err(Refusal::new(format!(
                 "--over: {} rows have {}; choose among them by another column, as in --where order=2, or give cells, as in \
                  --over {}=-1:1:/60, which show the mean of their rows",
                 cells[cell].rows,
-                at.join(" and "),
+                joined(at, " and "),
                 names[0]
             )));
         }
@@ -105,9 +101,9 @@ impl<'a> Rows<'a> {
                 let mut values = column.clone();
                 values.sort_unstable_by(f64::total_cmp);
                 values.dedup();
-                let mut words: Vec<String> = values.iter().take(MOST).map(f64::to_string).collect();
-                words.extend((values.len() > MOST).then(|| "…".to_owned()));
-                format!("--where: no row has {name} = {value}; there is {}", words.join(", "))
+                let more = if values.len() > MOST { ", …" } else { "" };
+                let values = joined(values.iter().take(MOST), ", ");
+                format!("--where: no row has {name} = {value}; there is {values}{more}")
             }
         })
     }
@@ -115,10 +111,8 @@ impl<'a> Rows<'a> {
 
 /// NAME=VALUE.
 fn choice(given: &str) -> Result<(&str, f64), Refusal> {
-    let Some((name, value)) = given.split_once('=') else {
-        return Err(Refusal::new(format!("--where: `{given}` is not NAME=VALUE, as in --where order=2")));
-    };
-    Ok((name.trim(), number(value, "--where")?.to_f64()))
+    let (name, value) = named(given, "--where", "order=2")?;
+    Ok((name, number(value, "--where")?.to_f64()))
 }
 
 /// What the rows in a cell show.

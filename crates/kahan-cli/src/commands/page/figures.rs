@@ -2,19 +2,21 @@
 //! call of the command that asks it.
 
 use kahan_algebra::rational::Rational;
+use kahan_discover::hilbert::default_degree;
 use kahan_draw::Drawing;
 use kahan_draw::answer;
 use kahan_draw::picture::{Chart, Look, Visits, chart};
 use kahan_study::trade::Trade;
 use kahan_study::{
-    Answer, Axis, Form, Observable, Observe, Over, Poles, Question, Range, Scene, Show, Study, StudyError,
+    Answer, Axis, Discover, Form, Observable, Observe, Over, Poles, Question, Range, Scene, Show, Study,
+    StudyError,
 };
 use maud::{Markup, html};
 
 use super::super::line::Line;
 use super::super::look::usual as picture_sheet;
 use super::super::picture::Picture;
-use super::super::picture::shown::{Shown, What};
+use super::super::picture::shown::{Drawn, Shown, What};
 use super::super::picture::starts::{At, Spread};
 use crate::printing::{Prompt, Refusal};
 
@@ -67,6 +69,7 @@ const SECONDS: f64 = 10.0;
 /// First points of pictures of many orbits.
 const STARTS: usize = 5;
 /// Shares of the time.
+const SEARCH: f64 = 0.35;
 const POLES: f64 = 0.1;
 const HEIGHTS: f64 = 0.06;
 const TRADE: f64 = 0.25;
@@ -87,6 +90,14 @@ impl Subject<'_> {
     pub(super) fn formulas(&self) -> Markup {
         let asked = Show { form: Form::Latex, jacobian: false };
         Asked::of(self.generic, Question::Show(asked)).html()
+    }
+
+    /// What the map preserves, found from the equations alone.
+    pub(super) fn search(&self) -> Asked {
+        // With a degree the search ends where that is looked at, and every page says the same.
+        let degree = Some(default_degree(self.variables.len()));
+        let asked = Discover { degree, seconds: self.share(SEARCH), ..Discover::default() };
+        Asked::of(self.generic, Question::Discover(asked))
     }
 
     /// What becomes of singularities, and of the heights of an exact orbit.
@@ -130,30 +141,29 @@ impl Subject<'_> {
     pub(super) fn chart(&self) -> Markup {
         let cells = self.cells();
         let Scene { eps, start, .. } = self.scene;
-        let second = match self.variables.len() {
-            1 => ("eps".to_owned(), format!("0:{}:/{cells}", decimal(2.0 * eps.to_f64()))),
-            _ => self.range(1, cells),
+        let second = match self.variables {
+            [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
+            variables => (&*variables[1], self.range(1)),
         };
         // The first range of a chart runs fastest, and the last axis of a question.
-        let axes = [second, self.range(0, cells)].map(|(name, range)| {
-            let range = Range::read(&range).expect("printed numbers make a range");
-            Axis { name, range }.into()
+        let axes = [second, (&*self.variables[0], self.range(0))].map(|(name, [low, high])| {
+            let range = Range::read(&format!("{}:{}:/{cells}", decimal(low), decimal(high)));
+            let range = range.expect("printed numbers make a range");
+            Axis { name: name.to_owned(), range }.into()
         });
         let observe = Observe::new(eps.clone(), start.clone(), 1000);
         let observe = Question::Observe(Observe { of: vec![Observable::Fli], ..observe });
         let asked = Over::new(observe, axes.into());
         let found = asked.ask(&self.valued.study, &Prompt::new((cells * cells) as u64, "orbits"));
-        let drawn = found.map(|found| chart(&Chart::of(&asked, &found), &Look::on(picture_sheet())).drawing);
-        figure(
-            "chart",
-            "A chart of stability",
-            &Line::asking(&self.valued.words, &Question::Over(asked)),
-            drawn.map(|drawing| (drawing, Vec::new())).map_err(Refusal::from),
-            &html! {
+        let drawn = found.map(|found| {
+            let words = html! {
                 "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
                 "where it is chaotic; a cell is empty where its orbit leaves the range of doubles."
-            },
-        )
+            };
+            (chart(&Chart::of(&asked, &found), &Look::on(picture_sheet())).drawing, Vec::new(), words)
+        });
+        let line = Line::asking(&self.valued.words, &Question::Over(asked));
+        figure("chart", "A chart of stability", &line, drawn.map_err(Refusal::from))
     }
 
     /// The cheapest settings on a scene like that of the figures.
@@ -169,17 +179,15 @@ impl Subject<'_> {
 
     /// A picture of `kahan picture`, with words on what it shows.
     fn picture(&self, id: &str, title: &str, asked: &Shown, words: impl Fn(&[Visits]) -> Markup) -> Markup {
-        let mut said = html! {};
-        let picture = asked.drawn(&self.valued.study).and_then(|drawn| {
-            if drawn.picture.points == 0 {
+        let drawn = asked.drawn(&self.valued.study).and_then(|Drawn { picture, notes }| {
+            if picture.points == 0 {
                 return Err(Refusal::new("there is nothing to be seen: no orbit comes there."));
             }
-            said = words(&drawn.picture.visits);
-            Ok((drawn.picture.drawing, drawn.notes))
+            Ok((picture.drawing, notes, words(&picture.visits)))
         });
         let asked = Shown { out: format!("{id}.svg").into(), ..asked.clone() };
-        let line = Picture::call(&self.valued.words, &asked);
-        figure(id, title, &line, picture, &said)
+        let line = Picture::options(&asked, Line::new("picture", &self.valued.words));
+        figure(id, title, &line, drawn)
     }
 
     /// The steps of exponents, fewer where there are many variables, each with its tangent vector.
@@ -233,25 +241,22 @@ impl Subject<'_> {
     }
 
     /// A variable over what its orbit takes, and a tenth more on either side.
-    fn range(&self, k: usize, cells: usize) -> (String, String) {
+    fn range(&self, k: usize) -> [f64; 2] {
         let [low, high] = self.scene.extremes[k];
         let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.scene.size);
-        (self.variables[k].clone(), format!("{}:{}:/{cells}", decimal(low - room), decimal(high + room)))
+        [low - room, high + room]
     }
 }
 
-fn figure(
-    id: &str,
-    title: &str,
-    line: &Line,
-    drawn: Result<(Drawing, Vec<String>), Refusal>,
-    words: &Markup,
-) -> Markup {
+/// A drawing with notes and words on it, or why there is none.
+type Figure = Result<(Drawing, Vec<String>, Markup), Refusal>;
+
+fn figure(id: &str, title: &str, line: &Line, drawn: Figure) -> Markup {
     html! {
         figure.single id=(id) {
             h3 { (title) }
             @match drawn {
-                Ok((drawing, notes)) => {
+                Ok((drawing, notes, words)) => {
                     div.drawings { (drawing.inline()) }
                     figcaption {
                         p { (words) }

@@ -3,15 +3,12 @@
 //! In: a [`Shown`], from arguments or from a page, and a field. Out: what is asked, and the answers
 //! drawn by `kahan-draw`. How a picture is asked for in words, `super` knows.
 
-use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, Instant};
 
 use kahan_algebra::rational::Rational;
 use kahan_draw::picture::{self, Coordinate, Look, Picture, Trace};
 use kahan_runtime::heights::Stop;
-use kahan_study::{Axis, Diagram, End, Heights, Orbit, Plane, Progress, Question, Section, Study, Watch};
+use kahan_study::{Axis, Diagram, End, Heights, Orbit, Plane, Question, Section, Study, StudyError};
 
 use super::super::look::{SheetOptions, usual};
 use super::starts::{At, Spread};
@@ -63,46 +60,6 @@ const MOST_POINTS: u64 = 10_000_000;
 /// The most points that lines join.
 const MOST_JOINED: u64 = 100_000;
 
-/// The prompt, for work on several orbits within one time.
-struct Pace {
-    prompt: Prompt,
-    end: Instant,
-    /// Steps of the orbits before this one.
-    before: AtomicU64,
-}
-
-impl Pace {
-    fn new(steps: u64, seconds: f64) -> Self {
-        // A time beyond all clocks is no bound, and a century is none either.
-        let allowed = Duration::try_from_secs_f64(seconds.min(3e9)).unwrap_or_default();
-        let end = Instant::now() + allowed;
-        Pace { prompt: Prompt::new(steps, "steps"), end, before: AtomicU64::new(0) }
-    }
-
-    fn is_over(&self) -> bool {
-        Instant::now() >= self.end
-    }
-
-    /// An orbit of so many steps is done.
-    fn done(&self, steps: u64) {
-        self.before.fetch_add(steps, Ordering::Relaxed);
-    }
-}
-
-impl Watch for Pace {
-    fn now(&self) -> Option<Duration> {
-        self.prompt.now()
-    }
-
-    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
-        let done = self.before.load(Ordering::Relaxed) + progress.done;
-        if self.is_over() {
-            return ControlFlow::Break(());
-        }
-        self.prompt.look(&Progress { done, ..*progress })
-    }
-}
-
 impl Shown {
     /// Orbits from these points, as usual.
     pub(crate) fn portrait(eps: Rational, at: Vec<At>, steps: u64) -> Self {
@@ -153,34 +110,34 @@ impl Shown {
     /// without the last that its formula names, of an orbit diagram the first.
     fn axes(&self, study: &Study) -> Result<Vec<Coordinate>, Refusal> {
         let variables = study.variables().len();
-        let named = self.axes.len();
-        Ok(match &self.what {
-            What::Heights => Vec::new(),
-            What::Over(..) if named == 0 => vec![Coordinate::Variable(0)],
-            What::Over(..) if named > 1 => {
-                return Err(Refusal::new(
-                    "--axes: an orbit diagram has one variable upwards, as in --axes x",
-                ));
-            }
-            What::Over(..) => match axis(&self.axes[0], study)? {
+        Ok(match (&self.what, &self.axes[..]) {
+            (What::Heights, _) => Vec::new(),
+            (What::Over(..), []) => vec![Coordinate::Variable(0)],
+            (What::Over(..), [name]) => match axis(name, study)? {
                 Coordinate::Time => {
                     return Err(Refusal::new("--axes: an orbit diagram shows a variable, and t is none"));
                 }
                 variable => vec![variable],
             },
-            What::Section(plane) if named == 0 && variables > 2 => {
+            (What::Over(..), _) => {
+                return Err(Refusal::new(
+                    "--axes: an orbit diagram has one variable upwards, as in --axes x",
+                ));
+            }
+            (What::Section(plane), []) if variables > 2 => {
                 let plane = Plane::of(study.system(), &study.values()?, &self.eps()?, plane)?;
                 let others = (0..variables).filter(|k| Some(*k) != plane.last_variable());
                 others.take(2).map(Coordinate::Variable).collect()
             }
-            _ if named == 0 && variables == 1 => vec![Coordinate::Time, Coordinate::Variable(0)],
-            _ if named == 0 => (0..variables.min(3)).map(Coordinate::Variable).collect(),
-            _ if matches!(named, 2 | 3) => {
-                self.axes.iter().map(|name| axis(name, study)).collect::<Result<_, _>>()?
+            (_, []) if variables == 1 => vec![Coordinate::Time, Coordinate::Variable(0)],
+            (_, []) => (0..variables.min(3)).map(Coordinate::Variable).collect(),
+            (_, names @ ([_, _] | [_, _, _])) => {
+                names.iter().map(|name| axis(name, study)).collect::<Result<_, _>>()?
             }
-            _ => {
+            (_, names) => {
                 return Err(Refusal::new(format!(
-                    "--axes: a portrait has two axes or three, as in --axes x,y, and {named} given"
+                    "--axes: a portrait has two axes or three, as in --axes x,y, and {} given",
+                    names.len()
                 )));
             }
         })
@@ -209,38 +166,48 @@ impl Shown {
         )))
     }
 
+    /// The answers for these first points, each of which takes so many steps, as far as there is
+    /// time; and whether the time is up.
+    fn each<A>(
+        &self,
+        starts: &[Vec<Rational>],
+        steps: u64,
+        ask: impl Fn(Vec<Rational>, &Prompt) -> Result<A, StudyError>,
+    ) -> Result<(Vec<A>, bool), Refusal> {
+        let prompt = Prompt::new((starts.len() as u64).saturating_mul(steps), "steps").within(self.seconds);
+        let mut found = Vec::new();
+        for at in starts {
+            // The first orbit is asked for in any case, as it may be refused.
+            if prompt.is_over() && !found.is_empty() {
+                break;
+            }
+            found.push(ask(at.clone(), &prompt)?);
+            prompt.done(steps);
+        }
+        Ok((found, prompt.is_over()))
+    }
+
     /// Orbits, or where they cross a section.
     fn orbits(&self, study: &Study, plane: Option<&str>, look: &Look) -> Result<Drawn, Refusal> {
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len())?;
-        let pace = Pace::new((starts.len() as u64).saturating_mul(self.steps), self.seconds);
-        let (mut traces, mut ended) = (Vec::new(), 0);
-        for at in starts.iter().cloned() {
-            // The first orbit is asked for in any case, as it may be refused.
-            if pace.is_over() && !traces.is_empty() {
-                break;
-            }
-            let (trace, is_complete) = match plane {
-                None => {
-                    let mut trace = Trace::new(&axes);
-                    let asked = Question::Orbit(Orbit::new(eps.clone(), at, self.steps));
-                    let end = study.rows(&asked, 0..u64::MAX, &mut trace, &pace)?;
-                    (trace, end == End::Complete)
-                }
-                Some(plane) => {
-                    let asked = Section::new(eps.clone(), at, self.steps, plane);
-                    let found = Section { points: usize::MAX, ..asked }.ask(study, &pace)?;
-                    (Trace::of_section(&axes, &found), found.steps == self.steps)
-                }
+        let (traced, is_over) = self.each(&starts, self.steps, |at, prompt| {
+            let Some(plane) = plane else {
+                let mut trace = Trace::new(&axes);
+                let asked = Question::Orbit(Orbit::new(eps.clone(), at, self.steps));
+                let end = study.rows(&asked, 0..u64::MAX, &mut trace, prompt)?;
+                return Ok((trace, end == End::Complete));
             };
-            ended += usize::from(!is_complete);
-            traces.push(trace);
-            pace.done(self.steps);
-        }
-        let is_cut = pace.is_over() && (traces.len() < starts.len() || ended > 0);
+            let asked = Section::new(eps.clone(), at, self.steps, plane);
+            let found = Section { points: usize::MAX, ..asked }.ask(study, prompt)?;
+            Ok((Trace::of_section(&axes, &found), found.steps == self.steps))
+        })?;
+        let ended = traced.iter().filter(|(_, is_complete)| !is_complete).count();
+        let is_cut = is_over && (traced.len() < starts.len() || ended > 0);
         let seen = plane.map_or("Orbits".to_owned(), |plane| format!("The section {plane} = 0 of orbits"));
         let against = self.names(study)?.join(" and ");
         let described = format!("{seen} of {} at eps = {eps}, {against} against each other", study.name());
+        let traces = traced.into_iter().map(|(trace, _)| trace).collect();
         let picture = picture::portrait(described, study.variables(), traces, look);
         Ok(Drawn { picture, notes: notes(starts.len(), ended, is_cut) })
     }
@@ -249,21 +216,13 @@ impl Shown {
     fn over(&self, study: &Study, axis: &Axis, transient: u64, look: &Look) -> Result<Drawn, Refusal> {
         let (starts, values) = (self.spread.starts(&self.at), axis.range.count());
         self.check_points(starts.len() * values)?;
-        let each = transient.saturating_add(self.steps).saturating_mul(values as u64);
-        let pace = Pace::new(each.saturating_mul(starts.len() as u64), self.seconds);
+        let steps = transient.saturating_add(self.steps).saturating_mul(values as u64);
         let variable = self.names(study)?.pop();
-        let (mut found, mut is_cut) = (Vec::new(), false);
-        for at in starts.iter().cloned() {
-            if pace.is_over() && !found.is_empty() {
-                is_cut = true;
-                break;
-            }
+        let (found, _) = self.each(&starts, steps, |at, prompt| {
             let asked = Diagram::new(self.eps.clone(), at, axis.clone(), self.steps);
-            let diagram = Diagram { transient, variable: variable.clone(), ..asked }.ask(study, &pace)?;
-            is_cut |= diagram.stopped;
-            found.push(diagram);
-            pace.done(each);
-        }
+            Diagram { transient, variable: variable.clone(), ..asked }.ask(study, prompt)
+        })?;
+        let is_cut = found.len() < starts.len() || found.iter().any(|found| found.stopped);
         let ended = found.iter().map(|found| found.ended).sum();
         let picture = picture::diagram(&found, &axis.range, transient, look);
         Ok(Drawn { picture, notes: notes(starts.len() * values, ended, is_cut) })
@@ -276,9 +235,8 @@ impl Shown {
             return Err(Refusal::new("--kind heights follows one orbit; give one --at"));
         };
         let asked = Heights::new(eps.clone(), at.clone(), self.steps);
-        let prompt = Prompt::new(self.steps, "steps");
-        let found = Heights { seconds: self.seconds, ..asked }.ask(study, &prompt)?;
-        prompt.finish();
+        let asked = Heights { seconds: self.seconds, ..asked };
+        let found = asked.ask(study, &Prompt::new(self.steps, "steps"))?;
         let mut notes = vec![format!("growth is {}", found.survey.growth)];
         notes.extend(found.survey.stopped.map(|stop| {
             let why = match stop {
@@ -307,13 +265,11 @@ fn axis(name: &str, study: &Study) -> Result<Coordinate, Refusal> {
 
 /// What to say of orbits that end early, or that there was no time for.
 fn notes(orbits: usize, ended: usize, is_cut: bool) -> Vec<String> {
-    let mut notes = Vec::new();
     if is_cut {
-        notes.push(
-            "time ran out, and the picture shows what there was; a larger --seconds goes further".to_owned(),
-        );
-    } else if ended > 0 {
-        notes.push(format!("{ended} of {orbits} orbits end early, at a pole or beyond the range of doubles"));
+        let cut = "time ran out, and the picture shows what there was; a larger --seconds goes further";
+        return vec![cut.to_owned()];
     }
-    notes
+    let ended = (ended > 0)
+        .then(|| format!("{ended} of {orbits} orbits end early, at a pole or beyond the range of doubles"));
+    ended.into_iter().collect()
 }

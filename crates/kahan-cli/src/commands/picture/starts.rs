@@ -5,7 +5,7 @@ use std::fmt;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 
-use crate::printing::Refusal;
+use crate::printing::{Refusal, joined};
 use crate::reading::{is_number_file, point, points};
 
 /// What an `--at` gives.
@@ -48,10 +48,9 @@ impl At {
 
 impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let words = |point: &[Rational]| point.iter().map(ToString::to_string).collect::<Vec<_>>().join(",");
         match self {
-            At::Point(point) => f.write_str(&words(point)),
-            At::Line(from, to) => write!(f, "{}..{}", words(from), words(to)),
+            At::Point(point) => f.write_str(&joined(point, ",")),
+            At::Line(from, to) => write!(f, "{}..{}", joined(from, ","), joined(to, ",")),
         }
     }
 }

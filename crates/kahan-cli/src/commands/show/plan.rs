@@ -1,7 +1,8 @@
 //! `kahan show --plan`: what each generated function costs, and the step in straight lines.
 
 use kahan_algebra::kahan::TERM_BUDGET;
-use kahan_algebra::plan::{LARGEST_SIZE, Node, Operation, Plan};
+use kahan_algebra::plan::Operation::{self, Add, Divide, Multiply, MultiplyAdd};
+use kahan_algebra::plan::{LARGEST_SIZE, Node, Plan};
 use kahan_algebra::poly::Variable;
 use kahan_study::{Costs, Listing, Planned};
 
@@ -33,10 +34,9 @@ pub(super) fn text(planned: &Planned) -> String {
     for note in notes() {
         page.prose(&note);
     }
+    let [derived, written] = [planned.derive_ms, planned.plan_ms].map(Option::unwrap_or_default);
     page.prose(&format!(
-        "In this run the map was derived in {:.2} ms and the step was planned in {:.2} ms.",
-        planned.derive_ms.unwrap_or_default(),
-        planned.plan_ms.unwrap_or_default()
+        "In this run the map was derived in {derived:.2} ms and the step was planned in {written:.2} ms."
     ));
     let along_couplings = planned.derived.couplings.is_some();
     if along_couplings {
@@ -83,15 +83,13 @@ const GENERAL: &str = "This step is divided by the time step, which shortens the
 /// A step in three parts.
 fn step_section(page: &mut Page, name: &str, step: &Listing) {
     if step.constants.is_empty() {
-        page.section(&format!("constants of the {name}"), vec!["none".to_owned()]);
+        page.section(&format!("constants of the {name}"), ["none"]);
     } else {
-        page.section(&format!("constants of the {name}, computed once"), step.constants.clone());
+        page.section(&format!("constants of the {name}, computed once"), &step.constants);
     }
-    page.section(&format!("kernel of the {name}, for each state"), step.kernel.clone());
-    page.section(
-        if name == "step" { "next state" } else { "next state of the general step" },
-        step.next.clone(),
-    );
+    page.section(&format!("kernel of the {name}, for each state"), &step.kernel);
+    let next = if name == "step" { "next state" } else { "next state of the general step" };
+    page.section(next, &step.next);
     page.section(&format!("how far the {name} holds"), domain(step.holds_to));
 }
 
@@ -120,15 +118,12 @@ const ELIMINATION: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination with 
 
 /// What the columns mean.
 fn notes() -> Vec<String> {
-    let latency = |operation: fn(Node, Node) -> Operation| {
-        let inputs = [Operation::Input(Variable(0)), Operation::Input(Variable(1))];
-        let operations = inputs.into_iter().chain([operation(Node(0), Node(1))]).collect();
+    let [a, b] = [Node(0), Node(1)];
+    let cycles = [Add(a, b), Multiply(a, b), MultiplyAdd(a, b, a), Divide(a, b)].map(|operation| {
+        let operations = vec![Operation::Input(Variable(0)), Operation::Input(Variable(1)), operation];
         Plan { operations, outputs: vec![Node(2)] }.cost().critical_path
-    };
-    let add = latency(Operation::Add);
-    let multiply = latency(Operation::Multiply);
-    let fused = latency(|a, b| Operation::MultiplyAdd(a, b, a));
-    let divide = latency(Operation::Divide);
+    });
+    let [add, multiply, fused, divide] = cycles;
     vec![
         "all: operations where there is no multiply-add (fma), which then counts twice.".to_owned(),
         format!(

@@ -26,42 +26,31 @@ pub(super) fn text(sheet: &Sheet) -> String {
     page.section("b(x,eps) = x + eps B x + 2 eps c, and A(x,eps) x~ = b(x,eps)", column(&sheet.rhs));
     page.section("bilinear form Q(x,x')", column(&sheet.bilinear));
     match &sheet.determinant {
-        Some(determinant) => page.section("D = det A(x,eps)", vec![determinant.clone()]),
+        Some(determinant) => page.section("D = det A(x,eps)", [determinant]),
         None => page.section(
             &format!("D = det A(x,eps), not expanded: N and D exceed the budget of {TERM_BUDGET} terms"),
             matrix(&sheet.matrix, '|', '|'),
         ),
     }
     match &sheet.map {
-        Some(map) => {
-            page.section("map, over its common denominator in lowest terms", equations("~", map));
-        }
-        None => page.section(
-            "map",
-            vec![
-                "x~ = x + 2 eps A(x,eps)^-1 f(x), by minors of A or by elimination (--plan tells); det A = 0 counts as a pole"
-                    .to_owned(),
-            ],
-        ),
+        Some(map) => page.section("map, over its common denominator in lowest terms", equations("~", map)),
+        None => page.section("map", [MINORS]),
     }
     if let Some(factor) = &sheet.removed_factor {
-        page.section("divided out of N and D (a removable pole where it vanishes)", vec![factor.clone()]);
+        page.section("divided out of N and D (a removable pole where it vanishes)", [factor]);
     }
     if let Some(jacobian) = &sheet.jacobian {
         page.section("dx~/dx", matrix(jacobian, '[', ']'));
     }
-    page.section(
-        "Jacobian",
-        vec![
-            "dx~/dx = A(x,eps)^-1 A(x~,-eps)".to_owned(),
-            "det dx~/dx = det A(x~,-eps)/det A(x,eps)".to_owned(),
-        ],
-    );
+    page.section("Jacobian", ["dx~/dx = A(x,eps)^-1 A(x~,-eps)", "det dx~/dx = det A(x~,-eps)/det A(x,eps)"]);
     if !sheet.claims.is_empty() {
-        page.section("claims, proved", sheet.claims.iter().map(claim).collect());
+        page.section("claims, proved", sheet.claims.iter().map(claim));
     }
     page.text
 }
+
+/// The map where N and D are not written out.
+const MINORS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by minors of A or by elimination (--plan tells); det A = 0 counts as a pole";
 
 /// A claim with what there is to note behind it.
 fn claim(claim: &ClaimShown) -> String {

@@ -1,15 +1,12 @@
 //! `kahan verify`: every formula of the paper established again, or the claims of a field of one's
 //! own.
 
-mod lines;
-mod mutate;
+mod claims;
 mod summary;
-mod table;
 
 use clap::Args;
 use kahan_paper::Outcome;
-use kahan_study::{Study, Verdict, Verdicts, Verified, Verify as Question};
-use serde_json::json;
+use kahan_study::{Mutations, Study, Verdicts, Verified, Verify as Question};
 
 use super::line::Asking;
 use crate::printing::{Answer, Prompt, Refusal};
@@ -23,7 +20,17 @@ use crate::reading::Source;
 /// field of your own, or with --param, the claims of that block are proved. The exit status is 1 if
 /// a claim does not hold.
 #[derive(Args, Debug)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = "\
+Examples:
+  kahan verify
+  kahan verify --all
+  kahan verify e6
+  kahan verify e6 --json
+  kahan verify --system general
+  kahan verify --mutate
+  kahan verify e9 --param xi=1
+  kahan verify --field 'xdot = y; ydot = -x; integral H = x^2 + y^2;'
+  kahan verify --file field.txt --mutate")]
 pub(crate) struct Verify {
     #[command(flatten)]
     source: Source,
@@ -46,34 +53,15 @@ pub(crate) struct Verify {
     json: bool,
 }
 
-const EXAMPLES: &str = "\
-Examples:
-  kahan verify
-  kahan verify --all
-  kahan verify e6
-  kahan verify e6 --json
-  kahan verify --system general
-  kahan verify --mutate
-  kahan verify e9 --param xi=1
-  kahan verify --field 'xdot = y; ydot = -x; integral H = x^2 + y^2;'
-  kahan verify --file field.txt --mutate";
-
 impl Asking for Verify {
-    const COMMAND: &str = "verify";
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         Ok((self.source().study()?, Question { mutate: self.mutate }))
     }
-}
-
-impl Verify {
-    fn source(&self) -> Source {
-        self.about.clone().map_or_else(|| self.source.clone(), Source::of_system)
-    }
 
     /// One screen, a line a claim, the table, or one object; a complaint if a claim fails.
-    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+    fn run(&self) -> Result<Answer, Refusal> {
         let source = self.source();
         let prompt = Prompt::of("claims");
         let (asked, is_all) = (Question { mutate: self.mutate }, source == Source::default());
@@ -84,21 +72,20 @@ impl Verify {
         } else {
             asked.ask(&source.study()?, &prompt)?
         };
-        let answer = match &verified {
-            _ if self.json => Answer::json(&json!(verified)),
-            Verified::Mutations(mutations) => Answer::text(mutate::text(mutations)),
-            Verified::Claims(verdicts) if verdicts.claims.is_empty() => {
-                Answer::text(format!("{NO_CLAIMS}\n"))
-            }
-            Verified::Claims(verdicts) if self.all => Answer::text(table::text(verdicts)),
-            Verified::Claims(verdicts) if is_all => Answer::text(summary::text(verdicts)),
-            Verified::Claims(verdicts) => Answer::text(lines::text(verdicts)),
+        let text = |verified: &Verified| match verified {
+            Verified::Mutations(mutations) => mutated(mutations),
+            Verified::Claims(verdicts) if verdicts.claims.is_empty() => format!("{NO_CLAIMS}\n"),
+            Verified::Claims(verdicts) if self.all => claims::in_full(verdicts),
+            Verified::Claims(verdicts) if is_all => summary::text(verdicts),
+            Verified::Claims(verdicts) => claims::lines(verdicts),
         };
-        let complaint = match &verified {
-            Verified::Mutations(mutations) => mutate::complaint(mutations),
-            Verified::Claims(verdicts) => complaint(verdicts),
-        };
-        Ok(Answer { complaint, ..answer })
+        Ok(Answer::of(&verified, self.json, text).but(complaint(&verified)))
+    }
+}
+
+impl Verify {
+    fn source(&self) -> Source {
+        self.about.clone().map_or_else(|| self.source.clone(), Source::of_system)
     }
 }
 
@@ -115,13 +102,32 @@ fn totals(verdicts: &Verdicts) -> String {
     format!("{} {claims}: {}{} failed", verdicts.claims.len(), found.collect::<String>(), verdicts.failed)
 }
 
-/// The claims that do not hold.
-fn failed(verdicts: &Verdicts) -> impl Iterator<Item = &Verdict> {
-    verdicts.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed)
+/// How claims fared whose coefficients and signs were changed.
+fn mutated(answer: &Mutations) -> String {
+    let claims = answer.mutations.len();
+    if claims == 0 {
+        return format!("{NO_CLAIMS}\n");
+    }
+    let at_once = answer.mutations.iter().filter(|one| one.failed.is_some() && one.tried == 1).count();
+    let (survived, seconds) = (answer.survived, answer.seconds.unwrap_or_default());
+    let (failed, noun) = (claims - survived, if claims == 1 { "claim" } else { "claims" });
+    format!(
+        "{claims} {noun} mutated: {failed} failed, {at_once} of them at their first mutation; {survived} survived; {seconds:.2} s\n"
+    )
 }
 
-fn complaint(verdicts: &Verdicts) -> Option<String> {
-    let names: Vec<&str> = failed(verdicts).map(|verdict| verdict.id.as_str()).collect();
-    let (failed, claims) = (verdicts.failed, verdicts.claims.len());
-    (failed > 0).then(|| format!("{failed} of {claims} claims failed: {}", names.join(", ")))
+/// Which claims do not hold, or hold however they are changed.
+fn complaint(verified: &Verified) -> Option<String> {
+    let (claims, names, what): (_, Vec<&str>, _) = match verified {
+        Verified::Claims(Verdicts { claims, .. }) => {
+            let failed = claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
+            (claims.len(), failed.map(|verdict| &*verdict.id).collect(), "claims failed")
+        }
+        Verified::Mutations(Mutations { mutations, .. }) => {
+            let survivors = mutations.iter().filter(|mutated| mutated.failed.is_none());
+            let survivors = survivors.map(|mutated| &*mutated.id).collect();
+            (mutations.len(), survivors, "claims survive every mutation")
+        }
+    };
+    (!names.is_empty()).then(|| format!("{} of {claims} {what}: {}", names.len(), names.join(", ")))
 }

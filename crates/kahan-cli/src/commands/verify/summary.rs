@@ -4,9 +4,8 @@ use kahan_algebra::render::lines;
 use kahan_paper::{Claim, Outcome, Section};
 use kahan_study::{Verdict, Verdicts};
 
-use super::failed;
-use crate::printing::layout::page_width;
-use crate::printing::{columns, shorten, widths};
+use crate::printing::layout::{aligned, page_width, widths};
+use crate::printing::shorten;
 
 /// The most lines of it.
 const MOST_LINES: usize = 40;
@@ -25,11 +24,7 @@ pub(super) fn text(verdicts: &Verdicts) -> String {
     text.push(String::new());
     let more: Vec<String> = MORE.lines().map(str::to_owned).collect();
     let room = MOST_LINES - text.len() - more.len() - 1;
-    text.extend(if failed(verdicts).next().is_some() {
-        failures(verdicts, room)
-    } else {
-        misprints(verdicts)
-    });
+    text.extend(if verdicts.failed > 0 { failures(verdicts, room) } else { misprints(verdicts) });
     text.push(String::new());
     [text, more].concat().join("\n") + "\n"
 }
@@ -49,22 +44,19 @@ fn sections(verdicts: &Verdicts) -> Vec<String> {
         });
         [place.to_owned(), subject.to_owned()].into_iter().chain(numbers).take(2 + shown).collect()
     };
-    let mut rows: Vec<Vec<String>> =
-        vec![["", ""].iter().chain(&OUTCOMES[..shown]).map(|heading| (*heading).to_owned()).collect()];
-    rows.extend(
-        Section::ALL
-            .map(|section| row(section.place(), section.subject(), count(&|claim| claim.section == section))),
-    );
-    rows.push(row("All", &format!("{} claims", verdicts.claims.len()), total));
-    let widths = widths(&rows);
-    rows.iter().map(|row| columns(row, &widths)).collect()
+    let headings = ["", ""].iter().chain(&OUTCOMES[..shown]).map(|heading| (*heading).to_owned());
+    let of_section =
+        |section: Section| row(section.place(), section.subject(), count(&|claim| claim.section == section));
+    let all = row("All", &format!("{} claims", verdicts.claims.len()), total);
+    aligned(&[vec![headings.collect()], Section::ALL.map(of_section).to_vec(), vec![all]].concat())
 }
 
 /// What failed, in full as far as there is room for it.
 fn failures(verdicts: &Verdicts, room: usize) -> Vec<String> {
     let width = page_width();
     let mut text = vec!["What failed".to_owned()];
-    let failed: Vec<&Verdict> = failed(verdicts).collect();
+    let failed = verdicts.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
+    let failed: Vec<&Verdict> = failed.collect();
     for (index, row) in failed.iter().enumerate() {
         let said = [format!("{}: {}", row.source, row.statement), row.detail.clone()];
         let said = said.iter().flat_map(|line| lines(line, width - 2)).map(|line| format!("  {line}"));
@@ -84,22 +76,17 @@ fn misprints(verdicts: &Verdicts) -> Vec<String> {
     let corrected = verdicts.claims.iter().filter(|row| row.outcome == Outcome::Misprint);
     let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim.as_ref()).collect();
     corrected.sort_by_key(|claim| claim.erratum);
-    let rows: Vec<Vec<String>> = corrected
-        .iter()
-        .map(|claim| {
-            let number = claim.erratum.map_or_else(String::new, |erratum| erratum.to_string());
-            vec![number, claim.section.place().to_owned()]
-        })
-        .collect();
-    let mut widths = widths(&rows);
-    let room = page_width().saturating_sub(widths.iter().map(|width| width + 2).sum());
-    widths.push(room);
-    let rows = corrected.iter().zip(rows).map(|(claim, mut row)| {
+    let place = |claim: &&Claim| {
+        let number = claim.erratum.map_or_else(String::new, |erratum| erratum.to_string());
+        vec![number, claim.section.place().to_owned()]
+    };
+    let mut rows: Vec<Vec<String>> = corrected.iter().map(place).collect();
+    let room = page_width().saturating_sub(widths(&rows).iter().map(|width| width + 2).sum());
+    for (claim, row) in corrected.iter().zip(&mut rows) {
         let (printed, right) = claim.correction().expect("the claim corrects a misprint");
         row.push(replaced(&printed, &right, room));
-        columns(&row, &widths)
-    });
-    std::iter::once("Misprints: what is printed → what is right".to_owned()).chain(rows).collect()
+    }
+    [vec!["Misprints: what is printed → what is right".to_owned()], aligned(&rows)].concat()
 }
 
 /// `printed → right` in at most `room` characters: where that is too long, without the words that
@@ -110,7 +97,10 @@ fn replaced(printed: &str, right: &str, room: usize) -> String {
     let least = printed.len().min(right.len()) - first;
     let last = printed.iter().rev().zip(right.iter().rev()).take(least).take_while(|(a, b)| a == b).count();
     // What both define or equate need not be said twice.
-    let left_side = printed[..first].iter().rposition(|word| is_relation(word)).map_or(0, |at| at + 1);
+    let left_side = printed[..first]
+        .iter()
+        .rposition(|word| [":=", "=", "~", "!="].contains(word))
+        .map_or(0, |at| at + 1);
     let cut = |words: &[&str], first: usize, last: usize, before: bool| {
         let before = if before && first > 0 { "… " } else { "" };
         let after = if last > 0 { " …" } else { "" };
@@ -124,10 +114,6 @@ fn replaced(printed: &str, right: &str, room: usize) -> String {
     let shown = shown.map(|(printed, right)| format!("{printed} → {right}"));
     let fits = shown.iter().find(|shown| shown.chars().count() <= room);
     shorten(fits.unwrap_or(&shown[2]), room)
-}
-
-fn is_relation(word: &str) -> bool {
-    [":=", "=", "~", "!="].contains(&word)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use kahan_algebra::render::{folded, lines};
 
-use super::{after_commas, labelled_within, matrix_within, table_within};
+use super::{after_commas, labelled_within, matrix, table_within};
 
 fn rows(cells: &[&[&str]]) -> Vec<Vec<String>> {
     cells.iter().map(|row| row.iter().map(|cell| (*cell).to_owned()).collect()).collect()
@@ -55,11 +55,11 @@ fn a_vector_breaks_between_its_entries() {
 fn a_row_of_a_matrix_breaks_between_its_entries() {
     let entries = rows(&[&["1 + x", "22222", "3"], &["4", "5", "66666"]]);
     assert_eq!(
-        matrix_within(&entries, '[', ']', 18),
+        matrix(&entries, '[', ']', 18),
         ["[ 1 + x  22222", "      3 ]", "[     4      5", "  66666 ]"]
     );
     let wide = rows(&[&["1", &"9".repeat(30)], &["2", "3"]]);
-    assert_eq!(matrix_within(&wide, '[', ']', 18)[3], "  3 ]");
+    assert_eq!(matrix(&wide, '[', ']', 18)[3], "  3 ]");
 }
 
 #[test]

@@ -3,14 +3,14 @@
 //! The page is made here from short orbits and from outcomes that are given, so that it takes
 //! seconds without optimisation.
 
-#[path = "command/painting.rs"]
+#[path = "../../kahan-cli/tests/command/painting.rs"]
 mod painting;
 
 use std::collections::BTreeSet;
 
 use kahan_algebra::lexer::lex;
 use kahan_algebra::syntax::{ClaimBody, ClaimKind};
-use kahan_cli::atlas::{Checked, Found, Making, Orbits, page};
+use kahan_atlas::{Checked, Found, Making, Orbits, page};
 use kahan_paper::figures::{Figure, Measurement};
 use kahan_paper::{Claim, Established, Outcome, Paper};
 use kahan_systems::registry;
