@@ -183,7 +183,7 @@ pub(super) fn writer<W: Write + Send>(
     let meanings: BTreeMap<&str, &str> = meanings.collect();
     let seed = plan.seed().to_string();
     let said = [
-        (keys::PLAN, plan.canonical()),
+        (keys::PLAN, plan.canonical().to_owned()),
         (keys::HASH, hash.to_owned()),
         (keys::VERSION, env!("CARGO_PKG_VERSION").to_owned()),
         (keys::FLOATS, floats().to_owned()),
