@@ -328,7 +328,11 @@ fn output(mut table: Table<'_>, empty: &Rows) -> (u64, Option<Vec<usize>>) {
     let known = empty.columns.iter().enumerate().map(|(place, column)| (&*column.name, place));
     let known: Vec<(&str, usize)> = known.collect();
     let places = |given: Given<'_>| {
-        given.each().iter().filter_map(|one| one.one_of("there is no column", &known)).collect()
+        let columns = given.each();
+        if columns.is_empty() {
+            given.note("columns: there are none; name at least one, or leave `columns` out for all");
+        }
+        columns.iter().filter_map(|one| one.one_of("there is no column", &known)).collect()
     };
     let places = table.take("columns").map(places);
     table.finish();
