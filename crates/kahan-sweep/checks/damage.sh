@@ -52,7 +52,7 @@ RANDOM=7
 for ((i = 0; i < 40; i++)); do
     rm -rf damaged
     cp -r begun damaged
-    file=damaged/$(basename "$records") size=$(stat -c %s "$records")
+    file=damaged/${records#begun/} size=$(stat -c %s "$records")
     at=$(((RANDOM * 32768 + RANDOM) % size))
     if ((i % 2)); then
         printf 'X' | dd of="$file" bs=1 seek="$at" conv=notrunc status=none

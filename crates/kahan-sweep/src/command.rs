@@ -13,10 +13,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
 use crate::estimate::Estimate;
-use crate::files::{NoTable, RESULTS, folder_is_writable, merge, ranges, status, table};
-use crate::launcher::detect;
+use crate::files::{NoTable, RESULTS, Status, folder_is_writable, merge, ranges, status, table};
+use crate::launcher::{Launched, detect};
 use crate::plan::Plan;
-use crate::run::{End, Failure, Run, Shard};
+use crate::run::{End, Run, Shard};
 use crate::scripts;
 
 /// Runs a sweep of Kahan's maps: one plan, any number of machines, the same bytes.
@@ -101,21 +101,12 @@ Examples:
   kahan-sweep --read results/results.parquet --columns x,sali > rows.csv
   kahan-sweep plan.toml --out results --for slurm --shards 100 > job.sh";
 
-/// What a command ends with.
-struct Ended {
-    text: String,
-    complaint: String,
-    status: u8,
-}
+/// What is said, on the standard output or as an error, and the exit status.
+type Ended = Result<(String, u8), (String, u8)>;
 
-impl Ended {
-    fn well(text: impl Into<String>) -> Self {
-        Ended { text: text.into(), complaint: String::new(), status: 0 }
-    }
-
-    fn badly(complaint: impl Into<String>, status: u8) -> Self {
-        Ended { text: String::new(), complaint: complaint.into(), status }
-    }
+/// What is wrong with how the command was called.
+fn usage(why: impl Into<String>) -> (String, u8) {
+    (why.into(), 2)
 }
 
 /// Runs the command with these arguments, the program's name first.
@@ -127,12 +118,17 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
-    let ended = cli.ended();
-    print!("{}", ended.text);
-    if !ended.complaint.is_empty() {
-        eprintln!("error: {}", ended.complaint);
-    }
-    ExitCode::from(ended.status)
+    let status = match cli.ended() {
+        Ok((text, status)) => {
+            print!("{text}");
+            status
+        }
+        Err((why, status)) => {
+            eprintln!("error: {why}");
+            status
+        }
+    };
+    ExitCode::from(status)
 }
 
 impl Cli {
@@ -143,32 +139,28 @@ impl Cli {
         // Without --read, clap asks for it.
         let path = self.plan.as_deref().unwrap_or(Path::new("plan.toml"));
         let name = path.display().to_string();
-        let text = match fs::read_to_string(path) {
-            Ok(text) => text,
-            Err(error) => return Ended::badly(format!("{name} cannot be read: {error}"), 2),
-        };
-        let plan = match Plan::read(&text, &name) {
-            Ok(plan) => plan,
-            Err(mistakes) => return Ended::badly(mistakes.to_string(), 2),
-        };
+        let text = fs::read_to_string(path);
+        let text = text.map_err(|error| usage(format!("{name} cannot be read: {error}")))?;
+        let plan = Plan::read(&text, &name).map_err(usage)?;
         let out = self.out.as_deref().unwrap_or(Path::new("results"));
         if let Some(scheduler) = self.scheduler {
             let shards = self.shards.unwrap_or(1);
-            return Ended::well(match scheduler {
+            let text = match scheduler {
                 Scheduler::Slurm => scripts::slurm(path, out, shards),
                 Scheduler::Kubernetes => scripts::kubernetes(path, shards),
-            });
+            };
+            return Ok((text, 0));
         }
         if self.dry_run {
             let estimate = Estimate::of(&plan);
-            return Ended::well(if self.json { format!("{:#}\n", estimate.json()) } else { estimate.text() });
+            return Ok((if self.json { format!("{:#}\n", estimate.json()) } else { estimate.text() }, 0));
         }
         if self.status {
-            return self.status(&plan, out);
+            return Ok(self.status(&plan, out));
         }
-        if let Err(error) = folder_is_writable(out) {
-            return Ended::badly(format!("--out: nothing can be written into {}: {error}", out.display()), 2);
-        }
+        folder_is_writable(out).map_err(|error| {
+            usage(format!("--out: nothing can be written into {}: {error}", out.display()))
+        })?;
         if self.merge { merged(&plan, out) } else { self.compute(&plan, out) }
     }
 
@@ -176,63 +168,59 @@ impl Cli {
         let mut to = BufWriter::new(stdout().lock());
         let written = table(path, &self.columns, &mut to);
         match written.and_then(|()| to.flush().map_err(NoTable::Unwritten)) {
-            Ok(()) => Ended::well(""),
             // Who reads has read enough.
-            Err(NoTable::Unwritten(error)) if error.kind() == ErrorKind::BrokenPipe => Ended::well(""),
-            Err(NoTable::Unwritten(error)) => Ended::badly(format!("the rows cannot be written: {error}"), 1),
-            Err(NoTable::Unreadable(why)) => Ended::badly(why, 2),
+            Err(NoTable::Unwritten(error)) if error.kind() != ErrorKind::BrokenPipe => {
+                Err((format!("the rows cannot be written: {error}"), 1))
+            }
+            Err(NoTable::Unreadable(why)) => Err(usage(why)),
+            _ => Ok((String::new(), 0)),
         }
     }
 
-    fn status(&self, plan: &Plan, out: &Path) -> Ended {
+    fn status(&self, plan: &Plan, out: &Path) -> (String, u8) {
         let bar = bar(plan.parts(), "parts");
-        let status = status(plan, out, || bar.inc(1));
+        let Status { done, missing, refused } = status(plan, out, || bar.inc(1));
         bar.finish_and_clear();
-        let is_whole = status.missing.is_empty() && status.refused.is_empty();
-        let refused: Vec<&String> = status.refused.iter().map(|(_, why)| why).collect();
+        let is_whole = done == plan.parts();
         let text = if self.json {
             let object = json!({
-                "points": plan.points(), "parts": plan.parts(), "done": status.done, "missing": status.missing,
+                "points": plan.points(), "parts": plan.parts(), "done": done, "missing": missing,
                 "refused": refused, "plan": plan.hash(),
             });
             format!("{object:#}\n")
         } else {
-            let mut lines = vec![format!("{} of {} parts are done", status.done, plan.parts())];
-            if !status.missing.is_empty() {
-                lines.push(format!("missing: {}", ranges(&status.missing)));
+            let mut lines = vec![format!("{done} of {} parts are done", plan.parts())];
+            if !missing.is_empty() {
+                lines.push(format!("missing: {}", ranges(&missing)));
             }
-            lines.extend(refused.into_iter().cloned());
+            lines.extend(refused);
             lines.join("\n") + "\n"
         };
-        Ended { text, complaint: String::new(), status: u8::from(!is_whole) }
+        (text, u8::from(!is_whole))
+    }
+
+    /// Which shard this is, and how many processes of the sweep there are on this machine.
+    fn shard(&self) -> Result<(Shard, usize), String> {
+        let said = self.shard.as_deref();
+        if let Some(text) = said.filter(|text| *text != "auto") {
+            let why = || format!("--shard {text}: write i/n, the i-th of n shards, as in 3/10");
+            return shard(text).map(|shard| (shard, 1)).ok_or_else(why);
+        }
+        match detect(&|name| std::env::var(name))? {
+            Some(Launched { shard, sentence, beside }) => {
+                // In one write: launchers mix what their tasks say at the same time.
+                eprint!("{}", sentence + "\n");
+                Ok((shard, beside))
+            }
+            None if said.is_some() => {
+                Err("--shard auto: no launcher is recognised here; give --shard i/n".to_owned())
+            }
+            None => Ok((Shard::WHOLE, 1)),
+        }
     }
 
     fn compute(&self, plan: &Plan, out: &Path) -> Ended {
-        let launched = match self.shard.as_deref() {
-            Some(text) if text != "auto" => None::<Result<_, String>>,
-            _ => detect(&|name| std::env::var(name)),
-        };
-        let (shard, beside) = match (self.shard.as_deref(), launched) {
-            (_, Some(Ok(launched))) => {
-                // In one write: launchers mix what their tasks say at the same time.
-                eprint!("{}", launched.sentence + "\n");
-                (launched.shard, launched.beside)
-            }
-            (_, Some(Err(why))) => return Ended::badly(why, 2),
-            (Some("auto"), None) => {
-                return Ended::badly("--shard auto: no launcher is recognised here; give --shard i/n", 2);
-            }
-            (Some(text), None) => match shard(text) {
-                Some(shard) => (shard, 1),
-                None => {
-                    return Ended::badly(
-                        format!("--shard {text}: write i/n, the i-th of n shards, as in 3/10"),
-                        2,
-                    );
-                }
-            },
-            (None, None) => (Shard::WHOLE, 1),
-        };
+        let (shard, beside) = self.shard().map_err(usage)?;
         let threads = self.threads.map(|threads| threads as usize).or_else(|| {
             let cores = std::thread::available_parallelism().ok()?.get();
             Some((cores / beside).max(1))
@@ -255,28 +243,20 @@ impl Cli {
         };
         let end = run.shard(shard);
         bar.finish_and_clear();
-        match end {
-            Ok(End::Done) if shard == Shard::WHOLE => merged(plan, out),
-            Ok(End::Done) => {
-                let parts = shard.parts(plan).count();
-                Ended::well(format!(
-                    "shard {} of {}: {parts} parts are in {}; when all shards are done, --merge joins them\n",
-                    shard.index + 1,
-                    shard.of,
-                    out.display()
-                ))
+        match end.map_err(|why| (why, 1))? {
+            End::Interrupted => {
+                Err(("interrupted; the same command goes on where this stopped".to_owned(), 130))
             }
-            Ok(End::Interrupted) => {
-                Ended::badly("interrupted; the same command goes on where this stopped", 130)
-            }
-            Err(Failure::Foreign(why)) => Ended::badly(why, 1),
-            Err(Failure::Disk(error)) => Ended::badly(
-                format!(
-                    "{} cannot be written: {error}; what is done is kept, and the same command goes on",
+            End::Done if shard == Shard::WHOLE => merged(plan, out),
+            End::Done => {
+                let (Shard { index, of }, parts) = (shard, shard.parts(plan).count());
+                let text = format!(
+                    "shard {} of {of}: {parts} parts are in {}; when all shards are done, --merge joins them\n",
+                    index + 1,
                     out.display()
-                ),
-                1,
-            ),
+                );
+                Ok((text, 0))
+            }
         }
     }
 }
@@ -285,15 +265,9 @@ fn merged(plan: &Plan, out: &Path) -> Ended {
     let bar = bar(plan.parts(), "parts");
     let merged = merge(plan, out, || bar.inc(1));
     bar.finish_and_clear();
-    match merged {
-        Ok(bytes) => Ended::well(format!(
-            "{} written: {} points, {:.1} MB\n",
-            out.join(RESULTS).display(),
-            plan.points(),
-            bytes as f64 / 1e6
-        )),
-        Err(reasons) => Ended::badly(reasons.join("\nerror: "), 1),
-    }
+    let bytes = merged.map_err(|reasons| (reasons.join("\nerror: "), 1))?;
+    let (results, size) = (out.join(RESULTS), bytes as f64 / 1e6);
+    Ok((format!("{} written: {} points, {size:.1} MB\n", results.display(), plan.points()), 0))
 }
 
 /// `3/10`.

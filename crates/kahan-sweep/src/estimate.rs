@@ -9,17 +9,15 @@ use crate::plan::Plan;
 
 /// What a sweep will take.
 #[derive(Clone, Debug)]
-pub(crate) struct Estimate {
-    pub(crate) points: u64,
-    pub(crate) parts: u64,
-    pub(crate) columns: Vec<String>,
+pub(crate) struct Estimate<'a> {
+    plan: &'a Plan,
     /// Of the merged file; the parts take as much again.
-    pub(crate) bytes: f64,
+    bytes: f64,
     /// Of one core.
-    pub(crate) core_seconds: f64,
-    pub(crate) cores: usize,
+    core_seconds: f64,
+    cores: usize,
     /// How many points were measured.
-    pub(crate) measured: u64,
+    measured: u64,
 }
 
 /// How long points are measured.
@@ -27,8 +25,8 @@ const MEASURED: Duration = Duration::from_millis(500);
 /// The most neighbours that are measured together.
 const TOGETHER: u64 = 256;
 
-impl Estimate {
-    pub(crate) fn of(plan: &Plan) -> Self {
+impl<'a> Estimate<'a> {
+    pub(crate) fn of(plan: &'a Plan) -> Self {
         let points = plan.points();
         let begun = Instant::now();
         let (mut measured, mut bytes, mut seconds) = (0u64, 0u64, 0.0);
@@ -50,28 +48,28 @@ impl Estimate {
             seconds += took.as_secs_f64();
             place += 1;
         }
-        let each = seconds / measured as f64;
+        let of_all = |measure: f64| measure / measured as f64 * points as f64;
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        Estimate {
-            points,
-            parts: plan.parts(),
-            columns: plan.empty.columns.iter().map(|column| column.name.clone()).collect(),
-            bytes: bytes as f64 / measured as f64 * points as f64,
-            core_seconds: each * points as f64,
-            cores,
-            measured,
-        }
+        Estimate { plan, bytes: of_all(bytes as f64), core_seconds: of_all(seconds), cores, measured }
+    }
+
+    fn columns(&self) -> Vec<&str> {
+        self.plan.empty.columns.iter().map(|column| &*column.name).collect()
+    }
+
+    fn seconds(&self) -> f64 {
+        self.core_seconds / self.cores as f64
     }
 
     pub(crate) fn json(&self) -> Value {
         json!({
-            "points": self.points,
-            "parts": self.parts,
-            "columns": self.columns,
+            "points": self.plan.points(),
+            "parts": self.plan.parts(),
+            "columns": self.columns(),
             "bytes": self.bytes,
             "core_seconds": self.core_seconds,
             "cores": self.cores,
-            "seconds": self.core_seconds / self.cores as f64,
+            "seconds": self.seconds(),
             "points_measured": self.measured,
         })
     }
@@ -79,11 +77,11 @@ impl Estimate {
     pub(crate) fn text(&self) -> String {
         format!(
             "points     {}\nparts      {}\ncolumns    {}\nsize       {}, and as much again in parts\ntime       {} on the {} cores of this machine, {} on one; measured on {} points\n",
-            self.points,
-            self.parts,
-            self.columns.join(", "),
+            self.plan.points(),
+            self.plan.parts(),
+            self.columns().join(", "),
             size_in_words(self.bytes),
-            time_in_words(self.core_seconds / self.cores as f64),
+            time_in_words(self.seconds()),
             self.cores,
             time_in_words(self.core_seconds),
             self.measured
@@ -104,7 +102,7 @@ fn size_in_words(bytes: f64) -> String {
     unit.map_or_else(|| format!("{bytes:.0} bytes"), |(size, unit)| format!("{:.1} {unit}", bytes / size))
 }
 
-pub(crate) fn time_in_words(seconds: f64) -> String {
+fn time_in_words(seconds: f64) -> String {
     let units = [(86_400.0 * 365.25, "years"), (86_400.0, "days"), (3_600.0, "hours"), (60.0, "minutes")];
     let unit = units.into_iter().find(|(size, _)| seconds >= 2.0 * size);
     unit.map_or_else(

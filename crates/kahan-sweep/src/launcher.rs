@@ -15,7 +15,7 @@ pub(crate) struct Launched {
 }
 
 /// How many shards there are, where a launcher does not say it.
-pub(crate) const SHARDS: &str = "KAHAN_SHARDS";
+const SHARDS: &str = "KAHAN_SHARDS";
 /// Which shard this is, from 0 on, by launchers that this does not know.
 const INDEX: &str = "KAHAN_SHARD_INDEX";
 
@@ -47,29 +47,38 @@ struct Place {
     of: u64,
 }
 
-/// Looks at an environment; `None` where no launcher is recognised, a sentence where one says too
-/// little.
+/// Looks at an environment; `None` where no launcher is recognised.
 ///
 /// The tasks of an array may start processes in their turn, as by MPI: each is then one of all the
 /// processes of all the tasks.
-pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Option<Result<Launched, String>> {
+///
+/// # Errors
+/// A sentence, where a launcher says too little.
+pub(crate) fn detect(get: &dyn Fn(&str) -> Result<String, VarError>) -> Result<Option<Launched>, String> {
     let number = |name: &str| get(name).ok()?.trim().parse::<u64>().ok();
-    let beside = number("OMPI_COMM_WORLD_LOCAL_SIZE").or_else(|| number("MPI_LOCALNRANKS")).unwrap_or(1);
-    let own = number(INDEX).map(|index| Place::new("a launcher", INDEX, Some(index), number(SHARDS)));
-    let places = match own {
-        Some(own) => vec![own],
-        None => ARRAYS
-            .iter()
-            .find_map(|array| task(array, &number))
-            .into_iter()
-            .chain(rank(get("SLURM_STEP_ID").is_ok(), &number))
-            .collect(),
+    let places: Vec<Place> = match number(INDEX) {
+        Some(own) => vec![Place::new("a launcher", INDEX, Some(own), number(SHARDS))?],
+        None => {
+            let task = ARRAYS.iter().find_map(|array| task(array, &number));
+            let rank = rank(get("SLURM_STEP_ID").is_ok(), &number);
+            task.into_iter().chain(rank).collect::<Result<_, _>>()?
+        }
     };
-    let places: Result<Vec<Place>, String> = places.into_iter().collect();
-    match places {
-        Ok(places) if places.is_empty() => None,
-        places => Some(places.map(|places| launched(&places, beside.max(1) as usize))),
+    if places.is_empty() {
+        return Ok(None);
     }
+    // One place within the other, the last one fastest.
+    let shard = places.iter().fold(Shard::WHOLE, |Shard { index, of }, place| Shard {
+        index: index * place.of + place.index,
+        of: of * place.of,
+    });
+    let words = |Place { launcher, variable, index, of }: &Place| {
+        format!("{launcher} started this as task {} of {of} ({variable})", index + 1)
+    };
+    let words = places.iter().map(words).collect::<Vec<_>>().join(", and within it ");
+    let sentence = format!("{words}: it computes shard {} of {}", shard.index + 1, shard.of);
+    let beside = number("OMPI_COMM_WORLD_LOCAL_SIZE").or_else(|| number("MPI_LOCALNRANKS")).unwrap_or(1);
+    Ok(Some(Launched { shard, sentence, beside: beside.max(1) as usize }))
 }
 
 /// The task of an array.
@@ -106,32 +115,14 @@ impl Place {
         index: Option<u64>,
         of: Option<u64>,
     ) -> Result<Self, String> {
-        let Some(of) = of else {
-            return Err(format!(
-                "{launcher} says by {variable} which task this is, and not how many there are; set {SHARDS} to their number, or give --shard i/n"
-            ));
-        };
-        match index.filter(|index| *index < of) {
-            Some(index) => Ok(Place { launcher, variable, index, of }),
-            None => Err(format!(
-                "{launcher} says by {variable} that this is a task beyond the {of} that there are; give --shard i/n"
-            )),
-        }
+        let of = of.ok_or_else(|| {
+            format!("{launcher} says by {variable} which task this is, and not how many there are; set {SHARDS} to their number, or give --shard i/n")
+        })?;
+        let index = index.filter(|index| *index < of).ok_or_else(|| {
+            format!("{launcher} says by {variable} that this is a task beyond the {of} that there are; give --shard i/n")
+        })?;
+        Ok(Place { launcher, variable, index, of })
     }
-}
-
-/// One place within the other, the last one fastest.
-fn launched(places: &[Place], beside: usize) -> Launched {
-    let shard = places.iter().fold(Shard::WHOLE, |Shard { index, of }, place| Shard {
-        index: index * place.of + place.index,
-        of: of * place.of,
-    });
-    let words = |Place { launcher, variable, index, of }: &Place| {
-        format!("{launcher} started this as task {} of {of} ({variable})", index + 1)
-    };
-    let words = places.iter().map(words).collect::<Vec<_>>().join(", and within it ");
-    let sentence = format!("{words}: it computes shard {} of {}", shard.index + 1, shard.of);
-    Launched { shard, sentence, beside }
 }
 
 #[cfg(test)]
@@ -143,7 +134,7 @@ mod tests {
             let value = variables.iter().find(|(known, _)| *known == name);
             value.map(|(_, value)| (*value).to_owned()).ok_or(VarError::NotPresent)
         };
-        detect(&get).map(|found| found.map(|launched| (launched.shard.index, launched.shard.of)))
+        detect(&get).transpose().map(|found| found.map(|launched| (launched.shard.index, launched.shard.of)))
     }
 
     #[test]

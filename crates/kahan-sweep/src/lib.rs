@@ -16,4 +16,4 @@ mod run;
 mod scripts;
 
 pub use command::run;
-pub use plan::{Mistake, Mistakes, Plan};
+pub use plan::Plan;

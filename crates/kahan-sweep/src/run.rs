@@ -3,8 +3,8 @@
 use std::io;
 use std::ops::{ControlFlow, Range};
 use std::path::Path;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use kahan_runtime::threads::for_each;
@@ -38,21 +38,11 @@ pub(crate) enum End {
     Interrupted,
 }
 
-/// Why a shard could not be run.
-#[derive(Debug)]
-pub(crate) enum Failure {
-    Foreign(String),
-    Disk(io::Error),
-}
-
-impl From<io::Error> for Failure {
-    fn from(error: io::Error) -> Self {
-        Failure::Disk(error)
-    }
-}
-
 /// How often what is done is noted, and how long a thread keeps rows to itself.
 const NOTED: Duration = Duration::from_secs(8);
+
+/// Why a lock is not poisoned.
+const PANIC: &str = "a thread that panics ends the process";
 
 /// A shard at work.
 pub(crate) struct Run<'a> {
@@ -69,37 +59,40 @@ pub(crate) struct Run<'a> {
 
 impl Run<'_> {
     /// Computes the parts of a shard that are not there.
-    pub(crate) fn shard(&self, shard: Shard) -> Result<End, Failure> {
-        let hash = self.plan.hash();
+    ///
+    /// # Errors
+    /// In words: parts of another plan, or a disk that takes no more.
+    pub(crate) fn shard(&self, shard: Shard) -> Result<End, String> {
         for index in shard.parts(self.plan) {
-            let part = Part::of(self.plan, &hash, index, self.folder);
-            if part.exists() {
-                match part.checked() {
-                    Ok(_) => {
-                        let rows = self.plan.part(index);
-                        (self.progress)(rows.end - rows.start);
-                        // Another process may have written it while this one's notes were there.
-                        part.tidy();
-                        continue;
-                    }
-                    Err(Unusable::Foreign(reason)) => return Err(Failure::Foreign(reason)),
-                    Err(Unusable::Damaged(reason)) => {
-                        (self.say)(
-                            &reason.replace("delete it, and run its shard again", "it is computed again"),
-                        );
-                    }
+            let part = Part::of(self.plan, index, self.folder);
+            match part.exists().then(|| part.checked()) {
+                None => {}
+                Some(Ok(_)) => {
+                    let rows = self.plan.part(index);
+                    (self.progress)(rows.end - rows.start);
+                    // Another process may have written it while this one's notes were there.
+                    part.tidy();
+                    continue;
                 }
+                Some(Err(Unusable::Damaged(why))) => (self.say)(&format!("{why}; it is computed again")),
+                Some(Err(foreign)) => return Err(foreign.to_string()),
             }
-            if self.part(&part, &hash)? == End::Interrupted {
-                return Ok(End::Interrupted);
+            let end = self.part(&part).map_err(|error| {
+                let folder = self.folder.display();
+                format!(
+                    "{folder} cannot be written: {error}; what is done is kept, and the same command goes on"
+                )
+            })?;
+            if end == End::Interrupted {
+                return Ok(end);
             }
         }
         Ok(End::Done)
     }
 
-    fn part(&self, part: &Part<'_>, hash: &str) -> Result<End, Failure> {
+    fn part(&self, part: &Part<'_>) -> io::Result<End> {
         let indices = self.plan.part(part.index);
-        let done = known(Journal::noted(part, hash, &self.plan.empty), &indices);
+        let done = known(Journal::noted(part), &indices);
         (self.progress)(done.iter().map(|(_, rows)| rows.count() as u64).sum());
         // Several for each thread, so that none is left with much where others are done.
         let threads = self.threads.unwrap_or(1) as u64;
@@ -107,15 +100,10 @@ impl Run<'_> {
         let [least, most] = self.plan.at_once();
         let chunk = (rows / (8 * threads)).clamp(least, most);
         let chunks = chunks(&done, &indices, chunk);
-        let work = Mutex::new(Work {
-            done,
-            unnoted: 0,
-            journal: Journal::of(part, hash),
-            noted: Instant::now(),
-            has_failed: false,
-        });
+        let (journal, noted) = (Journal::of(part), Instant::now());
+        let work = Mutex::new(Work { done, unnoted: 0, journal, noted, has_failed: false });
         for_each(chunks.len(), self.threads, &|chunk| self.chunk(chunks[chunk].clone(), &work));
-        let mut work = work.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let mut work = work.into_inner().expect(PANIC);
         if self.stop.load(Ordering::Relaxed) {
             work.note()?;
             return Ok(End::Interrupted);
@@ -141,7 +129,7 @@ impl Run<'_> {
                 continue;
             }
             (self.progress)(count);
-            if let Some(error) = locked(work).take(next, made) {
+            if let Some(error) = work.lock().expect(PANIC).take(next, made) {
                 (self.say)(&format!(
                     "what is done cannot be noted in {}: {error}; it is kept in memory, and noted as soon as that works",
                     self.folder.display()
@@ -199,11 +187,6 @@ impl Work {
         self.unnoted = 0;
         Ok(())
     }
-}
-
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    // A thread that panics ends the process, and leaves nothing half done here.
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// What was noted, each row once.

@@ -346,6 +346,7 @@ fn every_mistake_of_a_plan_is_told_with_its_line() {
         (("order = [2, 4]", "order = [2, 3]"), "order: 3 is none of 2, 4, 6, 8"),
         (("\"drift\"", "\"drifts\""), "no observer `drifts`"),
         (("rows_per_part = 97", "rows_per_part = 97000000"), "rows_per_part is a whole number"),
+        (("rows_per_part = 97", "columns = []"), "name at least one"),
         (("points = 5", "points = 5000000000"), "too many for one file"),
         (("seed = 3", "seed = 3\nseed = 4"), "duplicate key"),
     ] {

@@ -1,18 +1,18 @@
 //! What is done of a part that is under way, so that a process that ends loses little.
 //!
-//! Records are appended, each with its checksum; what a killed process wrote by halves is passed
+//! Records are appended: kind, first row, rows, bytes, checksum, and the bytes of the rows. What a killed process wrote by halves is passed
 //! over. Each process has files of its own, and all go when the part is there.
 //! Records of another plan, version or kind of floats are passed over, too.
 
 use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 use kahan_study::{Kept, Table};
 use sha2::{Digest, Sha256};
 
 use super::Part;
-use super::part::{files, floats, fresh};
+use super::part::{FLOATS, VERSION, files, fresh};
 
 /// The record file of one process for one part.
 pub(crate) struct Journal {
@@ -25,23 +25,21 @@ pub(crate) struct Journal {
 const BEGIN: &str = "notes-";
 const END: &str = ".bin";
 
-/// The beginning of every record: kind, first row, rows, bytes, checksum.
-const HEAD: usize = 8 + 8 + 8 + 8 + 4;
-
 impl Journal {
     /// For a part.
-    pub(crate) fn of(part: &Part<'_>, hash: &str) -> Self {
-        Self { folder: part.under_way(), file: None, kind: kind(hash) }
+    pub(crate) fn of(part: &Part<'_>) -> Self {
+        Self { folder: part.under_way(), file: None, kind: kind(part) }
     }
 
     /// What processes before have noted of a part: first rows and rows, in no order.
-    pub(crate) fn noted(part: &Part<'_>, hash: &str, empty: &Table) -> Vec<(u64, Table)> {
+    pub(crate) fn noted(part: &Part<'_>) -> Vec<(u64, Table)> {
         let mut noted = Vec::new();
         for path in files(&part.under_way(), BEGIN, END) {
-            let mut bytes = Vec::new();
             // What cannot be read is computed again.
-            if File::open(&path).and_then(|mut file| file.read_to_end(&mut bytes)).is_ok() {
-                read(&bytes, kind(hash), empty, &mut noted);
+            let bytes = std::fs::read(path).unwrap_or_default();
+            let mut rest = Bytes(&bytes);
+            while let Some(record) = rest.record(kind(part), &part.plan.empty) {
+                noted.extend(record);
             }
         }
         noted
@@ -59,15 +57,10 @@ impl Journal {
         };
         for (first, rows) in done {
             let body = encode(rows);
-            let mut record = Vec::with_capacity(HEAD + body.len());
-            record.extend(self.kind);
-            record.extend(first.to_le_bytes());
-            record.extend((rows.count() as u64).to_le_bytes());
-            record.extend((body.len() as u64).to_le_bytes());
-            let mut hasher = crc32fast::Hasher::new();
-            hasher.update(&record);
-            hasher.update(&body);
-            record.extend(hasher.finalize().to_le_bytes());
+            let mut record = self.kind.to_vec();
+            let numbers = [*first, rows.count() as u64, body.len() as u64];
+            record.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+            record.extend(checksum(&record, &body).to_le_bytes());
             record.extend(body);
             file.write_all(&record)?;
         }
@@ -79,35 +72,17 @@ impl Journal {
 
 /// What tells records that belong together from others: the plan's hash, the version of this
 /// program and how it computes with floats.
-fn kind(hash: &str) -> [u8; 8] {
-    let digest = Sha256::digest([hash, env!("CARGO_PKG_VERSION"), floats()].join("\n"));
+fn kind(part: &Part<'_>) -> [u8; 8] {
+    let digest = Sha256::digest([&part.plan.hash(), VERSION, FLOATS].join("\n"));
     std::array::from_fn(|place| digest[place])
 }
 
-/// The records of a file, up to the first that is not whole.
-fn read(mut bytes: &[u8], kind: [u8; 8], empty: &Table, noted: &mut Vec<(u64, Table)>) {
-    while let Some((head, rest)) = bytes.split_at_checked(HEAD) {
-        let number = |at: usize| u64::from_le_bytes(head[at..at + 8].try_into().unwrap_or_default());
-        let (first, count, length) = (number(8), number(16), number(24));
-        let stated = u32::from_le_bytes(head[32..].try_into().unwrap_or_default());
-        let Some((body, rest)) =
-            usize::try_from(length).ok().and_then(|length| rest.split_at_checked(length))
-        else {
-            return;
-        };
-        let mut hasher = crc32fast::Hasher::new();
-        hasher.update(&head[..32]);
-        hasher.update(body);
-        if hasher.finalize() != stated {
-            return;
-        }
-        if head[..8] == kind
-            && let Some(rows) = decode(body, count as usize, empty)
-        {
-            noted.push((first, rows));
-        }
-        bytes = rest;
-    }
+/// The CRC-32 of a record: of what stands before it, and of the rows behind it.
+fn checksum(head: &[u8], body: &[u8]) -> u32 {
+    let mut hasher = crc32fast::Hasher::new();
+    hasher.update(head);
+    hasher.update(body);
+    hasher.finalize()
 }
 
 fn encode(rows: &Table) -> Vec<u8> {
@@ -128,33 +103,52 @@ fn encode(rows: &Table) -> Vec<u8> {
     bytes
 }
 
-fn decode(mut bytes: &[u8], count: usize, empty: &Table) -> Option<Table> {
-    let mut take = |length: usize| {
-        let (taken, rest) = bytes.split_at_checked(length)?;
-        bytes = rest;
+/// What is left of bytes that are read from their beginning; `None` where there are not so many.
+struct Bytes<'a>(&'a [u8]);
+
+impl<'a> Bytes<'a> {
+    fn take(&mut self, length: usize) -> Option<&'a [u8]> {
+        let (taken, rest) = self.0.split_at_checked(length)?;
+        self.0 = rest;
         Some(taken)
-    };
-    let mut values = Vec::new();
-    for kept in &empty.values {
-        values.push(match kept {
-            Kept::Integer(_) => {
-                let words = take(8 * count)?.as_chunks().0;
-                Kept::Integer(words.iter().map(|word| i64::from_le_bytes(*word)).collect())
-            }
-            Kept::F64(_) => {
-                let words = take(8 * count)?.as_chunks().0;
-                Kept::F64(words.iter().map(|word| f64::from_le_bytes(*word)).collect())
-            }
-            Kept::Text(_) => {
-                let mut list = Vec::new();
-                for _ in 0..count {
-                    let length = u64::from_le_bytes(take(8)?.try_into().ok()?);
-                    list.push(String::from_utf8(take(usize::try_from(length).ok()?)?.to_vec()).ok()?);
-                }
-                Kept::Text(list)
-            }
-            other => unreachable!("no sweep has a column of {other:?}"),
-        });
     }
-    bytes.is_empty().then(|| Table { columns: empty.columns.clone(), values })
+
+    fn words<T>(&mut self, count: usize, of: fn([u8; 8]) -> T) -> Option<Vec<T>> {
+        (0..count).map(|_| Some(of(self.take(8)?.try_into().ok()?))).collect()
+    }
+
+    fn number(&mut self) -> Option<u64> {
+        self.words(1, u64::from_le_bytes)?.pop()
+    }
+
+    fn text(&mut self) -> Option<String> {
+        let length = self.number()?.try_into().ok()?;
+        String::from_utf8(self.take(length)?.to_vec()).ok()
+    }
+
+    /// The next record, if all of it is there: its rows, if they are of this kind.
+    fn record(&mut self, kind: [u8; 8], empty: &Table) -> Option<Option<(u64, Table)>> {
+        let record = self.0;
+        let is_of_kind = self.take(8)? == kind;
+        let (first, count, length) = (self.number()?, self.number()?, self.number()?);
+        let stated = self.take(4)?;
+        let body = self.take(length.try_into().ok()?)?;
+        let is_whole = checksum(&record[..32], body).to_le_bytes() == stated;
+        let rows = || Some((first, Bytes(body).table(count as usize, empty)?));
+        is_whole.then(|| if is_of_kind { rows() } else { None })
+    }
+
+    /// Rows of a table that has these columns, to the last byte.
+    fn table(mut self, count: usize, empty: &Table) -> Option<Table> {
+        let mut values = Vec::new();
+        for kept in &empty.values {
+            values.push(match kept {
+                Kept::Integer(_) => Kept::Integer(self.words(count, i64::from_le_bytes)?),
+                Kept::F64(_) => Kept::F64(self.words(count, f64::from_le_bytes)?),
+                Kept::Text(_) => Kept::Text((0..count).map(|_| self.text()).collect::<Option<_>>()?),
+                other => unreachable!("no sweep has a column of {other:?}"),
+            });
+        }
+        self.0.is_empty().then(|| Table { columns: empty.columns.clone(), values })
+    }
 }

@@ -1,13 +1,15 @@
 //! All parts as one file: row groups are copied as they are.
 
 use std::fs::File;
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 
 use parquet::column::writer::ColumnCloseResult;
-use parquet::file::reader::FileReader;
+use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::writer::SerializedFileWriter;
 
-use super::part::{Part, files, fresh, other, writer};
+use super::part::{Part, files, fresh, of_disk, writer};
 use crate::plan::Plan;
 
 /// How the names begin of what becomes the merged file.
@@ -19,8 +21,7 @@ pub(crate) const RESULTS: &str = "results.parquet";
 /// Joins all parts in a folder into one file there; refused, with a sentence for each reason, where
 /// one is missing, damaged, or belongs elsewhere. `each` hears of every part that is copied.
 pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Result<u64, Vec<String>> {
-    let hash = plan.hash();
-    let parts = || (0..plan.parts()).map(|index| Part::of(plan, &hash, index, folder));
+    let parts = || (0..plan.parts()).map(|index| Part::of(plan, index, folder));
     let missing: Vec<u64> = parts().filter(|part| !part.exists()).map(|part| part.index).collect();
     if let Some(first) = missing.first() {
         return Err(vec![format!(
@@ -29,44 +30,23 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
             plan.parts()
         )]);
     }
-    let failed = |error: io::Error| vec![format!("{RESULTS} cannot be written: {error}")];
     let mut file = fresh(folder, WRITING, "").map_err(failed)?;
-    let mut to = writer(plan, &hash, &mut file).map_err(|error| failed(other(error)))?;
+    let mut to = writer(plan, &mut file).map_err(failed)?;
     let mut reasons = Vec::new();
     for part in parts() {
-        // All that is wrong is said, up to what one reads.
         match part.checked() {
+            // All that is wrong is said, up to what one reads.
             Ok(_) if !reasons.is_empty() => {}
-            Ok(reader) => {
-                let metadata = reader.metadata();
-                let source = File::open(&part.path).map_err(failed)?;
-                for group in metadata.row_groups() {
-                    let mut target = to.next_row_group().map_err(|error| failed(other(error)))?;
-                    for column in group.columns() {
-                        let result = ColumnCloseResult {
-                            bytes_written: column.compressed_size() as u64,
-                            rows_written: group.num_rows() as u64,
-                            metadata: column.clone(),
-                            bloom_filter: None,
-                            column_index: None,
-                            offset_index: None,
-                        };
-                        target.append_column(&source, result).map_err(|error| failed(other(error)))?;
-                    }
-                    target.close().map_err(|error| failed(other(error)))?;
-                }
-            }
-            Err(why) => reasons.push(why.reason()),
+            Ok(reader) => copy(&part, &reader, &mut to).map_err(failed)?,
+            Err(why) => reasons.push(why.to_string()),
         }
         each();
     }
     if !reasons.is_empty() {
         return Err(reasons);
     }
-    let bytes = {
-        to.close().map_err(|error| failed(other(error)))?;
-        file.as_file().metadata().map_err(failed)?.len()
-    };
+    to.close().map_err(failed)?;
+    let bytes = file.as_file().metadata().map_err(failed)?.len();
     file.as_file().sync_all().map_err(failed)?;
     let results = folder.join(RESULTS);
     match file.persist(&results) {
@@ -78,4 +58,33 @@ pub(crate) fn merge(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Resul
     // Those of processes that were killed; who still merges finds that all is done.
     files(folder, WRITING, "").into_iter().for_each(|path| drop(std::fs::remove_file(path)));
     Ok(bytes)
+}
+
+fn failed(error: impl Into<ParquetError>) -> Vec<String> {
+    vec![format!("{RESULTS} cannot be written: {}", of_disk(error.into()))]
+}
+
+/// Copies the row groups of a part.
+fn copy(
+    part: &Part<'_>,
+    reader: &SerializedFileReader<File>,
+    to: &mut SerializedFileWriter<impl Write + Send>,
+) -> Result<(), ParquetError> {
+    let source = File::open(&part.path)?;
+    for group in reader.metadata().row_groups() {
+        let mut target = to.next_row_group()?;
+        for column in group.columns() {
+            let result = ColumnCloseResult {
+                bytes_written: column.compressed_size() as u64,
+                rows_written: group.num_rows() as u64,
+                metadata: column.clone(),
+                bloom_filter: None,
+                column_index: None,
+                offset_index: None,
+            };
+            target.append_column(&source, result)?;
+        }
+        target.close()?;
+    }
+    Ok(())
 }

@@ -1,15 +1,15 @@
 //! One part: written whole or not at all, and checked before it is used.
 
 use std::collections::BTreeMap;
+use std::fmt::{self, Display};
 use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use kahan_study::{Kept, Table};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
-use parquet::column::writer::ColumnWriter;
-use parquet::data_type::ByteArray;
+use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
@@ -21,26 +21,28 @@ use tempfile::{Builder, NamedTempFile};
 use crate::plan::Plan;
 
 /// What stands in the metadata of every file of a sweep.
-pub(super) mod keys {
-    pub(in crate::files) const PLAN: &str = "kahan.plan";
-    pub(in crate::files) const HASH: &str = "kahan.plan.sha256";
-    pub(in crate::files) const VERSION: &str = "kahan.version";
-    pub(in crate::files) const FLOATS: &str = "kahan.floats";
-    pub(in crate::files) const COLUMNS: &str = "kahan.columns";
-    pub(in crate::files) const SEED: &str = "kahan.seed";
-    pub(in crate::files) const PART: &str = "kahan.part";
-    pub(in crate::files) const CHECKSUM: &str = "kahan.crc32";
+mod keys {
+    pub(super) const PLAN: &str = "kahan.plan";
+    pub(super) const HASH: &str = "kahan.plan.sha256";
+    pub(super) const VERSION: &str = "kahan.version";
+    pub(super) const FLOATS: &str = "kahan.floats";
+    pub(super) const COLUMNS: &str = "kahan.columns";
+    pub(super) const SEED: &str = "kahan.seed";
+    /// These two in those of parts alone.
+    pub(super) const PART: &str = "kahan.part";
+    pub(super) const CHECKSUM: &str = "kahan.crc32";
 }
+
+/// The version of this program, whose results belong together.
+pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// How this program computes with floats, where that may differ from machine to machine: results
 /// with other words differ in last digits.
-pub(super) fn floats() -> &'static str {
-    match (cfg!(target_arch = "x86_64"), cfg!(target_feature = "fma")) {
-        (true, false) => "x86-64, products rounded",
-        (true, true) => "x86-64, products fused",
-        (false, _) => "interpreted, on another processor",
-    }
-}
+pub(super) const FLOATS: &str = match (cfg!(target_arch = "x86_64"), cfg!(target_feature = "fma")) {
+    (true, false) => "x86-64, products rounded",
+    (true, true) => "x86-64, products fused",
+    (false, _) => "interpreted, on another processor",
+};
 
 /// Why a part that is there cannot be used.
 #[derive(Clone, Debug)]
@@ -51,11 +53,12 @@ pub(crate) enum Unusable {
     Foreign(String),
 }
 
-impl Unusable {
-    /// The reason in words.
-    pub(crate) fn reason(self) -> String {
+/// The reason in words, and what to do.
+impl Display for Unusable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Unusable::Damaged(reason) | Unusable::Foreign(reason) => reason,
+            Unusable::Damaged(reason) => write!(f, "{reason}; delete it, and run its shard again"),
+            Unusable::Foreign(reason) => f.write_str(reason),
         }
     }
 }
@@ -64,47 +67,46 @@ impl Unusable {
 #[derive(Clone, Debug)]
 pub(crate) struct Part<'a> {
     pub(super) plan: &'a Plan,
-    hash: String,
     pub(crate) index: u64,
     pub(crate) path: PathBuf,
 }
 
 impl<'a> Part<'a> {
     /// The part with this index, in a folder.
-    pub(crate) fn of(plan: &'a Plan, hash: &str, index: u64, folder: &Path) -> Self {
-        Part { plan, hash: hash.to_owned(), index, path: folder.join(format!("part-{index:012}.parquet")) }
+    pub(crate) fn of(plan: &'a Plan, index: u64, folder: &Path) -> Self {
+        Part { plan, index, path: folder.join(format!("part-{index:012}.parquet")) }
     }
 
     /// Writes all its rows; the file appears when it is complete.
     pub(crate) fn write(&self, rows: &Table) -> io::Result<()> {
-        match self.written(rows) {
+        match self.written(rows).map_err(of_disk) {
             // Another process wrote the part meanwhile, and tidied up.
             Err(error) if error.kind() == io::ErrorKind::NotFound && self.exists() => Ok(()),
             result => result,
         }
     }
 
-    fn written(&self, rows: &Table) -> io::Result<()> {
+    fn written(&self, rows: &Table) -> Result<(), ParquetError> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
         let mut file = fresh(&self.under_way(), "rows-", ".parquet")?;
-        let mut writer = writer(self.plan, &self.hash, &mut file).map_err(other)?;
-        let mut group = writer.next_row_group().map_err(other)?;
+        let mut writer = writer(self.plan, &mut file)?;
+        let mut group = writer.next_row_group()?;
         for column in &rows.values {
-            put(&mut group, column).map_err(other)?;
+            put(&mut group, column)?;
         }
-        group.close().map_err(other)?;
-        for (key, value) in [(keys::PART, self.index.to_string()), (keys::CHECKSUM, NO_DIGITS.to_owned())] {
-            writer.append_key_value_metadata(KeyValue::new(key.to_owned(), value));
-        }
-        writer.close().map_err(other)?;
+        group.close()?;
+        writer.append_key_value_metadata(says(keys::PART, self.index.to_string()));
+        writer.append_key_value_metadata(says(keys::CHECKSUM, NO_DIGITS));
+        writer.close()?;
         let sum = Checksum::of(file.as_file_mut())?;
         file.seek(SeekFrom::Start(sum.place))?;
         file.write_all(sum.found.as_bytes())?;
         file.as_file().sync_all()?;
-        file.persist(&self.path)?.sync_all()?;
+        file.persist(&self.path).map_err(io::Error::from)?.sync_all()?;
         // The name is on the disk when the folder is; where a folder cannot be opened, nothing more
         // can be done.
-        File::open(folder).and_then(|folder| folder.sync_all()).or(Ok(()))
+        let _ = File::open(folder).and_then(|folder| folder.sync_all());
+        Ok(())
     }
 
     /// The folder of what processes leave before the part is there. It is the part's own, as
@@ -126,79 +128,69 @@ impl<'a> Part<'a> {
 
     /// Opens the file if all of it is what this plan has there; else why not.
     pub(crate) fn checked(&self) -> Result<SerializedFileReader<File>, Unusable> {
-        let name = self.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let damaged = |why: &str| {
-            Unusable::Damaged(format!("{name} is damaged ({why}); delete it, and run its shard again"))
-        };
-        let foreign = |why: String| Err(Unusable::Foreign(format!("{name} {why}")));
-        let mut file = File::open(&self.path).map_err(|error| damaged(&error.to_string()))?;
+        let name = self.path.file_name().unwrap_or_default().display();
+        let damaged = |why: &dyn Display| Unusable::Damaged(format!("{name} is damaged ({why})"));
         // Before anything is believed that stands in it.
-        match Checksum::of(&mut file) {
-            Ok(sum) if sum.found.as_bytes() == sum.stated => {}
-            Ok(_) => return Err(damaged("its checksum is another")),
-            Err(error) => return Err(damaged(&error.to_string())),
+        let summed = File::open(&self.path).and_then(|mut file| Ok((Checksum::of(&mut file)?, file)));
+        let (sum, file) = summed.map_err(|error| damaged(&error))?;
+        if sum.found.as_bytes() != sum.stated {
+            return Err(damaged(&"its checksum is another"));
         }
-        let reader = SerializedFileReader::new(file).map_err(|error| damaged(&error.to_string()))?;
-        let metadata = reader.metadata();
-        let said = |key: &str| said(metadata.file_metadata().key_value_metadata(), key).unwrap_or("unknown");
-        if said(keys::HASH) != self.hash {
-            return foreign("belongs to another plan; use a folder for each plan".to_owned());
-        }
-        let version = env!("CARGO_PKG_VERSION");
-        if said(keys::VERSION) != version {
-            let other = said(keys::VERSION);
-            return foreign(format!(
-                "was written by kahan-sweep {other}, and this is {version}; use a folder for each version"
-            ));
-        }
-        if said(keys::FLOATS) != floats() {
-            return foreign(format!(
-                "was computed with other floats ({}; here: {}), whose last digits differ; compute all parts on machines of one kind",
-                said(keys::FLOATS),
-                floats()
-            ));
-        }
-        let rows = self.plan.part(self.index);
-        let is_this = said(keys::PART) == self.index.to_string();
-        if !is_this || metadata.file_metadata().num_rows() != (rows.end - rows.start) as i64 {
-            return Err(damaged("it is another part under this name"));
-        }
-        Ok(reader)
+        let reader = SerializedFileReader::new(file).map_err(|error| damaged(&error))?;
+        let metadata = reader.metadata().file_metadata();
+        let all = metadata.key_value_metadata();
+        let said = |key: &str| {
+            let found = all.into_iter().flatten().find(|one| one.key == key);
+            found.and_then(|one| one.value.as_deref()).unwrap_or("unknown")
+        };
+        let (version, floats) = (said(keys::VERSION), said(keys::FLOATS));
+        let why = if said(keys::HASH) != self.plan.hash() {
+            "belongs to another plan; use a folder for each plan".to_owned()
+        } else if version != VERSION {
+            format!(
+                "was written by kahan-sweep {version}, and this is {VERSION}; use a folder for each version"
+            )
+        } else if floats != FLOATS {
+            format!(
+                "was computed with other floats ({floats}; here: {FLOATS}), whose last digits differ; compute all parts on machines of one kind"
+            )
+        } else {
+            let rows = self.plan.part(self.index);
+            let is_this = said(keys::PART) == self.index.to_string();
+            if is_this && metadata.num_rows() == (rows.end - rows.start) as i64 {
+                return Ok(reader);
+            }
+            return Err(damaged(&"it is another part under this name"));
+        };
+        Err(Unusable::Foreign(format!("{name} {why}")))
     }
 }
 
-/// The value of a key.
-pub(super) fn said<'a>(metadata: Option<&'a Vec<KeyValue>>, key: &str) -> Option<&'a str> {
-    metadata?.iter().find(|one| one.key == key)?.value.as_deref()
+/// What the metadata say under a key.
+fn says(key: &str, value: impl Into<String>) -> KeyValue {
+    KeyValue::new(key.to_owned(), value.into())
 }
 
-/// A writer of a file of the plan, whose metadata says what every file says.
-pub(super) fn writer<W: Write + Send>(
-    plan: &Plan,
-    hash: &str,
-    to: W,
-) -> Result<SerializedFileWriter<W>, ParquetError> {
+/// A writer of a file of the plan, whose metadata say what every file says.
+pub(super) fn writer<W: Write + Send>(plan: &Plan, to: W) -> Result<SerializedFileWriter<W>, ParquetError> {
     let meanings = plan.empty.columns.iter().map(|column| (&*column.name, &*column.meaning));
     // In the order of the alphabet.
     let meanings: BTreeMap<&str, &str> = meanings.collect();
-    let seed = plan.seed().to_string();
-    let said = [
-        (keys::PLAN, plan.canonical()),
-        (keys::HASH, hash.to_owned()),
-        (keys::VERSION, env!("CARGO_PKG_VERSION").to_owned()),
-        (keys::FLOATS, floats().to_owned()),
-        (keys::SEED, seed),
-        (keys::COLUMNS, serde_json::json!(meanings).to_string()),
+    let said = vec![
+        says(keys::PLAN, plan.canonical()),
+        says(keys::HASH, plan.hash()),
+        says(keys::VERSION, VERSION),
+        says(keys::FLOATS, FLOATS),
+        says(keys::SEED, plan.seed().to_string()),
+        says(keys::COLUMNS, serde_json::json!(meanings).to_string()),
     ];
     let properties = WriterProperties::builder()
         .set_dictionary_enabled(false)
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_offset_index_disabled(true)
         .set_max_row_group_row_count(None)
-        .set_created_by(format!("kahan-sweep {}", env!("CARGO_PKG_VERSION")))
-        .set_key_value_metadata(Some(
-            said.into_iter().map(|(key, value)| KeyValue::new(key.to_owned(), value)).collect(),
-        ))
+        .set_created_by(format!("kahan-sweep {VERSION}"))
+        .set_key_value_metadata(Some(said))
         .build();
     SerializedFileWriter::new(to, schema(&plan.empty)?.into(), Arc::new(properties))
 }
@@ -223,21 +215,15 @@ fn put<W: Write + Send>(
     group: &mut SerializedRowGroupWriter<'_, W>,
     column: &Kept,
 ) -> Result<(), ParquetError> {
-    let Some(mut writer) = group.next_column()? else {
-        return Err(ParquetError::General("more columns than the schema has".to_owned()));
-    };
-    match (writer.untyped(), column) {
-        (ColumnWriter::Int64ColumnWriter(writer), Kept::Integer(entries)) => {
-            writer.write_batch(entries, None, None)?
-        }
-        (ColumnWriter::DoubleColumnWriter(writer), Kept::F64(entries)) => {
-            writer.write_batch(entries, None, None)?
-        }
-        (ColumnWriter::ByteArrayColumnWriter(writer), Kept::Text(entries)) => {
+    let mut writer = group.next_column()?.expect("the schema has a column for each of the table");
+    match column {
+        Kept::Integer(entries) => writer.typed::<Int64Type>().write_batch(entries, None, None)?,
+        Kept::F64(entries) => writer.typed::<DoubleType>().write_batch(entries, None, None)?,
+        Kept::Text(entries) => {
             let entries: Vec<ByteArray> = entries.iter().map(|text| ByteArray::from(text.as_str())).collect();
-            writer.write_batch(&entries, None, None)?
+            writer.typed::<ByteArrayType>().write_batch(&entries, None, None)?
         }
-        _ => return Err(ParquetError::General("a column of another kind than the schema says".to_owned())),
+        other => unreachable!("no sweep has a column of {other:?}"),
     };
     writer.close()
 }
@@ -267,12 +253,14 @@ impl Checksum {
 
         file.seek(SeekFrom::Start(0))?;
         let mut hasher = crc32fast::Hasher::new();
-        let (mut left, mut buffer) = (begin, vec![0; 1 << 16]);
-        while left > 0 {
-            let now = left.min(buffer.len() as u64) as usize;
-            file.read_exact(&mut buffer[..now])?;
-            hasher.update(&buffer[..now]);
-            left -= now as u64;
+        let mut body = BufReader::with_capacity(1 << 16, Read::take(&mut *file, begin));
+        loop {
+            let bytes = body.fill_buf()?;
+            hasher.update(bytes);
+            match bytes.len() {
+                0 => break,
+                read => body.consume(read),
+            }
         }
         let mut footer = Vec::new();
         file.read_to_end(&mut footer)?;
@@ -318,9 +306,10 @@ pub(super) fn fresh(folder: &Path, prefix: &str, suffix: &str) -> io::Result<Nam
     Builder::new().prefix(prefix).suffix(suffix).make_in(folder, open)
 }
 
-pub(super) fn other(error: ParquetError) -> io::Error {
+/// What went wrong on the disk, if it did there.
+pub(super) fn of_disk(error: ParquetError) -> io::Error {
     match error {
-        ParquetError::External(inner) => io::Error::other(inner),
+        ParquetError::External(inner) => inner.downcast().map_or_else(io::Error::other, |inner| *inner),
         error => io::Error::other(error),
     }
 }

@@ -14,22 +14,18 @@ pub(crate) struct Status {
     /// Parts that are not there.
     pub(crate) missing: Vec<u64>,
     /// Why each part that is there cannot be used.
-    pub(crate) refused: Vec<(u64, String)>,
+    pub(crate) refused: Vec<String>,
 }
 
 /// Looks at every part.
 pub(crate) fn status(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Status {
-    let hash = plan.hash();
     let mut status = Status::default();
     for index in 0..plan.parts() {
-        let part = Part::of(plan, &hash, index, folder);
-        if !part.exists() {
-            status.missing.push(index);
-        } else {
-            match part.checked() {
-                Ok(_) => status.done += 1,
-                Err(why) => status.refused.push((index, why.reason())),
-            }
+        let part = Part::of(plan, index, folder);
+        match part.exists().then(|| part.checked()) {
+            None => status.missing.push(index),
+            Some(Ok(_)) => status.done += 1,
+            Some(Err(why)) => status.refused.push(why.to_string()),
         }
         each();
     }
@@ -38,19 +34,12 @@ pub(crate) fn status(plan: &Plan, folder: &Path, mut each: impl FnMut()) -> Stat
 
 /// Numbers as ranges: 0-3, 7, 9-12.
 pub(crate) fn ranges(numbers: &[u64]) -> String {
-    let mut ranges: Vec<(u64, u64)> = Vec::new();
-    for &number in numbers {
-        match ranges.last_mut() {
-            Some((_, last)) if *last + 1 == number => *last = number,
-            _ => ranges.push((number, number)),
-        }
-    }
-    let texts = ranges.iter().map(
-        |(first, last)| {
-            if first == last { first.to_string() } else { format!("{first}-{last}") }
-        },
-    );
-    texts.collect::<Vec<_>>().join(", ")
+    let text = |run: &[u64]| match run {
+        [first, .., last] => format!("{first}-{last}"),
+        alone => alone[0].to_string(),
+    };
+    let runs = numbers.chunk_by(|one, next| one + 1 == *next).map(text);
+    runs.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

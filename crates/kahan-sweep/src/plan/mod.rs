@@ -8,16 +8,16 @@ mod read;
 mod table;
 
 use std::fmt::Write as _;
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
+use std::sync::OnceLock;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::macro_block;
-use kahan_study::{
-    Column, Observe, Over, Question, Rows, Source, Study, Table, Through, Values, Varied, Watch,
-};
+use kahan_study::{Observe, Over, Question, Source, Study, Table, Through, Varied, Watch};
 use sha2::{Digest, Sha256};
 
-pub use mistakes::{Mistake, Mistakes};
+/// From where numbers are drawn, by its name.
+const SOURCES: [(&str, Source); 2] = [("sobol", Source::Sobol), ("uniform", Source::Uniform)];
 
 /// A plan that can be run.
 #[derive(Clone, Debug)]
@@ -25,33 +25,23 @@ pub struct Plan {
     study: Study,
     /// `[system.params]`, in the order of the plan.
     fixed: Vec<(String, Rational)>,
-    /// The line of the plan's one form that tells first points from a file from others.
-    starts: String,
     /// What is asked over the axes; the last runs fastest, but for the draws.
     question: Question,
     points: u64,
     /// Rows of a part, but for the last.
     rows_per_part: u64,
-    /// Which columns are written, `None` for all.
-    columns: Option<Vec<String>>,
-    /// Their places among all.
-    places: Vec<usize>,
+    /// The places of the columns that are written among all, `None` for all.
+    places: Option<Vec<usize>>,
     /// A table that has them, and no rows.
     pub(crate) empty: Table,
+    canonical: OnceLock<String>,
 }
 
-/// Takes some of the columns.
-struct Chosen<'a> {
-    places: &'a [usize],
-    table: Table,
-}
-
-impl Rows for Chosen<'_> {
-    fn block(&mut self, columns: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
-        let columns: Vec<Column> = self.places.iter().map(|&place| columns[place].clone()).collect();
-        let values: Vec<Values<'_>> = self.places.iter().map(|&place| values[place]).collect();
-        self.table.block(&columns, &values)
-    }
+/// The columns at these places, or all.
+fn choose(table: Table, places: Option<&[usize]>) -> Table {
+    let Some(places) = places else { return table };
+    let columns = places.iter().map(|&place| table.columns[place].clone()).collect();
+    Table { columns, values: places.iter().map(|&place| table.values[place].clone()).collect() }
 }
 
 impl Plan {
@@ -59,8 +49,8 @@ impl Plan {
     /// points beside it.
     ///
     /// # Errors
-    /// All that is wrong with it.
-    pub fn read(text: &str, origin: &str) -> Result<Self, Mistakes> {
+    /// All that is wrong with it: each mistake with its line, and what to write instead.
+    pub fn read(text: &str, origin: &str) -> Result<Self, String> {
         read::plan(text, origin)
     }
 
@@ -99,36 +89,42 @@ impl Plan {
 
     /// The rows of these points, as far as they were made before the watch ended it.
     pub(crate) fn rows(&self, indices: Range<u64>, watch: &dyn Watch) -> Table {
-        let mut chosen = Chosen { places: &self.places, table: Table::default() };
-        let end = self.study.rows(&self.question, indices, &mut chosen, watch);
+        let mut all = Table::default();
+        let end = self.study.rows(&self.question, indices, &mut all, watch);
         end.expect("the columns were asked for when the plan was read");
-        chosen.table
+        choose(all, self.places.as_deref())
     }
 
     /// The plan in one form, however it was written.
-    #[must_use]
-    pub fn canonical(&self) -> String {
+    pub fn canonical(&self) -> &str {
+        self.canonical.get_or_init(|| self.written())
+    }
+
+    fn written(&self) -> String {
         let mut text = format!("{}\n", macro_block(self.study.system()));
         for (name, value) in &self.fixed {
             let _ = writeln!(text, "{name} = [{value}]");
         }
-        text.push_str(&self.starts);
+        let list = |values: &mut dyn Iterator<Item = &Rational>| {
+            values.map(ToString::to_string).collect::<Vec<_>>().join(", ")
+        };
         let over = self.over();
+        if !over.starts.is_empty() {
+            let digest = sha256(&list(&mut over.starts.iter().flatten()));
+            let _ = writeln!(text, "starts = {} of SHA-256 {digest}", over.starts.len());
+        }
         for Varied { name, through } in &over.axes {
             let _ = match through {
                 Through::List(values) => {
-                    let values: Vec<String> = values.iter().map(ToString::to_string).collect();
-                    writeln!(text, "{name} = [{}]", values.join(", "))
+                    writeln!(text, "{name} = [{}]", list(&mut values.iter()))
                 }
                 Through::Range(range) => {
                     let (count, from, step) = (range.count(), range.value(0), range.step());
                     writeln!(text, "{name} = {count} values from {from}, {step} apart")
                 }
-                Through::Drawn { source: Source::Sobol, low, high } => {
-                    writeln!(text, "{name} = sobol from {low} to {high}")
-                }
-                Through::Drawn { source: Source::Uniform, low, high } => {
-                    writeln!(text, "{name} = uniform from {low} to {high}")
+                Through::Drawn { source, low, high } => {
+                    let source = SOURCES.iter().find(|(_, own)| own == source).expect("two sources").0;
+                    writeln!(text, "{name} = {source} from {low} to {high}")
                 }
             };
         }
@@ -146,7 +142,8 @@ impl Plan {
             other => unreachable!("no plan asks {}", other.name()),
         };
         let _ = writeln!(text, "rows_per_part = {}", self.rows_per_part);
-        let columns = self.columns.as_ref().map_or("all".to_owned(), |columns| columns.join(", "));
+        let names: Vec<&str> = self.empty.columns.iter().map(|column| &*column.name).collect();
+        let columns = self.places.as_ref().map_or("all".to_owned(), |_| names.join(", "));
         let _ = writeln!(text, "columns = {columns}");
         text
     }
@@ -154,7 +151,7 @@ impl Plan {
     /// What tells this plan from others: SHA-256 of its [one form](Self::canonical).
     #[must_use]
     pub fn hash(&self) -> String {
-        sha256(&self.canonical())
+        sha256(self.canonical())
     }
 
     /// The seed of what is drawn.

@@ -1,121 +1,167 @@
 //! A table of TOML whose entries are taken by name; what nobody took was a mistake.
+//!
+//! A value that is not what it should be is noted where it stands, and is then none: the plan is
+//! refused in the end, and whatever was read in its place goes with it.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use kahan_algebra::rational::Rational;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue};
 
 use super::mistakes::Collector;
 
-/// A value with its place in the text.
-pub(super) type Value<'a> = Spanned<DeValue<'a>>;
-
-/// The entries of a table.
-pub(super) struct Table<'t, 'a> {
-    /// What it is called in reports: `[task]`.
-    name: String,
-    /// Where it stands.
-    pub(super) span: Range<usize>,
-    entries: Vec<(&'t str, Range<usize>, &'t Value<'a>)>,
-    known: Vec<&'static str>,
+/// A value with its name and its place in the text.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'t> {
+    key: &'t Spanned<DeString<'t>>,
+    value: &'t Spanned<DeValue<'t>>,
+    mistakes: &'t Collector<'t>,
 }
 
-impl<'t, 'a> Table<'t, 'a> {
-    pub(super) fn new(name: impl Into<String>, span: Range<usize>, table: &'t DeTable<'a>) -> Self {
-        let entries = table.iter().map(|(key, value)| (key.get_ref().as_ref(), key.span(), value));
-        let mut entries: Vec<_> = entries.collect();
+impl<'t> Given<'t> {
+    pub(super) fn name(&self) -> &'t str {
+        self.key.get_ref()
+    }
+
+    /// Notes what is wrong with it.
+    pub(super) fn note(&self, message: impl Into<String>) {
+        self.mistakes.note(&self.value.span(), message);
+    }
+
+    fn expect<T>(&self, found: Option<T>, what: &str) -> Option<T> {
+        if found.is_none() {
+            self.note(format!("{} is {what}", self.name()));
+        }
+        found
+    }
+
+    /// An exact number: `3`, `0.1`, `"1/3"`.
+    pub(super) fn number(&self) -> Option<Rational> {
+        let number = match self.value.get_ref() {
+            DeValue::String(text) => Rational::typed(text.trim()),
+            _ => self.as_it_stands(),
+        };
+        self.expect(number, "no exact number; write it as 3, 0.1, 1e-3 or \"1/3\"")
+    }
+
+    /// A whole number within these bounds.
+    pub(super) fn whole(&self, bounds: RangeInclusive<u64>) -> Option<u64> {
+        let number = self.as_it_stands().filter(Rational::is_integer);
+        let count = number.and_then(|number| number.to_string().parse().ok());
+        let (least, most) = (bounds.start(), bounds.end());
+        self.expect(
+            count.filter(|count| bounds.contains(count)),
+            &format!("a whole number from {least} to {most}"),
+        )
+    }
+
+    /// A decimal as what it says, not as the double that is near to it.
+    fn as_it_stands(&self) -> Option<Rational> {
+        let is_number = matches!(self.value.get_ref(), DeValue::Integer(_) | DeValue::Float(_));
+        is_number.then(|| Rational::typed(self.mistakes.source(self.value.span()).trim())).flatten()
+    }
+
+    /// A text.
+    pub(super) fn text(&self) -> Option<&'t str> {
+        self.expect(self.value.get_ref().as_str(), "a text; write it in quotation marks")
+    }
+
+    /// What has this name among those that are known; `no` begins the sentence where none has it.
+    pub(super) fn one_of<T: Clone>(&self, no: &str, known: &[(&str, T)]) -> Option<T> {
+        let text = self.text()?;
+        let found = known.iter().find(|(name, _)| *name == text);
+        if found.is_none() {
+            let known: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+            self.note(format!("{no} `{text}`; there is {}", known.join(", ")));
+        }
+        found.map(|(_, found)| found.clone())
+    }
+
+    /// Itself, or the values of a list.
+    pub(super) fn each(self) -> Vec<Self> {
+        match self.value.get_ref() {
+            DeValue::Array(values) => values.iter().map(|value| Given { value, ..self }).collect(),
+            _ => vec![self],
+        }
+    }
+
+    /// The entries of a table, which has this name in reports; `None` where it is none.
+    pub(super) fn table(&self, name: impl Into<String>) -> Option<Table<'t>> {
+        let table = self.value.get_ref().as_table()?;
+        Some(Table::new(name, self.value.span(), table, self.mistakes))
+    }
+
+    /// The entries of a table of the plan's own: `[task]`.
+    pub(super) fn section(self) -> Option<Table<'t>> {
+        let name = self.name();
+        let table = self.table(format!("[{name}]"));
+        if table.is_none() {
+            self.note(format!("`{name}` is a table; write [{name}] on a line of its own"));
+        }
+        table
+    }
+}
+
+/// The entries of a table.
+pub(super) struct Table<'t> {
+    /// What it is called in reports: `[task]`.
+    name: String,
+    span: Range<usize>,
+    entries: Vec<Given<'t>>,
+    known: Vec<&'static str>,
+    mistakes: &'t Collector<'t>,
+}
+
+impl<'t> Table<'t> {
+    pub(super) fn new(
+        name: impl Into<String>,
+        span: Range<usize>,
+        table: &'t DeTable<'t>,
+        mistakes: &'t Collector<'t>,
+    ) -> Self {
+        let mut entries: Vec<_> = table.iter().map(|(key, value)| Given { key, value, mistakes }).collect();
         // As they stand in the text.
-        entries.sort_by_key(|(_, span, _)| span.start);
-        Self { name: name.into(), span, entries, known: Vec::new() }
+        entries.sort_by_key(|given| given.key.span().start);
+        Self { name: name.into(), span, entries, known: Vec::new(), mistakes }
+    }
+
+    /// Notes what is wrong with all of it.
+    pub(super) fn note(&self, message: impl Into<String>) {
+        self.mistakes.note(&self.span, message);
     }
 
     /// The value with this name.
-    pub(super) fn take(&mut self, name: &'static str) -> Option<&'t Value<'a>> {
+    pub(super) fn take(&mut self, name: &'static str) -> Option<Given<'t>> {
         self.known.push(name);
-        let place = self.entries.iter().position(|(key, ..)| *key == name)?;
-        Some(self.entries.remove(place).2)
+        let place = self.entries.iter().position(|given| given.name() == name)?;
+        Some(self.entries.remove(place))
     }
 
-    /// All values that were not taken, with their names.
-    pub(super) fn rest(&mut self) -> Vec<(&'t str, Range<usize>, &'t Value<'a>)> {
+    /// The value with this name; where there is none, what is needed is noted.
+    pub(super) fn needs(&mut self, name: &'static str, what: &str) -> Option<Given<'t>> {
+        let given = self.take(name);
+        if given.is_none() {
+            self.note(format!("{} needs {what}", self.name));
+        }
+        given
+    }
+
+    /// The whole number with this name, if there is one within these bounds.
+    pub(super) fn whole(&mut self, name: &'static str, bounds: RangeInclusive<u64>) -> Option<u64> {
+        self.take(name)?.whole(bounds)
+    }
+
+    /// All values that were not taken.
+    pub(super) fn rest(&mut self) -> Vec<Given<'t>> {
         std::mem::take(&mut self.entries)
     }
 
-    /// The table with this name.
-    pub(super) fn table(
-        &mut self,
-        name: &'static str,
-        mistakes: &mut Collector<'_>,
-    ) -> Option<Table<'t, 'a>> {
-        let value = self.take(name)?;
-        match value.get_ref() {
-            DeValue::Table(table) => Some(Table::new(format!("[{name}]"), value.span(), table)),
-            _ => {
-                mistakes
-                    .note(&value.span(), format!("`{name}` is a table; write [{name}] on a line of its own"));
-                None
-            }
+    /// Notes every value that nobody took.
+    pub(super) fn finish(&self) {
+        for Given { key, .. } in &self.entries {
+            let (name, known) = (key.get_ref(), self.known.join(", "));
+            self.mistakes.note(&key.span(), format!("{} has no `{name}`; it has {known}", self.name));
         }
-    }
-
-    /// Notes every entry that nobody took.
-    pub(super) fn finish(self, mistakes: &mut Collector<'_>) {
-        for (key, span, _) in &self.entries {
-            mistakes.note(span, format!("{} has no `{key}`; it has {}", self.name, self.known.join(", ")));
-        }
-    }
-}
-
-/// An exact number: `3`, `0.1`, `"1/3"`.
-pub(super) fn number(value: &Value<'_>, what: &str, mistakes: &mut Collector<'_>) -> Option<Rational> {
-    let number = match value.get_ref() {
-        // A decimal is what it says, not the double that is near to it.
-        DeValue::Integer(_) | DeValue::Float(_) => Rational::typed(mistakes.source(&value.span()).trim()),
-        DeValue::String(text) => Rational::typed(text.trim()),
-        _ => None,
-    };
-    if number.is_none() {
-        mistakes
-            .note(&value.span(), format!("{what} is no exact number; write it as 3, 0.1, 1e-3 or \"1/3\""));
-    }
-    number
-}
-
-/// A whole number between two others.
-pub(super) fn whole(
-    value: &Value<'_>,
-    what: &str,
-    (least, most): (u64, u64),
-    mistakes: &mut Collector<'_>,
-) -> Option<u64> {
-    let number = match value.get_ref() {
-        DeValue::Integer(_) | DeValue::Float(_) => Rational::typed(mistakes.source(&value.span()).trim()),
-        _ => None,
-    };
-    let count = number.filter(Rational::is_integer).and_then(|number| number.to_string().parse::<u64>().ok());
-    let count = count.filter(|count| (least..=most).contains(count));
-    if count.is_none() {
-        mistakes.note(&value.span(), format!("{what} is a whole number from {least} to {most}"));
-    }
-    count
-}
-
-/// A text.
-pub(super) fn text<'t>(value: &'t Value<'_>, what: &str, mistakes: &mut Collector<'_>) -> Option<&'t str> {
-    match value.get_ref() {
-        DeValue::String(text) => Some(text),
-        _ => {
-            mistakes.note(&value.span(), format!("{what} is a text; write it in quotation marks"));
-            None
-        }
-    }
-}
-
-/// One value, or the values of a list.
-pub(super) fn each<'t, 'a>(value: &'t Value<'a>) -> Vec<&'t Value<'a>> {
-    match value.get_ref() {
-        DeValue::Array(values) => values.iter().collect(),
-        _ => vec![value],
     }
 }
