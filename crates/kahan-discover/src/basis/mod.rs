@@ -16,7 +16,7 @@ mod proof;
 mod tests;
 
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::render::{Notation, Text};
+use kahan_algebra::render::{Notation, Text, push_term};
 
 use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
@@ -95,16 +95,10 @@ impl Basis {
                 places.reverse();
             }
             for (place, factor) in places {
-                let sign = match (text.is_empty(), factor < 0) {
-                    (true, false) => "",
-                    (true, true) => "-",
-                    (false, false) => " + ",
-                    (false, true) => " - ",
-                };
                 let size = factor.unsigned_abs();
                 let monomial = monomial_text(states, &self.monomials[place], notation);
-                text += sign;
-                text += &if size == 1 { monomial } else { notation.product(&[size.to_string(), monomial]) };
+                let term = if size == 1 { monomial } else { notation.product(&[size.to_string(), monomial]) };
+                push_term(&mut text, factor < 0, &term);
             }
             text
         };
