@@ -26,6 +26,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
 use crate::setting::{DrawnStep, Setting};
+use crate::space::scattered;
 use crate::stepping::Stepping;
 
 pub use evaluate::{BasisError, BasisValues};
@@ -315,12 +316,9 @@ fn reduced_in(
     let permuted = |vector: &NullVector| order.iter().rev().map(|&index| vector.entries[index]).collect();
     let rows = relations.vectors.iter().map(permuted).collect();
     let echelon = Echelon::within(modulus, rows, order.len(), deadline)?;
-    let restored = |(row, &pivot): (&Vec<u64>, &usize)| {
-        let mut entries = vec![0; order.len()];
-        for (&index, &value) in order.iter().rev().zip(row) {
-            entries[index] = value;
-        }
-        NullVector { free: order[order.len() - 1 - pivot], entries }
+    let restored = |(row, &pivot): (&Vec<u64>, &usize)| NullVector {
+        free: order[order.len() - 1 - pivot],
+        entries: scattered(order.iter().rev(), row, order.len()),
     };
     Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }
