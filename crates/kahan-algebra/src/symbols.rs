@@ -5,7 +5,7 @@
 use crate::poly::{Polynomial, Variable};
 
 /// The names of a system, and the variables that stand for them.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Symbols {
     /// The state variables, in the order of their equations.
     pub states: Vec<String>,

@@ -78,24 +78,16 @@ impl GrowthVerdict {
         let values: Vec<i128> = degrees.iter().map(|&degree| degree as i128).collect();
         let count = values.len();
         let verdict = |growth, evidence: String| GrowthVerdict { growth, evidence };
-        if let Some((period, difference, confirmed)) = settled(&values, 1) {
-            let growth = if difference == 0 { Growth::Bounded } else { Growth::Linear };
-            return verdict(
-                growth,
-                format!(
-                    "{} over the last {confirmed} of {count} degrees",
-                    steps(period, difference, "differences")
-                ),
-            );
-        }
-        if let Some((period, difference, confirmed)) = settled(&values, 2) {
-            return verdict(
-                Growth::Quadratic,
-                format!(
-                    "{} over the last {confirmed} of {count} degrees",
-                    steps(period, difference, "second differences")
-                ),
-            );
+        for (order, what) in [(1, "differences"), (2, "second differences")] {
+            if let Some((period, difference, confirmed)) = settled(&values, order) {
+                let growth = match (order, difference) {
+                    (2, _) => Growth::Quadratic,
+                    (_, 0) => Growth::Bounded,
+                    _ => Growth::Linear,
+                };
+                let steps = steps(period, difference, what);
+                return verdict(growth, format!("{steps} over the last {confirmed} of {count} degrees"));
+            }
         }
         match exponential(&values) {
             Some(ratio) => verdict(

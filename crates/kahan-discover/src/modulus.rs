@@ -50,6 +50,11 @@ impl Modulus {
         Modulus { plain, prime, negated_inverse: inverse.wrapping_neg(), one, square }
     }
 
+    /// The field, whose elements are ordinary residues.
+    pub(crate) fn field(&self) -> PrimeField {
+        self.plain
+    }
+
     /// p
     #[must_use]
     pub fn prime(&self) -> u64 {

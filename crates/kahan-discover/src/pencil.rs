@@ -9,7 +9,7 @@ use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
-use crate::space::{Form, Space};
+use crate::space::{Form, Space, scattered};
 use crate::stepping::Stepping;
 
 /// Equations beyond the number of unknowns.
@@ -67,13 +67,7 @@ impl PencilEntry {
         let null = Echelon::null_vectors(modulus, rows, width, deadline)?;
         let [vector] = &null[..] else { return None };
         let (above, below) = vector.split_at(self.numerator.len());
-        let spread = |places: &[usize], entries: &[u64]| {
-            let mut all = vec![0; values[0].len()];
-            for (&place, &entry) in places.iter().zip(entries) {
-                all[place] = entry;
-            }
-            all
-        };
+        let spread = |places: &[usize], entries: &[u64]| scattered(places, entries, values[0].len());
         Some((spread(&self.numerator, above), spread(&self.denominator, below)))
     }
 }

@@ -74,11 +74,7 @@ impl Space {
     /// The coefficients of element `index` on all `count` monomials.
     #[must_use]
     pub fn element(&self, index: usize, count: usize) -> Vec<u64> {
-        let mut entries = vec![0; count];
-        for (&place, &value) in self.form.support.iter().zip(&self.rows[index]) {
-            entries[place] = value;
-        }
-        entries
+        scattered(&self.form.support, &self.rows[index], count)
     }
 
     /// The number of terms of element `index`.
@@ -86,6 +82,19 @@ impl Space {
     pub fn terms(&self, index: usize) -> usize {
         self.rows[index].iter().filter(|&&value| value != 0).count()
     }
+}
+
+/// A vector of this length with entries at these places, and zeros elsewhere.
+pub(crate) fn scattered<'a>(
+    places: impl IntoIterator<Item = &'a usize>,
+    entries: &[u64],
+    len: usize,
+) -> Vec<u64> {
+    let mut all = vec![0; len];
+    for (&place, &entry) in places.into_iter().zip(entries) {
+        all[place] = entry;
+    }
+    all
 }
 
 /// Which variables of formulas stand for what.

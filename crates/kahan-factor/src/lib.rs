@@ -19,7 +19,7 @@
 //! factors fall apart, serve as well (Hilbert's irreducibility theorem).
 //!
 //! Modules in reading order: `square_free`, `multivariate`; `sparse`, `series`, `vandermonde`,
-//! `combined` (its lifts); `univariate`, `modular`, `lifted`; `dense`.
+//! `combined` (its lifts); `univariate`, `modular`, `lifted`; `root`; `dense`.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -28,6 +28,7 @@ mod dense;
 mod lifted;
 mod modular;
 mod multivariate;
+mod root;
 mod series;
 mod sparse;
 mod square_free;
@@ -35,6 +36,8 @@ mod square_free;
 mod tests;
 mod univariate;
 mod vandermonde;
+
+pub use root::root;
 
 use kahan_algebra::poly::{Budget, OverBudget, Polynomial, Variable, degree_bounds};
 use kahan_algebra::rational::Rational;

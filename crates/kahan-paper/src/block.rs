@@ -5,7 +5,7 @@
 //! first proof stands alone.
 
 use kahan_algebra::lexer::lex;
-use kahan_algebra::prove::{ERROR_EXPONENT, Verdict, prove_all, prove_by_normal_form};
+use kahan_algebra::prove::{Verdict, prove_all, prove_by_normal_form};
 use kahan_algebra::render::{claim_text, macro_block};
 use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::TokenKind;
@@ -13,6 +13,8 @@ use kahan_algebra::{read_unproved, seed};
 
 use super::claim::Outcome;
 use super::formula::mutations;
+use super::identity::Evidence;
+use super::registry::outcome;
 
 /// Decides one claim of a system, and says on what the decision rests. Costs milliseconds, a second
 /// at worst.
@@ -29,11 +31,8 @@ pub fn establish_block_claim(system: &System, claim: &Claim, seed: [u8; 32]) -> 
         Verdict::TooLarge => return failed("its degree is too high to be proved"),
     };
     match prove_by_normal_form(system, claim) {
-        Some(true) => (Outcome::Proved, "by normal forms over Q, and modulo primes".to_owned()),
-        None => (
-            Outcome::ProvedModP,
-            format!("at {points} random points modulo primes, error < 2^-{ERROR_EXPONENT}"),
-        ),
+        Some(true) => outcome(&Evidence::NormalForm),
+        None => outcome(&Evidence::Modular(points)),
         Some(false) => failed("the normal forms of its two sides differ"),
     }
 }

@@ -3,9 +3,6 @@
 use kahan_algebra::rational::Rational;
 use kahan_core::{Constant, Scalar};
 
-/// Up to this size numerators and denominators make a [`Constant::ratio`], as in generated code.
-const EXACT_IN_F32: i64 = 1 << 24;
-
 /// A number of a field's text, in the form that generated code writes for it.
 #[derive(Clone, Debug)]
 pub(crate) enum Literal {
@@ -26,7 +23,7 @@ impl From<&Rational> for Literal {
         if let Some(integer) = value.as_i64() {
             return Self::Short(Constant::integer(integer));
         }
-        if let Some((p, q)) = value.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32) {
+        if let Some((p, q)) = value.as_short_ratio() {
             return Self::Short(Constant::ratio(p, q));
         }
         let (double, low) = value.to_double_double();

@@ -114,6 +114,13 @@ impl Rational {
         }
     }
 
+    /// Numerator and denominator, if `f32` holds both, so that one division rounds the number
+    /// correctly in every float.
+    pub fn as_short_ratio(&self) -> Option<(i64, i64)> {
+        const EXACT_IN_F32: i64 = 1 << 24;
+        self.as_small_ratio().filter(|(p, q)| p.abs().max(*q) <= EXACT_IN_F32)
+    }
+
     /// Whether the number is 0.
     pub fn is_zero(&self) -> bool {
         matches!(self.0, Repr::Small { num: 0, .. })

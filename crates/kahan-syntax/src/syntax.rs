@@ -114,6 +114,13 @@ pub enum ClaimKind {
 }
 
 impl ClaimKind {
+    /// The kind of claim that `word` begins.
+    pub fn of_keyword(word: &str) -> Option<Self> {
+        [ClaimKind::Integral, ClaimKind::Density, ClaimKind::Bracket]
+            .into_iter()
+            .find(|kind| kind.keyword() == word)
+    }
+
     /// The keyword that begins such a claim.
     #[must_use]
     pub fn keyword(self) -> &'static str {
@@ -121,16 +128,6 @@ impl ClaimKind {
             ClaimKind::Integral => "integral",
             ClaimKind::Density => "density",
             ClaimKind::Bracket => "bracket",
-        }
-    }
-
-    /// What such a claim says, in words.
-    #[must_use]
-    pub fn meaning(self) -> &'static str {
-        match self {
-            ClaimKind::Integral => "integral of motion: F(x~) = F(x)",
-            ClaimKind::Density => "invariant density: rho(x~) det dx~/dx = rho(x)",
-            ClaimKind::Bracket => "invariant Poisson tensor: J P(x) J^T = P(x~), Jacobi",
         }
     }
 }
@@ -156,6 +153,17 @@ pub enum ClaimBody {
     Function(Expr),
     /// Of a bracket.
     Tensor(Vec<TensorEntry>),
+}
+
+impl ClaimBody {
+    /// The function, or the values of the entries.
+    #[must_use]
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match self {
+            ClaimBody::Function(expr) => vec![expr],
+            ClaimBody::Tensor(entries) => entries.iter().map(|entry| &entry.value).collect(),
+        }
+    }
 }
 
 /// `{x, y} = expr;`
@@ -363,17 +371,6 @@ pub enum Reference<'a> {
         /// How far from site i.
         offset: i64,
     },
-}
-
-impl Reference<'_> {
-    /// What it reads the value of: the name, or the array.
-    #[must_use]
-    pub fn base(&self) -> &str {
-        match self {
-            Reference::Name(name) => name,
-            Reference::Site { array, .. } => array,
-        }
-    }
 }
 
 /// As it is written.

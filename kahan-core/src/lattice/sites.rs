@@ -43,8 +43,16 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// Gathers the neighbourhood of site i, each number taken to L by `lift`.
-    fn gather<M, T>(&mut self, map: &M, state: &[T], i: usize, lift: impl Fn(&T) -> L)
+    /// The neighbourhood of site i: entries of the state, taken to L by `lift`, and parameters, taken
+    /// there by `given`.
+    pub(super) fn gather<M, T, V>(
+        &mut self,
+        map: &M,
+        state: &[V],
+        i: usize,
+        lift: impl Fn(&V) -> L,
+        given: impl Fn(&T) -> L,
+    ) -> [&[L]; 2]
     where
         T: LatticeScalar,
         M: Family<T>,
@@ -58,9 +66,10 @@ impl<L: Scalar> Site<L> {
             }
             for p in 0..parameters {
                 self.c[place * parameters + p] =
-                    site.map_or_else(L::zero, |site| lift(&map.site_parameter(p)[site]));
+                    site.map_or_else(L::zero, |site| given(&map.site_parameter(p)[site]));
             }
         }
+        [&self.x, &self.c]
     }
 
     /// f of site i.
@@ -76,7 +85,7 @@ impl<L: Scalar> Site<L> {
         T: LatticeScalar,
         M: Family<T>,
     {
-        self.gather(map, state, i, lift);
+        self.gather(map, state, i, &lift, &lift);
         M::field(constants, &self.x, &self.c, &mut self.f);
         &self.f
     }
@@ -93,7 +102,7 @@ impl<L: Scalar> Site<L> {
         T: LatticeScalar,
         M: Family<T>,
     {
-        self.gather(map, state, i, lift);
+        self.gather(map, state, i, &lift, &lift);
         self.a.fill(L::zero());
         M::rows(constants, &self.x, &self.c, &mut self.f, &mut self.a);
     }

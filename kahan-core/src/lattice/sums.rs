@@ -10,7 +10,7 @@ use std::vec::Vec;
 use crate::scalar::Along;
 use crate::{Constant, Scalar};
 
-use super::sites::neighbour;
+use super::sites::Site;
 use super::{Family, LatticeAt, LatticeMap, LatticeScalar, Shape};
 
 /// Sums over all sites that a family claims, each with a density at a site.
@@ -53,24 +53,14 @@ impl<M: LatticeMap<T> + Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
         L: Scalar + FromScalar<T>,
     {
         let (map, sites) = (self.map(), self.sites());
-        let (block, reach, parameters) = (M::Shape::BLOCK, M::Shape::REACH as isize, M::Shape::PARAMETERS);
+        let block = M::Shape::BLOCK;
         assert!(x.len() == sites * block, "a state of {} numbers for a chain of {}", x.len(), sites * block);
         // What a chain was made with has constants.
         let Some(constants) = map.constants(L::from_scalar(self.eps()), L::from_scalar) else { return };
-        let (mut values, mut given, mut densities) =
-            (Vec::new(), Vec::new(), vec![L::zero(); M::INTEGRALS.len() + 1]);
+        let (mut site, mut densities) = (Site::of::<M::Shape>(), vec![L::zero(); M::INTEGRALS.len() + 1]);
         for i in 0..sites {
-            values.clear();
-            given.clear();
-            for offset in -reach..=reach {
-                let site = neighbour(M::BOUNDARY, sites, i, offset);
-                let value = |b| site.map_or_else(L::zero, |site| lift(&x[site * block + b]));
-                values.extend((0..block).map(value));
-                let parameter =
-                    |p| site.map_or_else(L::zero, |site| L::from_scalar(&map.site_parameter(p)[site]));
-                given.extend((0..parameters).map(parameter));
-            }
-            M::densities(&constants, &values, &given, &mut densities);
+            let [x, c] = site.gather(map, x, i, &lift, L::from_scalar);
+            M::densities(&constants, x, c, &mut densities);
             visit(&densities);
         }
     }

@@ -8,11 +8,11 @@
 //! they are calls, because each inlined one would keep its operands in the caller's frame.
 
 use core::array::from_fn;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
-use super::{Constant, Scalar};
+use super::{Constant, Scalar, assignments};
 
 /// A value with its derivatives along N directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,19 +128,8 @@ impl<T: Scalar, const N: usize> SubAssign for Dual<T, N> {
     }
 }
 
-impl<T: Scalar, const N: usize> MulAssign for Dual<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn mul_assign(&mut self, other: Self) {
-        *self = self.clone() * other;
-    }
-}
-
-impl<T: Scalar, const N: usize> DivAssign for Dual<T, N> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn div_assign(&mut self, other: Self) {
-        *self = self.clone() / other;
-    }
-}
+assignments!(one [T: Scalar, const N: usize] Dual<T, N>, MulAssign mul_assign *);
+assignments!(one [T: Scalar, const N: usize] Dual<T, N>, DivAssign div_assign /);
 
 impl<T: Scalar, const N: usize> Zero for Dual<T, N> {
     fn zero() -> Self {

@@ -14,7 +14,7 @@ use crate::system::{Claim, upper_index};
 use super::conditions;
 use super::entries::entry_places;
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
-use super::names::{Meaning, Scope, expressions};
+use super::names::{Meaning, Scope};
 use super::stand_in::StandIn;
 
 /// Compiles the claims in order; one that is broken is left out, and keeps its name in what stands
@@ -41,7 +41,7 @@ pub(super) fn compile_all(
             .filter(|body| {
                 // Every expression is looked at, so that all unknown names are reported.
                 let unsound =
-                    expressions(body).into_iter().filter(|expr| !scope.resolve(expr, true, diagnostics));
+                    body.expressions().into_iter().filter(|expr| !scope.resolve(expr, true, diagnostics));
                 unsound.count() == 0
             })
             .zip(entries)

@@ -7,6 +7,7 @@ use kahan_syntax::token::Span;
 use crate::field::Component;
 use crate::kept::{Kept, Values};
 use crate::poly::Monomial;
+use crate::render::{Notation, Text};
 
 use super::expand::{Expansion, expand, expand_unkept, too_high};
 use super::names::Scope;
@@ -53,15 +54,11 @@ fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Exp
 /// The term in words, parameters left out.
 fn describe(monomial: &Monomial, scope: &Scope) -> String {
     let (states, _) = monomial.split(|variable| scope.symbols.is_state(variable));
-    let powers: Vec<String> = states
-        .powers()
-        .iter()
-        .map(|&(variable, exponent)| match exponent {
-            1 => scope.symbols.name(variable),
-            _ => format!("{}^{exponent}", scope.symbols.name(variable)),
-        })
-        .collect();
-    format!("the term `{}`", powers.join("*"))
+    let powers = states.powers().iter();
+    let powers =
+        powers.map(|&(variable, exponent)| Text.power(&scope.symbols.name(variable), exponent.into()));
+    let powers: Vec<String> = powers.collect();
+    format!("the term `{}`", Text.product(&powers))
 }
 
 /// The place that raises the degree above two: of a sum its first term that is too high, of a

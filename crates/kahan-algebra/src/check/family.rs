@@ -28,7 +28,7 @@ pub(crate) fn check_family(
     let equations = block.equations[head.equations_before..head.equations_until].to_vec();
     let block = &Block { equations, ..block.clone() };
     let names = Names::of(block, diagnostics);
-    let mut scope = Scope::of_family(names.symbols());
+    let mut scope = Scope::of(names.symbols());
     names.report_plain_arrays(block, &mut scope, diagnostics);
     let constants = constants::evaluate(block, &mut scope, diagnostics);
     for name in &names.site_parameters {

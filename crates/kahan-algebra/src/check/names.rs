@@ -7,7 +7,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
 use kahan_syntax::spelling::{is_keyword, nearest};
-use kahan_syntax::syntax::{Block, ClaimBody, Expr, Name, Reference};
+use kahan_syntax::syntax::{Block, Expr, Name, Reference};
 use kahan_syntax::table::sorted_by_key;
 use kahan_syntax::token::Span;
 
@@ -22,6 +22,7 @@ pub(super) enum Meaning {
 }
 
 /// All names of a block.
+#[derive(Default)]
 pub(super) struct Scope {
     pub(super) symbols: Symbols,
     /// Values of constants; `None` for one whose value was not understood.
@@ -238,12 +239,4 @@ fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
     };
     diagnostics.report(Kind::Name, name.span, message, help);
     true
-}
-
-/// The expressions of a claim's body.
-pub(super) fn expressions(body: &ClaimBody) -> Vec<&Expr> {
-    match body {
-        ClaimBody::Function(expr) => vec![expr],
-        ClaimBody::Tensor(entries) => entries.iter().map(|entry| &entry.value).collect(),
-    }
 }

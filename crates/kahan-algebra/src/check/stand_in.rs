@@ -38,8 +38,7 @@ impl StandIn {
     /// A type without equations.
     #[must_use]
     pub fn of_type(header: Option<Header>) -> Self {
-        let symbols = Symbols { states: Vec::new(), parameters: Vec::new() };
-        StandIn { header, symbols, site_parameters: Vec::new(), claims: Vec::new() }
+        StandIn { header, symbols: Symbols::default(), site_parameters: Vec::new(), claims: Vec::new() }
     }
 
     /// Adds a claim.

@@ -20,7 +20,7 @@ use kahan_syntax::table::distinct;
 use kahan_syntax::token::Span;
 
 use crate::field::Field;
-use crate::kahan::field_jacobian;
+use crate::kahan::{field_jacobian, pattern};
 use crate::kept::Values;
 use crate::plan::{Plan, StepCost, triangular_blocks};
 use crate::poly::Polynomial;
@@ -102,8 +102,7 @@ impl Couplings {
     }
 
     fn among(values: &Values, slopes: &[Vec<Polynomial>]) -> Self {
-        let is_coupled: Vec<Vec<bool>> =
-            slopes.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect();
+        let is_coupled = pattern(slopes);
         let graph = Graph::of(&is_coupled);
         let blocks: Vec<Vec<usize>> =
             triangular_blocks(&is_coupled).iter().map(|block| cheapest(&graph, block)).collect();
@@ -141,16 +140,6 @@ impl Couplings {
     #[must_use]
     pub fn is_straight(&self) -> bool {
         self.products() <= MOST_STRAIGHT
-    }
-
-    /// The most entries in a row of A.
-    #[must_use]
-    pub fn widest_row(&self) -> usize {
-        let is_slope = |place: &usize| self.places.binary_search(place).is_ok();
-        let width = |row: &Row| {
-            (row.start..row.end).filter(|place| *place == row.diagonal || is_slope(place)).count()
-        };
-        self.rows.iter().map(width).max().unwrap_or(0)
     }
 
     /// What a step costs, a product and the subtraction that follows counted twice.

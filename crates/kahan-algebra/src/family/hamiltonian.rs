@@ -10,6 +10,7 @@ use kahan_syntax::table::Table;
 
 use crate::poly::{Monomial, Polynomial};
 use crate::rational_function::RationalFunction;
+use crate::render::{Notation, Text};
 use crate::symbols::Symbols;
 
 use super::conserved::{longest, plural};
@@ -141,7 +142,7 @@ impl<'a> Chain<'a> {
         let system = self.family.at_sites(self.sites);
         let middle = self.sites / 2;
         let rest = (0..self.sites).filter(|site| *site != middle && self.family.boundary == Boundary::Open);
-        let mut known: Vec<(Vec<RationalFunction>, RationalFunction)> = Vec::new();
+        let mut known: Vec<Vec<RationalFunction>> = Vec::new();
         for site in std::iter::once(middle).chain(rest) {
             for array in 0..self.family.block() {
                 let component = &system.field.components[site * self.family.block() + array];
@@ -151,12 +152,11 @@ impl<'a> Chain<'a> {
                     .chain([&component.numerator * &self.divisor])
                     .collect();
                 for (monomial, row) in self.by_monomial(&sides) {
-                    let (coefficients, right) = row;
-                    if known.iter().any(|(known, other)| *known == coefficients && *other == right) {
+                    if known.contains(&row) {
                         continue;
                     }
-                    known.push((coefficients.clone(), right.clone()));
-                    if !equations.add(coefficients, right) {
+                    known.push(row.clone());
+                    if !equations.add(row) {
                         return Err((site, array, monomial));
                     }
                 }
@@ -191,12 +191,9 @@ impl<'a> Chain<'a> {
         Some(&self.gradient[site * self.family.block() + array])
     }
 
-    /// The coefficients of each monomial in states and in parameters of sites: those of all sides
-    /// but the last, and of the last. Terms of the last side come first.
-    fn by_monomial(
-        &self,
-        sides: &[Polynomial],
-    ) -> Vec<(Monomial, (Vec<RationalFunction>, RationalFunction))> {
+    /// The coefficients of each monomial in states and in parameters of sites, one a side. Terms of
+    /// the last side come first.
+    fn by_monomial(&self, sides: &[Polynomial]) -> Vec<(Monomial, Vec<RationalFunction>)> {
         let first_of_sites = self.symbols.states.len() + self.family.parameters.len();
         let epsilon = self.symbols.epsilon();
         let varies = |variable: crate::poly::Variable| {
@@ -210,12 +207,9 @@ impl<'a> Chain<'a> {
                 monomials.push(monomial);
             }
         }
-        let coefficient = |side: usize, monomial: &Monomial| {
-            groups[side].get(monomial).cloned().map_or_else(RationalFunction::zero, RationalFunction::from)
-        };
-        let last = sides.len() - 1;
         let row = |monomial: &Monomial| {
-            ((0..last).map(|side| coefficient(side, monomial)).collect(), coefficient(last, monomial))
+            let coefficients = groups.iter().map(|side| side.get(monomial).cloned().unwrap_or_default());
+            coefficients.map(RationalFunction::from).collect()
         };
         monomials.into_iter().map(|monomial| (monomial.clone(), row(monomial))).collect()
     }
@@ -236,10 +230,10 @@ fn relative(family: &Family, symbols: &Symbols, monomial: &Monomial, site: usize
         };
         Reference::Site { array: base, offset: place as i64 - site as i64 }.to_string()
     };
-    let factors = monomial.powers().iter().map(|&(variable, exponent)| {
-        let name = name(usize::from(variable.0));
-        if exponent == 1 { name } else { format!("{name}^{exponent}") }
-    });
+    let factors = monomial
+        .powers()
+        .iter()
+        .map(|&(variable, exponent)| Text.power(&name(usize::from(variable.0)), exponent.into()));
     let factors: Vec<String> = factors.collect();
-    if factors.is_empty() { "1".to_owned() } else { factors.join("*") }
+    if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
 }

@@ -16,6 +16,11 @@ pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
         .collect()
 }
 
+/// Where the entries of a matrix are not identically zero.
+pub(crate) fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
+    rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()
+}
+
 /// The matrix with these entries on its diagonal, minus ε times the `slopes`.
 #[must_use]
 pub(crate) fn matrix_of(

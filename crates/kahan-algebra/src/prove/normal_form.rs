@@ -6,7 +6,7 @@ use kahan_syntax::rational::Rational;
 use crate::arithmetic::{Arithmetic, Function, Functions};
 use crate::derived::Scheme;
 use crate::kahan::RationalMap;
-use crate::plan::PlanBuilder;
+use crate::plan::Plan;
 use crate::poly::{Budget, Polynomial, Variable};
 use crate::relations::put_into;
 use crate::system::{Claim, System};
@@ -68,11 +68,7 @@ fn sample(
     }
     let mut back = there.clone();
     back[eps] = functions.negate(&here[eps]);
-    let determinant = {
-        let mut builder = PlanBuilder::default();
-        let node = builder.polynomial(&map.denominator);
-        builder.finish(&[node])
-    };
+    let determinant = Plan::of([&map.denominator]);
     let matrix = rows(&run(functions, &scheme.matrix, &here)?, n);
     let back_matrix = rows(&run(functions, &scheme.matrix, &back)?, n);
     let above = run(functions, &determinant, &back)?.pop()?;

@@ -1,6 +1,6 @@
 //! A system as a block of `kahan!`, in one canonical layout.
 
-use kahan_syntax::syntax::{ClaimBody, Expr, Header, Reference};
+use kahan_syntax::syntax::{Header, Reference};
 
 use crate::field::Component;
 use crate::system::{Claim, Condition, System};
@@ -35,11 +35,8 @@ fn mentions(condition: &Condition, name: &str) -> bool {
 /// Whether a name stands in a claim as written.
 fn claim_names(claim: &Claim, name: &str) -> bool {
     let mut found = claim.conditions.iter().any(|condition| mentions(condition, name));
-    let mut look =
-        |expr: &Expr| expr.visit_names(&mut |written, _| found |= written == Reference::Name(name));
-    match &claim.body {
-        ClaimBody::Function(expr) => look(expr),
-        ClaimBody::Tensor(entries) => entries.iter().for_each(|entry| look(&entry.value)),
+    for expr in claim.body.expressions() {
+        expr.visit_names(&mut |written, _| found |= written == Reference::Name(name));
     }
     found
 }

@@ -61,16 +61,21 @@ fn write(expr: &Expr) -> (String, Level) {
 pub fn sum_of(terms: &[Term], at_least: fn(&Expr, Level) -> String) -> String {
     let mut text = String::new();
     for (index, term) in terms.iter().enumerate() {
-        text.push_str(match (index, term.negative) {
-            (0, false) => "",
-            (0, true) => "-",
-            (_, false) => " + ",
-            (_, true) => " - ",
-        });
         let level = if index == 0 && !term.negative { Level::Sum } else { Level::Product };
-        text.push_str(&at_least(&term.expr, level));
+        push_term(&mut text, term.negative, &at_least(&term.expr, level));
     }
     text
+}
+
+/// Adds a term to the sum that is being written, or subtracts it.
+pub fn push_term(sum: &mut String, is_negative: bool, term: &str) {
+    sum.push_str(match (sum.is_empty(), is_negative) {
+        (true, false) => "",
+        (true, true) => "-",
+        (false, false) => " + ",
+        (false, true) => " - ",
+    });
+    sum.push_str(term);
 }
 
 fn at_least(expr: &Expr, level: Level) -> String {

@@ -10,7 +10,7 @@ mod report;
 
 pub use block::macro_block;
 pub use claim::{claim_statement, claim_text, condition_note, condition_statement, condition_text};
-pub use expression::{Level, expression_text, sum_of};
+pub use expression::{Level, expression_text, push_term, sum_of};
 pub use formula::{Formulas, MatrixText};
 pub use lines::{folded, lines};
 pub use notation::{Notation, Text};

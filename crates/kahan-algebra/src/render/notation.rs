@@ -9,7 +9,7 @@ use kahan_syntax::table::sorted_by_key;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::{Symbol, Symbols};
 
-use super::expression::expression_text;
+use super::expression::{expression_text, push_term};
 
 /// How formulas are written. [`Text`] is here; LaTeX, for which the macro has no use, is
 /// `kahan-latex`.
@@ -66,15 +66,8 @@ pub trait Notation: fmt::Debug {
         terms.sort_by_key(|(monomial, _)| monomial.degree());
         let mut text = String::new();
         for (monomial, coefficient) in terms {
-            let size = if coefficient.is_negative() { -coefficient } else { coefficient.clone() };
-            let sign = match (coefficient.is_negative(), text.is_empty()) {
-                (true, true) => "-",
-                (true, false) => " - ",
-                (false, true) => "",
-                (false, false) => " + ",
-            };
-            text.push_str(sign);
-            text.push_str(&term(self, symbols, monomial, &size));
+            let term = term(self, symbols, monomial, &coefficient.abs());
+            push_term(&mut text, coefficient.is_negative(), &term);
         }
         if text.is_empty() { "0".to_owned() } else { text }
     }

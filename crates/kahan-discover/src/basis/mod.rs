@@ -16,7 +16,7 @@ mod proof;
 mod tests;
 
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_algebra::render::{Notation, Text};
+use kahan_algebra::render::{Notation, Text, push_term};
 
 use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
@@ -26,6 +26,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
 use crate::setting::{DrawnStep, Setting};
+use crate::space::scattered;
 use crate::stepping::Stepping;
 
 pub use evaluate::{BasisError, BasisValues};
@@ -95,16 +96,10 @@ impl Basis {
                 places.reverse();
             }
             for (place, factor) in places {
-                let sign = match (text.is_empty(), factor < 0) {
-                    (true, false) => "",
-                    (true, true) => "-",
-                    (false, false) => " + ",
-                    (false, true) => " - ",
-                };
                 let size = factor.unsigned_abs();
                 let monomial = monomial_text(states, &self.monomials[place], notation);
-                text += sign;
-                text += &if size == 1 { monomial } else { notation.product(&[size.to_string(), monomial]) };
+                let term = if size == 1 { monomial } else { notation.product(&[size.to_string(), monomial]) };
+                push_term(&mut text, factor < 0, &term);
             }
             text
         };
@@ -321,12 +316,9 @@ fn reduced_in(
     let permuted = |vector: &NullVector| order.iter().rev().map(|&index| vector.entries[index]).collect();
     let rows = relations.vectors.iter().map(permuted).collect();
     let echelon = Echelon::within(modulus, rows, order.len(), deadline)?;
-    let restored = |(row, &pivot): (&Vec<u64>, &usize)| {
-        let mut entries = vec![0; order.len()];
-        for (&index, &value) in order.iter().rev().zip(row) {
-            entries[index] = value;
-        }
-        NullVector { free: order[order.len() - 1 - pivot], entries }
+    let restored = |(row, &pivot): (&Vec<u64>, &usize)| NullVector {
+        free: order[order.len() - 1 - pivot],
+        entries: scattered(order.iter().rev(), row, order.len()),
     };
     Some(echelon.rows.iter().zip(&echelon.pivots).map(restored).collect())
 }

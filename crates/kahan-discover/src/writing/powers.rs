@@ -3,7 +3,7 @@
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
-use kahan_algebra::render::{Notation, Text};
+use kahan_algebra::render::{Notation, Text, push_term};
 use kahan_algebra::symbols::{Symbol, Symbols};
 
 use super::{MOST_TERMS, MOST_WORK, Product, Sum, begins_negative, product_text};
@@ -94,27 +94,20 @@ pub(super) fn by_powers(
     let base_text = Text.polynomial(symbols, &base);
     let base_text = if base.len() > 1 { format!("({base_text})") } else { base_text };
     let mut text = String::new();
-    let (mut is_first, mut is_negative) = (true, false);
+    let mut is_negative = false;
     for (exponent, digit) in sum.coefficients_in(fresh) {
         let mut product = Product::of(&[digit]);
-        if is_first {
+        if text.is_empty() {
             // The whole begins positive.
             is_negative = product.content.is_negative();
         }
         if is_negative {
             product.content = -&product.content;
         }
-        let sign = match (product.content.is_negative(), is_first) {
-            (true, _) => " - ",
-            (false, true) => "",
-            (false, false) => " + ",
-        };
-        product.content = product.content.abs();
         let power = Text.power(&base_text, i64::from(exponent));
         product.sums.extend((exponent > 0).then_some((Sum::Written(power), 1)));
-        text.push_str(sign);
-        text.push_str(&product_text(symbols, &product.content, &product.front, &product.sums));
-        is_first = false;
+        let term = product_text(symbols, &product.content.abs(), &product.front, &product.sums);
+        push_term(&mut text, product.content.is_negative(), &term);
     }
     let content = if is_negative { -&scale.content } else { scale.content };
     Some((text, Scale { content, ..scale }))

@@ -27,9 +27,14 @@ pub(super) struct EmittedClaims {
 pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
     let mut emitted = emit_integrals(context);
     let density = context.system.accessors(ClaimKind::Density).zip(&context.derived.density);
-    let density = density.map(|(claim, plan)| emit_density(context, claim, plan));
+    let density = density.map(|(claim, plan)| {
+        emit_accessor(context, ClaimKind::Density, plan, &docs::density(claim), "density")
+    });
     let brackets = context.system.accessors(ClaimKind::Bracket).zip(&context.derived.brackets);
-    let brackets = brackets.map(|(claim, (_, plan))| emit_bracket(context, claim, plan));
+    let brackets = brackets.map(|(claim, (name, plan))| {
+        let name = format!("bracket_{name}");
+        emit_accessor(context, ClaimKind::Bracket, plan, &docs::bracket(claim), &name)
+    });
     emitted.methods.extend(density.into_iter().chain(brackets));
     let integrals = &context.derived.integral_names;
     for (claim, plan) in context.system.conditional().zip(&context.derived.conditional) {
@@ -127,33 +132,28 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
 
 /// The accessor of a claim that is made `when` something holds.
 fn emit_conditional(context: &Context<'_>, claim: &Claim, plan: &Plan, integrals: &[String]) -> TokenStream {
-    let (bindings, results) = emit_body(context, plan);
-    let (scalar, name) = (&context.this.scalar, &claim.name.text);
-    let documentation = docs::conditional(context, claim);
-    let one = quote!(#bindings #(#results)*);
-    match claim.kind {
-        ClaimKind::Integral => {
-            emit_method(context, &documentation, &name_of_integral(name, integrals), &quote!(#scalar), &one)
-        }
-        ClaimKind::Density => {
-            emit_method(context, &documentation, &format!("density_{name}"), &quote!(#scalar), &one)
-        }
-        ClaimKind::Bracket => {
-            let body = quote! { #bindings __kahan::antisymmetric([#(#results),*]) };
-            emit_method(context, &documentation, &format!("bracket_{name}"), &context.matrix(), &body)
-        }
-    }
+    let name = &claim.name.text;
+    let method = match claim.kind {
+        ClaimKind::Integral => name_of_integral(name, integrals),
+        ClaimKind::Density => format!("density_{name}"),
+        ClaimKind::Bracket => format!("bracket_{name}"),
+    };
+    emit_accessor(context, claim.kind, plan, &docs::conditional(context, claim), &method)
 }
 
-fn emit_density(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
+/// The method that computes a claimed function or tensor.
+fn emit_accessor(
+    context: &Context<'_>,
+    kind: ClaimKind,
+    plan: &Plan,
+    documentation: &TokenStream,
+    name: &str,
+) -> TokenStream {
+    let (bindings, results) = emit_body(context, plan);
     let scalar = &context.this.scalar;
-    let (bindings, results) = emit_body(context, plan);
-    emit_method(context, &docs::density(claim), "density", &quote!(#scalar), &quote!(#bindings #(#results)*))
-}
-
-fn emit_bracket(context: &Context<'_>, claim: &Claim, plan: &Plan) -> TokenStream {
-    let (bindings, entries) = emit_body(context, plan);
-    let body = quote! { #bindings __kahan::antisymmetric([#(#entries),*]) };
-    let name = format!("bracket_{}", claim.name.text);
-    emit_method(context, &docs::bracket(claim), &name, &context.matrix(), &body)
+    let (result, value) = match kind {
+        ClaimKind::Integral | ClaimKind::Density => (quote!(#scalar), quote!(#(#results)*)),
+        ClaimKind::Bracket => (context.matrix(), quote!(__kahan::antisymmetric([#(#results),*]))),
+    };
+    emit_method(context, documentation, name, &result, &quote!(#bindings #value))
 }

@@ -20,7 +20,7 @@ use quote::{format_ident, quote};
 
 use super::Context;
 use super::formulas::emit_formulas;
-use super::inputs::{binding, emit_pattern};
+use super::inputs::emit_pattern;
 use super::items::identifier;
 use super::plan::{Emitted, emit_plan};
 use super::step::emit_cost;
@@ -128,30 +128,16 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     }
 }
 
-/// The bindings of a plan, and its results.
+/// The bindings of a plan (`let [__s_x, _] = x; let [__p_mu, _] = __parameters;` first), and its results.
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = plan.inputs();
     let states = emit_pattern(&inputs, symbols, Symbol::State, symbols.dimension());
     let states = states.map(|states| quote! { let #states = x; });
-    let parameters = emit_own_parameters(context, plan);
+    let parameters = emit_pattern(&inputs, symbols, Symbol::Parameter, symbols.parameters.len());
+    let parameters = parameters.map(|parameters| quote! { let #parameters = __parameters; });
     let Emitted { bindings, results } = emit_plan(plan, symbols, &context.this.scalar);
     (quote! { #states #parameters #bindings }, results)
-}
-
-/// Binds the parameters that a plan reads: `let [__p_mu, _] = __parameters;`.
-fn emit_own_parameters(context: &Context<'_>, plan: &Plan) -> Option<TokenStream> {
-    let symbols = &context.system.field.symbols;
-    let inputs = plan.inputs();
-    let is_read = |k: &usize| inputs.contains(&symbols.parameter(*k));
-    let names = (0..symbols.parameters.len()).map(|k| match is_read(&k) {
-        true => {
-            let name = binding(symbols, symbols.parameter(k));
-            quote!(#name)
-        }
-        false => quote!(_),
-    });
-    (0..symbols.parameters.len()).any(|k| is_read(&k)).then(|| quote! { let [#(#names),*] = __parameters; })
 }
 
 /// Expands to `Couplings { order: &[0, 2, …], … }`.

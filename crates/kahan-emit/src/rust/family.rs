@@ -18,7 +18,7 @@ use kahan_algebra::syntax::Boundary;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::inputs::binding;
+use super::inputs::{binding, emit_bound_parameters};
 use super::items::{Type, identifier};
 use super::plan::{Emitted, emit_kernel, emit_plan};
 use super::tokens::Flat;
@@ -132,15 +132,7 @@ impl Context<'_> {
     fn emit_constants(&self) -> TokenStream {
         let (lines, line_scalar, scalar) = (&self.lines, &self.line_scalar, &self.this.scalar);
         let inputs = lines.constants.inputs();
-        let parameters = lines.given.parameters.iter().enumerate();
-        let bindings: TokenStream = parameters
-            .filter(|(k, _)| inputs.contains(&lines.given.parameter(*k)))
-            .map(|(k, name)| {
-                let (binding, field) =
-                    (binding(&lines.given, lines.given.parameter(k)), identifier(name, Span::call_site()));
-                quote! { let #binding = lift(&self.#field); }
-            })
-            .collect();
+        let bindings = emit_bound_parameters(&inputs, &lines.given, |field| quote!(lift(&self.#field)));
         let Emitted { bindings: steps, results } =
             emit_kernel(&lines.constants, &lines.given, line_scalar, &[], false);
         quote! {

@@ -24,12 +24,16 @@ pub(super) fn emit_formulas(plan: &Plan, symbols: &Symbols) -> TokenStream {
     quote! { { use __kahan::Postfix::*; &[#steps] } }
 }
 
+/// How many values the stack holds at most while two operands are computed, the deeper first.
+fn pair(a: usize, b: usize) -> usize {
+    if a == b { a + 1 } else { a.max(b) }
+}
+
 /// How many values each step has on the stack at most, operands in the better order.
 fn depths(plan: &Plan) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::with_capacity(plan.operations.len());
     for operation in &plan.operations {
         let of = |node: Node| depths[node.0];
-        let pair = |a: usize, b: usize| if a == b { a + 1 } else { a.max(b) };
         depths.push(match *operation {
             Operation::MultiplyAdd(a, b, c)
             | Operation::MultiplySubtract(a, b, c)
@@ -106,10 +110,7 @@ impl PostfixWriter<'_> {
     fn depth(&self, part: Part) -> usize {
         match part {
             Part::Of(node) => self.depths[node.0],
-            Part::Product(a, b) => {
-                let (a, b) = (self.depths[a.0], self.depths[b.0]);
-                if a == b { a + 1 } else { a.max(b) }
-            }
+            Part::Product(a, b) => pair(self.depths[a.0], self.depths[b.0]),
         }
     }
 

@@ -30,14 +30,23 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     if let Some(states) = emit_pattern(&inputs, symbols, Symbol::SecondState, dimension) {
         bindings.extend(quote! { let #states = __kahan::components(y); });
     }
-    for (k, parameter) in symbols.parameters.iter().enumerate() {
-        let variable = symbols.parameter(k);
-        if inputs.contains(&variable) {
-            let (name, field) = (binding(symbols, variable), identifier(parameter, Span::call_site()));
-            bindings.extend(quote! { let #name = &self.#field; });
-        }
-    }
+    bindings.extend(emit_bound_parameters(&inputs, symbols, |field| quote!(&self.#field)));
     bindings
+}
+
+/// Binds the parameters that are read to what `read` makes of their fields.
+pub(super) fn emit_bound_parameters(
+    inputs: &[Variable],
+    symbols: &Symbols,
+    read: impl Fn(Ident) -> TokenStream,
+) -> TokenStream {
+    let all = symbols.parameters.iter().enumerate();
+    let given = all.map(|(k, name)| (symbols.parameter(k), identifier(name, Span::call_site())));
+    let binds = |(variable, field)| {
+        let (name, value) = (binding(symbols, variable), read(field));
+        quote! { let #name = #value; }
+    };
+    given.filter(|(variable, _)| inputs.contains(variable)).map(binds).collect()
 }
 
 /// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.

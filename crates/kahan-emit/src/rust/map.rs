@@ -10,7 +10,7 @@ use quote::{format_ident, quote};
 use super::Context;
 use super::coupled::{Sizes, emit_coupled, emit_parameters};
 use super::field::emit_body;
-use super::inputs::{binding, emit_pattern};
+use super::inputs::{emit_bound_parameters, emit_pattern};
 use super::items::identifier;
 use super::plan::{Emitted, emit_kernel};
 use super::step::{EmittedStep, emit_step};
@@ -149,11 +149,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
     let points =
         [point("x", &Symbol::State), point("y", &Symbol::SecondState), point("v", &|i| Symbol::State(n + i))];
     let points = points.into_iter().flatten();
-    let parameters = symbols.parameters.iter().enumerate().filter_map(|(k, parameter)| {
-        let variable = symbols.parameter(k);
-        let (name, field) = (binding(symbols, variable), identifier(parameter, Span::call_site()));
-        inputs.contains(&variable).then(|| quote! { let #name = self.#field.clone(); })
-    });
+    let parameters = emit_bound_parameters(&inputs, symbols, |field| quote!(self.#field.clone()));
     let Emitted { bindings, results } = emit_kernel(plan, symbols, scalar, &[], n == 3);
     Some(quote! {
         #[inline(always)]
@@ -166,7 +162,7 @@ fn emit_carry(context: &Context<'_>) -> Option<TokenStream> {
         ) -> __kahan::Option<#vector> {
             let eps = eps.clone();
             #(#points)*
-            #(#parameters)*
+            #parameters
             #bindings
             __kahan::Some(__kahan::vector([#(#results),*]))
         }

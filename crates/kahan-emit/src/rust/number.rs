@@ -4,9 +4,6 @@ use kahan_algebra::rational::Rational;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-/// Quotients of integers up to this size are rounded correctly by one division, in `f32` too.
-const EXACT_IN_F32: i64 = 1 << 24;
-
 /// A constant of type `scalar`: `__kahan::integer::<T>(3)`, `__kahan::ratio::<T>(1, 2)`, or all its
 /// digits.
 pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
@@ -14,7 +11,8 @@ pub(super) fn emit_constant(value: &Rational, scalar: &Ident) -> TokenStream {
         let integer = Literal::i64_unsuffixed(integer);
         return quote!(__kahan::integer::<#scalar>(#integer));
     }
-    if let Some([numerator, denominator]) = small(value) {
+    if let Some((numerator, denominator)) = value.as_short_ratio() {
+        let [numerator, denominator] = [numerator, denominator].map(Literal::i64_unsuffixed);
         return quote!(__kahan::ratio::<#scalar>(#numerator, #denominator));
     }
     let exact = emit_exact(value);
@@ -27,7 +25,8 @@ pub(super) fn emit_exact(value: &Rational) -> TokenStream {
         let integer = Literal::i64_unsuffixed(integer);
         return quote!(__kahan::Constant::integer(#integer));
     }
-    if let Some([numerator, denominator]) = small(value) {
+    if let Some((numerator, denominator)) = value.as_short_ratio() {
+        let [numerator, denominator] = [numerator, denominator].map(Literal::i64_unsuffixed);
         return quote!(__kahan::Constant::ratio(#numerator, #denominator));
     }
     let negative = value.is_negative();
@@ -49,11 +48,4 @@ pub(super) fn emit_exact(value: &Rational) -> TokenStream {
             __kahan::f64::from_bits(#low),
         )
     }
-}
-
-/// Numerator and denominator of a small quotient.
-fn small(value: &Rational) -> Option<[Literal; 2]> {
-    let (numerator, denominator) = value.as_small_ratio()?;
-    let is_small = numerator.abs().max(denominator) <= EXACT_IN_F32;
-    is_small.then(|| [numerator, denominator].map(Literal::i64_unsuffixed))
 }

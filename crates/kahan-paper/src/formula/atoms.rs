@@ -13,17 +13,11 @@ use super::Formula;
 /// The formula with its functions replaced by rational expressions in fresh names; `None` if some
 /// function stays.
 pub(crate) fn rationalise(formula: &Formula) -> Option<Formula> {
-    let parts = |parts: &[(bool, Formula)]| {
-        parts.iter().map(|(mark, part)| Some((*mark, rationalise(part)?))).collect::<Option<Vec<_>>>()
-    };
     match formula {
         Formula::Name(name) if name == "pi" => None,
-        Formula::Number(_) | Formula::Name(_) => Some(formula.clone()),
-        Formula::Negation(inner) => Some(Formula::Negation(Box::new(rationalise(inner)?))),
-        Formula::Sum(terms) => Some(Formula::Sum(parts(terms)?)),
-        Formula::Product(factors) => Some(Formula::Product(parts(factors)?)),
         Formula::Power(base, exponent) => power(base, exponent),
         Formula::Call(name, arguments) => call(name, arguments),
+        _ => formula.of_parts(&|part| rationalise(part).ok_or(())).ok(),
     }
 }
 
@@ -73,11 +67,8 @@ pub(crate) fn has_functions(formula: &Formula) -> bool {
 /// base^exponent: an integer exponent as it is, a symbolic one of a name as a monomial in fresh
 /// names.
 fn power(base: &Formula, exponent: &Formula) -> Option<Formula> {
-    if exponent.as_number().is_some() {
-        return Some(Formula::Power(Box::new(rationalise(base)?), Box::new(exponent.clone())));
-    }
     let rational_base = rationalise(base)?;
-    if exponent.as_number().is_some_and(|exponent| exponent.as_i64().is_some()) {
+    if exponent.as_number().is_some() {
         return Some(Formula::Power(Box::new(rational_base), Box::new(exponent.clone())));
     }
     let form = expand(exponent)?;

@@ -93,15 +93,9 @@ fn unknown(name: &str) -> String {
 
 fn depends_on(formula: &Formula, variable: &str) -> bool {
     match formula {
-        Formula::Number(_) => false,
         Formula::Name(name) => name == variable,
-        Formula::Negation(inner) => depends_on(inner, variable),
-        Formula::Sum(parts) | Formula::Product(parts) => {
-            parts.iter().any(|(_, part)| depends_on(part, variable))
-        }
-        Formula::Power(base, exponent) => depends_on(base, variable) || depends_on(exponent, variable),
         // A step of the map moves every state: it depends on all of them.
         Formula::Call(name, _) if matches!(name.as_str(), "next" | "back" | "f" | "A" | "b" | "J") => true,
-        Formula::Call(_, arguments) => arguments.iter().any(|argument| depends_on(argument, variable)),
+        _ => formula.parts().into_iter().any(|part| depends_on(part, variable)),
     }
 }

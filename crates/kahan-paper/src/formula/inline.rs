@@ -33,37 +33,20 @@ impl Scope<'_> {
         if self.depth > DEEPEST {
             return Err("a definition uses itself".to_owned());
         }
-        let each = |parts: &[(bool, Formula)]| {
-            parts
-                .iter()
-                .map(|(mark, part)| Ok((*mark, self.inline(part)?)))
-                .collect::<Result<Vec<_>, String>>()
-        };
-        match formula {
-            Formula::Number(_) => Ok(formula.clone()),
-            Formula::Name(name) => match (self.locals.get(name), self.definitions.get(name)) {
+        match formula.of_parts(&|part| self.inline(part))? {
+            Formula::Name(name) => match (self.locals.get(&name), self.definitions.get(&name)) {
                 (Some(value), _) => Ok(value.clone()),
                 (None, Some(definition)) => self.body(definition, Vec::new()),
-                (None, None) => Ok(formula.clone()),
+                (None, None) => Ok(Formula::Name(name)),
             },
-            Formula::Sum(terms) => Ok(Formula::Sum(each(terms)?)),
-            Formula::Product(factors) => Ok(Formula::Product(each(factors)?)),
-            Formula::Negation(inner) => Ok(Formula::Negation(Box::new(self.inline(inner)?))),
-            Formula::Power(base, exponent) => {
-                Ok(Formula::Power(Box::new(self.inline(base)?), Box::new(self.inline(exponent)?)))
-            }
-            Formula::Call(name, arguments) => {
-                let arguments: Vec<Formula> =
-                    arguments.iter().map(|argument| self.inline(argument)).collect::<Result<_, _>>()?;
-                if let Some(definition) = self.definitions.get(name) {
-                    return self.body(definition, arguments);
-                }
-                match (name.as_str(), arguments.as_slice()) {
-                    ("d", [of, Formula::Name(variable)]) => derivative(of, variable),
-                    ("d", _) => Err("`d` takes a formula and a free name".to_owned()),
-                    _ => Ok(Formula::Call(name.clone(), arguments)),
-                }
-            }
+            Formula::Call(name, arguments) => match (self.definitions.get(&name), name.as_str(), &*arguments)
+            {
+                (Some(definition), ..) => self.body(definition, arguments),
+                (None, "d", [of, Formula::Name(variable)]) => derivative(of, variable),
+                (None, "d", _) => Err("`d` takes a formula and a free name".to_owned()),
+                (None, ..) => Ok(Formula::Call(name, arguments)),
+            },
+            other => Ok(other),
         }
     }
 

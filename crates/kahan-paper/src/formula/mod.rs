@@ -138,28 +138,40 @@ impl Formula {
         &self,
         number: &impl Fn(&str, &[Formula]) -> Result<Option<Rational>, String>,
     ) -> Result<Self, String> {
-        let parts = |parts: &[(bool, Formula)]| {
-            parts
-                .iter()
-                .map(|(mark, part)| Ok((*mark, part.replaced(number)?)))
-                .collect::<Result<Vec<_>, String>>()
+        let value = match self {
+            Formula::Name(name) => number(name, &[])?,
+            Formula::Call(name, arguments) => number(name, arguments)?,
+            _ => None,
+        };
+        value.map_or_else(|| self.of_parts(&|part| part.replaced(number)), |value| Ok(Formula::Number(value)))
+    }
+
+    /// Its terms, factors, base and exponent, or arguments.
+    pub(crate) fn parts(&self) -> Vec<&Formula> {
+        match self {
+            Formula::Number(_) | Formula::Name(_) => Vec::new(),
+            Formula::Negation(inner) => vec![inner],
+            Formula::Sum(parts) | Formula::Product(parts) => parts.iter().map(|(_, part)| part).collect(),
+            Formula::Power(base, exponent) => vec![base, exponent],
+            Formula::Call(_, arguments) => arguments.iter().collect(),
+        }
+    }
+
+    /// The formula with what `new` makes of each of its parts in that part's place.
+    pub(crate) fn of_parts<E>(&self, new: &dyn Fn(&Formula) -> Result<Formula, E>) -> Result<Self, E> {
+        let boxed = |part: &Formula| new(part).map(Box::new);
+        let marked = |parts: &[(bool, Formula)]| -> Result<Vec<_>, E> {
+            parts.iter().map(|(mark, part)| Ok((*mark, new(part)?))).collect()
         };
         Ok(match self {
-            Formula::Number(_) => self.clone(),
-            Formula::Name(name) => number(name, &[])?.map_or_else(|| self.clone(), Formula::Number),
-            Formula::Negation(inner) => Formula::Negation(Box::new(inner.replaced(number)?)),
-            Formula::Sum(terms) => Formula::Sum(parts(terms)?),
-            Formula::Product(factors) => Formula::Product(parts(factors)?),
-            Formula::Power(base, exponent) => {
-                Formula::Power(Box::new(base.replaced(number)?), Box::new(exponent.replaced(number)?))
+            Formula::Number(_) | Formula::Name(_) => self.clone(),
+            Formula::Negation(inner) => Formula::Negation(boxed(inner)?),
+            Formula::Sum(terms) => Formula::Sum(marked(terms)?),
+            Formula::Product(factors) => Formula::Product(marked(factors)?),
+            Formula::Power(base, exponent) => Formula::Power(boxed(base)?, boxed(exponent)?),
+            Formula::Call(name, arguments) => {
+                Formula::Call(name.clone(), arguments.iter().map(new).collect::<Result<_, E>>()?)
             }
-            Formula::Call(name, arguments) => match number(name, arguments)? {
-                Some(value) => Formula::Number(value),
-                None => {
-                    let arguments = arguments.iter().map(|argument| argument.replaced(number));
-                    Formula::Call(name.clone(), arguments.collect::<Result<_, _>>()?)
-                }
-            },
         })
     }
 

@@ -18,40 +18,24 @@ impl Identity<'_> {
 
 pub(super) fn uses_map(formula: &Formula) -> bool {
     match formula {
-        Formula::Number(_) => false,
         Formula::Name(name) => name == "detJ",
-        Formula::Negation(inner) => uses_map(inner),
-        Formula::Sum(parts) | Formula::Product(parts) => parts.iter().any(|(_, part)| uses_map(part)),
-        Formula::Power(base, exponent) => uses_map(base) || uses_map(exponent),
-        Formula::Call(name, arguments) => {
-            matches!(name.as_str(), "next" | "back" | "J") || arguments.iter().any(uses_map)
-        }
+        Formula::Call(name, _) if matches!(name.as_str(), "next" | "back" | "J") => true,
+        _ => formula.parts().into_iter().any(uses_map),
     }
 }
 
 fn collect_names(formula: &Formula, models: &Models, names: &mut BTreeSet<String>) {
-    match formula {
-        Formula::Number(_) => {}
-        Formula::Name(name) => {
+    let mut parts = formula.parts();
+    match (formula, parts.first()) {
+        (Formula::Name(name), _) => {
             names.insert(name.clone());
         }
-        Formula::Negation(inner) => collect_names(inner, models, names),
-        Formula::Sum(parts) | Formula::Product(parts) => {
-            parts.iter().for_each(|(_, part)| collect_names(part, models, names));
+        // A first argument that names a system stands for all its variables.
+        (Formula::Call(..), Some(Formula::Name(first))) if models.contains_key(first.as_str()) => {
+            names.extend(models[first.as_str()].names());
+            parts.remove(0);
         }
-        Formula::Power(base, exponent) => {
-            collect_names(base, models, names);
-            collect_names(exponent, models, names);
-        }
-        Formula::Call(_, arguments) => {
-            // A first argument that names a system stands for all its variables.
-            let system = match arguments.first() {
-                Some(Formula::Name(first)) => models.get(first.as_str()),
-                _ => None,
-            };
-            names.extend(system.iter().flat_map(|model| model.names()));
-            let rest = &arguments[usize::from(system.is_some())..];
-            rest.iter().for_each(|argument| collect_names(argument, models, names));
-        }
+        _ => {}
     }
+    parts.into_iter().for_each(|part| collect_names(part, models, names));
 }

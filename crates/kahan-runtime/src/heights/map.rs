@@ -28,7 +28,6 @@ pub struct UndefinedField;
 #[derive(Clone, Debug)]
 pub struct ProjectiveMap {
     dimension: usize,
-    degree: usize,
     /// σ of xᵢ = σXᵢ/W.
     unit: Rational,
     formula: Formula,
@@ -85,35 +84,21 @@ impl ProjectiveMap {
         if field.components.iter().any(|component| ahead.put_into(&component.denominator).is_zero()) {
             return Err(UndefinedField);
         }
-        let dimension = field.dimension();
-        let (degree, formula) = match map {
+        let formula = match map {
             Some(map) => {
-                let (degree, mut forms) = ahead.forms(map);
+                let mut forms = ahead.forms(map);
                 let split = Splits::of(forms.clone());
                 let mut monomial = Monomial::one();
                 if let Some(denominator) = forms.last_mut() {
                     monomial = denominator.monomial_content();
                     *denominator = denominator.div_monomial(&monomial).expect("all terms have it");
                 }
-                forms.extend(behind.forms(map).1.pop());
-                (degree, Formula::Reduced { plan: Plan::of(&forms), monomial, split })
+                forms.extend(behind.forms(map).pop());
+                Formula::Reduced { plan: Plan::of(&forms), monomial, split }
             }
-            None => (dimension, Formula::Elimination(Plan::of(&ahead.linear_system()))),
+            None => Formula::Elimination(Plan::of(&ahead.linear_system())),
         };
-        Ok(ProjectiveMap { dimension, degree, unit, formula })
-    }
-
-    /// The number of states.
-    #[must_use]
-    pub fn dimension(&self) -> usize {
-        self.dimension
-    }
-
-    /// The degree of the step in the projective coordinates: a step multiplies the number of digits
-    /// by it, before common factors are divided out.
-    #[must_use]
-    pub fn degree(&self) -> usize {
-        self.degree
+        Ok(ProjectiveMap { dimension: field.dimension(), unit, formula })
     }
 
     /// σ of xᵢ = σXᵢ/W: 1/ε for homogeneous fields, else 1.
@@ -192,8 +177,8 @@ impl Values<'_> {
             .fold(at_eps, |polynomial, (k, value)| polynomial.substitute(symbols.parameter(k), value))
     }
 
-    /// xᵢd + 2εnᵢ and d of the reduced map x̃ = x + 2εn/d as forms of one degree, the first result.
-    fn forms(&self, map: &RationalMap) -> (usize, Vec<Polynomial>) {
+    /// xᵢd + 2εnᵢ and d of the reduced map x̃ = x + 2εn/d as forms of one degree.
+    fn forms(&self, map: &RationalMap) -> Vec<Polynomial> {
         let denominator = self.put_into(&map.reduced.denominator);
         let two_eps = &self.eps + &self.eps;
         let numerator = |(i, increment): (usize, &Polynomial)| {
@@ -203,7 +188,7 @@ impl Values<'_> {
         let mut forms: Vec<Polynomial> = map.reduced.increments.iter().enumerate().map(numerator).collect();
         forms.push(denominator);
         let degree = forms.iter().map(Polynomial::degree).max().unwrap_or(0);
-        (degree as usize, self.homogeneous(&forms, degree))
+        self.homogeneous(&forms, degree)
     }
 
     /// The entries of A row by row and then those of b, as forms of degree one; each row with

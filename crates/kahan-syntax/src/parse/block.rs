@@ -24,17 +24,15 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
         return error(Kind::Syntax, cursor.behind(), "a `;` that ends nothing", "remove it");
     }
     let Some(word) = cursor.identifier(0) else {
-        let found = cursor.describe_next();
-        return error(Kind::Syntax, cursor.here(), format!("expected an equation, found {found}"), SHAPES);
+        return Err(cursor.missing(Kind::Syntax, cursor.here(), "an equation", SHAPES));
     };
     let named = cursor.identifier(1).is_some();
-    match word {
-        "const" if named => constant(cursor, block),
-        "hamiltonian" if named && cursor.index.is_some() => hamiltonian(cursor, block),
-        "integral" if named => claim(cursor, block, ClaimKind::Integral),
-        "density" if named => claim(cursor, block, ClaimKind::Density),
-        "bracket" if named => claim(cursor, block, ClaimKind::Bracket),
-        "const" | "integral" | "density" | "bracket" => {
+    let kind = ClaimKind::of_keyword(word);
+    match (word, kind) {
+        ("const", _) if named => constant(cursor, block),
+        ("hamiltonian", _) if named && cursor.index.is_some() => hamiltonian(cursor, block),
+        (_, Some(kind)) if named => claim(cursor, block, kind),
+        ("const", _) | (_, Some(_)) => {
             let (word, span) = (
                 word.to_owned(),
                 cursor.here().to(Span::token(cursor.position() + usize::from(cursor.peek(1).is_some()))),
@@ -46,7 +44,7 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
                 format!("write `{word} NAME = …;`"),
             )
         }
-        "pub" | "struct" => error(
+        ("pub" | "struct", _) => error(
             Kind::Header,
             cursor.here(),
             "the header stands at the beginning of a block, and a block has one",
@@ -144,16 +142,14 @@ pub(super) fn equals(cursor: &mut Cursor<'_>) -> Parsed<()> {
     if let Some(diagnostic) = cursor.unreadable() {
         return Err(diagnostic);
     }
-    let found = cursor.describe_next();
     let span = cursor.behind().to(cursor.here());
-    error(Kind::Syntax, span, format!("expected `=`, found {found}"), "write `=` after the name")
+    Err(cursor.missing(Kind::Syntax, span, "`=`", "write `=` after the name"))
 }
 
 pub(super) fn semicolon(cursor: &mut Cursor<'_>) -> Parsed<()> {
     if cursor.take(';') {
         return Ok(());
     }
-    let found = cursor.describe_next();
     let span = cursor.behind().to(cursor.here());
-    error(Kind::Syntax, span, format!("expected `;`, found {found}"), "end the line with `;`")
+    Err(cursor.missing(Kind::Syntax, span, "`;`", "end the line with `;`"))
 }

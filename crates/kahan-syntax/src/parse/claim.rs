@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use crate::diagnostics::{Diagnostic, Kind};
+use crate::diagnostics::Kind;
 use crate::syntax::{Block, Claim, ClaimBody, ClaimKind, Condition, Name, TensorEntry};
 
 use super::block::{equals, semicolon};
@@ -51,10 +51,8 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
 /// Reads `{ {x,y} = expr; … }`.
 fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<TensorEntry>> {
     if !cursor.is_open(0, '{') {
-        let found = cursor.describe_next();
         let help = format!("write `bracket {} {{ {{x,y}} = …; }}`", name.text);
-        let span = name.span.to(cursor.here());
-        return error(Kind::Claim, span, format!("expected `{{`, found {found}"), help);
+        return Err(cursor.missing(Kind::Claim, name.span.to(cursor.here()), "`{`", help));
     }
     cursor.advance();
     let mut entries = Vec::new();
@@ -72,15 +70,8 @@ fn entries(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<Vec<TensorEntry>> {
 }
 
 fn entry(cursor: &mut Cursor<'_>) -> Parsed<TensorEntry> {
-    let wrong = |cursor: &Cursor<'_>| {
-        let found = cursor.describe_next();
-        Diagnostic::new(
-            Kind::Claim,
-            cursor.here(),
-            format!("expected an entry, found {found}"),
-            "write `{x,y} = …;`",
-        )
-    };
+    let wrong =
+        |cursor: &Cursor<'_>| cursor.missing(Kind::Claim, cursor.here(), "an entry", "write `{x,y} = …;`");
     if !cursor.is_open(0, '{') {
         return Err(wrong(cursor));
     }

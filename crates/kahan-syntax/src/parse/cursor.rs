@@ -1,7 +1,7 @@
 //! A place in the token list, with what every parsing function asks of it.
 
 use crate::diagnostics::{Diagnostic, Kind};
-use crate::syntax::Name;
+use crate::syntax::{ClaimKind, Name};
 use crate::token::{Span, Token, TokenKind};
 
 use super::Parsed;
@@ -136,15 +136,12 @@ impl<'a> Cursor<'a> {
 
     /// Reads a name or says what was expected.
     pub(super) fn expect_name(&mut self, what: &str) -> Parsed<Name> {
-        self.take_name().ok_or_else(|| {
-            let found = self.describe_next();
-            Diagnostic::new(
-                Kind::Syntax,
-                self.here(),
-                format!("expected {what}, found {found}"),
-                "write a name here",
-            )
-        })
+        self.take_name().ok_or_else(|| self.missing(Kind::Syntax, self.here(), what, "write a name here"))
+    }
+
+    /// The mistake that the next token is where `what` should stand.
+    pub(super) fn missing(&self, kind: Kind, span: Span, what: &str, help: impl Into<String>) -> Diagnostic {
+        Diagnostic::new(kind, span, format!("expected {what}, found {}", self.describe_next()), help)
     }
 
     /// The next token in words.
@@ -165,7 +162,8 @@ impl<'a> Cursor<'a> {
             || (word == "for" && self.identifier(ahead + 2) == Some("in"));
         let named = self.identifier(ahead + 1).is_some()
             && (self.is_punctuation(ahead + 2, '=') || self.is_open(ahead + 2, '{'));
-        let is_keyword = matches!(word, "const" | "integral" | "density" | "bracket")
+        let is_keyword = word == "const"
+            || ClaimKind::of_keyword(word).is_some()
             || (self.index.is_some() && word == "hamiltonian");
         equation || (named && is_keyword)
     }

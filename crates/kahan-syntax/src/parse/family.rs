@@ -39,8 +39,7 @@ pub(super) fn family(
         cursor.index = found.or(cursor.index);
     }
     if cursor.identifier(0) != Some("in") {
-        let found = cursor.describe_next();
-        return error(Kind::Syntax, cursor.here(), format!("expected `in`, found {found}"), SHAPE);
+        return Err(cursor.missing(Kind::Syntax, cursor.here(), "`in`", SHAPE));
     }
     cursor.advance();
     let boundary = match cursor.identifier(0) {
@@ -56,8 +55,7 @@ pub(super) fn family(
     cursor.advance();
     let span = start.to(cursor.behind());
     if !cursor.is_open(0, '{') {
-        let found = cursor.describe_next();
-        return error(Kind::Syntax, span.to(cursor.here()), format!("expected `{{`, found {found}"), SHAPE);
+        return Err(cursor.missing(Kind::Syntax, span.to(cursor.here()), "`{`", SHAPE));
     }
     cursor.advance();
     let equations_before = block.equations.len();

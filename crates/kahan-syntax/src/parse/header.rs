@@ -42,11 +42,10 @@ fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Head
         attributes.lines.extend(docs(cursor));
     }
     if cursor.identifier(0) != Some("struct") {
-        let found = cursor.describe_next();
-        let wrong = Diagnostic::new(
+        let wrong = cursor.missing(
             Kind::Header,
             cursor.here(),
-            format!("expected `struct`, found {found}"),
+            "`struct`",
             "a header reads `pub struct Name;` or `pub struct Name { mu, nu }`",
         );
         // `enum Name` and the like are read on as if they were a struct, so that the type exists.
@@ -130,27 +129,14 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnos
         if !cursor.is_punctuation(0, ',') && !cursor.is_close(close) {
             let name = header.parameters.last().map_or(String::new(), |name| name.text.clone());
             let from = cursor.here();
-            let typed = cursor.is_punctuation(0, ':');
-            let valued = cursor.is_punctuation(0, '=');
-            // Behind a forgotten comma the next parameter is read as one.
-            if cursor.identifier(0).is_some() {
-                diagnostics.report(
-                    Kind::Header,
-                    start.to(from),
-                    format!("expected `,` after the parameter `{name}`"),
-                    "separate parameters by `,`",
-                );
-                continue;
-            }
-            skip_to_comma_or_end(cursor);
-            let (message, help) = if typed {
+            let (message, help) = if cursor.is_punctuation(0, ':') {
                 (
                     format!(
                         "the parameter `{name}` carries a type: the macro gives it the scalar type itself"
                     ),
                     format!("write `{name}` alone"),
                 )
-            } else if valued {
+            } else if cursor.is_punctuation(0, '=') {
                 (
                     format!("the parameter `{name}` carries a value"),
                     format!("write `{name}` alone, or fix it by `const {name} = …;` after the header"),
@@ -161,6 +147,10 @@ fn parameters(cursor: &mut Cursor<'_>, close: char, header: &mut Header, diagnos
                     "separate parameters by `,`".to_owned(),
                 )
             };
+            // Behind a forgotten comma the next parameter is read as one.
+            if cursor.identifier(0).is_none() {
+                skip_to_comma_or_end(cursor);
+            }
             diagnostics.report(Kind::Header, start.to(from).to(cursor.behind()), message, help);
         }
         cursor.take(',');

@@ -76,15 +76,10 @@ pub(super) fn wrong_keyword(cursor: &Cursor<'_>, block: &mut Block) -> Option<Di
         return Some(wrong(format!("did you mean `{} {} …`?", cursor.identifier(1)?, name.text)));
     }
     let keyword = meant(word)?;
-    let kind = match keyword {
-        "integral" => ClaimKind::Integral,
-        "density" => ClaimKind::Density,
-        "bracket" => ClaimKind::Bracket,
-        _ => {
-            let help = format!("did you mean `const {} = …;`?", name.text);
-            block.constants.push(Constant { name, value: None });
-            return Some(wrong(help));
-        }
+    let Some(kind) = ClaimKind::of_keyword(keyword) else {
+        let help = format!("did you mean `const {} = …;`?", name.text);
+        block.constants.push(Constant { name, value: None });
+        return Some(wrong(help));
     };
     let shape = if kind == ClaimKind::Bracket { "{ {x,y} = …; }" } else { "= …;" };
     let help = format!("did you mean `{keyword} {} {shape}`?", name.text);

@@ -4,11 +4,11 @@
 use num_bigint::BigInt;
 use num_traits::Num;
 
-use crate::diagnostics::{Diagnostic, Kind};
+use crate::diagnostics::Kind;
 use crate::rational::Rational;
 use crate::token::Span;
 
-use super::Parsed;
+use super::{Parsed, error};
 
 /// The largest size of a decimal exponent, and the largest number of digits of a literal.
 const LARGEST_EXPONENT: i64 = 4096;
@@ -23,58 +23,37 @@ struct Literal<'a> {
 
 /// The exact value of the literal `text`.
 pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
-    let wrong = |message: String, help: String| Err(Diagnostic::new(Kind::Number, span, message, help));
     if !text.starts_with(|c: char| c.is_ascii_digit()) {
-        return wrong(format!("{text} is not a number"), "write a number or a name".to_owned());
+        return error(Kind::Number, span, format!("{text} is not a number"), "write a number or a name");
     }
     if let Some(radix) = radix(text) {
         let digits: String = text[2..].chars().filter(|&c| c != '_').collect();
         let help = BigInt::from_str_radix(&digits, radix)
             .map_or_else(|_| "write it in decimal".to_owned(), |value| format!("write `{value}`"));
-        return wrong(format!("`{text}` is not decimal"), help);
+        return error(Kind::Number, span, format!("`{text}` is not decimal"), help);
     }
     let parts = split(text);
     if !parts.suffix.is_empty() {
         let number = &text[..text.len() - parts.suffix.len()];
         return if is_type_suffix(parts.suffix) {
-            wrong(
-                format!("`{text}` carries a type, but numbers here are exact"),
-                format!("write `{}`", number.trim_end_matches('_')),
-            )
+            let help = format!("write `{}`", number.trim_end_matches('_'));
+            error(Kind::Number, span, format!("`{text}` carries a type, but numbers here are exact"), help)
         } else {
             let help = format!("write `{number}*{}`", parts.suffix);
-            Err(Diagnostic::new(Kind::Syntax, span, format!("`{text}`: a product needs its `*`"), help))
+            error(Kind::Syntax, span, format!("`{text}`: a product needs its `*`"), help)
         };
     }
     let exponent = parts.exponent.replace('_', "").parse::<i64>().unwrap_or(i64::MAX);
-    let digits = format!("{}{}", parts.whole, parts.fraction).replace('_', "");
-    let scale = exponent.saturating_sub(parts.fraction.chars().filter(char::is_ascii_digit).count() as i64);
-    if !(-LARGEST_EXPONENT..=LARGEST_EXPONENT).contains(&exponent)
-        || digits.len() as i64 > 2 * LARGEST_EXPONENT
-    {
-        return Err(Diagnostic::new(
+    let digits = [parts.whole, parts.fraction].concat().bytes().filter(u8::is_ascii_digit).count();
+    if !(-LARGEST_EXPONENT..=LARGEST_EXPONENT).contains(&exponent) || digits as i64 > 2 * LARGEST_EXPONENT {
+        return error(
             Kind::TooLarge,
             span,
             format!("this literal is too large: decimal exponents go to {LARGEST_EXPONENT}"),
             "rescale the variables or the time",
-        ));
+        );
     }
-    Ok(decimal(&digits, scale))
-}
-
-/// digits · 10^scale.
-fn decimal(digits: &str, scale: i64) -> Rational {
-    if let (Ok(value), 0) = (digits.parse::<i64>(), scale) {
-        return Rational::from(value);
-    }
-    let digits = BigInt::from_str_radix(digits, 10).expect("a literal has digits");
-    let power = num_traits::pow(BigInt::from(10), scale.unsigned_abs() as usize);
-    let value = if scale < 0 {
-        num_rational::BigRational::new(digits, power)
-    } else {
-        num_rational::BigRational::from(digits * power)
-    };
-    Rational::from(value)
+    Ok(Rational::typed(&text.replace('_', "")).expect("a number of this size is read"))
 }
 
 fn radix(text: &str) -> Option<u32> {

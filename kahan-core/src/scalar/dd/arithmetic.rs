@@ -4,8 +4,9 @@
 //! a kernel is one piece of straight-line code; what may overflow or lose bits on the way goes to
 //! `extremes`, on a branch that is never taken in ordinary computations and costs no latency.
 
+use crate::scalar::bounded::power_of_two;
+
 use super::error_free::{fast_two_sum, multiply_add, two_product, two_sum};
-use super::moderate::power_of_two;
 use super::{Dd, extremes, moderate};
 
 /// Below this size a leading sum or product leaves room for everything that is added to it.

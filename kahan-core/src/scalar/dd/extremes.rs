@@ -5,8 +5,10 @@
 //! is beyond the range. Finite operands are scaled by powers of two, which is exact, so nothing
 //! here is a second formula.
 
+use crate::scalar::bounded::power_of_two;
+
 use super::error_free::{two_product, two_sum};
-use super::moderate::{power_of_two, with_lower};
+use super::moderate::with_lower;
 use super::{Dd, moderate};
 
 #[cold]

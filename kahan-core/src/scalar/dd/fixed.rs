@@ -4,6 +4,8 @@
 //! In: floats, or limbs from decimal digits. Out: the same values, exactly, or rounded once to a
 //! float. On the stack.
 
+use crate::scalar::bounded::power_of_two;
+
 use super::Dd;
 
 /// Limbs of 64 bits before the point, and as many behind it: 2⁻¹⁰⁸⁸ to 2¹⁰⁸⁸.
@@ -94,7 +96,7 @@ impl Fixed {
         // At most 2⁵³, and exact in both products.
         let significand = (kept + u64::from(up)) as f64;
         let first = last / 2;
-        significand * super::moderate::power_of_two(first) * super::moderate::power_of_two(last - first)
+        significand * power_of_two(first) * power_of_two(last - first)
     }
 }
 

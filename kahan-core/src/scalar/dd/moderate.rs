@@ -4,11 +4,6 @@
 use super::Dd;
 use super::error_free::{fast_two_sum, multiply_add, remainder, two_sum};
 
-/// 2^exponent, for a normal number.
-pub(super) const fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + exponent) as u64) << 52)
-}
-
 /// The exact sum `leading` and two smaller numbers.
 #[inline(always)]
 pub(super) fn with_lower((sum, error): (f64, f64), a: f64, b: f64) -> Dd {

@@ -1,7 +1,5 @@
 //! The names that a block declares: states, and parameters by its header or, without one, by use.
 
-use rustc_hash::{FxHashMap, FxHashSet};
-
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::spelling::is_keyword;
 use kahan_syntax::syntax::{Block, Name};
@@ -11,29 +9,17 @@ use crate::symbols::Symbols;
 use super::{Scope, is_epsilon, report_reserved};
 
 impl Scope {
-    /// The scope of a family whose names are known, and no constant yet.
-    pub(in crate::check) fn of_family(symbols: Symbols) -> Self {
-        Scope {
-            symbols,
-            constants: FxHashMap::default(),
-            claims: Vec::new(),
-            poisoned: FxHashSet::default(),
-            used: FxHashSet::default(),
-            all_claims: FxHashSet::default(),
-            misspelt_states: Vec::new(),
-        }
+    /// A scope with these names alone.
+    pub(in crate::check) fn of(symbols: Symbols) -> Self {
+        Scope { symbols, ..Scope::default() }
     }
 
     /// The scope of a block with its states and parameters, and no constant or claim yet.
     pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
-            symbols: Symbols { states: Vec::new(), parameters: Vec::new() },
-            constants: FxHashMap::default(),
-            claims: Vec::new(),
-            poisoned: FxHashSet::default(),
-            used: FxHashSet::default(),
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
             misspelt_states: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
+            ..Scope::of(Symbols::default())
         };
         scope.collect_states(block, diagnostics);
         if let Some(header) = &block.header

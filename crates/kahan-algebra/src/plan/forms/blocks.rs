@@ -19,7 +19,7 @@ mod solve;
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::kahan::{polarization, scaled_matrix};
+use crate::kahan::{pattern, polarization, scaled_matrix};
 use crate::poly::Polynomial;
 use crate::symbols::Symbol;
 
@@ -203,9 +203,4 @@ impl Block {
     fn operations(&self) -> usize {
         minors::operations(&pattern(&self.rows))
     }
-}
-
-/// Where entries are not zero.
-fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
-    rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()
 }

@@ -8,7 +8,7 @@
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::kahan::matrix_of;
+use crate::kahan::{matrix_of, pattern};
 use crate::kept::Kept;
 use crate::poly::Polynomial;
 
@@ -28,9 +28,7 @@ pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> 
     for (row, component) in rows.iter_mut().zip(&kept.components) {
         row.push(&eps * component);
     }
-    let pattern: Vec<Vec<bool>> =
-        rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect();
-    if operations(&pattern) > MOST_OPERATIONS {
+    if operations(&pattern(&rows)) > MOST_OPERATIONS {
         return Vec::new();
     }
     let plan = values.plan(rows.iter().flatten());

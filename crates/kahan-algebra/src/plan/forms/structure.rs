@@ -4,7 +4,7 @@
 use kahan_syntax::table::{distinct, sorted_by_key};
 
 use crate::field::Field;
-use crate::kahan::field_jacobian;
+use crate::kahan::{field_jacobian, pattern};
 
 /// Which entries of f′ are not identically zero.
 pub(in crate::plan) struct Structure {
@@ -15,10 +15,7 @@ pub(in crate::plan) struct Structure {
 
 impl Structure {
     pub(in crate::plan) fn of(field: &Field) -> Self {
-        let depends = field_jacobian(field)
-            .iter()
-            .map(|row| row.iter().map(|entry| !entry.is_zero()).collect())
-            .collect();
+        let depends = pattern(&field_jacobian(field));
         let is_whole = field.components.iter().map(|component| component.denominator.is_one()).collect();
         Structure { depends, is_whole }
     }
