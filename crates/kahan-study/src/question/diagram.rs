@@ -1,14 +1,12 @@
 //! What orbits tend to, over the values of a parameter or of ε: an orbit diagram.
 
-use std::cell::Cell;
-use std::ops::ControlFlow;
-
 use kahan_algebra::rational::Rational;
 use kahan_core::observe::Visit;
-use kahan_discover::{Progress, Watch};
+use kahan_discover::Watch;
 use kahan_runtime::{Ended, Field, Follow};
 use serde::{Deserialize, Serialize};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::range::Axis;
@@ -89,11 +87,9 @@ impl Diagram {
         let mut eps = fixed.ok_or(StudyError::MissingStep)?;
         let start: Vec<f64> = study.point(&self.at)?.iter().map(Rational::to_f64).collect();
         let field = Field::of(study.system());
-        let (done, total) = (Cell::new(0), self.over.range.count() as u64 * (self.transient + self.steps));
-        let tell = |steps| -> ControlFlow<()> {
-            done.set(done.get() + steps);
-            watch.look(&Progress { what: "steps", done: done.get(), of: Some(total) })
-        };
+        let total = self.over.range.count() as u64 * (self.transient + self.steps);
+        let count = Count::new("steps", total, watch);
+        let tell = |steps| count.tell(steps);
         let mut found = DiagramFound {
             system: study.name().to_owned(),
             axis: self.over.name.clone(),

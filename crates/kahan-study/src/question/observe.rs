@@ -4,18 +4,17 @@
 //! orbit is stored; where rotation is asked for it is followed twice, once for the middles of its
 //! extremes.
 
-use std::cell::Cell;
-
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_core::Composition;
-use kahan_discover::{Progress, Watch};
+use kahan_discover::Watch;
 use kahan_runtime::{Ended, Followed, MapAt, ObservedFloat, Observing};
 use serde::de::Error;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::rows::Column;
@@ -131,13 +130,9 @@ impl Observe {
         let (at, start) = study.in_floats(&self.at, &self.eps)?;
         let at = at.composed(self.composition()?);
         let runs = if self.of.contains(&Observable::Rotation) { 2 } else { 1 };
-        let done = Cell::new(0);
-        let tell = |steps| {
-            done.set(done.get() + steps);
-            watch.look(&Progress { what: "steps", done: done.get(), of: Some(runs * self.steps) })
-        };
+        let count = Count::new("steps", runs * self.steps, watch);
         let of = self.observables();
-        let seen = f64::alone(&at, &start, &self.observing(&of), &tell);
+        let seen = f64::alone(&at, &start, &self.observing(&of), &|steps| count.tell(steps));
         let Followed { report, steps, ended } = seen.expect(FITTING);
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
@@ -209,7 +204,7 @@ impl Observed {
 /// What was seen, with a value for each variable or integral by name.
 fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
     fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
-        names.iter().cloned().zip(values.iter().map(value)).collect::<Map<_, _>>().into()
+        names.iter().cloned().zip(values.iter().map(value)).collect()
     }
     match seen {
         Seen::Point(point) => named(variables, point, |value| json!(value)),

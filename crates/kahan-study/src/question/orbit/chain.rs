@@ -11,11 +11,12 @@ use kahan_discover::Watch;
 use kahan_runtime::{ChainAt, Lattice};
 use serde::Serialize;
 
+use crate::count::Count;
 use crate::named::{Names, by_name};
 use crate::numbers::{Number, ScalarKind};
 use crate::rows::{Column, End, Last, Rows};
 
-use super::points::{Course, Halt, Points, Told, Why, in_parts, moment};
+use super::points::{Course, Halt, Points, Why, in_parts, moment};
 use super::{columns, names};
 
 /// A chain, ready to step.
@@ -149,13 +150,13 @@ impl Points<Float64> for Seen<'_> {
         cells.extend(map.modified_energy(state).ok().flatten());
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
         if steps > 0 && self.flow.is_break() {
             return Err(Halt::Stopped);
         }
         let Chain { map, state, .. } = &mut *self.chain;
         let at_once = moment(state.len(), 1) as u64;
-        in_parts(steps, at_once, told, |steps| {
+        in_parts(steps, at_once, progress, |steps| {
             (0..steps).try_for_each(|made| {
                 map.step(state).expect("the state is of the chain");
                 let is_finite = state.iter().all(|x| x.is_finite());

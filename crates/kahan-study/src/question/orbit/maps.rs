@@ -11,12 +11,13 @@ use kahan_runtime::interpreted::round;
 use kahan_runtime::orbit::{End, ExactOrbit, ProjectiveOrbit, ProjectiveScalar, SchemeOrbit};
 use kahan_runtime::{Ended, Follow, Followed, Fraction, MachineFloat, Map, MapAt};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::{DoubleDouble, Number, Printable};
 use crate::rows::{self, Values};
 
 use super::NoOrbit;
-use super::points::{Halt, Points, Tabular, Told, Why, in_parts, moment};
+use super::points::{Halt, Points, Tabular, Why, in_parts, moment};
 
 /// An arithmetic in which there are orbits.
 pub(super) trait Moving: Tabular {
@@ -199,8 +200,8 @@ impl<T: MachineFloat, A: Tabular<Value = T, Cell = T>> Points<A> for Floats<T> {
         self.append::<A>(&self.x, cells);
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        let followed = self.at.follow(&mut self.x, steps, |steps| told.steps(steps));
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        let followed = self.at.follow(&mut self.x, steps, |steps| progress.tell(steps));
         self.halt(followed.expect("the point is of the field"))
     }
 
@@ -209,11 +210,11 @@ impl<T: MachineFloat, A: Tabular<Value = T, Cell = T>> Points<A> for Floats<T> {
         every: u64,
         count: usize,
         cells: &mut Vec<T>,
-        told: &mut Told<'_>,
+        progress: &Count<'_>,
     ) -> Result<(), Halt> {
         let every = NonZeroU64::new(every).expect("rows are some steps apart");
         self.points.resize(count * self.x.len(), T::zero());
-        let followed = self.at.rows(&mut self.x, every, &mut self.points, |steps| told.steps(steps));
+        let followed = self.at.rows(&mut self.x, every, &mut self.points, |steps| progress.tell(steps));
         let followed = followed.expect("the points are of the field");
         let points = self.points.chunks_exact(self.x.len()).take(followed.report);
         points.for_each(|x| self.append::<A>(x, cells));
@@ -253,9 +254,9 @@ impl Points<DoubleDouble> for Wide {
         cells.extend(self.orbit.point().iter().chain(&integrals).map(DoubleDouble::cell));
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
         let Wide { map, scheme, orbit } = self;
-        in_parts(steps, 1 << 12, told, |steps| {
+        in_parts(steps, 1 << 12, progress, |steps| {
             orbit
                 .advance_while_finite(steps)
                 .map_err(|End { steps, is_pole }| Halt::Ended(steps, why(map, *scheme, is_pole)))
@@ -282,15 +283,10 @@ impl Points<Exact> for ExactOrbit {
         cells.extend(coordinates.into_iter().map(Some).chain(integrals).map(cell));
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        in_parts(
-            steps,
-            1,
-            told,
-            |_| {
-                if self.advance() { Ok(()) } else { Err(Halt::Ended(0, pole(self.map()))) }
-            },
-        )
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        in_parts(steps, 1, progress, |_| {
+            if self.advance() { Ok(()) } else { Err(Halt::Ended(0, pole(self.map()))) }
+        })
     }
 
     fn point(&self) -> Vec<Number> {
@@ -322,8 +318,8 @@ impl<A: Moving> Points<A> for Box<dyn ProjectiveOrbit<A::Scalar>> {
         cells.extend(self.integrals().into_iter().map(integral));
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        in_parts(steps, 1, told, |_| {
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        in_parts(steps, 1, progress, |_| {
             ProjectiveOrbit::advance(&mut **self).map_err(|why| Halt::Ended(0, Why::NoLimit(why)))
         })
     }

@@ -9,11 +9,12 @@ use kahan_core::{Dd, Flow, QuadraticField};
 use kahan_runtime::Map;
 use kahan_runtime::interpreted::{LARGEST_DIMENSION, Padded};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind};
 
 use super::maps::Moving;
-use super::points::{Halt, Points, Told, Why, in_parts, moment};
+use super::points::{Halt, Points, Why, in_parts, moment};
 use super::{Method, NoOrbit};
 
 /// An explicit method in any numbers.
@@ -95,8 +96,8 @@ impl<A: Moving> Points<A> for Explicit<'_, A> {
         cells.extend(integrals.map(|value| value.map_or(A::UNDEFINED, |value| A::cell(&value))));
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        in_parts(steps, 1, told, |_| {
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        in_parts(steps, 1, progress, |_| {
             let next = self.next();
             if !next.iter().all(A::is_finite) {
                 return Err(Halt::Ended(0, Why::TooLarge));
@@ -171,7 +172,7 @@ impl Solution {
     fn walk<A: Moving>(
         &mut self,
         steps: u64,
-        told: &mut Told<'_>,
+        progress: &Count<'_>,
         mut see: impl FnMut(&Self, u64),
     ) -> Result<(), Halt> {
         /// A series takes some kilobytes.
@@ -181,7 +182,7 @@ impl Solution {
         while made < steps {
             span = span.min(steps - made);
             let end = self.step * Dd::from(span as f64);
-            let go_on = &mut |series| series < MOST_SERIES && told.steps(0).is_continue();
+            let go_on = &mut |series| series < MOST_SERIES && progress.tell(0).is_continue();
             match Flow::through(&self.field, self.x, f64::from(end), 0.0, go_on) {
                 Ok(flow) => {
                     for step in 1..=span {
@@ -193,11 +194,11 @@ impl Solution {
                         made += 1;
                         see(self, made);
                     }
-                    if told.steps(span).is_break() && made < steps {
+                    if progress.tell(span).is_break() && made < steps {
                         return Err(Halt::Stopped);
                     }
                 }
-                Err(_) if told.flow.is_break() => return Err(Halt::Stopped),
+                Err(_) if progress.is_stopped() => return Err(Halt::Stopped),
                 Err(_) if span > 1 => span /= 2,
                 Err(_) => return Err(Halt::Ended(made, Why::Escapes)),
             }
@@ -219,8 +220,8 @@ impl<A: Moving> Points<A> for Solution {
         self.append::<A>(cells);
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        self.walk::<A>(steps, told, |_, _| {})
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        self.walk::<A>(steps, progress, |_, _| {})
     }
 
     fn rows(
@@ -228,9 +229,9 @@ impl<A: Moving> Points<A> for Solution {
         every: u64,
         count: usize,
         cells: &mut Vec<A::Cell>,
-        told: &mut Told<'_>,
+        progress: &Count<'_>,
     ) -> Result<(), Halt> {
-        self.walk::<A>(every * count as u64, told, |solution, made| {
+        self.walk::<A>(every * count as u64, progress, |solution, made| {
             if made.is_multiple_of(every) {
                 solution.append::<A>(cells);
             }

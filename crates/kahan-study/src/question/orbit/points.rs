@@ -7,8 +7,9 @@ use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_core::SingularStep;
-use kahan_discover::{Progress, Watch};
+use kahan_discover::Watch;
 
+use crate::count::Count;
 use crate::numbers::{Number, Printable};
 use crate::rows::{Column, End, Last, Rows, Values};
 use crate::study::Study;
@@ -56,34 +57,13 @@ pub(super) enum Why {
     Escapes,
 }
 
-/// Who hears of steps; once stopped, it hears no more.
-pub(super) struct Told<'a> {
-    watch: &'a dyn Watch,
-    done: u64,
-    of: u64,
-    /// What the watch said last.
-    pub(super) flow: ControlFlow<()>,
-}
-
-impl Told<'_> {
-    /// So many more steps were made.
-    pub(super) fn steps(&mut self, steps: u64) -> ControlFlow<()> {
-        self.done += steps;
-        if self.flow.is_continue() {
-            let progress = Progress { what: "steps", done: self.done, of: Some(self.of) };
-            self.flow = self.watch.look(&progress);
-        }
-        self.flow
-    }
-}
-
 /// Points that move on.
 pub(super) trait Points<A: Tabular> {
     /// Appends the cells of the point: coordinates, then integrals.
     fn row(&mut self, cells: &mut Vec<A::Cell>);
 
     /// Goes so many steps on, or to the last point that there is.
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt>;
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt>;
 
     /// The same for so many rows, each after so many steps; the steps of a [`Halt`] are those since
     /// the call.
@@ -92,10 +72,10 @@ pub(super) trait Points<A: Tabular> {
         every: u64,
         count: usize,
         cells: &mut Vec<A::Cell>,
-        told: &mut Told<'_>,
+        progress: &Count<'_>,
     ) -> Result<(), Halt> {
         for row in 0..count as u64 {
-            self.advance(every, told).map_err(|halt| halt.after(row * every))?;
+            self.advance(every, progress).map_err(|halt| halt.after(row * every))?;
             self.row(cells);
         }
         Ok(())
@@ -127,7 +107,7 @@ pub(super) fn moment(variables: usize, every: u64) -> usize {
 pub(super) fn in_parts(
     steps: u64,
     at_once: u64,
-    told: &mut Told<'_>,
+    progress: &Count<'_>,
     mut advance: impl FnMut(u64) -> Result<(), Halt>,
 ) -> Result<(), Halt> {
     let mut made = 0;
@@ -135,7 +115,7 @@ pub(super) fn in_parts(
         let now = at_once.min(steps - made);
         advance(now).map_err(|halt| halt.after(made))?;
         made += now;
-        if told.steps(now).is_break() && made < steps {
+        if progress.tell(now).is_break() && made < steps {
             return Err(Halt::Stopped);
         }
     }
@@ -176,11 +156,11 @@ impl<A: Tabular> Course<'_, A> {
         if range.start >= end {
             return Ok(());
         }
-        let mut told = Told { watch, done: 0, of: steps, flow: ControlFlow::Continue(()) };
+        let progress = Count::new("steps", steps, watch);
         let numbers = vec![Vec::new(); self.columns.len() - 2];
         let mut block = Block::<A> { counts: Vec::new(), times: Vec::new(), numbers };
         let (mut cells, mut next, mut gone) = (Vec::new(), range.start, Ok(()));
-        points.advance(next * every, &mut told)?;
+        points.advance(next * every, &progress)?;
         points.row(&mut cells);
         loop {
             block.fill(self, next, &mut cells);
@@ -193,13 +173,13 @@ impl<A: Tabular> Course<'_, A> {
             if next == end {
                 // The steps behind the last row may have no value.
                 let left = if end == count { steps - made } else { 0 };
-                return points.advance(left, &mut told).map_err(|halt| halt.after(made));
+                return points.advance(left, &progress).map_err(|halt| halt.after(made));
             }
-            if told.flow.is_break() {
+            if progress.is_stopped() {
                 return Err(Halt::Stopped);
             }
             let now = (end - next).min(points.at_once(every) as u64) as usize;
-            gone = points.rows(every, now, &mut cells, &mut told).map_err(|halt| halt.after(made));
+            gone = points.rows(every, now, &mut cells, &progress).map_err(|halt| halt.after(made));
         }
     }
 }
