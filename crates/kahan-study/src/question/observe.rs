@@ -10,7 +10,6 @@ use kahan_core::Composition;
 use kahan_discover::Watch;
 use kahan_runtime::{Ended, Followed, MapAt, ObservedFloat, Observing};
 use serde::de::Error;
-use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 
@@ -19,6 +18,8 @@ use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::rows::Column;
 use crate::study::Study;
+
+use super::usual_order;
 
 pub use kahan_runtime::{Observable, Seen};
 
@@ -49,10 +50,6 @@ pub struct Observe {
     /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
     #[serde(default = "usual", serialize_with = "names_of", deserialize_with = "of_names")]
     pub of: Vec<Observable>,
-}
-
-fn usual_order() -> u32 {
-    2
 }
 
 fn usual_every() -> u64 {
@@ -224,9 +221,7 @@ fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
 
 impl Serialize for Observed {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = serializer.serialize_map(None)?;
-        object.serialize_entry("system", &self.system)?;
-        object.serialize_entry("steps", &self.steps)?;
+        let mut object = json!({"system": self.system, "steps": self.steps});
         for (observable, seen) in &self.seen {
             let name = match observable {
                 Observable::Lyapunov => "largest_lyapunov",
@@ -235,12 +230,11 @@ impl Serialize for Observed {
                 Observable::Escape => "escaped",
                 other => other.name(),
             };
-            object.serialize_entry(name, &json_of(seen, &self.variables, &self.integrals))?;
+            object[name] = json_of(seen, &self.variables, &self.integrals);
             if let Seen::Spectrum(all) = seen {
-                let errors: Vec<f64> = all.iter().map(|one| one.error).collect();
-                object.serialize_entry("lyapunov_errors", &errors)?;
+                object["lyapunov_errors"] = all.iter().map(|one| one.error).collect();
             }
         }
-        object.end()
+        object.serialize(serializer)
     }
 }

@@ -15,6 +15,8 @@ use crate::numbers::exact::{self, Exactly};
 use crate::range::Axis;
 use crate::study::Study;
 
+use super::one;
+
 /// The most unknowns of Newton's method: beyond, a step takes minutes.
 const MOST_UNKNOWNS: usize = 600;
 
@@ -34,10 +36,6 @@ pub struct Periodic {
     /// The parameter that changes along the branch, or `eps`.
     #[serde(default)]
     pub over: Option<Axis>,
-}
-
-fn one() -> usize {
-    1
 }
 
 /// A cycle, and what becomes of it.

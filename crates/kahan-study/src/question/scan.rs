@@ -12,7 +12,7 @@ use crate::range::Axis;
 use crate::study::Study;
 
 use super::discover::options;
-use super::seconds_since;
+use super::{minute, seconds_since};
 
 /// The most points of a grid.
 const MOST_POINTS: usize = 1_000_000;
@@ -31,12 +31,8 @@ pub struct Scan {
     #[serde(default)]
     pub degree: Option<u32>,
     /// The seconds that it may take.
-    #[serde(default = "usual_seconds")]
+    #[serde(default = "minute")]
     pub seconds: f64,
-}
-
-fn usual_seconds() -> f64 {
-    60.0
 }
 
 /// What was seen on the grid.
@@ -56,7 +52,7 @@ impl Scan {
     /// Over these axes, in a minute.
     #[must_use]
     pub fn new(axes: Vec<Axis>) -> Self {
-        Scan { axes, seconds: usual_seconds(), ..Scan::default() }
+        Scan { axes, seconds: minute(), ..Scan::default() }
     }
 
     /// The points of the grid; `None` where they are more than a million.

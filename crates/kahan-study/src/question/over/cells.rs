@@ -97,17 +97,17 @@ impl<'a> Cells<'a> {
     /// The columns that say where a cell is: its number, its first point where these go through a
     /// list, and the axes of more than one value.
     pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
-        let index = column("index", "place of the point in the plan, from 0 on", Kept::Integer(vec![]));
+        let index = column("index", "place of the point in the plan, from 0 on", Kept::Integer);
         let starts = if self.starts.is_empty() { &[] } else { variables };
-        let starts = starts.iter().map(|name| column(name, STARTS, Kept::F64(vec![])));
+        let starts = starts.iter().map(|name| column(name, STARTS, Kept::F64));
         let axes = self.axes.iter().filter(|along| along.varies()).map(|along| {
             let name = &along.axis.name;
             match along.target {
-                Target::Variable(_) => column(name, STARTS, Kept::F64(vec![])),
-                Target::Parameter(_) => column(name, "value of the parameter", Kept::F64(vec![])),
-                Target::Epsilon => column(name, "half the time step, in units of time", Kept::F64(vec![])),
-                Target::Order => column(name, "order of the method", Kept::Integer(vec![])),
-                Target::Bits => column(name, "bits of the scalar", Kept::Integer(vec![])),
+                Target::Variable(_) => column(name, STARTS, Kept::F64),
+                Target::Parameter(_) => column(name, "value of the parameter", Kept::F64),
+                Target::Epsilon => column(name, "half the time step, in units of time", Kept::F64),
+                Target::Order => column(name, "order of the method", Kept::Integer),
+                Target::Bits => column(name, "bits of the scalar", Kept::Integer),
             }
         });
         [index].into_iter().chain(starts).chain(axes).collect()

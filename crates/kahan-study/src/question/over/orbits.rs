@@ -55,11 +55,8 @@ impl<'a> Orbits<'a> {
     }
 
     pub(super) fn columns(&self) -> Vec<(Column, Kept)> {
-        let steps = column(
-            "steps",
-            "steps that were made, fewer where numbers leave their range",
-            Kept::Integer(vec![]),
-        );
+        let steps =
+            column("steps", "steps that were made, fewer where numbers leave their range", Kept::Integer);
         let seen = self.asked.columns(self.study).into_iter();
         let seen = seen.map(|column| (column, Kept::F64(Vec::new())));
         [steps].into_iter().chain(seen).collect()
