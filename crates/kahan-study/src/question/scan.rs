@@ -87,12 +87,8 @@ impl Scan {
         let given = fixed.iter().map(|(name, _)| name.as_str()).chain(self.eps.as_ref().map(|_| "eps"));
         let mut taken: Vec<&str> = given.collect();
         for axis in &self.axes {
-            if axis.name != "eps" && !study.parameters().contains(&axis.name) {
-                return Err(StudyError::UnknownParameter {
-                    system: study.name().to_owned(),
-                    name: axis.name.clone(),
-                    known: study.parameters().to_vec(),
-                });
+            if axis.name != "eps" {
+                study.parameter(&axis.name)?;
             }
             if taken.contains(&axis.name.as_str()) {
                 return Err(StudyError::ParameterTwice { name: axis.name.clone() });

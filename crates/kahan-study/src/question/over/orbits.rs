@@ -114,10 +114,8 @@ impl<'a> Orbits<'a> {
                 is_same(&last.parameters, &place.parameters) && is_same(&[last.eps], &[place.eps])
             };
             if !last.is_some_and(has_map_of) {
-                let map = known.at(&place.parameters, || {
-                    let exactly = self.cells.exactly(*index).parameters;
-                    self.study.field().with(self.study.parameters().iter().zip(&exactly)).ok()
-                });
+                let map =
+                    known.at(&place.parameters, || self.study.map_at(&self.cells.exactly(*index).parameters));
                 maps.extend(map.map(|map| map.at(nearest(place.eps)).composed(composition)));
                 map_of.push(map.map(|_| maps.len() - 1));
             } else {
