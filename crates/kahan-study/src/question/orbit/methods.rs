@@ -93,7 +93,7 @@ impl<A: Moving> Points<A> for Explicit<'_, A> {
     fn row(&mut self, cells: &mut Vec<A::Cell>) {
         cells.extend(self.x.iter().map(A::cell));
         let integrals = self.values(&self.derived.integrals, &self.x).into_iter();
-        cells.extend(integrals.map(|value| value.map_or(A::UNDEFINED, |value| A::cell(&value))));
+        cells.extend(integrals.map(A::cell_of));
     }
 
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
@@ -207,11 +207,9 @@ impl Solution {
     }
 
     fn append<A: Moving>(&self, cells: &mut Vec<A::Cell>) {
-        let cell = |number: Dd| A::narrow(number).map_or(A::UNDEFINED, |number| A::cell(&number));
-        let variables = self.field.map.variables().len();
-        cells.extend(self.x.iter().take(variables).copied().map(cell));
-        let integrals = self.field.map.integrals(&self.x, &Dd::default()).into_iter();
-        cells.extend(integrals.map(|value| value.map_or(A::UNDEFINED, cell)));
+        let coordinates = self.x.iter().take(self.field.map.variables().len()).copied().map(Some);
+        let integrals = self.field.map.integrals(&self.x, &Dd::default());
+        cells.extend(coordinates.chain(integrals).map(|number| A::cell_of(number.and_then(A::narrow))));
     }
 }
 

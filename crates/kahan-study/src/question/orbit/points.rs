@@ -8,29 +8,15 @@ use std::ops::{ControlFlow, Range};
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_core::SingularStep;
 use kahan_discover::Watch;
+use kahan_runtime::{Ended, Followed};
 
 use crate::count::Count;
-use crate::numbers::{Number, Printable};
+use crate::numbers::Number;
 use crate::rows::{Column, End, Last, Rows, Values};
 use crate::study::Study;
 
 use super::Orbit;
-
-/// An arithmetic whose numbers are cells of tables.
-pub(super) trait Tabular: Printable {
-    /// A cell.
-    type Cell: Clone;
-
-    /// The cell of a number; one that is not finite has no value.
-    fn cell(number: &Self::Value) -> Self::Cell;
-
-    /// Cells of a column.
-    fn values(cells: &[Self::Cell]) -> Values<'_>;
-
-    /// The number nearest to a count; [`Printable::round`] gives the same, and takes longer than a
-    /// step.
-    fn whole(n: i64) -> Self::Value;
-}
+use super::maps::Moving;
 
 /// Why points do not go on.
 pub(super) enum Halt {
@@ -58,7 +44,7 @@ pub(super) enum Why {
 }
 
 /// Points that move on.
-pub(super) trait Points<A: Tabular> {
+pub(super) trait Points<A: Moving> {
     /// Appends the cells of the point: coordinates, then integrals.
     fn row(&mut self, cells: &mut Vec<A::Cell>);
 
@@ -86,8 +72,10 @@ pub(super) trait Points<A: Tabular> {
         1
     }
 
-    /// The coordinates.
-    fn point(&self) -> Vec<Number>;
+    /// The coordinates; none where the point may be at infinity, or has too many to be told.
+    fn point(&self) -> Vec<Number> {
+        Vec::new()
+    }
 
     /// Whether steps of floats are machine code, where it is asked.
     fn is_code(&self) -> Option<bool> {
@@ -123,6 +111,15 @@ pub(super) fn in_parts(
 }
 
 impl Halt {
+    /// Where an orbit was not followed to its end.
+    pub(super) fn of<R>(followed: &Followed<R>, why: impl FnOnce() -> Why) -> Result<(), Self> {
+        match followed.ended {
+            Ended::Complete | Ended::Done => Ok(()),
+            Ended::Stopped => Err(Halt::Stopped),
+            Ended::Range => Err(Halt::Ended(followed.steps, why())),
+        }
+    }
+
     pub(super) fn after(self, steps: u64) -> Self {
         match self {
             Self::Stopped => Self::Stopped,
@@ -132,7 +129,7 @@ impl Halt {
 }
 
 /// Which points become rows of what table.
-pub(super) struct Course<'a, A: Tabular> {
+pub(super) struct Course<'a, A: Moving> {
     pub(super) arithmetic: &'a A,
     pub(super) columns: &'a [Column],
     pub(super) eps: A::Value,
@@ -140,7 +137,7 @@ pub(super) struct Course<'a, A: Tabular> {
     pub(super) every: u64,
 }
 
-impl<A: Tabular> Course<'_, A> {
+impl<A: Moving> Course<'_, A> {
     /// Hands on a range of rows, in blocks of columns that are filled again and again. Where the
     /// points end before that, the steps of the [`Halt`] are those from the first point.
     pub(super) fn hand_on(
@@ -185,13 +182,13 @@ impl<A: Tabular> Course<'_, A> {
 }
 
 /// Rows as columns.
-struct Block<A: Tabular> {
+struct Block<A: Moving> {
     counts: Vec<i64>,
     times: Vec<A::Cell>,
     numbers: Vec<Vec<A::Cell>>,
 }
 
-impl<A: Tabular> Block<A> {
+impl<A: Moving> Block<A> {
     /// Takes the rows of these cells, the first of which has this number, in place of those before.
     fn fill(&mut self, course: &Course<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
         let Course { arithmetic, eps, every, .. } = course;
