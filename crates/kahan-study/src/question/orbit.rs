@@ -27,7 +27,7 @@ use crate::study::Study;
 
 use super::{one, usual_order};
 
-pub use chain::{Chain, ChainHead};
+pub use chain::Chain;
 use maps::Moving;
 use points::{Course, Halt, Points, ended};
 
