@@ -44,7 +44,7 @@ pub use evaluate::{Evaluate, Evaluated};
 pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observable, Observe, Observed, Seen};
-pub use orbit::{Begun, Chain, Method, NoOrbit, Orbit, OrbitHead, Orbited};
+pub use orbit::{Begun, Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
 pub use over::{Over, OverFound, Source, Through, Varied};
 pub use periodic::{CycleFound, Periodic, characteristic_polynomial};
 pub use poles::{Poles, PolesFound};

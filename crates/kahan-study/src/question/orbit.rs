@@ -27,7 +27,7 @@ use crate::study::Study;
 
 use super::{one, usual_order};
 
-pub use chain::Chain;
+pub use chain::{Chain, ChainHead};
 use maps::Moving;
 use points::{Course, Halt, Points, ended};
 

@@ -9,15 +9,15 @@ use std::ops::{ControlFlow, Range};
 use kahan_algebra::arithmetic::Float64;
 use kahan_discover::Watch;
 use kahan_runtime::{ChainAt, Follow, Lattice};
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use crate::count::Count;
-use crate::named::Names;
+use crate::named::{Names, by_name};
 use crate::numbers::ScalarKind;
 use crate::rows::{Column, End, Last, Rows};
 
 use super::points::{Course, Halt, Points, Why, moment};
-use super::{columns, usual_order};
+use super::{columns, names};
 
 /// A chain, ready to step.
 #[derive(Debug)]
@@ -40,27 +40,38 @@ pub struct Chain {
     pub state: Vec<f64>,
 }
 
-impl Chain {
-    /// What is known before so many steps, each so many of which a point becomes a row: an object of
-    /// JSON, as that of an [`OrbitHead`](super::OrbitHead).
-    #[must_use]
-    pub fn head(&self, steps: u64, every: u64) -> Value {
-        json!({
-            "system": self.name,
-            "arrays": self.lattice.arrays(),
-            "sites": self.sites,
-            "parameters": self.parameters.iter().cloned().collect::<Value>(),
-            "eps": self.eps,
-            "scalar": ScalarKind::F64,
-            "order": usual_order(),
-            "steps": steps,
-            "every": every,
-            "columns": self.columns().into_iter().map(|column| column.name).collect::<Value>(),
-        })
-    }
+/// What is known of the orbit of a chain before its first step.
+#[derive(Clone, Debug, Serialize)]
+pub struct ChainHead {
+    /// The family's name.
+    pub system: String,
+    /// Its arrays.
+    pub arrays: Vec<String>,
+    /// How many sites the chain has.
+    pub sites: usize,
+    /// The parameters that the chain has once.
+    #[serde(serialize_with = "by_name")]
+    pub parameters: Names<f64>,
+    /// ε, half the time step.
+    pub eps: f64,
+    /// The numbers that it is computed with.
+    pub scalar: ScalarKind,
+    /// The order of the method.
+    pub order: u32,
+    /// The number of steps.
+    pub steps: u64,
+    /// The steps from row to row.
+    pub every: u64,
+    /// The columns of the rows.
+    #[serde(serialize_with = "names")]
+    pub columns: Vec<Column>,
+}
 
-    fn columns(&self) -> Vec<Column> {
-        let Chain { lattice, .. } = self;
+impl Chain {
+    /// What is known before so many steps, each so many of which a point becomes a row.
+    #[must_use]
+    pub fn head(&self, steps: u64, every: u64) -> ChainHead {
+        let Chain { name, lattice, sites, eps, parameters, .. } = self;
         let range = |array: &String| [format!("{array}_min"), format!("{array}_max")];
         let states = match &self.variables[..] {
             [] => lattice.arrays().iter().flat_map(range).collect(),
@@ -69,7 +80,18 @@ impl Chain {
         let energy = lattice.hamiltonian().map(|name| [name.to_owned(), format!("{name}_modified")]);
         let integrals = lattice.integrals().into_iter().map(str::to_owned);
         let sums: Vec<String> = integrals.chain(energy.into_iter().flatten()).collect();
-        columns(&states, &sums)
+        ChainHead {
+            system: name.clone(),
+            arrays: lattice.arrays().to_vec(),
+            sites: *sites,
+            parameters: parameters.clone(),
+            eps: *eps,
+            scalar: ScalarKind::F64,
+            order: 2,
+            steps,
+            every,
+            columns: columns(&states, &sums),
+        }
     }
 
     /// Makes so many steps from the state. Hands on rows as an [`Orbit`](super::Orbit) does, and
@@ -82,7 +104,7 @@ impl Chain {
         see: &mut dyn FnMut(&[f64]) -> ControlFlow<()>,
         watch: &dyn Watch,
     ) -> End {
-        let columns = &self.columns();
+        let columns = &self.head(steps, every).columns;
         let course = Course { arithmetic: &Float64, columns, eps: self.eps, steps, every };
         let mut points = Seen { chain: self, see, flow: ControlFlow::Continue(()) };
         match course.hand_on(&mut points, range, rows, watch) {
