@@ -13,11 +13,10 @@ use kahan_discover::{Options, Report, Unwatched, Watch, discover};
 use kahan_runtime::FieldText;
 use serde::ser::Error;
 use serde::{Deserialize, Serialize, Serializer};
-use serde_json::{Value, json};
 
 use crate::error::StudyError;
-use crate::named::Names;
-use crate::numbers::exact::{self, Exactly};
+use crate::named::{Names, by_name};
+use crate::numbers::exact;
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
@@ -106,11 +105,14 @@ impl AtCell for Discover {
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry> {
         let degree = self.degree.or(Some(default_degree(at.len())));
         let asked = Discover { eps: Some(eps.clone()), degree, ..self.clone() };
+        let texts = |formulas: &[Formula]| {
+            let texts: Vec<&str> = formulas.iter().map(|formula| formula.text.as_str()).collect();
+            texts.join("\n")
+        };
         let (integrals, growth, entropy, formulas) = match asked.ask(study, &Unwatched) {
             Ok(Discovered { report, .. }) => {
                 let growth = &report.growth.growth;
-                let formulas =
-                    [&report.integrals, &report.densities].map(|formulas| texts(formulas).join("\n"));
+                let formulas = [texts(&report.integrals), texts(&report.densities)];
                 (report.independent_integrals() as i64, growth.word().to_owned(), growth.entropy(), formulas)
             }
             Err(StudyError::Discover { why, .. }) => (-1, why.to_string(), f64::NAN, Default::default()),
@@ -119,10 +121,6 @@ impl AtCell for Discover {
         let seen = [Entry::Integer(integrals), Entry::Text(growth), Entry::Float(entropy)];
         seen.into_iter().chain(formulas.map(Entry::Text)).collect()
     }
-}
-
-fn texts(formulas: &[Formula]) -> Vec<&str> {
-    formulas.iter().map(|formula| formula.text.as_str()).collect()
 }
 
 /// What a search in the study's field is told: its parameters that have values, and what a question
@@ -180,7 +178,7 @@ impl Discovered {
     }
 
     /// All that is claimed, each claim in its parts, and H where the field is K grad H.
-    fn parts(&self) -> Result<Vec<Value>, StudyError> {
+    fn parts(&self) -> Result<Vec<Part>, StudyError> {
         let expression = |body: &ClaimBody| match body {
             ClaimBody::Function(value) => Text.expression(value),
             ClaimBody::Tensor(entries) => {
@@ -191,12 +189,17 @@ impl Discovered {
                 entries.iter().map(entry).collect::<Vec<_>>().join(" ")
             }
         };
-        let part = |kind: &str, name: &str, expression: &str| json!({"kind": kind, "name": name, "expression": expression});
-        let claims = self.claimed()?.claims;
-        let claims =
-            claims.iter().map(|claim| part(claim.kind.keyword(), &claim.name.text, &expression(&claim.body)));
-        let hamiltonian = self.report.structure.hamiltonian.iter();
-        Ok(claims.chain(hamiltonian.map(|found| part("hamiltonian", "H", &found.hamiltonian))).collect())
+        let claims = self.claimed()?.claims.into_iter().map(|claim| Part {
+            kind: claim.kind.keyword(),
+            expression: expression(&claim.body),
+            name: claim.name.text,
+        });
+        let hamiltonian = self.report.structure.hamiltonian.iter().map(|found| Part {
+            kind: "hamiltonian",
+            name: "H".to_owned(),
+            expression: found.hamiltonian.clone(),
+        });
+        Ok(claims.chain(hamiltonian).collect())
     }
 
     fn with_claims(&self, but: Option<usize>) -> Result<System, StudyError> {
@@ -216,78 +219,155 @@ impl Discovered {
     }
 }
 
-/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an orbit;
-/// `terms` are sums of monomials whose coefficients are equal.
-fn relation(basis: &Basis, variables: &[String]) -> Value {
-    let monomials = basis.monomial_texts(variables);
-    let unit = &monomials[basis.unit];
-    let integrals = basis.integrals.iter().map(|&place| format!("c[{}]/c[{unit}]", monomials[place]));
-    json!({
-        "monomials": monomials,
-        "integrals": integrals.collect::<Value>(),
-        "terms": basis.term_texts(variables, &Text),
-        "points": basis.points(),
-        "outcome": if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
-    })
+#[derive(Serialize)]
+struct Object<'a> {
+    system: &'a str,
+    variables: &'a [String],
+    /// Null is generic.
+    #[serde(serialize_with = "by_name")]
+    parameters: Names<Option<String>>,
+    eps: Option<String>,
+    hilbert: &'a [usize],
+    monomials: &'a [usize],
+    independent_integrals: usize,
+    most_integrals: Option<usize>,
+    bounded_by: &'static str,
+    degrees: &'a [usize],
+    growth: &'static str,
+    entropy: f64,
+    linear_integrals: &'a [String],
+    quadratic_integrals_of_the_flow: &'a [String],
+    integrals: Vec<&'a str>,
+    densities: Vec<&'a str>,
+    brackets: &'a [String],
+    found: Vec<Part>,
+    bases: Vec<Relation>,
+    divergence: &'a str,
+    is_even: bool,
+    hamiltonian: Option<Hamiltonian<'a>>,
+    survivors: Option<Survivors<'a>>,
+    sentences: &'a [String],
+    out_of_time: bool,
+    seconds: Option<f64>,
+}
+
+/// Something that the map keeps, in its parts.
+#[derive(Serialize)]
+struct Part {
+    kind: &'static str,
+    name: String,
+    expression: String,
+}
+
+#[derive(Serialize)]
+struct Hamiltonian<'a> {
+    #[serde(rename = "K")]
+    tensor: &'a [Vec<String>],
+    #[serde(rename = "H")]
+    hamiltonian: &'a str,
+    modified_is_proved: bool,
+    /// At any point x and its image x~.
+    modified: String,
+}
+
+/// The integrals are quotients of coefficients `c[m]` of the relation Σ `c[m]` m = 0 along an
+/// orbit.
+#[derive(Serialize)]
+struct Relation {
+    monomials: Vec<String>,
+    integrals: Vec<String>,
+    /// Sums of monomials whose coefficients are equal.
+    terms: Vec<String>,
+    points: usize,
+    outcome: &'static str,
 }
 
 /// What composition leaves: how many independent integrals, which of the formulas, and which
 /// quotients of two.
-fn survivors(report: &Report) -> Option<Value> {
-    let survivors = report.survivors.as_ref()?;
-    let name = |index: usize| report.integrals[index].name().expect("a claim has a name");
-    let kept = (0..survivors.formulas.len()).filter(|&index| survivors.formulas[index]);
-    let quotients = survivors.quotients.iter();
-    Some(json!({
-        "independent_integrals": survivors.hilbert.integrals,
-        "hilbert": survivors.hilbert.values,
-        "formulas": kept.map(name).collect::<Value>(),
-        "quotients": quotients.map(|&(above, below)| format!("{}/{}", name(above), name(below))).collect::<Value>(),
-    }))
+#[derive(Serialize)]
+struct Survivors<'a> {
+    independent_integrals: usize,
+    hilbert: &'a [usize],
+    formulas: Vec<&'a str>,
+    quotients: Vec<String>,
+}
+
+impl Relation {
+    fn of(basis: &Basis, variables: &[String]) -> Self {
+        let monomials = basis.monomial_texts(variables);
+        let unit = &monomials[basis.unit];
+        Relation {
+            integrals: basis
+                .integrals
+                .iter()
+                .map(|&place| format!("c[{}]/c[{unit}]", monomials[place]))
+                .collect(),
+            terms: basis.term_texts(variables, &Text),
+            points: basis.points(),
+            outcome: if basis.proof.is_some() { "proved-mod-p" } else { "seen" },
+            monomials,
+        }
+    }
+}
+
+impl<'a> Survivors<'a> {
+    fn of(report: &'a Report) -> Option<Self> {
+        let survivors = report.survivors.as_ref()?;
+        let name = |index: usize| report.integrals[index].name().expect("a claim has a name");
+        let kept = (0..survivors.formulas.len()).filter(|&index| survivors.formulas[index]);
+        let quotients = survivors.quotients.iter();
+        Some(Survivors {
+            independent_integrals: survivors.hilbert.integrals,
+            hilbert: &survivors.hilbert.values,
+            formulas: kept.map(name).collect(),
+            quotients: quotients.map(|&(above, below)| format!("{}/{}", name(above), name(below))).collect(),
+        })
+    }
 }
 
 impl Serialize for Discovered {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        fn texts(formulas: &[Formula]) -> Vec<&str> {
+            formulas.iter().map(|formula| formula.text.as_str()).collect()
+        }
         let report = &self.report;
         let structure = &report.structure;
         let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), Some(value.to_string())));
-        // What is generic is null.
         let generic = report.parameters.iter().map(|name| (name.clone(), None));
         let hilbert = report.hilbert.as_ref();
-        let object = json!({
-            "system": self.system,
-            "variables": report.variables,
-            "parameters": fixed.chain(generic).collect::<Value>(),
-            "eps": self.eps.to_json(),
-            "hilbert": hilbert.map_or(&[][..], |hilbert| &hilbert.values),
-            "monomials": hilbert.map_or(&[][..], |hilbert| &hilbert.full),
-            "independent_integrals": report.independent_integrals(),
-            "most_integrals": report.ceiling.as_ref().map(|ceiling| ceiling.integrals),
-            "bounded_by": report.bound.word(),
-            "degrees": report.degrees,
-            "growth": report.growth.growth.word(),
-            "entropy": report.growth.growth.entropy(),
-            "linear_integrals": structure.linear_integrals,
-            "quadratic_integrals_of_the_flow": structure.quadratic_integrals,
-            "integrals": texts(&report.integrals),
-            "densities": texts(&report.densities),
-            "brackets": report.brackets,
-            "found": self.parts().map_err(S::Error::custom)?,
-            "bases": report.bases.iter().map(|basis| relation(basis, &report.variables)).collect::<Value>(),
-            "divergence": structure.divergence,
-            "is_even": structure.is_even,
-            "hamiltonian": structure.hamiltonian.as_ref().map(|found| json!({
-                "K": found.tensor,
-                "H": found.hamiltonian,
-                "modified_is_proved": found.modified_is_proved,
-                // At any point x and its image x~.
-                "modified": found.modified(&Text),
-            })),
-            "survivors": survivors(report),
-            "sentences": report.sentences,
-            "out_of_time": report.out_of_time,
-            "seconds": self.seconds,
-        });
+        let object = Object {
+            system: &self.system,
+            variables: &report.variables,
+            parameters: fixed.chain(generic).collect(),
+            eps: self.eps.as_ref().map(ToString::to_string),
+            hilbert: hilbert.map_or(&[], |hilbert| &hilbert.values),
+            monomials: hilbert.map_or(&[], |hilbert| &hilbert.full),
+            independent_integrals: report.independent_integrals(),
+            most_integrals: report.ceiling.as_ref().map(|ceiling| ceiling.integrals),
+            bounded_by: report.bound.word(),
+            degrees: &report.degrees,
+            growth: report.growth.growth.word(),
+            entropy: report.growth.growth.entropy(),
+            linear_integrals: &structure.linear_integrals,
+            quadratic_integrals_of_the_flow: &structure.quadratic_integrals,
+            integrals: texts(&report.integrals),
+            densities: texts(&report.densities),
+            brackets: &report.brackets,
+            found: self.parts().map_err(S::Error::custom)?,
+            bases: report.bases.iter().map(|basis| Relation::of(basis, &report.variables)).collect(),
+            divergence: &structure.divergence,
+            is_even: structure.is_even,
+            hamiltonian: structure.hamiltonian.as_ref().map(|found| Hamiltonian {
+                tensor: &found.tensor,
+                hamiltonian: &found.hamiltonian,
+                modified_is_proved: found.modified_is_proved,
+                modified: found.modified(&Text),
+            }),
+            survivors: Survivors::of(report),
+            sentences: &report.sentences,
+            out_of_time: report.out_of_time,
+            seconds: self.seconds,
+        };
         object.serialize(serializer)
     }
 }

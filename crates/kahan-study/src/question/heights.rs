@@ -4,9 +4,9 @@ use kahan_algebra::rational::Rational;
 use kahan_discover::{Progress, Unwatched, Watch};
 use kahan_runtime::heights::{HeightsOrbit, Stop, Survey};
 use serde::{Deserialize, Serialize, Serializer};
-use serde_json::{Value, json};
 
 use crate::error::StudyError;
+use crate::named::{Names, by_name};
 use crate::numbers::exact;
 use crate::rows::{Column, Kept};
 use crate::study::{NoStep, Study};
@@ -142,23 +142,39 @@ pub fn fifteen_digits(height: f64) -> f64 {
     format!("{height:.14e}").parse().expect("a printed float is one")
 }
 
+#[derive(Serialize)]
+struct Object<'a> {
+    system: &'a str,
+    steps: usize,
+    #[serde(serialize_with = "by_name")]
+    log_heights: Names<Vec<f64>>,
+    growth: String,
+    entropy: f64,
+    seconds: Option<f64>,
+    stopped: Option<&'static str>,
+}
+
 impl Serialize for HeightsFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let series = |i: usize| self.survey.component(i).into_iter().skip(1).map(fifteen_digits);
-        let series = (0..self.variables.len()).map(|i| series(i).collect::<Value>());
-        let object = json!({
-            "system": self.system,
-            "steps": self.steps(),
-            "log_heights": self.variables.iter().cloned().zip(series).collect::<Value>(),
-            "growth": self.survey.growth.to_string(),
-            "entropy": self.survey.entropy,
-            "seconds": self.seconds,
-            "stopped": self.survey.stopped.map(|stop| match stop {
+        let series = |i: usize| self.survey.component(i).into_iter().skip(1).map(fifteen_digits).collect();
+        let object = Object {
+            system: &self.system,
+            steps: self.steps(),
+            log_heights: self
+                .variables
+                .iter()
+                .enumerate()
+                .map(|(i, name)| (name.clone(), series(i)))
+                .collect(),
+            growth: self.survey.growth.to_string(),
+            entropy: self.survey.entropy,
+            seconds: self.seconds,
+            stopped: self.survey.stopped.map(|stop| match stop {
                 Stop::Pole => "pole",
                 Stop::Digits => "digits",
                 Stop::Seconds => "seconds",
             }),
-        });
+        };
         object.serialize(serializer)
     }
 }

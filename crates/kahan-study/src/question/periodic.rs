@@ -1,5 +1,7 @@
 //! A cycle of the map near a point, how stable it is, and where it goes when something changes.
 
+use std::cell::Cell;
+
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
@@ -7,11 +9,9 @@ use kahan_core::periodic::{Branch, PeriodicPoint, branch, periodic_point};
 use kahan_discover::Watch;
 use kahan_runtime::{Map, MapAt, RationalCycle};
 use serde::{Deserialize, Serialize, Serializer};
-use serde_json::{Value, json};
 
-use crate::count::Count;
 use crate::error::StudyError;
-use crate::numbers::exact::{self, Exactly};
+use crate::numbers::exact;
 use crate::range::Axis;
 use crate::study::Study;
 
@@ -135,8 +135,11 @@ impl Family {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
         let map = |value| self.at(value).by(self.parameter);
         // A branch that winds has more.
-        let count = Count::new("cycles", steps as u64, watch);
-        branch(map, cycle, ends, steps, |_| count.tell(1))
+        let done = Cell::new(0);
+        branch(map, cycle, ends, steps, |_| {
+            done.set(done.get() + 1);
+            watch.look(&Progress { what: "cycles", done: done.get(), of: Some(steps as u64) })
+        })
     }
 
     /// The map at the values that were given, at which there is one.
@@ -157,47 +160,105 @@ pub fn characteristic_polynomial(exact: &RationalCycle) -> String {
     Text.polynomial(&symbols, &exact.polynomial)
 }
 
-/// A cycle in doubles.
-fn json_of(cycle: &PeriodicPoint) -> Value {
-    json!({
-        "period": cycle.points.len(),
-        "points": cycle.points,
-        "residual": cycle.residual,
-        "multipliers": cycle.multipliers.iter().map(|one| [one.re, one.im]).collect::<Vec<_>>(),
-        "stability": cycle.stability().to_string(),
-        "family": cycle.family,
-    })
+#[derive(Serialize)]
+struct Object<'a> {
+    #[serde(flatten)]
+    cycle: Cycle<'a>,
+    system: &'a str,
+    variables: &'a [String],
+    exact: Option<Exact>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    branch: Option<Along<'a>>,
+}
+
+#[derive(Serialize)]
+struct Cycle<'a> {
+    period: usize,
+    points: &'a [Vec<f64>],
+    residual: f64,
+    multipliers: Vec<[f64; 2]>,
+    stability: String,
+    family: usize,
+}
+
+#[derive(Serialize)]
+struct Exact {
+    points: Vec<Vec<String>>,
+    polynomial: String,
+    stability: String,
+}
+
+#[derive(Serialize)]
+struct Along<'a> {
+    over: &'a str,
+    points: Vec<Place<'a>>,
+    turns: Vec<Turn>,
+    cut: bool,
+}
+
+#[derive(Serialize)]
+struct Place<'a> {
+    #[serde(flatten)]
+    cycle: Cycle<'a>,
+    parameter: f64,
+}
+
+#[derive(Serialize)]
+struct Turn {
+    change: String,
+    parameter: f64,
+}
+
+impl<'a> Cycle<'a> {
+    fn of(cycle: &'a PeriodicPoint) -> Self {
+        Cycle {
+            period: cycle.points.len(),
+            points: &cycle.points,
+            residual: cycle.residual,
+            multipliers: cycle.multipliers.iter().map(|one| [one.re, one.im]).collect(),
+            stability: cycle.stability().to_string(),
+            family: cycle.family,
+        }
+    }
+}
+
+impl Exact {
+    fn of(cycle: &RationalCycle) -> Self {
+        let texts = |point: &Vec<Rational>| point.iter().map(ToString::to_string).collect();
+        Exact {
+            points: cycle.points.iter().map(texts).collect(),
+            polynomial: characteristic_polynomial(cycle),
+            stability: cycle.stability.to_string(),
+        }
+    }
+}
+
+impl<'a> Along<'a> {
+    fn of(over: &'a str, branch: &'a Branch) -> Self {
+        let points = branch.points.iter();
+        let turns = branch.turns.iter();
+        Along {
+            over,
+            points: points
+                .map(|point| Place { cycle: Cycle::of(&point.cycle), parameter: point.parameter })
+                .collect(),
+            turns: turns
+                .map(|turn| Turn { change: turn.change.to_string(), parameter: turn.parameter })
+                .collect(),
+            cut: branch.is_cut,
+        }
+    }
 }
 
 impl Serialize for CycleFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = json_of(&self.cycle);
-        object["system"] = json!(self.system);
-        object["variables"] = json!(self.variables);
-        object["exact"] = json!(self.exact.as_ref().map(|cycle| {
-            json!({
-                "points": cycle.points.to_json(),
-                "polynomial": characteristic_polynomial(cycle),
-                "stability": cycle.stability.to_string(),
-            })
-        }));
-        if let Some((over, branch)) = &self.branch {
-            let points = branch.points.iter().map(|point| {
-                let mut place = json_of(&point.cycle);
-                place["parameter"] = json!(point.parameter);
-                place
-            });
-            let turns = branch
-                .turns
-                .iter()
-                .map(|turn| json!({"change": turn.change.to_string(), "parameter": turn.parameter}));
-            object["branch"] = json!({
-                "over": over,
-                "points": points.collect::<Value>(),
-                "turns": turns.collect::<Value>(),
-                "cut": branch.is_cut,
-            });
-        }
+        let object = Object {
+            cycle: Cycle::of(&self.cycle),
+            system: &self.system,
+            variables: &self.variables,
+            exact: self.exact.as_ref().map(Exact::of),
+            branch: self.branch.as_ref().map(|(over, branch)| Along::of(over, branch)),
+        };
         object.serialize(serializer)
     }
 }

@@ -2,10 +2,9 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::growth::GrowthVerdict;
-use kahan_discover::poles::{Image, Pattern};
+use kahan_discover::poles::Pattern;
 use kahan_discover::{Watch, poles};
 use serde::{Deserialize, Serialize, Serializer};
-use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::numbers::exact;
@@ -67,30 +66,59 @@ impl Poles {
     }
 }
 
+#[derive(Serialize)]
+struct Object<'a> {
+    system: &'a str,
+    patterns: Vec<Curve>,
+    bound: usize,
+    complete: bool,
+    degrees: &'a [usize],
+    implied_degrees: Option<&'a [usize]>,
+    growth: &'static str,
+    entropy: f64,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Curve {
+    curve: String,
+    steps: usize,
+    confined: Option<bool>,
+    blown_down: bool,
+    images: Vec<Image>,
+}
+
+#[derive(Serialize)]
+struct Image {
+    dimension: usize,
+    infinite: bool,
+}
+
 impl Serialize for PolesFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let found = &self.found;
-        let image = |image: &Image| json!({"dimension": image.dimension, "infinite": image.is_infinite});
-        let curve = |pattern: &Pattern| {
-            json!({
-                "curve": pattern.name(&found.symbols),
-                "steps": pattern.steps,
-                "confined": pattern.confined,
-                "blown_down": pattern.is_blown_down(),
-                "images": pattern.images.iter().take(pattern.steps).map(image).collect::<Value>(),
-            })
+        let image = |image: &kahan_discover::poles::Image| Image {
+            dimension: image.dimension,
+            infinite: image.is_infinite,
         };
-        let object = json!({
-            "system": self.system,
-            "patterns": found.patterns.iter().map(curve).collect::<Value>(),
-            "bound": found.bound,
-            "complete": found.is_complete,
-            "degrees": found.degrees,
-            "implied_degrees": found.implied_degrees,
-            "growth": self.growth.growth.word(),
-            "entropy": self.growth.growth.entropy(),
-            "seconds": self.seconds,
-        });
+        let curve = |pattern: &Pattern| Curve {
+            curve: pattern.name(&found.symbols),
+            steps: pattern.steps,
+            confined: pattern.confined,
+            blown_down: pattern.is_blown_down(),
+            images: pattern.images.iter().take(pattern.steps).map(image).collect(),
+        };
+        let object = Object {
+            system: &self.system,
+            patterns: found.patterns.iter().map(curve).collect(),
+            bound: found.bound,
+            complete: found.is_complete,
+            degrees: &found.degrees,
+            implied_degrees: found.implied_degrees.as_deref(),
+            growth: self.growth.growth.word(),
+            entropy: self.growth.growth.entropy(),
+            seconds: self.seconds,
+        };
         object.serialize(serializer)
     }
 }

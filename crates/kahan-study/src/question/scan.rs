@@ -4,9 +4,9 @@ use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{GridPoint, Proposal, Sight};
 use kahan_discover::{Scan as Grid, Scanned, Watch, scan};
 use serde::{Deserialize, Serialize, Serializer};
-use serde_json::{Value, json};
 
 use crate::error::StudyError;
+use crate::named::{Names, by_name};
 use crate::numbers::exact;
 use crate::range::Axis;
 use crate::study::Study;
@@ -101,42 +101,83 @@ impl Scan {
     }
 }
 
-/// What was seen at a point, or along a relation.
-fn json_of(sight: &Sight) -> Value {
-    json!({
-        "independent_integrals": sight.integrals,
-        "hilbert": sight.hilbert,
-        "degrees": sight.degrees,
-    })
+#[derive(Serialize)]
+struct Object<'a> {
+    system: &'a str,
+    names: &'a [String],
+    generic: Seen<'a>,
+    points: Vec<Point<'a>>,
+    special: Vec<Values>,
+    relations: Vec<Relation<'a>>,
+    out_of_time: bool,
+    seconds: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Seen<'a> {
+    independent_integrals: usize,
+    hilbert: &'a [usize],
+    degrees: &'a [usize],
+}
+
+#[derive(Serialize)]
+struct Point<'a> {
+    values: Values,
+    sight: Option<Seen<'a>>,
+}
+
+#[derive(Serialize)]
+struct Relation<'a> {
+    relation: &'a str,
+    points: usize,
+    sight: Seen<'a>,
+    claims: &'a [String],
+    proved: bool,
+}
+
+/// The values of a point by name.
+struct Values(Names<String>);
+
+impl Serialize for Values {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        by_name(&self.0, serializer)
+    }
+}
+
+impl<'a> Seen<'a> {
+    fn of(sight: &'a Sight) -> Self {
+        Seen { independent_integrals: sight.integrals, hilbert: &sight.hilbert, degrees: &sight.degrees }
+    }
 }
 
 impl Serialize for ScanFound {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let found = &self.found;
-        let values = |point: &GridPoint| -> Value {
-            found.names.iter().cloned().zip(point.values.iter().map(ToString::to_string)).collect()
+        let values = |point: &GridPoint| {
+            Values(found.names.iter().cloned().zip(point.values.iter().map(ToString::to_string)).collect())
         };
-        let point =
-            |point: &GridPoint| json!({"values": values(point), "sight": point.sight.as_ref().map(json_of)});
-        let relation = |proposal: &Proposal| {
-            json!({
-                "relation": proposal.relation,
-                "points": proposal.points,
-                "sight": json_of(&proposal.sight),
-                "claims": proposal.claims,
-                "proved": !proposal.claims.is_empty(),
-            })
+        fn relation(proposal: &Proposal) -> Relation<'_> {
+            Relation {
+                relation: &proposal.relation,
+                points: proposal.points,
+                sight: Seen::of(&proposal.sight),
+                claims: &proposal.claims,
+                proved: !proposal.claims.is_empty(),
+            }
+        }
+        let points = found.points.iter();
+        let object = Object {
+            system: &self.system,
+            names: &found.names,
+            generic: Seen::of(&found.generic),
+            points: points
+                .map(|point| Point { values: values(point), sight: point.sight.as_ref().map(Seen::of) })
+                .collect(),
+            special: found.special().map(values).collect(),
+            relations: found.relations.iter().map(relation).collect(),
+            out_of_time: found.out_of_time,
+            seconds: self.seconds,
         };
-        let object = json!({
-            "system": self.system,
-            "names": found.names,
-            "generic": json_of(&found.generic),
-            "points": found.points.iter().map(point).collect::<Value>(),
-            "special": found.special().map(values).collect::<Value>(),
-            "relations": found.relations.iter().map(relation).collect::<Value>(),
-            "out_of_time": found.out_of_time,
-            "seconds": self.seconds,
-        });
         object.serialize(serializer)
     }
 }

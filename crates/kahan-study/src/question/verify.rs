@@ -6,7 +6,6 @@ use kahan_discover::Watch;
 use kahan_paper::formula::mutations;
 use kahan_paper::{Claim, OPEN, Outcome, Paper, establish_block_claim, failing_mutation};
 use serde::{Deserialize, Serialize, Serializer};
-use serde_json::json;
 
 use crate::count::Count;
 use crate::error::StudyError;
@@ -230,15 +229,24 @@ impl Mutations {
 
 impl Serialize for Verdict {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Object<'a> {
+            id: &'a str,
+            system: &'a str,
+            source: &'a str,
+            statement: &'a str,
+            outcome: &'static str,
+            detail: String,
+        }
         let time = self.seconds.map(|seconds| format!(" ({:.1} ms)", 1000.0 * seconds));
-        let object = json!({
-            "id": self.id,
-            "system": self.system,
-            "source": self.source,
-            "statement": self.statement,
-            "outcome": self.outcome.key(),
-            "detail": self.detail.clone() + &time.unwrap_or_default(),
-        });
+        let object = Object {
+            id: &self.id,
+            system: &self.system,
+            source: &self.source,
+            statement: &self.statement,
+            outcome: self.outcome.key(),
+            detail: self.detail.clone() + &time.unwrap_or_default(),
+        };
         object.serialize(serializer)
     }
 }
