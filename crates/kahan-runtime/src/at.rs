@@ -18,7 +18,8 @@ use smallvec::SmallVec;
 
 use crate::dimension::Argument;
 use crate::engine::{
-    CodedStages, ColumnsOnce, Engine, Instructions, Scratches, Stage, split, stage_constants,
+    CodedStages, ColumnsOnce, Engine, Instructions, Scratches, Stage, integral_constants, split,
+    stage_constants,
 };
 use crate::machine::StepKind;
 use crate::{DimensionError, Map};
@@ -91,11 +92,7 @@ impl<T: MachineFloat> MapAt<T> {
         let stages = engine.stages(constants, composition).into();
         let kind = StepKind::of::<T>(self.instructions.fuses);
         let coded = engine.coded_stages(kind, &stage_constants(constants, composition), |number| [number]);
-        let of_integrals = if composition == Composition::KAHAN {
-            Arc::clone(constants)
-        } else {
-            self.own().0.iter().copied().chain([T::zero()]).collect()
-        };
+        let of_integrals = integral_constants(constants, composition).into();
         MapAt { of_integrals, composition, stages, coded, variational: Arc::default(), ..self.clone() }
     }
 

@@ -1,5 +1,6 @@
-//! Work on several threads, as its watch sees it.
+//! Work of which a watch hears how much is done, from one thread or from several.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use kahan_discover::{Progress, Watch};
@@ -28,7 +29,13 @@ impl<'a> Count<'a> {
         }
     }
 
-    /// Whether the watch ended the work.
+    /// The same; by `Break` whether the watch ended the work.
+    pub(crate) fn tell(&self, more: u64) -> ControlFlow<()> {
+        self.add(more);
+        if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Whether the watch ended the work. It hears no more then.
     pub(crate) fn is_stopped(&self) -> bool {
         self.is_stopped.load(Ordering::Relaxed)
     }

@@ -210,15 +210,12 @@ impl StudyError {
     /// That a catalog has no such system, with the name that is probably meant.
     #[must_use]
     pub fn unknown_system(name: &str, catalog: &dyn Catalog) -> Self {
-        // Nothing is near to a name that is longer than any.
-        let wanted: String = name.chars().take(64).flat_map(char::to_lowercase).collect();
-        let distance = |known: &str| strsim::osa_distance(&wanted, &known.to_lowercase());
         let names = catalog.names();
-        let near = names.iter().map(|names| (names.map(distance).into_iter().min(), names[0])).min();
-        let nearest = near.filter(|(least, _)| *least <= Some(wanted.chars().count() / 2));
+        let near = nearest(name, names.as_flattened());
+        let near = names.iter().find(|names| near.is_some_and(|near| names.contains(near)));
         StudyError::UnknownSystem {
             name: name.to_owned(),
-            nearest: nearest.map(|(_, name)| name),
+            nearest: near.map(|[name, _]| *name),
             known: names.iter().map(|[name, _]| *name).collect(),
         }
     }

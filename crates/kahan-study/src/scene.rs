@@ -5,12 +5,15 @@
 
 use std::ops::ControlFlow;
 
+use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::system::System;
 use kahan_core::observe::{Escape, Visit};
-use kahan_runtime::{Ended, Field, Follow, MapAt};
+use kahan_runtime::{Ended, Follow, MapAt};
 
 use crate::error::StudyError;
+use crate::map::rate;
 use crate::study::Study;
 
 /// An orbit that figures show.
@@ -49,26 +52,12 @@ impl Study {
     /// defined at its parameters.
     pub fn scene(&self, eps: Option<&Rational>, start: Option<&[Rational]>) -> Result<Scene, StudyError> {
         let start = start.map(|start| self.point(start)).transpose()?;
-        let (field, values) = (Field::of(self.system()), self.values()?);
-        Scene::of(&field, &values, eps, start.as_deref()).ok_or_else(|| self.undefined_field())
-    }
-}
-
-impl Scene {
-    /// The scene of a field at these values of its parameters; `None` where it divides by zero.
-    fn of(
-        field: &Field,
-        parameters: &[Rational],
-        eps: Option<&Rational>,
-        start: Option<&[Rational]>,
-    ) -> Option<Self> {
-        let map = field.with(field.parameters().iter().zip(parameters)).ok()?;
-        let length = length(field, parameters, eps);
-        let starts =
-            start.map_or_else(|| starts(field.variables().len(), length), |start| vec![start.to_vec()]);
+        let map = self.map()?;
+        let length = length(self.system(), map.parameters(), eps);
+        let starts = start.map_or_else(|| starts(self.variables().len(), length), |start| vec![start]);
         let mut best: Option<Followed> = None;
         for start in starts {
-            let mut rate = Followed::rate(&map.at(0.0), &floats(&start));
+            let mut rate = rate(&map.at(0.0), &floats(&start));
             // A second look, at the rates where the orbit went.
             for _ in 0..2 {
                 let eps = eps.cloned().unwrap_or_else(|| round_below(0.2 / rate));
@@ -82,7 +71,7 @@ impl Scene {
                 break;
             }
         }
-        best.map(|best| best.scene)
+        Ok(best.expect("there is a start").scene)
     }
 }
 
@@ -103,7 +92,7 @@ impl Followed {
         let size = if size > 0.0 { size } else { length };
         let is_within = |x: &[f64]| x.iter().all(|x| x.abs() <= REACH * size);
         let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
-        let (mut late, mut rate) = (extremes.clone(), 0.0f64);
+        let (mut late, mut steepest) = (extremes.clone(), 0.0f64);
         let look = Visit::by(|step, x: &[f64]| {
             if !is_within(x) {
                 return;
@@ -114,7 +103,7 @@ impl Followed {
             }
             widen(&mut late, x);
             if step % 16 == 0 {
-                rate = rate.max(Followed::rate(at, x));
+                steepest = steepest.max(rate(at, x));
             }
         });
         let lost = Escape::when(|x: &[f64]| !is_within(x)).ending();
@@ -125,16 +114,7 @@ impl Followed {
         let spread = |ends: &[[f64; 2]]| ends.iter().fold(0.0, |most: f64, [low, high]| most.max(high - low));
         let moves = spread(&late) > 1e-3 * size;
         let scene = Scene { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };
-        Followed { scene, steps, moves, rate }
-    }
-
-    /// The largest sum of a row of |f′|.
-    fn rate(at: &MapAt<f64>, x: &[f64]) -> f64 {
-        let mut jacobian = vec![0.0; x.len() * x.len()];
-        // Both are as long as the field has variables.
-        let _ = at.field_jacobian(x, &mut jacobian);
-        let rows = jacobian.chunks(x.len().max(1));
-        rows.map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max)
+        Followed { scene, steps, moves, rate: steepest }
     }
 
     /// Larger for what is better: an orbit that stays and moves, then one that stays, then a longer
@@ -156,8 +136,9 @@ fn floats(start: &[Rational]) -> Vec<f64> {
 
 /// A length of the field, a power of two: where its terms of different degrees are about equal. A
 /// homogeneous field has none, but moves by its own length in a time; here in ε, or in a unit.
-fn length(field: &Field, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
-    let [constant, linear, quadratic] = [0, 1, 2].map(|degree| coefficient(field, parameters, degree));
+fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f64 {
+    let [constant, linear, quadratic] =
+        [0, 1, 2].map(|degree| coefficient(&system.field, parameters, degree));
     let time = eps.map_or(1.0, |eps| eps.to_f64().abs());
     power_below(match (constant > 0.0, linear > 0.0, quadratic > 0.0) {
         (false, false, true) => 1.0 / (quadratic * time),
@@ -170,16 +151,15 @@ fn length(field: &Field, parameters: &[Rational], eps: Option<&Rational>) -> f64
 
 /// The largest coefficient of this degree in the variables, in size.
 fn coefficient(field: &Field, parameters: &[Rational], degree: u32) -> f64 {
-    let quadratic = &field.system().field;
     let at = |polynomial: &Polynomial| {
         let places = parameters.iter().enumerate();
         places.fold(polynomial.clone(), |polynomial, (k, value)| {
-            polynomial.substitute(quadratic.symbols.parameter(k), value)
+            polynomial.substitute(field.symbols.parameter(k), value)
         })
     };
-    let sizes = quadratic.components.iter().enumerate().flat_map(|(i, component)| {
+    let sizes = field.components.iter().enumerate().flat_map(|(i, component)| {
         let below = at(&component.denominator).as_constant().unwrap_or_default();
-        let above = at(&quadratic.homogeneous_part(i, degree));
+        let above = at(&field.homogeneous_part(i, degree));
         let sizes = above.terms().filter_map(|(_, above)| above.checked_div(&below));
         sizes.map(|size| size.abs().to_f64()).collect::<Vec<_>>()
     });
@@ -216,9 +196,8 @@ fn round_below(bound: f64) -> Rational {
 
 #[cfg(test)]
 mod tests {
-    use kahan_runtime::Field;
-
     use super::*;
+    use crate::{Subject, Systems};
 
     #[test]
     fn eps_is_a_power_of_two_below_its_bound() {
@@ -233,12 +212,12 @@ mod tests {
     /// A scene in units of length and time that are 2^−k and 2^−j of the ordinary ones, brought
     /// back to these.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
-        let field = Field::parse(text).unwrap();
         let power = |exponent: i32| f64::from(exponent).exp2();
-        let value = |name: &String| Rational::from_f64(power(if name == "q" { k } else { j })).unwrap();
-        let values: Vec<Rational> = field.parameters().iter().map(value).collect();
+        let field = Subject::text(text).study(&Systems).unwrap();
+        let value = |name: &String| Rational::from_f64(power(if name == "q" { k } else { j }));
+        let field = field.at(field.parameters().iter().map(value).collect());
         let eps = eps.map(|eps| Rational::from_f64(eps * power(-j)).unwrap());
-        let scene = Scene::of(&field, &values, eps.as_ref(), None).unwrap();
+        let scene = field.scene(eps.as_ref(), None).unwrap();
         let lengths = scene.start.iter().map(Rational::to_f64).chain([scene.size]);
         let lengths = lengths.chain(scene.extremes.into_iter().flatten()).map(|x| x * power(k));
         (lengths.collect(), vec![scene.eps.to_f64() * power(j)], scene.stays)
@@ -273,18 +252,18 @@ mod tests {
     #[test]
     fn an_orbit_that_stays_is_found() {
         // Half of the plane escapes; the start of size 1 does.
-        let field = Field::parse("xdot = y; ydot = x^2 - x;").unwrap();
-        let scene = Scene::of(&field, &[], None, None).unwrap();
+        let field = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).unwrap();
+        let scene = field.scene(None, None).unwrap();
         assert!(scene.stays && scene.start[0] != Rational::one(), "{scene:?}");
         let given = [Rational::new(1, 7), Rational::new(0, 1)];
-        let scene = Scene::of(&field, &[], Some(&Rational::new(1, 9)), Some(&given)).unwrap();
+        let scene = field.scene(Some(&Rational::new(1, 9)), Some(&given)).unwrap();
         assert_eq!((scene.start.as_slice(), scene.eps), (&given[..], Rational::new(1, 9)));
     }
 
     #[test]
     fn where_none_stays_the_longest_is_taken() {
-        let field = Field::parse("xdot = x^2 + 1;").unwrap();
-        let scene = Scene::of(&field, &[], None, None).unwrap();
+        let field = Subject::text("xdot = x^2 + 1;").study(&Systems).unwrap();
+        let scene = field.scene(None, None).unwrap();
         assert_eq!(scene.start.len(), 1);
     }
 }

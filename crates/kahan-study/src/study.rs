@@ -31,23 +31,31 @@ pub enum NoStep {
 /// A field with the values of its parameters, planned once and asked often, from any thread. A
 /// clone shares what was planned.
 #[derive(Clone, Debug)]
-pub struct Study(Arc<Parts>);
+pub struct Study {
+    read: Arc<Read>,
+    here: Arc<Here>,
+}
 
+/// What was read, and planned for all values of the parameters.
 #[derive(Clone, Debug)]
-struct Parts {
-    name: String,
+struct Read {
     /// The catalog's own, where it is the catalog's.
     named: Option<Named>,
     text: FieldText,
     sites: Option<usize>,
-    /// The values of the parameters, in their order; `None` for one not given.
-    given: Vec<Option<Rational>>,
     /// The system, its claims not proved.
     system: System,
     /// The mistakes of its claims, once they were proved.
     proved: OnceLock<Result<(), StudyError>>,
     field: OnceLock<Field>,
     interpreter: OnceLock<Interpreter>,
+}
+
+/// What belongs to the values of the parameters.
+#[derive(Debug)]
+struct Here {
+    /// The values, in the order of the parameters; `None` for one not given.
+    given: Vec<Option<Rational>>,
     map: OnceLock<Map>,
 }
 
@@ -69,36 +77,34 @@ impl Subject {
             Some(sites) => chain(&text, sites)?,
             None => text.unproved_system().map_err(StudyError::Field)?,
         };
-        // A chain goes by the name of its family's type.
-        let of_catalog = named.as_ref().filter(|named| named.type_name.is_some());
-        let name = of_catalog.map_or_else(|| system.name(), |named| named.name).to_owned();
-        let given = values_by_name(&self.parameters, &system.field.symbols.parameters, &name)?;
-        Ok(Study(Arc::new(Parts {
-            name,
+        let read = Read {
             named,
             text,
             sites: self.sites,
-            given,
             system,
             proved: OnceLock::new(),
             field: OnceLock::new(),
             interpreter: OnceLock::new(),
-            map: OnceLock::new(),
-        })))
+        };
+        Study::new(Arc::new(read), Vec::new()).given_by_name(&self.parameters)
     }
 }
 
 impl Study {
+    fn new(read: Arc<Read>, given: Vec<Option<Rational>>) -> Self {
+        Study { read, here: Arc::new(Here { given, map: OnceLock::new() }) }
+    }
+
     /// The name of the field in answers: the catalog's, or that of its type, or `field`.
     #[must_use]
     pub fn name(&self) -> &str {
-        &self.0.name
+        self.entry().map_or_else(|| self.system().name(), |named| named.name)
     }
 
     /// Its name in the catalog, where it is from there.
     #[must_use]
     pub fn catalog_name(&self) -> Option<&'static str> {
-        self.0.named.as_ref().map(|named| named.name)
+        self.read.named.as_ref().map(|named| named.name)
     }
 
     /// What the catalog says it is, in one line, where it is a system of the catalog.
@@ -123,12 +129,12 @@ impl Study {
     /// The seed of the macro's proof.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
-        self.0.text.seed()
+        self.read.text.seed()
     }
 
     /// The catalog's, unless it is a chain, which goes by the name of its family's type.
     fn entry(&self) -> Option<&Named> {
-        self.0.named.as_ref().filter(|named| named.type_name.is_some())
+        self.read.named.as_ref().filter(|named| named.type_name.is_some())
     }
 
     /// The name of its type in Rust: the catalog's, or that of its header.
@@ -141,7 +147,7 @@ impl Study {
     /// The text of the field, as it was given.
     #[must_use]
     pub fn text(&self) -> &str {
-        self.0.text.text()
+        self.read.text.text()
     }
 
     /// The state variables, in order.
@@ -159,7 +165,7 @@ impl Study {
     /// The field as a checked system, its claims not proved.
     #[must_use]
     pub fn system(&self) -> &System {
-        &self.0.system
+        &self.read.system
     }
 
     /// The same, its claims proved as the macro does it, once.
@@ -167,19 +173,43 @@ impl Study {
     /// # Errors
     /// The claims that do not hold.
     pub fn proved(&self) -> Result<&System, StudyError> {
-        let proof = || match self.0.sites {
+        let proof = || match self.read.sites {
             // The claims of a family are proved when it is read, for chains of every length.
             Some(_) => Ok(()),
-            None => self.0.text.prove(self.system()).map_err(StudyError::Field),
+            None => self.read.text.prove(self.system()).map_err(StudyError::Field),
         };
-        self.0.proved.get_or_init(proof).clone()?;
+        self.read.proved.get_or_init(proof).clone()?;
         Ok(self.system())
     }
 
     /// The values of the parameters, in their order; `None` for one not given.
     #[must_use]
     pub fn given(&self) -> &[Option<Rational>] {
-        &self.0.given
+        &self.here.given
+    }
+
+    /// The same at these values of parameters, no others.
+    ///
+    /// # Errors
+    /// A name that is none of theirs, or given twice.
+    fn given_by_name(&self, values: &[(String, Rational)]) -> Result<Self, StudyError> {
+        let mut given = vec![None; self.parameters().len()];
+        for (name, value) in values {
+            if given[self.parameter(name)?].replace(value.clone()).is_some() {
+                return Err(StudyError::ParameterTwice { name: name.clone() });
+            }
+        }
+        Ok(self.at(given))
+    }
+
+    /// The place of a parameter of this name.
+    pub(crate) fn parameter(&self, name: &str) -> Result<usize, StudyError> {
+        let place = self.parameters().iter().position(|known| known == name);
+        place.ok_or_else(|| StudyError::UnknownParameter {
+            system: self.name().to_owned(),
+            name: name.to_owned(),
+            known: self.parameters().to_vec(),
+        })
     }
 
     /// The same with a value of one more parameter.
@@ -215,26 +245,14 @@ impl Study {
             .iter_mut()
             .filter(|claim| is_open(claim) && holds(claim))
             .for_each(|claim| claim.conditions.clear());
-        let mut parts = Arc::unwrap_or_clone(self.at(self.given().to_vec()).0);
-        (parts.system, parts.field) = (system, OnceLock::new());
-        Ok(Study(Arc::new(parts)))
+        let (field, interpreter) = (OnceLock::new(), OnceLock::new());
+        let read = Read { system, field, interpreter, ..Read::clone(&self.read) };
+        Ok(Study::new(Arc::new(read), self.given().to_vec()))
     }
 
     /// The same at other values of the parameters; what was planned of the field is shared.
     pub(crate) fn at(&self, given: Vec<Option<Rational>>) -> Self {
-        let Parts { name, named, text, sites, system, proved, field, .. } = &*self.0;
-        Study(Arc::new(Parts {
-            name: name.clone(),
-            named: named.clone(),
-            text: text.clone(),
-            sites: *sites,
-            given,
-            system: system.clone(),
-            proved: proved.clone(),
-            field: field.clone(),
-            interpreter: OnceLock::new(),
-            map: OnceLock::new(),
-        }))
+        Study::new(Arc::clone(&self.read), given)
     }
 
     /// The parameters that have a value, by name; the others are generic.
@@ -263,12 +281,18 @@ impl Study {
     /// # Errors
     /// Where one is not given.
     pub fn values(&self) -> Result<Vec<Rational>, StudyError> {
-        let known: Option<Vec<Rational>> = self.given().iter().cloned().collect();
-        known.ok_or_else(|| {
-            let names = self.parameters().iter().zip(self.given());
-            let missing = names.filter(|(_, value)| value.is_none()).map(|(name, _)| name.clone());
-            StudyError::MissingParameters { system: self.name().to_owned(), names: missing.collect() }
-        })
+        self.values_but(|_| false)
+    }
+
+    /// The same where those that go through values of their own, by their places, need none.
+    pub(crate) fn values_but(&self, varies: impl Fn(usize) -> bool) -> Result<Vec<Rational>, StudyError> {
+        let missing = (0..self.given().len()).filter(|k| self.given()[*k].is_none() && !varies(*k));
+        let names: Vec<String> = missing.map(|k| self.parameters()[k].clone()).collect();
+        if names.is_empty() {
+            Ok(self.given().iter().map(|given| given.clone().unwrap_or_default()).collect())
+        } else {
+            Err(StudyError::MissingParameters { system: self.name().to_owned(), names })
+        }
     }
 
     /// The place among the parameters of what goes through values; `None` for ε.
@@ -277,23 +301,19 @@ impl Study {
         if place.is_some() || axis.name == "eps" {
             return Ok(place);
         }
-        Err(StudyError::UnknownAxis {
-            what: "no parameter",
-            system: self.name().to_owned(),
-            name: axis.name.clone(),
-            known: self.parameters().iter().cloned().chain(["eps".to_owned()]).collect(),
-        })
+        Err(self.unknown("no parameter", &axis.name, &[self.parameters(), &["eps".to_owned()]]))
     }
 
     /// The place of a variable of this name.
     pub(crate) fn variable(&self, name: &str) -> Result<usize, StudyError> {
         let place = self.variables().iter().position(|known| known == name);
-        place.ok_or_else(|| StudyError::UnknownAxis {
-            what: "no variable",
-            system: self.name().to_owned(),
-            name: name.to_owned(),
-            known: self.variables().to_vec(),
-        })
+        place.ok_or_else(|| self.unknown("no variable", name, &[self.variables()]))
+    }
+
+    /// That a name is none of those that are known.
+    pub(crate) fn unknown(&self, what: &'static str, name: &str, known: &[&[String]]) -> StudyError {
+        let (system, name, known) = (self.name().to_owned(), name.to_owned(), known.concat());
+        StudyError::UnknownAxis { what, system, name, known }
     }
 
     /// The coordinates of a point, if there is one for each variable.
@@ -307,7 +327,7 @@ impl Study {
     /// The field with its plans, which are made when it is first asked for.
     #[must_use]
     pub fn field(&self) -> &Field {
-        self.0.field.get_or_init(|| Field::of(self.system()))
+        self.read.field.get_or_init(|| Field::of(self.system()))
     }
 
     /// The map at the values of the parameters, with what was planned and compiled for it.
@@ -315,13 +335,16 @@ impl Study {
     /// # Errors
     /// Where a value is missing, or the field divides by zero at them.
     pub fn map(&self) -> Result<&Map, StudyError> {
-        if let Some(map) = self.0.map.get() {
+        if let Some(map) = self.here.map.get() {
             return Ok(map);
         }
-        let values = self.values()?;
-        let map = self.field().with(self.parameters().iter().zip(&values));
-        let map = map.map_err(|_| self.undefined_field())?;
-        Ok(self.0.map.get_or_init(|| map))
+        let map = self.map_at(&self.values()?).ok_or_else(|| self.undefined_field())?;
+        Ok(self.here.map.get_or_init(|| map))
+    }
+
+    /// The map at other values of the parameters; `None` where the field divides by zero.
+    pub(crate) fn map_at(&self, values: &[Rational]) -> Option<Map> {
+        self.field().with(self.parameters().iter().zip(values)).ok()
     }
 
     /// The map at ε, and a point, in doubles.
@@ -366,7 +389,7 @@ impl Study {
     }
 
     pub(crate) fn interpreter(&self) -> &Interpreter {
-        self.0.interpreter.get_or_init(|| Interpreter::new(self.system()))
+        self.read.interpreter.get_or_init(|| Interpreter::new(self.system()))
     }
 
     pub(crate) fn undefined_field(&self) -> StudyError {
@@ -398,29 +421,4 @@ fn chain(text: &FieldText, sites: usize) -> Result<System, StudyError> {
         return Err(StudyError::ManySites { sites });
     }
     Ok(family.at_sites(sites))
-}
-
-/// The given values in the order of the parameters of a system; `None` for one not given.
-///
-/// # Errors
-/// A name that is none of them, or given twice.
-pub(crate) fn values_by_name(
-    given: &[(String, Rational)],
-    names: &[String],
-    system: &str,
-) -> Result<Vec<Option<Rational>>, StudyError> {
-    let mut values: Vec<Option<Rational>> = vec![None; names.len()];
-    for (name, value) in given {
-        let Some(index) = names.iter().position(|known| known == name) else {
-            return Err(StudyError::UnknownParameter {
-                system: system.to_owned(),
-                name: name.clone(),
-                known: names.to_vec(),
-            });
-        };
-        if values[index].replace(value.clone()).is_some() {
-            return Err(StudyError::ParameterTwice { name: name.clone() });
-        }
-    }
-    Ok(values)
 }

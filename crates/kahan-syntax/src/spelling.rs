@@ -15,12 +15,12 @@ pub fn is_keyword(name: &str) -> bool {
 
 /// The name that `name` is a slip of, if one of them is close enough; of equals, the first.
 #[must_use]
-pub fn nearest<'a>(name: &str, known: &'a [String]) -> Option<&'a String> {
+pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     let tolerance = match name.chars().count() {
         0..=1 => 0,
         2..=4 => 1,
         _ => 2,
     };
-    let distance = |known: &&String| strsim::levenshtein(&name.to_lowercase(), &known.to_lowercase());
+    let distance = |known: &&N| strsim::levenshtein(&name.to_lowercase(), &known.as_ref().to_lowercase());
     known.iter().min_by_key(distance).filter(|nearest| distance(nearest) <= tolerance)
 }

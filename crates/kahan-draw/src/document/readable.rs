@@ -1,5 +1,7 @@
 //! The registry's plain text for readers: places in the paper, details of what was found.
 
+use crate::script::{lowered, raised};
+
 const GREEK: [(&str, char); 13] = [
     ("alpha", 'α'),
     ("beta", 'β'),
@@ -15,8 +17,6 @@ const GREEK: [(&str, char); 13] = [
     ("xi", 'ξ'),
     ("zeta", 'ζ'),
 ];
-const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
-const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
 /// The text with letters, indices, powers and signs: `eps` is ε, `alpha1` is α₁, `x~` is x̃,
 /// `2^-100` is 2⁻¹⁰⁰, `K_9` is K₉, `1e-70` is 10⁻⁷⁰, `2.500000` is 2.5.
@@ -26,8 +26,8 @@ pub fn readable(text: &str) -> String {
     while let Some(first) = rest.chars().next() {
         let length = rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len());
         let taken = match first {
-            '^' => raised(&rest[1..]).map(|(power, taken)| (power, taken + 1)),
-            '_' => lowered(&rest[1..]).map(|(index, taken)| (index, taken + 1)),
+            '^' => power(&rest[1..]).map(|(power, taken)| (power, taken + 1)),
+            '_' => index(&rest[1..]).map(|(index, taken)| (index, taken + 1)),
             '-' => sign(readable.chars().next_back(), &rest[1..]).map(|sign| (sign.to_owned(), 1)),
             '~' => Some(("\u{303}".to_owned(), 1)),
             _ if length == 0 => None,
@@ -45,25 +45,19 @@ fn digits(text: &str) -> &str {
     &text[..text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len())]
 }
 
-fn in_type(digits: &str, type_face: [char; 10]) -> String {
-    digits.chars().filter_map(|c| c.to_digit(10)).map(|digit| type_face[digit as usize]).collect()
-}
-
 /// A power after `^`: digits, perhaps with a sign.
-fn raised(text: &str) -> Option<(String, usize)> {
-    let (sign, after) = text.strip_prefix('-').map_or(("", text), |after| ("⁻", after));
-    let power = digits(after);
-    (!power.is_empty())
-        .then(|| (format!("{sign}{}", in_type(power, SUPERSCRIPTS)), text.len() - after.len() + power.len()))
+fn power(text: &str) -> Option<(String, usize)> {
+    let after = text.strip_prefix('-').unwrap_or(text);
+    let length = text.len() - after.len() + digits(after).len();
+    (!digits(after).is_empty()).then(|| (raised(&text[..length]), length))
 }
 
 /// An index after `_`: digits, or n.
-fn lowered(text: &str) -> Option<(String, usize)> {
-    let index = digits(text);
-    match index.len() {
-        0 => (text.starts_with('n') && !text[1..].starts_with(char::is_alphanumeric))
+fn index(text: &str) -> Option<(String, usize)> {
+    match digits(text) {
+        "" => (text.starts_with('n') && !text[1..].starts_with(char::is_alphanumeric))
             .then(|| ("ₙ".to_owned(), 1)),
-        length => Some((in_type(index, SUBSCRIPTS), length)),
+        index => Some((lowered(index), index.len())),
     }
 }
 
@@ -78,8 +72,7 @@ fn sign(before: Option<char>, after: &str) -> Option<&'static str> {
 fn number(text: &str) -> Option<(String, usize)> {
     if let Some(after) = text.strip_prefix("1e-") {
         let exponent = digits(after);
-        return (!exponent.is_empty())
-            .then(|| (format!("10⁻{}", in_type(exponent, SUPERSCRIPTS)), 3 + exponent.len()));
+        return (!exponent.is_empty()).then(|| (format!("10⁻{}", raised(exponent)), 3 + exponent.len()));
     }
     let whole = digits(text);
     let decimals = digits(text[whole.len()..].strip_prefix('.')?);
@@ -103,7 +96,7 @@ fn word(word: &str) -> String {
             None => return word.to_owned(),
         },
     };
-    format!("{letter}{}", in_type(&word[stem.len()..], SUBSCRIPTS))
+    format!("{letter}{}", lowered(&word[stem.len()..]))
 }
 
 /// At most `width` characters, the last of them `…` where something was cut off.

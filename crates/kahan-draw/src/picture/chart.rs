@@ -44,7 +44,7 @@ impl Chart {
         };
         let axes: Vec<Axis> = asked.axes.iter().rev().map(axis).collect();
         let column = observe.of[0].name();
-        let values = values(observe, axes.len(), found);
+        let values = values(observe, axes.len(), found).into_iter().map(Self::scale(column)).collect();
         let chart = Chart::of_column(found.system.clone(), axes, column.to_owned(), values);
         Chart { steps: Some(observe.steps), ..chart }
     }
@@ -146,9 +146,8 @@ fn values(asked: &Observe, axes: usize, found: &OverFound) -> Vec<f64> {
             Observable::Drift => {
                 // Of each integral the greatest, and behind it the last.
                 let count = found.rows.values.len() - first - 1;
-                logarithm((1..=count).step_by(2).map(|k| numbers(k)[cell]).fold(0.0, f64::max))
+                (1..=count).step_by(2).map(|k| numbers(k)[cell]).fold(0.0, f64::max)
             }
-            Observable::Sali => logarithm(own),
             _ => own,
         }
     };

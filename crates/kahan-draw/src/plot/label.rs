@@ -8,6 +8,7 @@
 use maud::{Markup, html};
 
 use super::path::{Place, tenths};
+use crate::script::{LOWERED, RAISED};
 
 /// The size of words at ticks and in legends; 8.6 points in print.
 pub(super) const SMALL: f64 = 12.0;
@@ -74,8 +75,6 @@ impl Set {
 
 /// What a raised or lowered character stands for.
 fn script(c: char) -> Option<(Set, char)> {
-    const RAISED: [char; 11] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹', '⁻'];
-    const LOWERED: [char; 11] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉', 'ₙ'];
     let digit = |index: usize, tenth: char| char::from_digit(index as u32, 10).unwrap_or(tenth);
     let raised = RAISED.iter().position(|raised| *raised == c).map(|i| (Set::Raised, digit(i, '−')));
     raised.or_else(|| LOWERED.iter().position(|low| *low == c).map(|i| (Set::Lowered, digit(i, 'n'))))

@@ -1,5 +1,7 @@
 //! A number line with round ticks.
 
+use crate::script::raised;
+
 /// A number line.
 #[derive(Clone, Debug)]
 pub struct NumberLine {
@@ -87,8 +89,8 @@ impl NumberLine {
         };
         match self.power() {
             0 => label,
-            power if is_one => format!("{label} / 10{}", superscript(power)),
-            power => format!("({label}) / 10{}", superscript(power)),
+            power if is_one => format!("{label} / 10{}", raised(power)),
+            power => format!("({label}) / 10{}", raised(power)),
         }
     }
 
@@ -152,7 +154,7 @@ impl NumberLine {
         let decimals = if is_whole(size) { size } else { size + 1 };
         let round = |value: f64| if value.abs() < step / 2.0 { 0.0 } else { value };
         let text = |value: f64| match self.marks {
-            Marks::Powers if self.has_powers() => format!("10{}", superscript(value.round() as i32)),
+            Marks::Powers if self.has_powers() => format!("10{}", raised(value.round() as i32)),
             _ => decimal(round(value - offset) * scale, decimals),
         };
         ticks.map(round).map(|value| Tick { value, text: text(value) }).collect()
@@ -186,16 +188,7 @@ fn number(value: f64) -> String {
     if (-3..9).contains(&power) {
         return rounded.to_string();
     }
-    format!("{}×10{}", digits.trim_end_matches('0').trim_end_matches('.'), superscript(power))
-}
-
-/// A whole number as an exponent.
-fn superscript(power: i32) -> String {
-    let raised = |c: char| match c {
-        '-' => '⁻',
-        digit => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize - '0' as usize],
-    };
-    power.to_string().chars().map(raised).collect()
+    format!("{}×10{}", digits.trim_end_matches('0').trim_end_matches('.'), raised(power))
 }
 
 #[cfg(test)]

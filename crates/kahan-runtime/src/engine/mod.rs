@@ -297,6 +297,14 @@ pub(crate) fn split<T: Copy>(constants: &[T]) -> (&[T], T) {
     (parameters, *eps)
 }
 
+/// What integrals take: the parameters, and ε behind them. A composition of maps at several ε keeps
+/// the integrals of none of them, but nearly those of the flow: there ε is 0.
+pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<T> {
+    let (parameters, eps) = split(constants);
+    let eps = if composition == Composition::KAHAN { eps } else { T::zero() };
+    parameters.iter().copied().chain([eps]).collect()
+}
+
 /// The parameters, and behind them the ε of each stage that differs in its turn.
 pub(crate) fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<Vec<T>> {
     let (parameters, eps) = split(constants);

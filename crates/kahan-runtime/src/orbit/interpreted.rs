@@ -1,9 +1,9 @@
 //! An orbit by the interpreter, for what has no code: the same operations in the same order.
 
-use kahan_core::{Composition, Dd, FloatScalar};
+use kahan_core::{Dd, FloatScalar};
 
 use crate::Map;
-use crate::engine::{Scratch, Stage};
+use crate::engine::{Scratch, Stage, integral_constants};
 use crate::machine::StepKind;
 
 use super::{Asked, Running};
@@ -25,8 +25,7 @@ pub(super) trait Interpreting: Running {
 pub(super) struct Walk<V> {
     map: Map,
     kind: StepKind,
-    /// What integrals take: the parameters, and ε, which is 0 for a composition, as it keeps those
-    /// of the flow nearly, and of no map.
+    /// What integrals take.
     constants: Vec<V>,
     stages: Vec<Stage<V>>,
     state: Vec<V>,
@@ -50,10 +49,8 @@ where
         let mut scratch = Scratch::default();
         let stages =
             asked.stages(widen).iter().map(|own| map.field().engine.stage(own, &mut scratch)).collect();
-        let mut constants: Vec<V> = asked.constants().into_iter().map(widen).collect();
-        if let (true, Some(eps)) = (scheme.composition != Composition::KAHAN, constants.last_mut()) {
-            *eps = V::zero();
-        }
+        let constants = integral_constants(&asked.constants::<G>(), scheme.composition);
+        let constants = constants.into_iter().map(widen).collect();
         let state: Vec<V> = asked.start(widen).collect();
         let carry = if scheme.compensated { vec![V::zero(); state.len()] } else { Vec::new() };
         let kind = StepKind::of_scheme(scheme);

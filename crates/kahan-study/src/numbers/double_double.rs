@@ -5,7 +5,6 @@
 
 use kahan_algebra::arithmetic::Arithmetic;
 use kahan_algebra::rational::Rational;
-use kahan_core::num_rational::BigRational;
 use kahan_core::{Dd, Scalar};
 
 use super::number::Number;
@@ -68,11 +67,8 @@ impl Printable for DoubleDouble {
 
     /// The nearest `f64`, and the one nearest to what it leaves.
     fn round(value: &Rational) -> Dd {
-        let high = value.to_f64();
-        match BigRational::from_float(high) {
-            Some(leading) => Dd::new(high, (value - &Rational::from(leading)).to_f64()),
-            None => Dd::from(high),
-        }
+        let (high, low) = value.to_double_double();
+        Dd::new(high, low)
     }
 
     fn number(value: &Dd) -> Number {

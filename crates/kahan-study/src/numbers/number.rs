@@ -38,23 +38,13 @@ impl Number {
     /// Whether it is neither infinite nor undefined.
     #[must_use]
     pub fn is_finite(&self) -> bool {
-        match self {
-            Self::Exact(_) => true,
-            Self::F32(value) => value.is_finite(),
-            Self::F64(value) => value.is_finite(),
-            Self::Dd(value) => value.is_finite(),
-        }
+        matches!(self, Self::Exact(_)) || self.to_f64().is_finite()
     }
 
     /// Whether it is no number, as 0/0 in floats.
     #[must_use]
     pub fn is_nan(&self) -> bool {
-        match self {
-            Self::Exact(_) => false,
-            Self::F32(value) => value.is_nan(),
-            Self::F64(value) => value.is_nan(),
-            Self::Dd(value) => value.is_nan(),
-        }
+        self.to_f64().is_nan()
     }
 }
 

@@ -1,14 +1,12 @@
 //! What orbits tend to, over the values of a parameter or of ε: an orbit diagram.
 
-use std::cell::Cell;
-use std::ops::ControlFlow;
-
 use kahan_algebra::rational::Rational;
 use kahan_core::observe::Visit;
-use kahan_discover::{Progress, Watch};
-use kahan_runtime::{Ended, Field, Follow};
+use kahan_discover::Watch;
+use kahan_runtime::{Ended, Follow};
 use serde::{Deserialize, Serialize};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::range::Axis;
@@ -81,19 +79,13 @@ impl Diagram {
             None => 0,
             Some(name) => study.variable(name)?,
         };
-        let mut parameters = match place {
-            Some(place) => study.with(place, self.over.range.value(0)).values()?,
-            None => study.values()?,
-        };
+        let mut parameters = study.values_but(|k| Some(k) == place)?;
         let fixed = if place.is_none() { Some(self.over.range.value(0)) } else { self.eps.clone() };
         let mut eps = fixed.ok_or(StudyError::MissingStep)?;
         let start: Vec<f64> = study.point(&self.at)?.iter().map(Rational::to_f64).collect();
-        let field = Field::of(study.system());
-        let (done, total) = (Cell::new(0), self.over.range.count() as u64 * (self.transient + self.steps));
-        let tell = |steps| -> ControlFlow<()> {
-            done.set(done.get() + steps);
-            watch.look(&Progress { what: "steps", done: done.get(), of: Some(total) })
-        };
+        let total = self.over.range.count() as u64 * (self.transient + self.steps);
+        let count = Count::new("steps", total, watch);
+        let tell = |steps| count.tell(steps);
         let mut found = DiagramFound {
             system: study.name().to_owned(),
             axis: self.over.name.clone(),
@@ -108,8 +100,8 @@ impl Diagram {
                 Some(place) => parameters[place] = value.clone(),
                 None => eps = value.clone(),
             }
-            let map = field.with(field.parameters().iter().zip(&parameters)).ok();
-            let at = map.map(|map| map.at(eps.to_f64())).filter(|at| at.eps().is_finite());
+            let at =
+                study.map_at(&parameters).map(|map| map.at(eps.to_f64())).filter(|at| at.eps().is_finite());
             let mut points = Vec::new();
             if let Some(at) = at {
                 let (mut x, mut take) = (start.clone(), |_, x: &[f64]| points.push(x[shown]));

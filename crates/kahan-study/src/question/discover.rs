@@ -93,12 +93,12 @@ impl AtCell for Discover {
             column(
                 "independent_integrals",
                 "number of independent algebraic integrals that were seen",
-                Kept::Integer(vec![]),
+                Kept::Integer,
             ),
-            column("growth", "how the degrees of iterates grow", Kept::Text(vec![])),
-            column("entropy", "algebraic entropy", Kept::F64(vec![])),
-            column("integrals", "integrals in the language of kahan!, proved", Kept::Text(vec![])),
-            column("densities", "invariant densities, proved", Kept::Text(vec![])),
+            column("growth", "how the degrees of iterates grow", Kept::Text),
+            column("entropy", "algebraic entropy", Kept::F64),
+            column("integrals", "integrals in the language of kahan!, proved", Kept::Text),
+            column("densities", "invariant densities, proved", Kept::Text),
         ]
     }
 

@@ -151,10 +151,10 @@ impl AtCell for Evaluate {
 
     fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
         let determinants = [
-            column("det_A", "determinant of the matrix of the step", Kept::F64(vec![])),
-            column("det_jacobian", "determinant of the Jacobian of the map", Kept::F64(vec![])),
+            column("det_A", "determinant of the matrix of the step", Kept::F64),
+            column("det_jacobian", "determinant of the Jacobian of the map", Kept::F64),
         ];
-        let next = |name: &String| column(&format!("next_{name}"), "value one step later", Kept::F64(vec![]));
+        let next = |name: &String| column(&format!("next_{name}"), "value one step later", Kept::F64);
         variables.iter().map(next).chain(determinants).collect()
     }
 

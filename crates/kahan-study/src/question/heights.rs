@@ -12,7 +12,7 @@ use crate::rows::{Column, Kept};
 use crate::study::{NoStep, Study};
 
 use super::over::{AtCell, Entry, column};
-use super::seconds_since;
+use super::{minute, seconds_since};
 
 /// Asks how the heights of an exact orbit grow.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,16 +30,12 @@ pub struct Heights {
     #[serde(default = "usual_digits")]
     pub max_digits: u64,
     /// The seconds that the orbit may take; a step that is likely to end later is not begun.
-    #[serde(default = "usual_seconds")]
+    #[serde(default = "minute")]
     pub seconds: f64,
 }
 
 fn usual_digits() -> u64 {
     1_000_000
-}
-
-fn usual_seconds() -> f64 {
-    60.0
 }
 
 /// The heights, and how they grow.
@@ -61,7 +57,7 @@ impl Heights {
     /// Within a million digits and a minute.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
-        Heights { eps, at, steps, max_digits: usual_digits(), seconds: usual_seconds() }
+        Heights { eps, at, steps, max_digits: usual_digits(), seconds: minute() }
     }
 
     /// Follows the orbit of a system whose claims hold. Costs at each step products and gcds of
@@ -97,20 +93,20 @@ impl AtCell for Heights {
 
     fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
         let growth = [
-            column("steps", "steps that were made", Kept::Integer(vec![])),
+            column("steps", "steps that were made", Kept::Integer),
             column(
                 "growth",
                 "how heights grow: bounded, logarithmic, linear, quadratic, exponential or undecided",
-                Kept::Text(vec![]),
+                Kept::Text,
             ),
             column(
                 "entropy",
                 "logarithm of the last quotient of heights where these grow exponentially",
-                Kept::F64(vec![]),
+                Kept::F64,
             ),
         ];
         let meaning = "logarithmic height at the last step, natural logarithm";
-        let last = |name: &String| column(&format!("height_{name}"), meaning, Kept::F64(vec![]));
+        let last = |name: &String| column(&format!("height_{name}"), meaning, Kept::F64);
         growth.into_iter().chain(variables.iter().map(last)).collect()
     }
 

@@ -189,6 +189,21 @@ impl<'de> Deserialize<'de> for Question {
     }
 }
 
+/// What many questions ask for unless told: one of something,
+fn one<T: From<u8>>() -> T {
+    T::from(1)
+}
+
+/// Kahan's map itself,
+fn usual_order() -> u32 {
+    2
+}
+
+/// and no more seconds than a minute has.
+fn minute() -> f64 {
+    60.0
+}
+
 /// The seconds since then; `None` without a clock.
 fn seconds_since(begun: Option<Duration>, watch: &dyn Watch) -> Option<f64> {
     Some(watch.now()?.saturating_sub(begun?).as_secs_f64())

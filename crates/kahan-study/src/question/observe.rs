@@ -4,22 +4,22 @@
 //! orbit is stored; where rotation is asked for it is followed twice, once for the middles of its
 //! extremes.
 
-use std::cell::Cell;
-
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_core::Composition;
-use kahan_discover::{Progress, Watch};
+use kahan_discover::Watch;
 use kahan_runtime::{Ended, Followed, MapAt, ObservedFloat, Observing};
 use serde::de::Error;
-use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::rows::Column;
 use crate::study::Study;
+
+use super::usual_order;
 
 pub use kahan_runtime::{Observable, Seen};
 
@@ -50,10 +50,6 @@ pub struct Observe {
     /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
     #[serde(default = "usual", serialize_with = "names_of", deserialize_with = "of_names")]
     pub of: Vec<Observable>,
-}
-
-fn usual_order() -> u32 {
-    2
 }
 
 fn usual_every() -> u64 {
@@ -131,13 +127,9 @@ impl Observe {
         let (at, start) = study.in_floats(&self.at, &self.eps)?;
         let at = at.composed(self.composition()?);
         let runs = if self.of.contains(&Observable::Rotation) { 2 } else { 1 };
-        let done = Cell::new(0);
-        let tell = |steps| {
-            done.set(done.get() + steps);
-            watch.look(&Progress { what: "steps", done: done.get(), of: Some(runs * self.steps) })
-        };
+        let count = Count::new("steps", runs * self.steps, watch);
         let of = self.observables();
-        let seen = f64::alone(&at, &start, &self.observing(&of), &tell);
+        let seen = f64::alone(&at, &start, &self.observing(&of), &|steps| count.tell(steps));
         let Followed { report, steps, ended } = seen.expect(FITTING);
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
@@ -209,7 +201,7 @@ impl Observed {
 /// What was seen, with a value for each variable or integral by name.
 fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
     fn named<T>(names: &[String], values: &[T], value: impl Fn(&T) -> Value) -> Value {
-        names.iter().cloned().zip(values.iter().map(value)).collect::<Map<_, _>>().into()
+        names.iter().cloned().zip(values.iter().map(value)).collect()
     }
     match seen {
         Seen::Point(point) => named(variables, point, |value| json!(value)),
@@ -229,9 +221,7 @@ fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
 
 impl Serialize for Observed {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = serializer.serialize_map(None)?;
-        object.serialize_entry("system", &self.system)?;
-        object.serialize_entry("steps", &self.steps)?;
+        let mut object = json!({"system": self.system, "steps": self.steps});
         for (observable, seen) in &self.seen {
             let name = match observable {
                 Observable::Lyapunov => "largest_lyapunov",
@@ -240,12 +230,11 @@ impl Serialize for Observed {
                 Observable::Escape => "escaped",
                 other => other.name(),
             };
-            object.serialize_entry(name, &json_of(seen, &self.variables, &self.integrals))?;
+            object[name] = json_of(seen, &self.variables, &self.integrals);
             if let Seen::Spectrum(all) = seen {
-                let errors: Vec<f64> = all.iter().map(|one| one.error).collect();
-                object.serialize_entry("lyapunov_errors", &errors)?;
+                object["lyapunov_errors"] = all.iter().map(|one| one.error).collect();
             }
         }
-        object.end()
+        object.serialize(serializer)
     }
 }

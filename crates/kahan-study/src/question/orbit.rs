@@ -25,6 +25,8 @@ use crate::numbers::{DoubleDouble, Number, ScalarKind, exact};
 use crate::rows::{Column, End, MOST_CELLS, Rows, Table, free_name};
 use crate::study::Study;
 
+use super::{one, usual_order};
+
 pub use chain::{Chain, ChainHead};
 use maps::Moving;
 use points::{Course, Halt, Points, ended};
@@ -58,14 +60,6 @@ pub struct Orbit {
     /// Whether the orbit goes on at poles, through points at infinity.
     #[serde(default)]
     pub projective: bool,
-}
-
-fn one() -> u64 {
-    1
-}
-
-fn usual_order() -> u32 {
-    2
 }
 
 /// What a step of an orbit is; each takes the time 2ε.

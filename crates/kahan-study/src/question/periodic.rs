@@ -6,14 +6,16 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_core::periodic::{Branch, PeriodicPoint, branch, periodic_point};
-use kahan_discover::{Progress, Watch};
-use kahan_runtime::{Field, Map, MapAt, RationalCycle};
+use kahan_discover::Watch;
+use kahan_runtime::{Map, MapAt, RationalCycle};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::range::Axis;
 use crate::study::Study;
+
+use super::one;
 
 /// The most unknowns of Newton's method: beyond, a step takes minutes.
 const MOST_UNKNOWNS: usize = 600;
@@ -34,10 +36,6 @@ pub struct Periodic {
     /// The parameter that changes along the branch, or `eps`.
     #[serde(default)]
     pub over: Option<Axis>,
-}
-
-fn one() -> usize {
-    1
 }
 
 /// A cycle, and what becomes of it.
@@ -90,8 +88,7 @@ impl Periodic {
 
 /// The map at each value of what changes.
 struct Family {
-    field: Field,
-    parameters: Vec<Rational>,
+    study: Study,
     eps: Rational,
     start: Vec<f64>,
     /// The index of the parameter that changes; `None` for ε, or for nothing.
@@ -107,20 +104,19 @@ impl Family {
         let eps = asked.eps.clone().or(of_axis).ok_or(StudyError::MissingStep)?;
         let study = match (axis, parameter) {
             (Some(axis), Some(place)) if study.given()[place].is_none() => {
-                &study.with(place, axis.range.value(0))
+                study.with(place, axis.range.value(0))
             }
-            _ => study,
+            _ => study.clone(),
         };
         // A mistake in what is given is told before the search.
         let (_, start) = study.in_floats(&asked.at, &eps)?;
-        let field = study.field().clone();
-        Ok(Family { field, parameters: study.values()?, eps, start, parameter, changes: axis.is_some() })
+        Ok(Family { study, eps, start, parameter, changes: axis.is_some() })
     }
 
     /// The map where what changes has this value; where the field divides by zero, that of no
     /// value.
     fn at(&self, value: f64) -> MapAt<f64> {
-        let mut parameters = self.parameters.clone();
+        let mut parameters = self.own().parameters().to_vec();
         if let Some(place) = self.parameter {
             parameters[place] = Rational::from_f64(value).unwrap_or_default();
         }
@@ -128,9 +124,9 @@ impl Family {
             (true, None) => value,
             _ => self.eps.to_f64(),
         };
-        match self.field.with(self.field.parameters().iter().zip(&parameters)) {
-            Ok(map) => map.at(eps),
-            Err(_) => self.own().at(f64::NAN),
+        match self.study.map_at(&parameters) {
+            Some(map) => map.at(eps),
+            None => self.own().at(f64::NAN),
         }
     }
 
@@ -147,9 +143,8 @@ impl Family {
     }
 
     /// The map at the values that were given, at which there is one.
-    fn own(&self) -> Map {
-        let given = self.field.parameters().iter().zip(&self.parameters);
-        self.field.with(given).expect("the family was made where its field is defined")
+    fn own(&self) -> &Map {
+        self.study.map().expect("the family was made where its field is defined")
     }
 
     /// The cycle over ℚ, where nothing changes.

@@ -3,13 +3,14 @@
 use kahan_algebra::rational::Rational;
 use kahan_discover::growth::GrowthVerdict;
 use kahan_discover::poles::Pattern;
-use kahan_discover::{Options, Watch, poles};
+use kahan_discover::{Watch, poles};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::study::Study;
 
+use super::discover::options;
 use super::seconds_since;
 
 /// Asks what becomes of the curves that the map loses, in three variables of surfaces.
@@ -53,12 +54,7 @@ impl Poles {
     /// [`StudyError::Discover`].
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<PolesFound, StudyError> {
         let begun = watch.now();
-        let options = Options {
-            eps: self.eps.clone(),
-            parameters: study.fixed(),
-            seconds: self.seconds,
-            ..Options::default()
-        };
+        let options = options(study, &self.eps, None, self.seconds)?;
         let found = poles(study.system(), &options, self.steps, watch);
         let found = found.map_err(|why| StudyError::Discover { system: study.name().to_owned(), why })?;
         Ok(PolesFound {

@@ -12,7 +12,7 @@ use crate::range::Axis;
 use crate::study::Study;
 
 use super::discover::options;
-use super::seconds_since;
+use super::{minute, seconds_since};
 
 /// The most points of a grid.
 const MOST_POINTS: usize = 1_000_000;
@@ -31,12 +31,8 @@ pub struct Scan {
     #[serde(default)]
     pub degree: Option<u32>,
     /// The seconds that it may take.
-    #[serde(default = "usual_seconds")]
+    #[serde(default = "minute")]
     pub seconds: f64,
-}
-
-fn usual_seconds() -> f64 {
-    60.0
 }
 
 /// What was seen on the grid.
@@ -56,7 +52,7 @@ impl Scan {
     /// Over these axes, in a minute.
     #[must_use]
     pub fn new(axes: Vec<Axis>) -> Self {
-        Scan { axes, seconds: usual_seconds(), ..Scan::default() }
+        Scan { axes, seconds: minute(), ..Scan::default() }
     }
 
     /// The points of the grid; `None` where they are more than a million.
@@ -91,12 +87,8 @@ impl Scan {
         let given = fixed.iter().map(|(name, _)| name.as_str()).chain(self.eps.as_ref().map(|_| "eps"));
         let mut taken: Vec<&str> = given.collect();
         for axis in &self.axes {
-            if axis.name != "eps" && !study.parameters().contains(&axis.name) {
-                return Err(StudyError::UnknownParameter {
-                    system: study.name().to_owned(),
-                    name: axis.name.clone(),
-                    known: study.parameters().to_vec(),
-                });
+            if axis.name != "eps" {
+                study.parameter(&axis.name)?;
             }
             if taken.contains(&axis.name.as_str()) {
                 return Err(StudyError::ParameterTwice { name: axis.name.clone() });

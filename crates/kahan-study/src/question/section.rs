@@ -1,16 +1,16 @@
 //! Where an orbit crosses a plane, or the level of any function.
 
-use std::cell::Cell;
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_core::observe::{self, Crossing, Direction, Section as Crossings};
-use kahan_discover::{Progress, Watch};
+use kahan_discover::Watch;
 use kahan_runtime::{Ended, Follow, Followed, MapAt, RuntimePoint};
 use serde::{Deserialize, Serialize, Serializer};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::formula::{Formula, formula_of};
 use crate::numbers::exact;
@@ -185,13 +185,9 @@ impl Section {
         };
         let first = First { found: Vec::new(), most: self.points };
         let crossings = Crossings::new(&at, plane.height(&at), direction, first);
-        let done = Cell::new(0);
-        let tell = |steps| -> ControlFlow<()> {
-            done.set(done.get() + steps);
-            watch.look(&Progress { what: "steps", done: done.get(), of: Some(self.steps) })
-        };
-        let followed = at.observe(&mut x, self.steps, crossings, tell).expect("the start is of the field");
-        let Followed { report: crossings, steps, ended } = followed;
+        let count = Count::new("steps", self.steps, watch);
+        let followed = at.observe(&mut x, self.steps, crossings, |steps| count.tell(steps));
+        let Followed { report: crossings, steps, ended } = followed.expect("the start is of the field");
         Ok(SectionFound {
             system: study.name().to_owned(),
             variables: study.variables().to_vec(),

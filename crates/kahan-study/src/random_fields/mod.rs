@@ -219,14 +219,11 @@ impl RandomField {
     #[must_use]
     pub fn block(&self) -> String {
         let parameters: Vec<&str> = self.parameters.iter().map(|(name, ..)| *name).collect();
-        let header = match parameters.as_slice() {
-            [] => format!("pub struct {};\n", self.name),
-            parameters => format!("pub struct {} {{ {} }}\n", self.name, parameters.join(", ")),
-        };
+        let header = header(&self.name, &parameters);
         let documentation = format!("/// Of dimension {}: {}.\n", self.states.len(), self.kind);
         let equations = self.states.iter().zip(&self.equations);
         let equations: String = equations.map(|(state, value)| format!("{state}dot = {value};\n")).collect();
-        documentation + &header + &equations
+        format!("{documentation}{header}\n{equations}")
     }
 
     /// The values of the parameters.
@@ -242,6 +239,14 @@ impl RandomField {
         let names: Vec<(&str, BigRational)> =
             self.states.iter().copied().zip(x.iter().cloned()).chain(parameters).collect();
         self.equations.iter().map(|equation| equation.value(&names)).collect()
+    }
+}
+
+/// The header of a block.
+fn header(name: &str, parameters: &[&str]) -> String {
+    match parameters {
+        [] => format!("pub struct {name};"),
+        parameters => format!("pub struct {name} {{ {} }}", parameters.join(", ")),
     }
 }
 

@@ -6,6 +6,8 @@
 
 use kahan_algebra::prime_field::SplitMix64;
 
+use super::header;
+
 /// A field as text.
 #[derive(Clone, Debug)]
 pub struct OddField {
@@ -31,11 +33,7 @@ impl OddField {
     pub fn block(&self) -> String {
         let site = self.site_parameters.iter();
         let parameters: Vec<&str> = self.parameters.iter().chain(site).map(String::as_str).collect();
-        let header = match parameters.as_slice() {
-            [] => format!("pub struct {};", self.name),
-            parameters => format!("pub struct {} {{ {} }}", self.name, parameters.join(", ")),
-        };
-        format!("{header} {}", self.equations)
+        format!("{} {}", header(&self.name, &parameters), self.equations)
     }
 }
 

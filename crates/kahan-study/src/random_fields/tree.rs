@@ -112,18 +112,14 @@ impl fmt::Display for Tree {
             }
             Tree::Sum(terms) => {
                 for (index, term) in terms.iter().enumerate() {
-                    match (term, index) {
-                        (Tree::Negated(_) | Tree::Sum(_), 0) => write!(f, "{term}")?,
-                        (Tree::Negated(a), _) => {
-                            f.write_str(" - ")?;
-                            grouped(f, a, Level::Product)?;
-                        }
-                        (_, 0) => grouped(f, term, Level::Product)?,
-                        _ => {
-                            f.write_str(" + ")?;
-                            grouped(f, term, Level::Product)?;
-                        }
-                    }
+                    let (sign, term, least) = match (index, term) {
+                        (0, Tree::Negated(_) | Tree::Sum(_)) => ("", term, Level::Sum),
+                        (0, _) => ("", term, Level::Product),
+                        (_, Tree::Negated(a)) => (" - ", &**a, Level::Product),
+                        _ => (" + ", term, Level::Product),
+                    };
+                    f.write_str(sign)?;
+                    grouped(f, term, least)?;
                 }
                 Ok(())
             }

@@ -20,11 +20,10 @@ pub(super) struct Drift<'a> {
     subject: &'a Runner<'a>,
     integrals: &'a Integrals,
     eps: f64,
-    begin: Option<(Vec<Dd>, Vec<Dd>)>,
-    /// The largest relative change of the map's own integrals,
-    own: f64,
-    /// and of the flow's.
-    flow: f64,
+    /// The map's own, and the flow's.
+    begin: Option<Vec<[Dd; 2]>>,
+    /// The largest relative change of these.
+    pub(super) most: [f64; 2],
 }
 
 impl Integrals {
@@ -38,8 +37,8 @@ impl Integrals {
             let shift = |i: usize| Dd::from(((3 * k + 5 * i) % 7) as f64) / Dd::from(11.0);
             moved.map(|(i, x)| *x + (size + x.abs()) * shift(i)).collect()
         };
-        let begin = subject.map.integrals_at_zero(start);
-        let others: Vec<Vec<[Dd; 2]>> = (1..4).map(|k| subject.map.integrals_at_zero(&near(k))).collect();
+        let begin = subject.integrals_at_zero(start);
+        let others: Vec<Vec<[Dd; 2]>> = (1..4).map(|k| subject.integrals_at_zero(&near(k))).collect();
         let varies = |claim: usize, power: usize| {
             let value = begin[claim][power];
             let differs = |other: &Vec<[Dd; 2]>| {
@@ -60,43 +59,33 @@ impl Integrals {
 
 impl<'a> Drift<'a> {
     pub(super) fn new(subject: &'a Runner<'a>, integrals: &'a Integrals, eps: f64) -> Self {
-        Drift { subject, integrals, eps, begin: None, own: 0.0, flow: 0.0 }
+        Drift { subject, integrals, eps, begin: None, most: [0.0; 2] }
     }
 
     /// Looks at a point; the first is where the orbit begins.
     pub(super) fn visit(&mut self, x: &[Dd]) {
-        let at_zero = self.subject.map.integrals_at_zero(x);
-        let powers = self.integrals.coefficients.iter();
-        let (mut own, mut flow) = (Vec::new(), Vec::new());
-        for ((power, value), coefficients) in powers.zip(self.subject.map.integrals(x, self.eps)).zip(at_zero)
-        {
-            let Some(power) = *power else { continue };
-            let constant = if power == 0 { Dd::from(0.0) } else { coefficients[0] };
-            own.push(value - constant);
-            flow.push(coefficients[power]);
-        }
+        let values = self.subject.integrals(x, self.eps).into_iter().zip(self.subject.integrals_at_zero(x));
+        let now =
+            self.integrals.coefficients.iter().zip(values).filter_map(|(power, (value, coefficients))| {
+                let power = (*power)?;
+                let constant = if power == 0 { Dd::from(0.0) } else { coefficients[0] };
+                Some([value - constant, coefficients[power]])
+            });
         match &self.begin {
-            None => self.begin = Some((own, flow)),
-            Some((own_begin, flow_begin)) => {
-                self.own = self.own.max(change(own_begin, &own));
-                self.flow = self.flow.max(change(flow_begin, &flow));
+            None => self.begin = Some(now.collect()),
+            Some(begin) => {
+                for (begin, now) in begin.iter().zip(now) {
+                    self.most = [0, 1].map(|k| self.most[k].max(change(begin[k], now[k])));
+                }
             }
         }
     }
-
-    /// The drifts of the map's own integrals and of the flow's.
-    pub(super) fn finish(self) -> (f64, f64) {
-        (self.own, self.flow)
-    }
 }
 
-/// The largest change relative to the value at the beginning, or as it is where that is 0; infinite
-/// where there is no number.
-fn change(begin: &[Dd], now: &[Dd]) -> f64 {
-    let relative = begin.iter().zip(now).map(|(begin, now)| {
-        let size = f64::from(begin.abs());
-        let change = f64::from((*now - *begin).abs());
-        if size > 0.0 { change / size } else { change }
-    });
-    relative.fold(0.0, |worst, change| if change.is_nan() { f64::INFINITY } else { worst.max(change) })
+/// The change relative to the value at the beginning, or as it is where that is 0; infinite where
+/// there is no number.
+fn change(begin: Dd, now: Dd) -> f64 {
+    let (size, change) = (f64::from(begin.abs()), f64::from((now - begin).abs()));
+    let change = if size > 0.0 { change / size } else { change };
+    if change.is_nan() { f64::INFINITY } else { change }
 }

@@ -131,7 +131,7 @@ impl Search<'_> {
         if is_over {
             return None;
         }
-        let (own, flow) = drift.finish();
+        let [own, flow] = drift.most;
         let trajectory_error = self.reference.as_ref().map(|_| trajectory);
         // A composition has no integrals of its own: it is to keep the flow's.
         let integral_drift = has_integrals.then_some(if scheme.order() == 2 { own } else { flow });

@@ -26,9 +26,9 @@ use kahan_discover::{Progress, Watch};
 use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
-use crate::map::CannotRun;
+use crate::map::{CannotRun, rate};
 use crate::named::Names;
-use crate::numbers::exact;
+use crate::numbers::{DoubleDouble, Printable, exact};
 use crate::reference::{Certificate, Limits, NoReference, PART_OF_TOLERANCE, Reference, Trajectory};
 use crate::study::Study;
 
@@ -51,7 +51,7 @@ pub struct Trade {
     #[serde(with = "exact")]
     pub horizon: Rational,
     /// What the orbit is for: `trajectory` or `integrals`.
-    #[serde(with = "object::need", default = "trajectory")]
+    #[serde(with = "object::Named", default = "trajectory")]
     pub need: Need,
     /// The largest error that is accepted, above 0.
     #[serde(with = "exact", default = "usual_tolerance")]
@@ -197,7 +197,7 @@ impl Trade {
     /// [`StudyError`]: claims that do not hold, values that are missing or not above 0, no clock,
     /// or nothing that could be measured.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Traded, StudyError> {
-        let system = study.proved()?;
+        study.proved()?;
         let start = study.point(&self.at)?;
         let parameters = study.values()?;
         let horizon = positive("horizon", &self.horizon)?;
@@ -207,12 +207,9 @@ impl Trade {
         }
         let clock = || watch.now().unwrap_or_default();
         let trade = |why| StudyError::Trade { system: study.name().to_owned(), why };
-        let runner = Runner::new(system, &parameters, &start, &clock).map_err(trade)?;
+        let runner = Runner::new(study.field(), &parameters, &start, &clock).map_err(trade)?;
         let search = Search::of(&runner, study, &parameters, scene, self.seconds, watch).map_err(trade)?;
-        let mut traded = search.finish(study, &parameters);
-        traded.rust =
-            traded.choice().map(|choice| paste::rust_of(study, &parameters, &start, &choice.setting));
-        Ok(traded)
+        Ok(search.finish(study, &parameters))
     }
 }
 
@@ -241,8 +238,7 @@ impl<'a> Search<'a> {
         let deadline = clock() + Duration::try_from_secs_f64(seconds).unwrap_or(LONG).min(LONG);
         let exact = |values: &[Rational]| values.iter().map(Rational::to_big).collect::<Vec<BigRational>>();
         let (exact_parameters, exact_start) = (exact(parameters), exact(&runner.start));
-        let wide = runner.start.iter().map(Rational::to_double_double);
-        let wide: Vec<Dd> = wide.map(|(high, low)| Dd::new(high, low)).collect();
+        let wide: Vec<Dd> = runner.start.iter().map(DoubleDouble::round).collect();
         let integrals = Integrals::of(runner, &wide);
         let reference = match scene.need() {
             Need::Integrals if integrals.is_empty() => return Err(CannotTrade::NoIntegrals),
@@ -259,14 +255,17 @@ impl<'a> Search<'a> {
                     end: scene.horizon(),
                     allowed: PART_OF_TOLERANCE * scene.tolerance(),
                 };
-                Some(runner.map.reference(&asked, &limits).map_err(CannotTrade::Reference)?)
+                Some(Reference::of(&runner.wide, &asked, &limits).map_err(CannotTrade::Reference)?)
             }
         };
         // ε times the rate, on an average: compositions, whose stages are shorter, follow
         // trajectories up to 2 or so, with errors to match.
         let coarsest = match &reference {
             Some(reference) => 0.5 * reference.flow().turning() / 4.0,
-            None => 0.5 * scene.horizon() * runner.map.slope(&runner.start),
+            None => {
+                let start: Vec<f64> = runner.start.iter().map(Rational::to_f64).collect();
+                0.5 * scene.horizon() * rate(&runner.map.at(0.0), &start)
+            }
         };
         let coarsest = coarsest.ceil().clamp(1.0, 1e15) as u64;
         let eps = scene.horizon() / (2.0 * coarsest as f64);
@@ -275,7 +274,7 @@ impl<'a> Search<'a> {
             Prices::of(runner, 0.1 * eps, scene.horizon())
         } else {
             let stand_in = Runner::stand_in(clock)?;
-            Prices::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.map.cost(), runner.map.cost())
+            Prices::of(&stand_in, 0.01, f64::INFINITY).scaled(stand_in.wide.cost(), runner.wide.cost())
         };
         let mut search = Search {
             subject: runner,
@@ -305,13 +304,16 @@ impl<'a> Search<'a> {
                 self.settings[index].return_error = self.return_error(&self.settings[index].setting);
             }
         }
+        let (start, choice) = (&self.subject.start, self.best());
+        let rust = choice.map(|best| &self.settings[best].setting);
+        let rust = rust.map(|setting| paste::rust_of(study, parameters, start, setting));
         Traded {
             system: study.name().to_owned(),
             parameters: study.parameters().iter().cloned().zip(parameters.iter().cloned()).collect(),
-            start: self.subject.start.clone(),
+            start: start.clone(),
             scene: self.scene,
-            choice: self.best(),
-            rust: None,
+            choice,
+            rust,
             certificate: self.reference.as_ref().map(Reference::certificate),
             scale: self.reference.as_ref().map(|reference| reference.flow().scale()),
             is_code: self.is_code,

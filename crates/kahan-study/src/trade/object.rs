@@ -2,31 +2,18 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Need, Scheme};
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::{Measured, Traded};
 use crate::named::{Names, by_name};
 use crate::reference::Method;
 
-/// `trajectory` and `integrals`.
-pub(super) mod need {
-    use kahan_core::Need;
-    use serde::de::{Deserialize, Deserializer, Error};
-    use serde::{Serialize, Serializer};
-
-    pub(in super::super) fn serialize<S: Serializer>(need: &Need, serializer: S) -> Result<S::Ok, S::Error> {
-        super::need_name(*need).serialize(serializer)
-    }
-
-    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(
-        deserializer: D,
-    ) -> Result<Need, D::Error> {
-        match String::deserialize(deserializer)?.as_str() {
-            "trajectory" => Ok(Need::Trajectory),
-            "integrals" => Ok(Need::Integrals),
-            other => Err(D::Error::unknown_variant(other, &["trajectory", "integrals"])),
-        }
-    }
+/// A need by its name.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Need", rename_all = "lowercase")]
+pub(super) enum Named {
+    Trajectory,
+    Integrals,
 }
 
 /// The name of a need in questions and answers.

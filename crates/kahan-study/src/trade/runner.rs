@@ -5,18 +5,20 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
-use kahan_algebra::system::System;
-use kahan_core::{Dd, Precision, Scheme};
-use kahan_runtime::FieldText;
+use kahan_core::nalgebra::SVector;
+use kahan_core::{Dd, Dual, Precision, Scalar, Scheme};
+use kahan_runtime::interpreted::Padded;
+use kahan_runtime::{Field, Map};
 
-use crate::map::{Map, read};
+use crate::map::CannotRun;
 
 use super::CannotTrade;
 
 /// A system at a starting point, with a clock.
 pub(super) struct Runner<'a> {
     pub(super) map: Map,
-    orbits: kahan_runtime::Map,
+    /// The same in double-double.
+    pub(super) wide: Padded<Dd>,
     pub(super) start: Vec<Rational>,
     pub(super) clock: Clock<'a>,
 }
@@ -31,29 +33,31 @@ pub(super) type Visit<'a> = &'a mut dyn FnMut(u64, &[Dd]) -> ControlFlow<()>;
 pub(super) type Stops<'a> = &'a mut dyn Iterator<Item = u64>;
 
 impl<'a> Runner<'a> {
-    /// A system at these parameters and this point.
+    /// A field at these parameters and this point.
     pub(super) fn new(
-        system: &System,
+        field: &Field,
         parameters: &[Rational],
         start: &[Rational],
         clock: Clock<'a>,
     ) -> Result<Self, CannotTrade> {
-        let (orbits, map) = read(system, parameters).map_err(CannotTrade::CannotRun)?;
-        Ok(Runner { map, orbits, start: start.to_vec(), clock })
+        let map = field.with(field.parameters().iter().zip(parameters));
+        let map = map.map_err(|why| CannotTrade::CannotRun(CannotRun::Parameters(why)))?;
+        let wide = map.as_padded_kahan_map();
+        let wide = wide.map_err(|why| CannotTrade::CannotRun(CannotRun::Dimension(why)))?;
+        Ok(Runner { map, wide, start: start.to_vec(), clock })
     }
 
     /// E6 at a point of ordinary size: what is timed in place of a field without code.
     pub(super) fn stand_in(clock: Clock<'a>) -> Result<Self, CannotTrade> {
-        let field = "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);";
-        let system = FieldText::new(field.to_owned(), "E6".to_owned()).unproved_system().expect("a system");
+        let field = Field::parse("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);");
         let start = [1, -2, 3].map(|x| Rational::new(x, 4));
-        Runner::new(&system, &[], &start, clock)
+        Runner::new(&field.expect("a field"), &[], &start, clock)
     }
 
     /// Whether its steps are code.
     pub(super) fn is_code(&self) -> bool {
         let plain = Scheme::of(Precision::Double);
-        self.orbits.orbit(plain, &Rational::one(), &self.start).is_ok_and(|orbit| orbit.is_code())
+        self.map.orbit(plain, &Rational::one(), &self.start).is_ok_and(|orbit| orbit.is_code())
     }
 
     /// The seconds that so many steps take from the scene's own point, without the preparations.
@@ -74,7 +78,7 @@ impl<'a> Runner<'a> {
     ) -> f64 {
         let exact = |entry: &Dd| &rational(entry.high()) + &rational(entry.low());
         let start = from.map_or_else(|| self.start.clone(), |point| point.iter().map(exact).collect());
-        let orbit = self.orbits.orbit(scheme, &rational(eps), &start);
+        let orbit = self.map.orbit(scheme, &rational(eps), &start);
         let mut orbit = orbit.expect("the point has an entry for every variable");
         let begun = (self.clock)();
         let mut step = 0;
@@ -89,6 +93,33 @@ impl<'a> Runner<'a> {
         }
         (self.clock)().saturating_sub(begun).as_secs_f64()
     }
+}
+
+impl Runner<'_> {
+    /// The declared integrals at this ε.
+    pub(super) fn integrals(&self, x: &[Dd], eps: f64) -> Vec<Dd> {
+        let values = self.wide.integrals(&padded(x, |value| value), &Dd::from(eps));
+        values.into_iter().map(|value| value.unwrap_or(Dd::from(f64::NAN))).collect()
+    }
+
+    /// Their Taylor coefficients at ε = 0: the values, and those of ε².
+    pub(super) fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
+        // ε = d + d′ with d² = d′² = 0: the coefficient of dd′ is the second derivative.
+        let fixed = |value: Dd| Dual::<_, 1>::lift(Dual::<_, 1>::lift(value));
+        let eps = Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::lift(Dd::from(1.0))] };
+        let claims = self.wide.over(|parameter| fixed(*parameter));
+        let half = Dd::from(0.5);
+        let coefficients = claims.integrals(&padded(x, fixed), &eps).into_iter().map(|value| match value {
+            Some(value) => [value.value.value, value.gradient[0].gradient[0] * half],
+            None => [Dd::from(f64::NAN); 2],
+        });
+        coefficients.collect()
+    }
+}
+
+/// A point in numbers made from its coordinates, with zeros for the variables that stand still.
+fn padded<T: Scalar, const N: usize>(x: &[Dd], number: impl Fn(Dd) -> T) -> SVector<T, N> {
+    SVector::from_fn(|i, _| number(x.get(i).copied().unwrap_or_default()))
 }
 
 /// A float as the number that it is.

@@ -8,14 +8,15 @@ use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::arithmetic::Float64;
 use kahan_discover::Watch;
-use kahan_runtime::{ChainAt, Lattice};
+use kahan_runtime::{ChainAt, Follow, Lattice};
 use serde::Serialize;
 
+use crate::count::Count;
 use crate::named::{Names, by_name};
-use crate::numbers::{Number, ScalarKind};
+use crate::numbers::ScalarKind;
 use crate::rows::{Column, End, Last, Rows};
 
-use super::points::{Course, Halt, Points, Told, Why, in_parts, moment};
+use super::points::{Course, Halt, Points, Why, moment};
 use super::{columns, names};
 
 /// A chain, ready to step.
@@ -149,26 +150,16 @@ impl Points<Float64> for Seen<'_> {
         cells.extend(map.modified_energy(state).ok().flatten());
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
         if steps > 0 && self.flow.is_break() {
             return Err(Halt::Stopped);
         }
         let Chain { map, state, .. } = &mut *self.chain;
-        let at_once = moment(state.len(), 1) as u64;
-        in_parts(steps, at_once, told, |steps| {
-            (0..steps).try_for_each(|made| {
-                map.step(state).expect("the state is of the chain");
-                let is_finite = state.iter().all(|x| x.is_finite());
-                if is_finite { Ok(()) } else { Err(Halt::Ended(made, Why::Range)) }
-            })
-        })
+        let followed = map.follow(state, steps, |steps| progress.tell(steps));
+        Halt::of(&followed.expect("the state is of the chain"), || Why::Range)
     }
 
     fn at_once(&self, every: u64) -> usize {
         moment(self.chain.state.len(), every)
-    }
-
-    fn point(&self) -> Vec<Number> {
-        self.chain.state.iter().copied().map(Number::F64).collect()
     }
 }

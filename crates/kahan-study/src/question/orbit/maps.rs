@@ -9,19 +9,20 @@ use kahan_core::num_traits::Zero;
 use kahan_core::{Composition, Dd, Precision, Scheme};
 use kahan_runtime::interpreted::round;
 use kahan_runtime::orbit::{End, ExactOrbit, ProjectiveOrbit, ProjectiveScalar, SchemeOrbit};
-use kahan_runtime::{Ended, Follow, Followed, Fraction, MachineFloat, Map, MapAt};
+use kahan_runtime::{Follow, Followed, Fraction, MachineFloat, Map, MapAt};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::{DoubleDouble, Number, Printable};
 use crate::rows::{self, Values};
 
 use super::NoOrbit;
-use super::points::{Halt, Points, Tabular, Told, Why, in_parts, moment};
+use super::points::{Halt, Points, Why, in_parts, moment};
 
-/// An arithmetic in which there are orbits.
-pub(super) trait Moving: Tabular {
-    /// The scalar of the library that its numbers are.
-    type Scalar: ProjectiveScalar;
+/// An arithmetic in which points move, and whose numbers are cells of tables.
+pub(super) trait Moving: Printable {
+    /// A cell.
+    type Cell: Clone;
 
     /// A coordinate of a point at infinity.
     const INFINITE: Self::Cell;
@@ -29,8 +30,23 @@ pub(super) trait Moving: Tabular {
     /// What has no value.
     const UNDEFINED: Self::Cell;
 
-    /// The cell of a number of that scalar.
-    fn cell_of(number: &Self::Scalar) -> Self::Cell;
+    /// The scalar of the library that its numbers are.
+    type Scalar: ProjectiveScalar + Into<Self::Value>;
+
+    /// The cell of a number; one that is not finite has no value.
+    fn cell(number: &Self::Value) -> Self::Cell;
+
+    /// The same of what may have no value.
+    fn cell_of(number: Option<Self::Value>) -> Self::Cell {
+        number.map_or(Self::UNDEFINED, |number| Self::cell(&number))
+    }
+
+    /// Cells of a column.
+    fn values(cells: &[Self::Cell]) -> Values<'_>;
+
+    /// The number nearest to a count; [`Printable::round`] gives the same, and takes longer than a
+    /// step.
+    fn whole(n: i64) -> Self::Value;
 
     /// A double-double as one of its numbers; `None` where they are exact.
     fn narrow(number: Dd) -> Option<Self::Value>;
@@ -47,8 +63,12 @@ pub(super) trait Moving: Tabular {
 /// The arithmetics whose values are the scalar's, and cells.
 macro_rules! of_float {
     ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr, $points:ident in $precision:ident) => {
-        impl Tabular for $arithmetic {
+        impl Moving for $arithmetic {
             type Cell = $float;
+            type Scalar = $float;
+
+            const INFINITE: $float = $infinite;
+            const UNDEFINED: $float = $nan;
 
             fn cell(number: &$float) -> $float {
                 if number.is_finite() { *number } else { Self::UNDEFINED }
@@ -60,17 +80,6 @@ macro_rules! of_float {
 
             fn whole(n: i64) -> $float {
                 $whole(n)
-            }
-        }
-
-        impl Moving for $arithmetic {
-            type Scalar = $float;
-
-            const INFINITE: $float = $infinite;
-            const UNDEFINED: $float = $nan;
-
-            fn cell_of(number: &$float) -> $float {
-                Self::cell(number)
             }
 
             fn narrow(number: Dd) -> Option<$float> {
@@ -102,8 +111,12 @@ of_float!(
     Wide in DoubleDouble
 );
 
-impl Tabular for Exact {
+impl Moving for Exact {
     type Cell = rows::Exact;
+    type Scalar = BigRational;
+
+    const INFINITE: rows::Exact = rows::Exact::Infinite;
+    const UNDEFINED: rows::Exact = rows::Exact::Undefined;
 
     fn cell(number: &Rational) -> rows::Exact {
         rows::Exact::Number(number.into())
@@ -115,17 +128,6 @@ impl Tabular for Exact {
 
     fn whole(n: i64) -> Rational {
         n.into()
-    }
-}
-
-impl Moving for Exact {
-    type Scalar = BigRational;
-
-    const INFINITE: rows::Exact = rows::Exact::Infinite;
-    const UNDEFINED: rows::Exact = rows::Exact::Undefined;
-
-    fn cell_of(number: &BigRational) -> rows::Exact {
-        Self::cell(&number.clone().into())
     }
 
     fn narrow(_: Dd) -> Option<Rational> {
@@ -156,7 +158,7 @@ impl<T: MachineFloat> Floats<T> {
     }
 
     /// Appends a point and its integrals.
-    fn append<A: Tabular<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
+    fn append<A: Moving<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
         cells.extend_from_slice(x);
         let first = cells.len();
         cells.resize(first + self.at.map().field().integrals().len(), T::zero());
@@ -164,19 +166,14 @@ impl<T: MachineFloat> Floats<T> {
         cells[first..].iter_mut().for_each(|value| *value = A::cell(value));
     }
 
-    fn halt<R>(&self, followed: Followed<R>) -> Result<(), Halt> {
-        match followed.ended {
-            Ended::Complete | Ended::Done => Ok(()),
-            Ended::Stopped => Err(Halt::Stopped),
-            Ended::Range => {
-                let exact = |x: &T| Rational::from_f64(x.approximate()).expect("the last point is finite");
-                let x: Vec<Rational> = self.x.iter().map(exact).collect();
-                let orbit = self.at.map().orbit(self.scheme, &self.eps, &x);
-                let end = orbit.expect("the point is of the field").advance_while_finite(1);
-                let is_pole = end.is_err_and(|end| end.is_pole);
-                Err(Halt::Ended(followed.steps, why(self.at.map(), self.scheme, is_pole)))
-            }
-        }
+    fn halt<R>(&self, followed: &Followed<R>) -> Result<(), Halt> {
+        Halt::of(followed, || {
+            let exact = |x: &T| Rational::from_f64(x.approximate()).expect("the last point is finite");
+            let x: Vec<Rational> = self.x.iter().map(exact).collect();
+            let orbit = self.at.map().orbit(self.scheme, &self.eps, &x);
+            let end = orbit.expect("the point is of the field").advance_while_finite(1);
+            why(self.at.map(), self.scheme, end.is_err_and(|end| end.is_pole))
+        })
     }
 }
 
@@ -194,14 +191,14 @@ fn pole(map: &Map) -> Why {
     Why::Pole { is_reduced: map.field().derived().map.is_some() }
 }
 
-impl<T: MachineFloat, A: Tabular<Value = T, Cell = T>> Points<A> for Floats<T> {
+impl<T: MachineFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<T> {
     fn row(&mut self, cells: &mut Vec<T>) {
         self.append::<A>(&self.x, cells);
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        let followed = self.at.follow(&mut self.x, steps, |steps| told.steps(steps));
-        self.halt(followed.expect("the point is of the field"))
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        let followed = self.at.follow(&mut self.x, steps, |steps| progress.tell(steps));
+        self.halt(&followed.expect("the point is of the field"))
     }
 
     fn rows(
@@ -209,15 +206,15 @@ impl<T: MachineFloat, A: Tabular<Value = T, Cell = T>> Points<A> for Floats<T> {
         every: u64,
         count: usize,
         cells: &mut Vec<T>,
-        told: &mut Told<'_>,
+        progress: &Count<'_>,
     ) -> Result<(), Halt> {
         let every = NonZeroU64::new(every).expect("rows are some steps apart");
         self.points.resize(count * self.x.len(), T::zero());
-        let followed = self.at.rows(&mut self.x, every, &mut self.points, |steps| told.steps(steps));
+        let followed = self.at.rows(&mut self.x, every, &mut self.points, |steps| progress.tell(steps));
         let followed = followed.expect("the points are of the field");
         let points = self.points.chunks_exact(self.x.len()).take(followed.report);
         points.for_each(|x| self.append::<A>(x, cells));
-        self.halt(followed)
+        self.halt(&followed)
     }
 
     fn at_once(&self, every: u64) -> usize {
@@ -253,9 +250,9 @@ impl Points<DoubleDouble> for Wide {
         cells.extend(self.orbit.point().iter().chain(&integrals).map(DoubleDouble::cell));
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
         let Wide { map, scheme, orbit } = self;
-        in_parts(steps, 1 << 12, told, |steps| {
+        in_parts(steps, 1 << 12, progress, |steps| {
             orbit
                 .advance_while_finite(steps)
                 .map_err(|End { steps, is_pole }| Halt::Ended(steps, why(map, *scheme, is_pole)))
@@ -282,15 +279,10 @@ impl Points<Exact> for ExactOrbit {
         cells.extend(coordinates.into_iter().map(Some).chain(integrals).map(cell));
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        in_parts(
-            steps,
-            1,
-            told,
-            |_| {
-                if self.advance() { Ok(()) } else { Err(Halt::Ended(0, pole(self.map()))) }
-            },
-        )
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        in_parts(steps, 1, progress, |_| {
+            if self.advance() { Ok(()) } else { Err(Halt::Ended(0, pole(self.map()))) }
+        })
     }
 
     fn point(&self) -> Vec<Number> {
@@ -312,25 +304,18 @@ impl<A: Moving> Points<A> for Box<dyn ProjectiveOrbit<A::Scalar>> {
     fn row(&mut self, cells: &mut Vec<A::Cell>) {
         let is_infinite = self.is_infinite();
         cells.extend(self.coordinates().iter().map(|x| match is_infinite {
-            false => A::cell_of(x),
+            false => A::cell(&x.clone().into()),
             true if x.is_zero() => A::UNDEFINED,
             true => A::INFINITE,
         }));
-        let integral = |value: Option<A::Scalar>| {
-            value.filter(|_| !is_infinite).map_or(A::UNDEFINED, |value| A::cell_of(&value))
-        };
+        let integral = |value: Option<A::Scalar>| A::cell_of(value.filter(|_| !is_infinite).map(Into::into));
         cells.extend(self.integrals().into_iter().map(integral));
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        in_parts(steps, 1, told, |_| {
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        in_parts(steps, 1, progress, |_| {
             ProjectiveOrbit::advance(&mut **self).map_err(|why| Halt::Ended(0, Why::NoLimit(why)))
         })
-    }
-
-    /// Nothing: the last point may be at infinity.
-    fn point(&self) -> Vec<Number> {
-        Vec::new()
     }
 }
 
@@ -340,7 +325,7 @@ mod tests {
 
     use super::*;
 
-    fn counts_are_rounded_as_numbers<A: Tabular<Value: Debug + PartialEq>>() {
+    fn counts_are_rounded_as_numbers<A: Moving<Value: Debug + PartialEq>>() {
         let powers = (0..63).map(|power| 1_i64 << power);
         let near = powers.flat_map(|power| [power - 1, power, power + 1, power / 3]);
         near.chain([i64::MAX - 1, i64::MAX])

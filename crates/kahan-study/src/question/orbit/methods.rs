@@ -9,11 +9,12 @@ use kahan_core::{Dd, Flow, QuadraticField};
 use kahan_runtime::Map;
 use kahan_runtime::interpreted::{LARGEST_DIMENSION, Padded};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind};
 
 use super::maps::Moving;
-use super::points::{Halt, Points, Told, Why, in_parts, moment};
+use super::points::{Halt, Points, Why, in_parts, moment};
 use super::{Method, NoOrbit};
 
 /// An explicit method in any numbers.
@@ -92,11 +93,11 @@ impl<A: Moving> Points<A> for Explicit<'_, A> {
     fn row(&mut self, cells: &mut Vec<A::Cell>) {
         cells.extend(self.x.iter().map(A::cell));
         let integrals = self.values(&self.derived.integrals, &self.x).into_iter();
-        cells.extend(integrals.map(|value| value.map_or(A::UNDEFINED, |value| A::cell(&value))));
+        cells.extend(integrals.map(A::cell_of));
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        in_parts(steps, 1, told, |_| {
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        in_parts(steps, 1, progress, |_| {
             let next = self.next();
             if !next.iter().all(A::is_finite) {
                 return Err(Halt::Ended(0, Why::TooLarge));
@@ -171,7 +172,7 @@ impl Solution {
     fn walk<A: Moving>(
         &mut self,
         steps: u64,
-        told: &mut Told<'_>,
+        progress: &Count<'_>,
         mut see: impl FnMut(&Self, u64),
     ) -> Result<(), Halt> {
         /// A series takes some kilobytes.
@@ -181,7 +182,7 @@ impl Solution {
         while made < steps {
             span = span.min(steps - made);
             let end = self.step * Dd::from(span as f64);
-            let go_on = &mut |series| series < MOST_SERIES && told.steps(0).is_continue();
+            let go_on = &mut |series| series < MOST_SERIES && progress.tell(0).is_continue();
             match Flow::through(&self.field, self.x, f64::from(end), 0.0, go_on) {
                 Ok(flow) => {
                     for step in 1..=span {
@@ -193,11 +194,11 @@ impl Solution {
                         made += 1;
                         see(self, made);
                     }
-                    if told.steps(span).is_break() && made < steps {
+                    if progress.tell(span).is_break() && made < steps {
                         return Err(Halt::Stopped);
                     }
                 }
-                Err(_) if told.flow.is_break() => return Err(Halt::Stopped),
+                Err(_) if progress.is_stopped() => return Err(Halt::Stopped),
                 Err(_) if span > 1 => span /= 2,
                 Err(_) => return Err(Halt::Ended(made, Why::Escapes)),
             }
@@ -206,11 +207,9 @@ impl Solution {
     }
 
     fn append<A: Moving>(&self, cells: &mut Vec<A::Cell>) {
-        let cell = |number: Dd| A::narrow(number).map_or(A::UNDEFINED, |number| A::cell(&number));
-        let variables = self.field.map.variables().len();
-        cells.extend(self.x.iter().take(variables).copied().map(cell));
-        let integrals = self.field.map.integrals(&self.x, &Dd::default()).into_iter();
-        cells.extend(integrals.map(|value| value.map_or(A::UNDEFINED, cell)));
+        let coordinates = self.x.iter().take(self.field.map.variables().len()).copied().map(Some);
+        let integrals = self.field.map.integrals(&self.x, &Dd::default());
+        cells.extend(coordinates.chain(integrals).map(|number| A::cell_of(number.and_then(A::narrow))));
     }
 }
 
@@ -219,8 +218,8 @@ impl<A: Moving> Points<A> for Solution {
         self.append::<A>(cells);
     }
 
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt> {
-        self.walk::<A>(steps, told, |_, _| {})
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
+        self.walk::<A>(steps, progress, |_, _| {})
     }
 
     fn rows(
@@ -228,9 +227,9 @@ impl<A: Moving> Points<A> for Solution {
         every: u64,
         count: usize,
         cells: &mut Vec<A::Cell>,
-        told: &mut Told<'_>,
+        progress: &Count<'_>,
     ) -> Result<(), Halt> {
-        self.walk::<A>(every * count as u64, told, |solution, made| {
+        self.walk::<A>(every * count as u64, progress, |solution, made| {
             if made.is_multiple_of(every) {
                 solution.append::<A>(cells);
             }

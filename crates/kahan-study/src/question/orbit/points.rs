@@ -7,29 +7,16 @@ use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_core::SingularStep;
-use kahan_discover::{Progress, Watch};
+use kahan_discover::Watch;
+use kahan_runtime::{Ended, Followed};
 
-use crate::numbers::{Number, Printable};
+use crate::count::Count;
+use crate::numbers::Number;
 use crate::rows::{Column, End, Last, Rows, Values};
 use crate::study::Study;
 
 use super::Orbit;
-
-/// An arithmetic whose numbers are cells of tables.
-pub(super) trait Tabular: Printable {
-    /// A cell.
-    type Cell: Clone;
-
-    /// The cell of a number; one that is not finite has no value.
-    fn cell(number: &Self::Value) -> Self::Cell;
-
-    /// Cells of a column.
-    fn values(cells: &[Self::Cell]) -> Values<'_>;
-
-    /// The number nearest to a count; [`Printable::round`] gives the same, and takes longer than a
-    /// step.
-    fn whole(n: i64) -> Self::Value;
-}
+use super::maps::Moving;
 
 /// Why points do not go on.
 pub(super) enum Halt {
@@ -56,34 +43,13 @@ pub(super) enum Why {
     Escapes,
 }
 
-/// Who hears of steps; once stopped, it hears no more.
-pub(super) struct Told<'a> {
-    watch: &'a dyn Watch,
-    done: u64,
-    of: u64,
-    /// What the watch said last.
-    pub(super) flow: ControlFlow<()>,
-}
-
-impl Told<'_> {
-    /// So many more steps were made.
-    pub(super) fn steps(&mut self, steps: u64) -> ControlFlow<()> {
-        self.done += steps;
-        if self.flow.is_continue() {
-            let progress = Progress { what: "steps", done: self.done, of: Some(self.of) };
-            self.flow = self.watch.look(&progress);
-        }
-        self.flow
-    }
-}
-
 /// Points that move on.
-pub(super) trait Points<A: Tabular> {
+pub(super) trait Points<A: Moving> {
     /// Appends the cells of the point: coordinates, then integrals.
     fn row(&mut self, cells: &mut Vec<A::Cell>);
 
     /// Goes so many steps on, or to the last point that there is.
-    fn advance(&mut self, steps: u64, told: &mut Told<'_>) -> Result<(), Halt>;
+    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt>;
 
     /// The same for so many rows, each after so many steps; the steps of a [`Halt`] are those since
     /// the call.
@@ -92,10 +58,10 @@ pub(super) trait Points<A: Tabular> {
         every: u64,
         count: usize,
         cells: &mut Vec<A::Cell>,
-        told: &mut Told<'_>,
+        progress: &Count<'_>,
     ) -> Result<(), Halt> {
         for row in 0..count as u64 {
-            self.advance(every, told).map_err(|halt| halt.after(row * every))?;
+            self.advance(every, progress).map_err(|halt| halt.after(row * every))?;
             self.row(cells);
         }
         Ok(())
@@ -106,8 +72,10 @@ pub(super) trait Points<A: Tabular> {
         1
     }
 
-    /// The coordinates.
-    fn point(&self) -> Vec<Number>;
+    /// The coordinates; none where the point may be at infinity, or has too many to be told.
+    fn point(&self) -> Vec<Number> {
+        Vec::new()
+    }
 
     /// Whether steps of floats are machine code, where it is asked.
     fn is_code(&self) -> Option<bool> {
@@ -127,7 +95,7 @@ pub(super) fn moment(variables: usize, every: u64) -> usize {
 pub(super) fn in_parts(
     steps: u64,
     at_once: u64,
-    told: &mut Told<'_>,
+    progress: &Count<'_>,
     mut advance: impl FnMut(u64) -> Result<(), Halt>,
 ) -> Result<(), Halt> {
     let mut made = 0;
@@ -135,7 +103,7 @@ pub(super) fn in_parts(
         let now = at_once.min(steps - made);
         advance(now).map_err(|halt| halt.after(made))?;
         made += now;
-        if told.steps(now).is_break() && made < steps {
+        if progress.tell(now).is_break() && made < steps {
             return Err(Halt::Stopped);
         }
     }
@@ -143,6 +111,15 @@ pub(super) fn in_parts(
 }
 
 impl Halt {
+    /// Where an orbit was not followed to its end.
+    pub(super) fn of<R>(followed: &Followed<R>, why: impl FnOnce() -> Why) -> Result<(), Self> {
+        match followed.ended {
+            Ended::Complete | Ended::Done => Ok(()),
+            Ended::Stopped => Err(Halt::Stopped),
+            Ended::Range => Err(Halt::Ended(followed.steps, why())),
+        }
+    }
+
     pub(super) fn after(self, steps: u64) -> Self {
         match self {
             Self::Stopped => Self::Stopped,
@@ -152,7 +129,7 @@ impl Halt {
 }
 
 /// Which points become rows of what table.
-pub(super) struct Course<'a, A: Tabular> {
+pub(super) struct Course<'a, A: Moving> {
     pub(super) arithmetic: &'a A,
     pub(super) columns: &'a [Column],
     pub(super) eps: A::Value,
@@ -160,7 +137,7 @@ pub(super) struct Course<'a, A: Tabular> {
     pub(super) every: u64,
 }
 
-impl<A: Tabular> Course<'_, A> {
+impl<A: Moving> Course<'_, A> {
     /// Hands on a range of rows, in blocks of columns that are filled again and again. Where the
     /// points end before that, the steps of the [`Halt`] are those from the first point.
     pub(super) fn hand_on(
@@ -176,11 +153,11 @@ impl<A: Tabular> Course<'_, A> {
         if range.start >= end {
             return Ok(());
         }
-        let mut told = Told { watch, done: 0, of: steps, flow: ControlFlow::Continue(()) };
+        let progress = Count::new("steps", steps, watch);
         let numbers = vec![Vec::new(); self.columns.len() - 2];
         let mut block = Block::<A> { counts: Vec::new(), times: Vec::new(), numbers };
         let (mut cells, mut next, mut gone) = (Vec::new(), range.start, Ok(()));
-        points.advance(next * every, &mut told)?;
+        points.advance(next * every, &progress)?;
         points.row(&mut cells);
         loop {
             block.fill(self, next, &mut cells);
@@ -193,25 +170,25 @@ impl<A: Tabular> Course<'_, A> {
             if next == end {
                 // The steps behind the last row may have no value.
                 let left = if end == count { steps - made } else { 0 };
-                return points.advance(left, &mut told).map_err(|halt| halt.after(made));
+                return points.advance(left, &progress).map_err(|halt| halt.after(made));
             }
-            if told.flow.is_break() {
+            if progress.is_stopped() {
                 return Err(Halt::Stopped);
             }
             let now = (end - next).min(points.at_once(every) as u64) as usize;
-            gone = points.rows(every, now, &mut cells, &mut told).map_err(|halt| halt.after(made));
+            gone = points.rows(every, now, &mut cells, &progress).map_err(|halt| halt.after(made));
         }
     }
 }
 
 /// Rows as columns.
-struct Block<A: Tabular> {
+struct Block<A: Moving> {
     counts: Vec<i64>,
     times: Vec<A::Cell>,
     numbers: Vec<Vec<A::Cell>>,
 }
 
-impl<A: Tabular> Block<A> {
+impl<A: Moving> Block<A> {
     /// Takes the rows of these cells, the first of which has this number, in place of those before.
     fn fill(&mut self, course: &Course<'_, A>, first: u64, cells: &mut Vec<A::Cell>) {
         let Course { arithmetic, eps, every, .. } = course;

@@ -22,7 +22,7 @@ pub(in crate::question) trait AtCell: Sync {
     fn entries(&self, eps: &Rational, at: &[Rational], study: &Study) -> Vec<Entry>;
 }
 
-/// A column, and where its entries will be.
-pub(in crate::question) fn column(name: &str, meaning: &str, kept: Kept) -> (Column, Kept) {
-    (Column { name: name.to_owned(), meaning: meaning.to_owned() }, kept)
+/// A column, and where its entries of one kind will be.
+pub(in crate::question) fn column<V>(name: &str, meaning: &str, kind: fn(Vec<V>) -> Kept) -> (Column, Kept) {
+    (Column { name: name.to_owned(), meaning: meaning.to_owned() }, kind(Vec::new()))
 }

@@ -66,7 +66,8 @@ impl<'a> Cells<'a> {
                 return Err(StudyError::AxisTwice { name: along.axis.name.clone() });
             }
         }
-        let exactly = Place { at, parameters: parameters(&axes, study)?, eps };
+        let varies = |k: usize| axes.iter().any(|along| along.target == Target::Parameter(k));
+        let exactly = Place { at, parameters: study.values_but(varies)?, eps };
         let rounded = |numbers: &[Rational]| numbers.iter().map(Rational::to_f64).collect::<Vec<_>>();
         let in_doubles = Place {
             at: rounded(&exactly.at),
@@ -97,17 +98,17 @@ impl<'a> Cells<'a> {
     /// The columns that say where a cell is: its number, its first point where these go through a
     /// list, and the axes of more than one value.
     pub(super) fn columns(&self, variables: &[String]) -> Vec<(Column, Kept)> {
-        let index = column("index", "place of the point in the plan, from 0 on", Kept::Integer(vec![]));
+        let index = column("index", "place of the point in the plan, from 0 on", Kept::Integer);
         let starts = if self.starts.is_empty() { &[] } else { variables };
-        let starts = starts.iter().map(|name| column(name, STARTS, Kept::F64(vec![])));
+        let starts = starts.iter().map(|name| column(name, STARTS, Kept::F64));
         let axes = self.axes.iter().filter(|along| along.varies()).map(|along| {
             let name = &along.axis.name;
             match along.target {
-                Target::Variable(_) => column(name, STARTS, Kept::F64(vec![])),
-                Target::Parameter(_) => column(name, "value of the parameter", Kept::F64(vec![])),
-                Target::Epsilon => column(name, "half the time step, in units of time", Kept::F64(vec![])),
-                Target::Order => column(name, "order of the method", Kept::Integer(vec![])),
-                Target::Bits => column(name, "bits of the scalar", Kept::Integer(vec![])),
+                Target::Variable(_) => column(name, STARTS, Kept::F64),
+                Target::Parameter(_) => column(name, "value of the parameter", Kept::F64),
+                Target::Epsilon => column(name, "half the time step, in units of time", Kept::F64),
+                Target::Order => column(name, "order of the method", Kept::Integer),
+                Target::Bits => column(name, "bits of the scalar", Kept::Integer),
             }
         });
         [index].into_iter().chain(starts).chain(axes).collect()
@@ -194,13 +195,8 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
         _ => None,
     });
     let Some(target) = target else {
-        let known = study.variables().iter().chain(study.parameters()).map(String::as_str);
-        return Err(StudyError::UnknownAxis {
-            what: "neither a variable nor a parameter",
-            system: study.name().to_owned(),
-            name: axis.name.clone(),
-            known: known.chain(["eps"]).map(str::to_owned).collect(),
-        });
+        let known = [study.variables(), study.parameters(), &["eps".to_owned()]];
+        return Err(study.unknown("neither a variable nor a parameter", &axis.name, &known));
     };
     let known: &[f64] = match target {
         Target::Variable(_) if matches!(*over.question, Question::Discover(_)) => {
@@ -221,18 +217,6 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
             Err(wrong(format!("{value} is none of {}", known.join(", "))))
         }
         None => Ok(Along { axis, target, values }),
-    }
-}
-
-/// The values of the parameters; those that go through others need none.
-fn parameters(axes: &[Along<'_>], study: &Study) -> Result<Vec<Rational>, StudyError> {
-    let is_varied = |k: usize| axes.iter().any(|along| along.target == Target::Parameter(k));
-    let missing = (0..study.parameters().len()).filter(|k| study.given()[*k].is_none() && !is_varied(*k));
-    let names: Vec<String> = missing.map(|k| study.parameters()[k].clone()).collect();
-    if names.is_empty() {
-        Ok(study.given().iter().map(|given| given.clone().unwrap_or_default()).collect())
-    } else {
-        Err(StudyError::MissingParameters { system: study.name().to_owned(), names })
     }
 }
 

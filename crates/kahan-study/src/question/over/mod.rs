@@ -17,7 +17,7 @@ use kahan_algebra::rational::Rational;
 use kahan_discover::Watch;
 use serde::{Deserialize, Serialize};
 
-use super::Question;
+use super::{Question, one};
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::rows::{Column, End, Kept, MOST_CELLS, Rows, Table};
@@ -52,10 +52,6 @@ pub struct Over {
     /// The seed of what is drawn at random.
     #[serde(default = "one")]
     pub seed: u64,
-}
-
-fn one() -> u64 {
-    1
 }
 
 /// A row a cell: where it is, and what was found there. What is not a number is null in JSON.

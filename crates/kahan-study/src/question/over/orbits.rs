@@ -55,11 +55,8 @@ impl<'a> Orbits<'a> {
     }
 
     pub(super) fn columns(&self) -> Vec<(Column, Kept)> {
-        let steps = column(
-            "steps",
-            "steps that were made, fewer where numbers leave their range",
-            Kept::Integer(vec![]),
-        );
+        let steps =
+            column("steps", "steps that were made, fewer where numbers leave their range", Kept::Integer);
         let seen = self.asked.columns(self.study).into_iter();
         let seen = seen.map(|column| (column, Kept::F64(Vec::new())));
         [steps].into_iter().chain(seen).collect()
@@ -110,27 +107,21 @@ impl<'a> Orbits<'a> {
         nearest: fn(f64) -> T,
     ) -> Vec<Option<Followed<Vec<Seen>>>> {
         let composition = Composition::of_order(begun[0].order).expect("orders were looked at");
-        let (mut maps, mut map_of): (Vec<MapAt<T>>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
-        let mut last: Option<&Place<f64>> = None;
-        for Begun { index, place, .. } in begun {
-            let has_map_of = |last: &Place<f64>| {
-                is_same(&last.parameters, &place.parameters) && is_same(&[last.eps], &[place.eps])
-            };
-            if !last.is_some_and(has_map_of) {
-                let map = known.at(&place.parameters, || {
-                    let exactly = self.cells.exactly(*index).parameters;
-                    self.study.field().with(self.study.parameters().iter().zip(&exactly)).ok()
-                });
-                maps.extend(map.map(|map| map.at(nearest(place.eps)).composed(composition)));
-                map_of.push(map.map(|_| maps.len() - 1));
-            } else {
-                map_of.push(map_of[map_of.len() - 1]);
-            }
-            last = Some(place);
-        }
-        let defined = || begun.iter().zip(&map_of).filter_map(|(begun, map)| Some((begun, (*map)?)));
-        let own: Vec<&MapAt<T>> = defined().map(|(_, map)| &maps[map]).collect();
-        let column = |k: usize| defined().map(|(begun, _)| nearest(begun.place.at[k])).collect();
+        let of_one_map = |a: &Begun, b: &Begun| {
+            is_same(&a.place.parameters, &b.place.parameters) && is_same(&[a.place.eps], &[b.place.eps])
+        };
+        let groups = begun.chunk_by(of_one_map).map(|same| {
+            let Begun { index, place, .. } = &same[0];
+            let map =
+                known.at(&place.parameters, || self.study.map_at(&self.cells.exactly(*index).parameters));
+            (same, map.map(|map| map.at(nearest(place.eps)).composed(composition)))
+        });
+        let groups: Vec<(&[Begun], Option<MapAt<T>>)> = groups.collect();
+        let defined = || groups.iter().filter_map(|(same, map)| Some((same, map.as_ref()?)));
+        let own: Vec<&MapAt<T>> = defined().flat_map(|(same, map)| same.iter().map(move |_| map)).collect();
+        let column = |k: usize| {
+            defined().flat_map(|(same, _)| *same).map(|begun| nearest(begun.place.at[k])).collect()
+        };
         let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
         let of = self.asked.observables();
         let asked = self.asked.observing(&of);
@@ -144,7 +135,8 @@ impl<'a> Orbits<'a> {
             _ => T::abreast(&own, &starts, &asked).expect(FITTING),
         };
         let mut found = found.into_iter();
-        map_of.iter().map(|map| map.and_then(|_| found.next())).collect()
+        let of_each = groups.iter().flat_map(|(same, map)| same.iter().map(move |_| map.as_ref()));
+        of_each.map(|map| map.and_then(|_| found.next())).collect()
     }
 
     /// The last point of each orbit; nothing is looked at on the way.

@@ -4,11 +4,11 @@
 //! know.
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-use kahan_discover::{Progress, Watch};
+use kahan_discover::Watch;
 use kahan_runtime::threads;
 
+use crate::count::Count;
 use crate::rows::{End, Rows, Table};
 
 /// Blocks that are made before their rows are handed on, for each thread.
@@ -31,15 +31,8 @@ pub(super) fn in_waves(
         1 => most,
         _ => (count / (8 * threads)).next_multiple_of(least).clamp(least, most),
     };
-    let (done, is_over) = (AtomicU64::new(0), AtomicBool::new(false));
-    let goes_on = |more: u64| {
-        let done = done.fetch_add(more, Ordering::Relaxed) + more;
-        let progress = Progress { what: "cells", done, of: Some(count) };
-        if !is_over.load(Ordering::Relaxed) && watch.look(&progress).is_break() {
-            is_over.store(true, Ordering::Relaxed);
-        }
-        !is_over.load(Ordering::Relaxed)
-    };
+    let told = Count::new("cells", count, watch);
+    let goes_on = |more: u64| told.tell(more).is_continue();
     let blocks = count.div_ceil(block);
     for first in (0..blocks).step_by((WAVE * threads) as usize) {
         let cells = |place: usize| {
