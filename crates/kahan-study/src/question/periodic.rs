@@ -1,7 +1,5 @@
 //! A cycle of the map near a point, how stable it is, and where it goes when something changes.
 
-use std::cell::Cell;
-
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
@@ -10,6 +8,7 @@ use kahan_discover::Watch;
 use kahan_runtime::{Map, MapAt, RationalCycle};
 use serde::{Deserialize, Serialize, Serializer};
 
+use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::range::Axis;
@@ -135,11 +134,8 @@ impl Family {
         let (ends, steps) = (axis.range.ends().map(|end| end.to_f64()), axis.range.count() - 1);
         let map = |value| self.at(value).by(self.parameter);
         // A branch that winds has more.
-        let done = Cell::new(0);
-        branch(map, cycle, ends, steps, |_| {
-            done.set(done.get() + 1);
-            watch.look(&Progress { what: "cycles", done: done.get(), of: Some(steps as u64) })
-        })
+        let count = Count::new("cycles", steps as u64, watch);
+        branch(map, cycle, ends, steps, |_| count.tell(1))
     }
 
     /// The map at the values that were given, at which there is one.

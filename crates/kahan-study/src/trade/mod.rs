@@ -51,7 +51,7 @@ pub struct Trade {
     #[serde(with = "exact")]
     pub horizon: Rational,
     /// What the orbit is for: `trajectory` or `integrals`.
-    #[serde(with = "object::Named", default = "trajectory")]
+    #[serde(with = "object::NeedByName", default = "trajectory")]
     pub need: Need,
     /// The largest error that is accepted, above 0.
     #[serde(with = "exact", default = "usual_tolerance")]

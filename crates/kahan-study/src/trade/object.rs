@@ -11,7 +11,7 @@ use crate::reference::Method;
 /// A need by its name.
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Need", rename_all = "lowercase")]
-pub(super) enum Named {
+pub(super) enum NeedByName {
     Trajectory,
     Integrals,
 }
