@@ -9,8 +9,8 @@ use super::dense;
 /// one half.
 const MOST_DRAWS: usize = 64;
 
-/// Some root of the polynomial with these coefficients, lowest first; `None` where there is none, or
-/// the polynomial is constant. `draw` gives random elements of the field.
+/// Some root of the polynomial with these coefficients, lowest first; `None` where there is none,
+/// or the polynomial is constant. `draw` gives random elements of the field.
 pub fn root(field: PrimeField, coefficients: &[u64], mut draw: impl FnMut() -> u64) -> Option<u64> {
     let polynomial = dense::trimmed(coefficients.to_vec());
     if polynomial.is_empty() {

@@ -43,8 +43,8 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// The neighbourhood of site i: entries of the state, taken to L by `lift`, and parameters, taken
-    /// there by `given`.
+    /// The neighbourhood of site i: entries of the state, taken to L by `lift`, and parameters,
+    /// taken there by `given`.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,

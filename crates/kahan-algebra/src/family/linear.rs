@@ -5,14 +5,14 @@ use crate::rational_function::RationalFunction;
 /// Equations Σ aₖuₖ = r, each reduced by those before it.
 #[derive(Default)]
 pub(super) struct Equations {
-    /// The place of the leading coefficient, which is 1; all coefficients, and behind them the right
-    /// side.
+    /// The place of the leading coefficient, which is 1; all coefficients, and behind them the
+    /// right side.
     rows: Vec<(usize, Vec<RationalFunction>)>,
 }
 
 impl Equations {
-    /// Adds an equation, its coefficients and its right side; `false` if it contradicts those before
-    /// it.
+    /// Adds an equation, its coefficients and its right side; `false` if it contradicts those
+    /// before it.
     pub(super) fn add(&mut self, mut equation: Vec<RationalFunction>) -> bool {
         for (place, row) in &self.rows {
             subtract_multiple(&mut equation, *place, row);

@@ -1,5 +1,5 @@
-//! Exact numbers, counts, times, ranges and formulas behind options; what is wrong with them becomes
-//! a [`Refusal`].
+//! Exact numbers, counts, times, ranges and formulas behind options; what is wrong with them
+//! becomes a [`Refusal`].
 
 use std::fmt::Display;
 

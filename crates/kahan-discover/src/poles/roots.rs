@@ -4,8 +4,8 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use crate::modulus::Modulus;
 
-/// Some root of the polynomial with these coefficients, lowest first; `None` where there is none, or
-/// the polynomial is constant.
+/// Some root of the polynomial with these coefficients, lowest first; `None` where there is none,
+/// or the polynomial is constant.
 pub(crate) fn root(modulus: &Modulus, coefficients: &[u64], random: &mut SplitMix64) -> Option<u64> {
     let residues: Vec<u64> = coefficients.iter().map(|entry| modulus.residue(*entry)).collect();
     let draw = || modulus.residue(modulus.sample(random));

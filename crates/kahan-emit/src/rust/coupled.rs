@@ -128,7 +128,8 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     }
 }
 
-/// The bindings of a plan (`let [__s_x, _] = x; let [__p_mu, _] = __parameters;` first), and its results.
+/// The bindings of a plan (`let [__s_x, _] = x; let [__p_mu, _] = __parameters;` first), and its
+/// results.
 fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStream>) {
     let symbols = &context.system.field.symbols;
     let inputs = plan.inputs();

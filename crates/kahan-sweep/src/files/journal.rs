@@ -1,8 +1,8 @@
 //! What is done of a part that is under way, so that a process that ends loses little.
 //!
 //! Records are appended: kind, first row, rows, bytes, checksum, and the bytes of the rows. What a
-//! killed process wrote by halves is passed over. Each process has files of its own, and all go when the part is there.
-//! Records of another plan, version or kind of floats are passed over, too.
+//! killed process wrote by halves is passed over. Each process has files of its own, and all go
+//! when the part is there. Records of another plan, version or kind of floats are passed over, too.
 
 use std::fs::File;
 use std::io::{self, Write};
