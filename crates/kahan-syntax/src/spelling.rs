@@ -13,7 +13,8 @@ pub fn is_keyword(name: &str) -> bool {
     KEYWORDS.contains(&name)
 }
 
-/// The name that `name` is a slip of, if one of them is close enough; of equals, the first.
+/// The name that `name` is a slip of, if one of them is close enough; of equals, the first. Two
+/// neighbours that changed places are one slip.
 #[must_use]
 pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     let tolerance = match name.chars().count() {
@@ -21,6 +22,6 @@ pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
         2..=4 => 1,
         _ => 2,
     };
-    let distance = |known: &&N| strsim::levenshtein(&name.to_lowercase(), &known.as_ref().to_lowercase());
+    let distance = |known: &&N| strsim::osa_distance(&name.to_lowercase(), &known.as_ref().to_lowercase());
     known.iter().min_by_key(distance).filter(|nearest| distance(nearest) <= tolerance)
 }
