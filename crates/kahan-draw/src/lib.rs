@@ -11,7 +11,6 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod plot;
-mod script;
 
 pub mod picture;
 

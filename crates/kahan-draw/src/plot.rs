@@ -15,6 +15,7 @@ mod path;
 mod ramp;
 #[cfg(any(feature = "png", feature = "pdf"))]
 mod render;
+mod script;
 #[cfg(test)]
 mod sight;
 mod space;
@@ -33,6 +34,7 @@ use palette::Paint;
 pub use palette::Theme;
 pub(crate) use palette::{style, variables};
 use path::{Place, dots, line, polyline, rings, stroked};
+pub(crate) use script::{lowered, raised};
 pub use space::{Cloud, Space};
 
 /// How the points of a series are drawn.

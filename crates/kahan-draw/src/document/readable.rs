@@ -1,6 +1,6 @@
 //! The registry's plain text for readers: places in the paper, details of what was found.
 
-use crate::script::{lowered, raised};
+use crate::plot::{lowered, raised};
 
 const GREEK: [(&str, char); 13] = [
     ("alpha", 'α'),

@@ -8,7 +8,7 @@
 use maud::{Markup, html};
 
 use super::path::{Place, tenths};
-use crate::script::{LOWERED, RAISED};
+use super::script::{LOWERED, RAISED};
 
 /// The size of words at ticks and in legends; 8.6 points in print.
 pub(super) const SMALL: f64 = 12.0;

@@ -1,6 +1,6 @@
 //! A number line with round ticks.
 
-use crate::script::raised;
+use super::script::raised;
 
 /// A number line.
 #[derive(Clone, Debug)]
