@@ -29,7 +29,7 @@ impl<'a> Count<'a> {
         }
     }
 
-    /// The same; by `Break` whether the watch ended the work.
+    /// Adds work that is done, and answers `Break` once the watch has ended the work.
     pub(crate) fn tell(&self, more: u64) -> ControlFlow<()> {
         self.add(more);
         if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -284,7 +284,8 @@ impl Study {
         self.values_but(|_| false)
     }
 
-    /// The same where those that go through values of their own, by their places, need none.
+    /// The values of the parameters. Those at places that `varies` names go through values of
+    /// their own, and need none here.
     pub(crate) fn values_but(&self, varies: impl Fn(usize) -> bool) -> Result<Vec<Rational>, StudyError> {
         let missing = (0..self.given().len()).filter(|k| self.given()[*k].is_none() && !varies(*k));
         let names: Vec<String> = missing.map(|k| self.parameters()[k].clone()).collect();

@@ -189,17 +189,17 @@ impl<'de> Deserialize<'de> for Question {
     }
 }
 
-/// What many questions ask for unless told: one of something,
+/// The usual number of steps from row to row, of periods, and of draws.
 fn one<T: From<u8>>() -> T {
     T::from(1)
 }
 
-/// Kahan's map itself,
+/// The order of Kahan's map itself, which many questions are about unless told.
 fn usual_order() -> u32 {
     2
 }
 
-/// and no more seconds than a minute has.
+/// The seconds that many questions may take unless told.
 fn minute() -> f64 {
     60.0
 }
