@@ -1,6 +1,8 @@
 //! What each crate may use: the table of ARCHITECTURE.md against what cargo says.
 
+use std::collections::hash_map::DefaultHasher;
 use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{Hash, Hasher};
 use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
@@ -18,6 +20,12 @@ const OF_THE_COMMAND: [(&str, &[&str]); 5] = [
 
 /// The most lines that `cargo tree` may print of the catalog.
 const CATALOG_TREE: usize = 45;
+
+/// The most units that the README's first command may compile.
+const FIRST_UNITS: usize = 60;
+
+/// The packages that the first command, the command and the wheel compile in the same way.
+const SHARED: [&str; 4] = ["kahan-core", "kahan-runtime", "kahan-systems", "kahan-paper"];
 
 /// How the names of crates begin whose code is timed: by `kahan trade`, by sweeps of settings, and
 /// by the benchmarks, the last of these.
@@ -112,8 +120,8 @@ fn the_catalog_is_a_light_dependency() {
     }
 }
 
-/// The crates for which the release profile of a manifest names a level, with that level; `*` for
-/// all.
+/// The crates for which the profiles `release` and `sweep` of a manifest name a level, with that
+/// level; `*` for all.
 fn levels(manifest: &str) -> Vec<(String, String)> {
     let text = fs::read_to_string(root().join(manifest)).expect("a manifest");
     let mut section = "";
@@ -122,21 +130,19 @@ fn levels(manifest: &str) -> Vec<(String, String)> {
         if let Some(name) = line.strip_prefix('[') {
             section = name.trim_end_matches(']');
         }
-        let Some((key, value)) = line.split_once('=').filter(|_| section.starts_with("profile.release"))
-        else {
-            continue;
-        };
+        let of_section = section.strip_prefix("profile.release").or(section.strip_prefix("profile.sweep"));
+        let (Some(of_section), Some((key, value))) = (of_section, line.split_once('=')) else { continue };
         if let Some(key) = key.trim().strip_suffix("opt-level") {
-            let of_section = section.trim_start_matches("profile.release.package").trim_matches(['.', '"']);
+            let of_section = of_section.trim_start_matches(".package").trim_matches(['.', '"']);
             let name = if key.is_empty() { of_section } else { key.trim_end_matches('.') };
-            let name = if name.starts_with("profile") { "*" } else { name };
+            let name = if name.is_empty() { "*" } else { name };
             found.push((name.to_owned(), value.trim().to_owned()));
         }
     }
     found
 }
 
-/// The crates that the release profile of a manifest does not optimise fully.
+/// The crates that a profile of a manifest does not optimise fully.
 fn not_optimised(manifest: &str) -> Vec<String> {
     let levels = levels(manifest).into_iter();
     levels.filter(|(_, level)| level != "3").map(|(name, _)| name).collect()
@@ -159,11 +165,73 @@ fn what_the_macro_and_the_command_share_is_compiled_once() {
     }
 }
 
+/// The hash of a unit of a graph: of what is compiled, how, and of the units that it uses.
+fn hash(units: &[Value], index: usize, known: &mut [Option<u64>]) -> u64 {
+    if let Some(known) = known[index] {
+        return known;
+    }
+    let unit = &units[index];
+    let mut hasher = DefaultHasher::new();
+    for key in ["pkg_id", "target", "profile", "platform", "mode", "features"] {
+        unit[key].to_string().hash(&mut hasher);
+    }
+    for used in unit["dependencies"].as_array().expect("dependencies") {
+        let used = used["index"].as_u64().and_then(|index| usize::try_from(index).ok()).expect("an index");
+        hash(units, used, known).hash(&mut hasher);
+    }
+    *known[index].insert(hasher.finish())
+}
+
+/// The libraries and programs that a call of cargo compiles: the name of the package and the hash of
+/// the unit.
+fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
+    let output = Command::new(env!("CARGO"))
+        .args(call)
+        .args(["--release", "--locked", "--unit-graph", "-Z", "unstable-options"])
+        // The graph is not stable; this toolchain has it.
+        .env("RUSTC_BOOTSTRAP", "1")
+        .current_dir(root())
+        .output()
+        .expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let graph: Value = serde_json::from_slice(&output.stdout).expect("cargo writes JSON");
+    let units = graph["units"].as_array().expect("units");
+    let mut known = vec![None; units.len()];
+    let name = |unit: &Value| {
+        let id = unit["pkg_id"].as_str().expect("an identifier").to_owned();
+        // `…/crates/kahan-core#0.1.0`, or `…/systems#kahan-systems@0.1.0` where the folder is called otherwise.
+        let (path, version) = id.split_once('#').expect("a version");
+        version.split_once('@').map_or(path.rsplit('/').next().unwrap_or(path), |(name, _)| name).to_owned()
+    };
+    (0..units.len()).map(|index| (name(&units[index]), hash(units, index, &mut known))).collect()
+}
+
+/// Cargo compiles a crate again where its features differ, so a feature that one program asks for is
+/// asked for by all; `crates/kahan-cli/Cargo.toml` lists those that no crate of ours needs.
+#[test]
+fn what_programs_and_the_wheel_share_is_compiled_once() {
+    // `cargo run` builds one program, and resolves features over the default members as a whole.
+    let first = units(&["build", "--bin=kahan-verify"]);
+    assert!(first.len() <= FIRST_UNITS, "{} units: {first:?}", first.len());
+    let command = units(&["build", "--package=kahan-cli"]);
+    // As maturin calls it.
+    let wheel = units(&["rustc", "--package=kahan-python", "--lib", "--features=pyo3/extension-module"]);
+    for name in SHARED {
+        let of = |units: &BTreeSet<(String, u64)>| -> BTreeSet<u64> {
+            units.iter().filter(|(package, _)| package == name).map(|(_, hash)| *hash).collect()
+        };
+        let one = of(&first);
+        assert_eq!(one.len(), 1, "{name}");
+        assert_eq!(one, of(&command), "{name} is compiled again for the command");
+        assert_eq!(one, of(&wheel), "{name} is compiled again for the wheel");
+    }
+}
+
 #[test]
 fn what_is_timed_is_optimised() {
     // The command is not: it reads and prints.
     assert!(not_optimised("Cargo.toml").contains(&"kahan-cli".to_owned()));
-    for manifest in ["Cargo.toml", "benches/Cargo.toml", "crates/kahan-sweep/Cargo.toml"] {
+    for manifest in ["Cargo.toml", "benches/Cargo.toml"] {
         for name in not_optimised(manifest) {
             let is_timed = name == "*" || TIMED.iter().any(|timed| name.starts_with(timed));
             assert!(!is_timed, "{manifest} builds {name} without optimisation, which is timed");

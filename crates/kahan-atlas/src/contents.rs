@@ -29,7 +29,7 @@ pub fn page(found: &Found<'_>, making: &Making) -> String {
             (errata::open())
         }
         (colophon(making, &html! {
-            code { "kahan atlas --out DIR" } ", or in the source tree " code { "cargo run --release -- atlas --out DIR" }
+            code { "kahan atlas --out DIR" } ", or in the source tree " code { "cargo run --release -p kahan-cli -- atlas --out DIR" }
         }))
     };
     document(TITLE, ("systems", "the systems"), &body)

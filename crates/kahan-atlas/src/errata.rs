@@ -165,7 +165,7 @@ pub(super) fn open() -> Markup {
     html! {
         section #open {
             h2 { "What is left open" }
-            dl { @for (what, why) in OPEN { dt { (what) } dd { (readable(why)) "." } } }
+            dl { @for open in OPEN { dt { (open.statement) } dd { (readable(open.detail)) "." } } }
         }
     }
 }

@@ -2,12 +2,13 @@
 //!
 //! In: the claims, as text, and the catalog. Out: for each claim what came of it: proved by
 //! expansion over ℚ or modulo primes, seen at exact points, compared in 256-bit arithmetic, or a
-//! misprint. It must not know how that is printed.
+//! misprint; and [`Verdicts`] as plain text. It must not know arguments, terminals or clocks.
 //!
 //! A [`Claim`] says where a formula stands and what it says; [`Paper`] lists the claims and
-//! establishes them. The command `kahan verify`, the tests and the atlas read this one list. Data
-//! flows one way: `sections` (the claims) and `figures` (the orbits) → [`formula`] (text to
-//! expressions) → `evaluate` (values in any arithmetic) → `identity` (evidence) → [`Paper`].
+//! establishes them. The commands `kahan-verify` and `kahan verify`, the tests and the atlas read
+//! this one list. Data flows one way: `sections` (the claims) and `figures` (the orbits) →
+//! [`formula`] (text to expressions) → `evaluate` (values in any arithmetic) → `identity`
+//! (evidence) → [`Paper`] → `verdict` → `report` (text).
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
@@ -24,8 +25,10 @@ mod misprint;
 mod model;
 mod numeric;
 mod registry;
+mod report;
 mod section;
 mod sections;
+mod verdict;
 
 pub use block::{establish_block_claim, failing_mutation};
 pub use claim::{Claim, Established, Outcome};
@@ -34,3 +37,4 @@ pub use id::Id;
 pub use registry::Paper;
 pub use section::Section;
 pub use sections::{OPEN, Structure, structure};
+pub use verdict::{Open, Verdict, Verdicts, in_one_line};

@@ -2,6 +2,7 @@
 
 mod block;
 mod claim;
+mod columns;
 mod expression;
 mod formula;
 mod lines;
@@ -10,6 +11,7 @@ mod report;
 
 pub use block::macro_block;
 pub use claim::{claim_statement, claim_text, condition_note, condition_statement, condition_text};
+pub use columns::{aligned, columns, shorten, widths};
 pub use expression::{Level, expression_text, push_term, sum_of};
 pub use formula::{Formulas, MatrixText};
 pub use lines::{folded, lines};

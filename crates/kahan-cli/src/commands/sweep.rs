@@ -11,9 +11,9 @@ use crate::reading::{not_started, sweeper};
 ///
 /// A plan in TOML says which field, which starts, parameters and eps, what to observe, what to
 /// write. The result is one file of Parquet, whose bytes depend on the plan alone. kahan-sweep is a
-/// program of its own, so that its libraries weigh on nobody else: `cargo install --path
-/// crates/kahan-sweep`. What stands behind `sweep` is handed on to it, and `kahan-sweep --help`
-/// says what that may be.
+/// program of its own, so that its libraries weigh on nobody else: `cargo install --profile sweep
+/// --path crates/kahan-sweep` installs it. What stands behind `sweep` is handed on to it, and
+/// `kahan-sweep --help` says what that may be.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:

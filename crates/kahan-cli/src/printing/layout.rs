@@ -12,7 +12,7 @@ use std::io::stdout;
 use std::iter;
 use std::ops::Range;
 
-use kahan_algebra::render::lines;
+use kahan_algebra::render::{columns, lines, widths};
 use kahan_draw::document::Rows;
 
 /// The columns of a screen whose width nobody knows.
@@ -48,27 +48,6 @@ fn longest_word(text: &str) -> usize {
 /// The largest of the cells of a column, by this size of them.
 fn largest(rows: &[Vec<String>], column: usize, size: fn(&str) -> usize) -> usize {
     rows.iter().filter_map(|row| row.get(column)).map(|cell| size(cell)).max().unwrap_or(0)
-}
-
-/// The width of each column of `rows`.
-pub(crate) fn widths(rows: &[Vec<String>]) -> Vec<usize> {
-    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-    (0..columns).map(|column| largest(rows, column, length)).collect()
-}
-
-/// One row in columns of these widths, two spaces apart, without spaces at the end.
-pub(crate) fn columns(row: &[String], widths: &[usize]) -> String {
-    let cells = row.iter().zip(widths).map(|(cell, &width)| {
-        // A format's own width ends at 65 535 characters.
-        cell.clone() + &" ".repeat(width.saturating_sub(length(cell)))
-    });
-    cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
-}
-
-/// Rows in columns as wide as their cells.
-pub(crate) fn aligned(rows: &[Vec<String>]) -> Vec<String> {
-    let widths = widths(rows);
-    rows.iter().map(|row| columns(row, &widths)).collect()
 }
 
 /// The width of columns of these widths, two spaces apart.

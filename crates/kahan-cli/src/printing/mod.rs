@@ -10,7 +10,6 @@ mod prompt;
 mod sink;
 mod table;
 
-pub(crate) use kahan_draw::document::shorten;
 pub(crate) use npy::Npy;
 pub(crate) use output::{Answer, Refusal, csv, finish, joined, warn};
 pub(crate) use prompt::Prompt;

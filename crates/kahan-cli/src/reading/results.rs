@@ -21,8 +21,8 @@ pub(crate) fn sweeper() -> Command {
 /// Why that program did not start.
 pub(crate) fn not_started(error: &io::Error) -> Refusal {
     Refusal::new(if error.kind() == io::ErrorKind::NotFound {
-        "sweeps and their results are for the program kahan-sweep, which is not installed here; `cargo install --path \
-         crates/kahan-sweep` in the source tree installs it"
+        "sweeps and their results are for the program kahan-sweep, which is not installed here; `cargo install \
+         --profile sweep --path crates/kahan-sweep` in the source tree installs it"
             .to_owned()
     } else {
         format!("kahan-sweep does not run: {error}")

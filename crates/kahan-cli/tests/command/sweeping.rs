@@ -29,5 +29,5 @@ fn where_it_is_not_installed_it_is_said_how() {
     let folder = tempfile::tempdir().expect("a folder");
     let output = sweep(folder.path(), &["plan.toml"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("cargo install --path crates/kahan-sweep"));
+    assert!(text(&output.stderr).contains("cargo install --profile sweep --path crates/kahan-sweep"));
 }

@@ -14,7 +14,7 @@ use crate::plot::{Theme, style, variables};
 
 pub use formulas::{JACOBIAN, claim, formulas};
 pub use math::{COLUMN, LINE, cell, display, displays, inline};
-pub use readable::{readable, shorten};
+pub use readable::readable;
 pub use tables::{Rows, Table, table_of_formulas};
 
 /// When a page is made, for its foot.

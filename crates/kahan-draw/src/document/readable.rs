@@ -99,15 +99,6 @@ fn word(word: &str) -> String {
     format!("{letter}{}", lowered(&word[stem.len()..]))
 }
 
-/// At most `width` characters, the last of them `…` where something was cut off.
-pub fn shorten(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
-        return text.to_owned();
-    }
-    let kept: String = text.chars().take(width.saturating_sub(1)).collect();
-    format!("{}…", kept.trim_end())
-}
-
 #[cfg(test)]
 mod tests {
     use super::readable;

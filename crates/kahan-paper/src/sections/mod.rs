@@ -16,6 +16,7 @@ use super::claim::{Basis, Claim};
 use super::evaluate::Models;
 use super::id::Id;
 use super::section::Section;
+use super::verdict::Open;
 
 use kahan_algebra::render::claim_text;
 use kahan_algebra::syntax::ClaimKind;
@@ -49,19 +50,25 @@ pub(super) const HOMOGENEOUS_FIELD: &str = "
 ";
 
 /// What the paper leaves open.
-pub const OPEN: &[(&str, &str)] = &[
-    ("Lax pairs", "none is known for the maps dE1 to dE6, though they are integrable"),
-    (
-        "The three other flows",
-        "Kahan's map of the three remaining pairs of compatible Lie-Poisson brackets of the classification, whose flows have \
-         transcendental solutions, is not treated",
-    ),
-    (
-        "Mickens' scheme",
-        "his discretisation of the Lotka-Volterra flow keeps the same symplectic form and closed level sets; why it and \
-         Kahan's do so for every step is not explained by an integral",
-    ),
-    ("The growth constant C2 of dE7", "13.4395 by p-adic bookkeeping that matches the orbit; not proved"),
+pub const OPEN: &[Open] = &[
+    Open {
+        statement: "Lax pairs",
+        detail: "none is known for the maps dE1 to dE6, though they are integrable",
+    },
+    Open {
+        statement: "The three other flows",
+        detail: "Kahan's map of the three remaining pairs of compatible Lie-Poisson brackets of the classification, whose flows \
+                 have transcendental solutions, is not treated",
+    },
+    Open {
+        statement: "Mickens' scheme",
+        detail: "his discretisation of the Lotka-Volterra flow keeps the same symplectic form and closed level sets; why it and \
+                 Kahan's do so for every step is not explained by an integral",
+    },
+    Open {
+        statement: "The growth constant C2 of dE7",
+        detail: "13.4395 by p-adic bookkeeping that matches the orbit; not proved",
+    },
 ];
 
 /// Every claim, in the order of the paper; last those of systems that are not in it.

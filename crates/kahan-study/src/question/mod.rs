@@ -52,7 +52,7 @@ pub use scan::{Scan, ScanFound};
 pub use section::{Plane, Section, SectionFound, Side};
 pub use show::{ClaimShown, Costs, Form, Listing, Planned, Sheet, Show, Shown};
 #[cfg(feature = "paper")]
-pub use verify::{Mutated, Mutations, Open, Verdict, Verdicts, Verified, Verify};
+pub use verify::{Mutated, Mutations, Verified, Verify};
 
 macro_rules! questions {
     ($(

@@ -4,8 +4,11 @@
 use kahan_algebra::render::claim_text;
 use kahan_discover::Watch;
 use kahan_paper::formula::mutations;
-use kahan_paper::{Claim, OPEN, Outcome, Paper, establish_block_claim, failing_mutation};
+use kahan_paper::{
+    Claim, OPEN, Outcome, Paper, Verdict, Verdicts, establish_block_claim, failing_mutation, in_one_line,
+};
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::{Value, json};
 
 use crate::count::Count;
 use crate::error::StudyError;
@@ -26,53 +29,9 @@ pub struct Verify {
 #[serde(untagged)]
 pub enum Verified {
     /// Each as it stands.
-    Claims(Verdicts),
+    Claims(#[serde(serialize_with = "object")] Verdicts),
     /// Each as it is changed.
     Mutations(Mutations),
-}
-
-/// Claims with their outcomes.
-#[derive(Clone, Debug, Serialize)]
-pub struct Verdicts {
-    /// The claims, those of the paper in its order.
-    pub claims: Vec<Verdict>,
-    /// How many of them do not hold.
-    pub failed: usize,
-    /// What the paper leaves open.
-    pub open: Vec<Open>,
-    /// The seconds that it took; `None` without a clock.
-    #[serde(skip)]
-    pub seconds: Option<f64>,
-}
-
-/// What the paper leaves open.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Open {
-    /// What may hold.
-    pub statement: &'static str,
-    /// Why it is not decided.
-    pub detail: &'static str,
-}
-
-/// A claim with its outcome.
-#[derive(Clone, Debug)]
-pub struct Verdict {
-    /// Its name, that of its system first: `table3.e4.P23`.
-    pub id: String,
-    /// The system that it is about.
-    pub system: String,
-    /// Where it stands, in words; empty where nobody says.
-    pub source: String,
-    /// What is claimed, in one line.
-    pub statement: String,
-    /// How it came out.
-    pub outcome: Outcome,
-    /// What that rests on, or what is wrong; of a misprint also what is printed.
-    pub detail: String,
-    /// The seconds that it took; `None` without a clock.
-    pub seconds: Option<f64>,
-    /// The claim of the paper, where it is one.
-    pub claim: Option<Claim>,
 }
 
 /// What became of the changes of each claim.
@@ -100,8 +59,8 @@ pub struct Mutated {
 
 impl Verify {
     /// Decides the claims of a field; of a system of the catalog as it stands the paper's claims
-    /// about it are meant. Parameters that are given are put in. Costs milliseconds a claim, of the
-    /// paper's some hundred times as much where they are measured on orbits.
+    /// about it are meant. Parameters that are given are put in. Costs milliseconds a claim, and some
+    /// hundred times as much where a claim of the paper is measured on an orbit.
     ///
     /// # Errors
     /// [`StudyError::UndefinedField`]; with `mutate` also a claim that does not hold, of which
@@ -141,12 +100,12 @@ impl Verify {
                     claim: None,
                 }
             });
-            Verdicts::of(verdicts.collect(), &[], seconds_since(begun, watch))
+            Verified::Claims(Verdicts::of(verdicts.collect(), &[], seconds_since(begun, watch)))
         })
     }
 
     /// Decides the claims of the paper, on the watch's threads: those about one system (`general`
-    /// for what holds for every field), or all of them, which costs some ten seconds.
+    /// for what holds for every field), or all of them, which costs about a minute of one processor.
     #[must_use]
     pub fn of_paper(&self, system: Option<&str>, watch: &dyn Watch) -> Verified {
         let begun = watch.now();
@@ -158,9 +117,13 @@ impl Verify {
             let mutations = of_each(&paper, &claims, &count, |claim| mutated(&paper, claim));
             return Mutations::of(mutations, seconds_since(begun, watch));
         }
-        let claims = of_each(&paper, &claims, &count, |claim| verdict(&paper, claim, watch));
+        let claims = of_each(&paper, &claims, &count, |claim| {
+            let begun = watch.now();
+            let verdict = paper.verdict(claim);
+            Verdict { seconds: seconds_since(begun, watch), ..verdict }
+        });
         let open = if system.is_none() { OPEN } else { &[] };
-        Verdicts::of(claims, open, seconds_since(begun, watch))
+        Verified::Claims(Verdicts::of(claims, open, seconds_since(begun, watch)))
     }
 }
 
@@ -188,38 +151,6 @@ fn mutated(paper: &Paper, claim: &Claim) -> Mutated {
     Mutated { id: claim.id.to_string(), tried, failed }
 }
 
-fn verdict(paper: &Paper, claim: &Claim, watch: &dyn Watch) -> Verdict {
-    let begun = watch.now();
-    let established = paper.establish(claim);
-    let printed = claim.printed().filter(|_| established.outcome == Outcome::Misprint);
-    Verdict {
-        id: claim.id.to_string(),
-        system: claim.system.to_owned(),
-        source: claim.source(),
-        statement: in_one_line(&claim.statement),
-        outcome: established.outcome,
-        detail: match printed {
-            Some(printed) => format!("printed: {}; {}", in_one_line(printed), established.detail),
-            None => established.detail,
-        },
-        seconds: seconds_since(begun, watch),
-        claim: Some(claim.clone()),
-    }
-}
-
-/// The words of a statement, one space apart.
-fn in_one_line(statement: &str) -> String {
-    statement.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-impl Verdicts {
-    fn of(claims: Vec<Verdict>, open: &[(&'static str, &'static str)], seconds: Option<f64>) -> Verified {
-        let failed = claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed).count();
-        let open = open.iter().map(|&(statement, detail)| Open { statement, detail }).collect();
-        Verified::Claims(Verdicts { claims, failed, open, seconds })
-    }
-}
-
 impl Mutations {
     fn of(mutations: Vec<Mutated>, seconds: Option<f64>) -> Verified {
         let survived = mutations.iter().filter(|mutated| mutated.failed.is_none()).count();
@@ -227,26 +158,21 @@ impl Mutations {
     }
 }
 
-impl Serialize for Verdict {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Object<'a> {
-            id: &'a str,
-            system: &'a str,
-            source: &'a str,
-            statement: &'a str,
-            outcome: &'static str,
-            detail: String,
-        }
-        let time = self.seconds.map(|seconds| format!(" ({:.1} ms)", 1000.0 * seconds));
-        let object = Object {
-            id: &self.id,
-            system: &self.system,
-            source: &self.source,
-            statement: &self.statement,
-            outcome: self.outcome.key(),
-            detail: self.detail.clone() + &time.unwrap_or_default(),
-        };
-        object.serialize(serializer)
-    }
+/// Verdicts as JSON has them.
+fn object<S: Serializer>(verdicts: &Verdicts, serializer: S) -> Result<S::Ok, S::Error> {
+    let claim = |verdict: &Verdict| {
+        let time = verdict.seconds.map(|seconds| format!(" ({:.1} ms)", 1000.0 * seconds));
+        json!({
+            "id": verdict.id,
+            "system": verdict.system,
+            "source": verdict.source,
+            "statement": verdict.statement,
+            "outcome": verdict.outcome.key(),
+            "detail": verdict.detail.clone() + &time.unwrap_or_default(),
+        })
+    };
+    let claims: Vec<Value> = verdicts.claims.iter().map(claim).collect();
+    let open = verdicts.open.iter().map(|open| json!({"statement": open.statement, "detail": open.detail}));
+    let open: Vec<Value> = open.collect();
+    json!({"claims": claims, "failed": verdicts.failed, "open": open}).serialize(serializer)
 }

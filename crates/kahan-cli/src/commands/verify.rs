@@ -1,14 +1,11 @@
 //! `kahan verify`: every formula of the paper established again, or the claims of a field of one's
 //! own.
 
-mod claims;
-mod summary;
-
 use clap::Args;
-use kahan_paper::Outcome;
-use kahan_study::{Mutations, Study, Verdicts, Verified, Verify as Question};
+use kahan_study::{Mutations, Study, Verified, Verify as Question};
 
 use super::line::Asking;
+use crate::printing::layout::{page_width, screen_width};
 use crate::printing::{Answer, Prompt, Refusal};
 use crate::reading::Source;
 
@@ -75,9 +72,9 @@ impl Asking for Verify {
         let text = |verified: &Verified| match verified {
             Verified::Mutations(mutations) => mutated(mutations),
             Verified::Claims(verdicts) if verdicts.claims.is_empty() => format!("{NO_CLAIMS}\n"),
-            Verified::Claims(verdicts) if self.all => claims::in_full(verdicts),
-            Verified::Claims(verdicts) if is_all => summary::text(verdicts),
-            Verified::Claims(verdicts) => claims::lines(verdicts),
+            Verified::Claims(verdicts) if self.all => verdicts.in_full(screen_width()),
+            Verified::Claims(verdicts) if is_all => verdicts.summary(page_width()),
+            Verified::Claims(verdicts) => verdicts.lines(screen_width()),
         };
         Ok(Answer::of(&verified, self.json, text).but(complaint(&verified)))
     }
@@ -91,16 +88,6 @@ impl Verify {
 
 /// What there is to say of a block without claims.
 const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;` or `bracket NAME { … }`";
-
-/// How many claims came out how, in one line without its end.
-fn totals(verdicts: &Verdicts) -> String {
-    let words = ["proved over Q", "proved mod p", "exact at points", "numerical", "misprinted"];
-    let counts = Outcome::counts(verdicts.claims.iter().map(|verdict| verdict.outcome));
-    let found = counts.iter().zip(words).filter(|(count, _)| **count > 0);
-    let found = found.map(|(count, what)| format!("{count} {what}, "));
-    let claims = if verdicts.claims.len() == 1 { "claim" } else { "claims" };
-    format!("{} {claims}: {}{} failed", verdicts.claims.len(), found.collect::<String>(), verdicts.failed)
-}
 
 /// How claims fared whose coefficients and signs were changed.
 fn mutated(answer: &Mutations) -> String {
@@ -118,16 +105,15 @@ fn mutated(answer: &Mutations) -> String {
 
 /// Which claims do not hold, or hold however they are changed.
 fn complaint(verified: &Verified) -> Option<String> {
-    let (claims, names, what): (_, Vec<&str>, _) = match verified {
-        Verified::Claims(Verdicts { claims, .. }) => {
-            let failed = claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
-            (claims.len(), failed.map(|verdict| &*verdict.id).collect(), "claims failed")
-        }
+    match verified {
+        Verified::Claims(verdicts) => verdicts.complaint(),
         Verified::Mutations(Mutations { mutations, .. }) => {
             let survivors = mutations.iter().filter(|mutated| mutated.failed.is_none());
-            let survivors = survivors.map(|mutated| &*mutated.id).collect();
-            (mutations.len(), survivors, "claims survive every mutation")
+            let names: Vec<&str> = survivors.map(|mutated| &*mutated.id).collect();
+            let (survived, claims) = (names.len(), mutations.len());
+            (survived > 0).then(|| {
+                format!("{survived} of {claims} claims survive every mutation: {}", names.join(", "))
+            })
         }
-    };
-    (!names.is_empty()).then(|| format!("{} of {claims} {what}: {}", names.len(), names.join(", ")))
+    }
 }

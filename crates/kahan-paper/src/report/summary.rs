@@ -1,13 +1,12 @@
-//! `kahan`: what came of all claims, on one screen.
+//! All claims of the paper on one screen.
 
-use kahan_algebra::render::lines;
-use kahan_paper::{Claim, Outcome, Section};
-use kahan_study::{Verdict, Verdicts};
+use kahan_algebra::render::{aligned, lines, shorten, widths};
 
-use crate::printing::layout::{aligned, page_width, widths};
-use crate::printing::shorten;
+use crate::claim::{Claim, Outcome};
+use crate::section::Section;
+use crate::verdict::{Verdict, Verdicts};
 
-/// The most lines of it.
+/// The most lines of the screen.
 const MOST_LINES: usize = 40;
 
 /// The headings of the outcomes, in the order in which they are counted.
@@ -18,15 +17,19 @@ kahan verify --all      every claim with its statement, its place in the paper a
 kahan verify SYSTEM     the claims about one system, a line each
 kahan atlas --out DIR   the same as a page with formulas and figures";
 
-/// A line a section, what failed or else the misprints, and how to see more.
-pub(super) fn text(verdicts: &Verdicts) -> String {
-    let mut text = sections(verdicts);
-    text.push(String::new());
-    let more: Vec<String> = MORE.lines().map(str::to_owned).collect();
-    let room = MOST_LINES - text.len() - more.len() - 1;
-    text.extend(if verdicts.failed > 0 { failures(verdicts, room) } else { misprints(verdicts) });
-    text.push(String::new());
-    [text, more].concat().join("\n") + "\n"
+impl Verdicts {
+    /// Writes a line a section, what failed or else the misprints, and how to see more: at most 40
+    /// lines of at most `width` characters, as far as words and tables of this width go.
+    #[must_use]
+    pub fn summary(&self, width: usize) -> String {
+        let mut text = sections(self);
+        text.push(String::new());
+        let more: Vec<String> = MORE.lines().map(str::to_owned).collect();
+        let room = MOST_LINES - text.len() - more.len() - 1;
+        text.extend(if self.failed > 0 { failures(self, room, width) } else { misprints(self, width) });
+        text.push(String::new());
+        [text, more].concat().join("\n") + "\n"
+    }
 }
 
 /// The counts by section and outcome; nobody misses a column of failures where there are none.
@@ -52,8 +55,7 @@ fn sections(verdicts: &Verdicts) -> Vec<String> {
 }
 
 /// What failed, in full as far as there is room for it.
-fn failures(verdicts: &Verdicts, room: usize) -> Vec<String> {
-    let width = page_width();
+fn failures(verdicts: &Verdicts, room: usize, width: usize) -> Vec<String> {
     let mut text = vec!["What failed".to_owned()];
     let failed = verdicts.claims.iter().filter(|verdict| verdict.outcome == Outcome::Failed);
     let failed: Vec<&Verdict> = failed.collect();
@@ -72,7 +74,7 @@ fn failures(verdicts: &Verdicts, room: usize) -> Vec<String> {
 }
 
 /// The misprints by their numbers, a line each: what is printed and what is right.
-fn misprints(verdicts: &Verdicts) -> Vec<String> {
+fn misprints(verdicts: &Verdicts, width: usize) -> Vec<String> {
     let corrected = verdicts.claims.iter().filter(|row| row.outcome == Outcome::Misprint);
     let mut corrected: Vec<&Claim> = corrected.filter_map(|row| row.claim.as_ref()).collect();
     corrected.sort_by_key(|claim| claim.erratum);
@@ -81,7 +83,7 @@ fn misprints(verdicts: &Verdicts) -> Vec<String> {
         vec![number, claim.section.place().to_owned()]
     };
     let mut rows: Vec<Vec<String>> = corrected.iter().map(place).collect();
-    let room = page_width().saturating_sub(widths(&rows).iter().map(|width| width + 2).sum());
+    let room = width.saturating_sub(widths(&rows).iter().map(|width| width + 2).sum());
     for (claim, row) in corrected.iter().zip(&mut rows) {
         let (printed, right) = claim.correction().expect("the claim corrects a misprint");
         row.push(replaced(&printed, &right, room));
@@ -118,10 +120,8 @@ fn replaced(printed: &str, right: &str, room: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use kahan_paper::{Claim, Outcome, Paper};
-    use kahan_study::{Verdict, Verdicts};
-
-    use super::{MOST_LINES, replaced, text};
+    use super::{MOST_LINES, replaced};
+    use crate::{Claim, Outcome, Paper, Verdict, Verdicts};
 
     /// The screen when the claims of the paper come out so.
     fn screen(paper: &Paper, outcome: impl Fn(&Claim) -> Outcome) -> String {
@@ -135,8 +135,7 @@ mod tests {
             seconds: None,
             claim: Some(claim.clone()),
         });
-        let failed = paper.claims().iter().filter(|claim| outcome(claim) == Outcome::Failed).count();
-        let screen = text(&Verdicts { claims: claims.collect(), failed, open: Vec::new(), seconds: None });
+        let screen = Verdicts::of(claims.collect(), &[], None).summary(100);
         assert!(screen.lines().count() <= MOST_LINES, "{screen}");
         assert!(screen.lines().all(|line| line.chars().count() <= 100), "{screen}");
         screen

@@ -1,0 +1,102 @@
+//! A line a claim, and what is wrong in full; or every claim with its statement, where it is from,
+//! and its time.
+
+use kahan_algebra::render::{columns, lines as breakable, shorten, widths};
+use kahan_systems::registry::find;
+
+use crate::claim::Outcome;
+use crate::verdict::{Open, Verdict, Verdicts};
+
+/// A statement is left out where it would have fewer characters than these.
+const LEAST_SEEN: usize = 12;
+
+impl Verdicts {
+    /// Writes a line of at most `width` characters a claim, the totals, and how to see more. Claims
+    /// that failed have their statements in full.
+    #[must_use]
+    pub fn lines(&self, width: usize) -> String {
+        let cells = self.claims.iter().map(|row| {
+            let is_misprint = row.outcome == Outcome::Misprint;
+            let outcome = if is_misprint { "misprint corrected".to_owned() } else { row.outcome.words() };
+            vec![row.id.clone(), outcome]
+        });
+        let cells: Vec<Vec<String>> = cells.collect();
+        let mut widths = widths(&cells);
+        let room = width.saturating_sub(2 + widths.iter().map(|width| width + 2).sum::<usize>());
+        widths.push(room);
+        let mut text = self.claims.first().map_or_else(Vec::new, |row| title(&row.system, width));
+        let mut is_whole = true;
+        for (row, mut cells) in self.claims.iter().zip(cells) {
+            let is_failed = row.outcome == Outcome::Failed;
+            // What failed is said in full below.
+            let statement = if is_failed { "" } else { &row.statement };
+            let whole = if row.source.is_empty() { statement } else { &row.source };
+            let about = if room < LEAST_SEEN { String::new() } else { shorten(whole, room) };
+            is_whole &= about == statement;
+            cells.push(about);
+            text.push(format!("  {}", columns(&cells, &widths)));
+            if is_failed {
+                text.extend([&row.statement, &row.detail].map(|line| format!("    {line}")));
+            }
+        }
+        text.push(self.totals());
+        if !is_whole {
+            text.push("--all shows statements in full, with their sources and times".to_owned());
+        }
+        text.join("\n") + "\n"
+    }
+
+    /// Writes every claim with its statement, its source and its time, by system; what the paper
+    /// leaves open; and the totals. Headings have at most `width` characters a line.
+    #[must_use]
+    pub fn in_full(&self, width: usize) -> String {
+        let cells = self.claims.iter().map(|row| {
+            let time = format!("{:>7.1} ms", 1000.0 * row.seconds.unwrap_or_default());
+            vec![row.id.clone(), row.outcome.words(), time]
+        });
+        let cells: Vec<Vec<String>> = cells.collect();
+        let widths = widths(&cells);
+        let room = width.saturating_sub(2);
+        let mut text = Vec::new();
+        let mut system = None;
+        for (row, cells) in self.claims.iter().zip(&cells) {
+            if system != Some(&row.system) {
+                text.extend(system.map(|_| String::new()));
+                text.extend(title(&row.system, width));
+                system = Some(&row.system);
+            }
+            let line = columns(cells, &widths);
+            if line.chars().count() <= room {
+                text.push(format!("  {line}"));
+            } else {
+                text.push(format!("  {}", row.id));
+                text.push(format!("    {}", columns(&cells[1..], &widths[1..])));
+            }
+            let Verdict { statement, source, .. } = row;
+            let source = if source.is_empty() { String::new() } else { format!("    // {source}") };
+            text.push(format!("    {statement}{source}"));
+            if matches!(row.outcome, Outcome::Failed | Outcome::Misprint) {
+                text.push(format!("    {}", row.detail));
+            }
+        }
+        text.push(String::new());
+        if !self.open.is_empty() {
+            text.push("Left open by the paper".to_owned());
+            let open = self.open.iter();
+            text.extend(open.map(|Open { statement, detail }| format!("  {statement}: {detail}")));
+            text.push(String::new());
+        }
+        text.push(format!("{}; {:.2} s", self.totals(), self.seconds.unwrap_or_default()));
+        text.join("\n") + "\n"
+    }
+}
+
+/// The heading of a system's claims, in lines of at most `width` characters.
+fn title(system: &str, width: usize) -> Vec<String> {
+    let title = match find(system) {
+        Some(entry) if entry.command == system => format!("{system}: {}", entry.title),
+        _ if system == "general" => "general: what holds for every quadratic field".to_owned(),
+        _ => system.to_owned(),
+    };
+    breakable(&title, width)
+}
