@@ -182,12 +182,11 @@ fn hash(units: &[Value], index: usize, known: &mut [Option<u64>]) -> u64 {
     *known[index].insert(hasher.finish())
 }
 
-/// The libraries and programs that a call of cargo compiles: the name of the package and the hash of
-/// the unit.
+/// The units that a call of cargo compiles or runs: the name of each one's package, and its hash.
 fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let output = Command::new(env!("CARGO"))
         .args(call)
-        .args(["--release", "--locked", "--unit-graph", "-Z", "unstable-options"])
+        .args(["--locked", "--unit-graph", "-Z", "unstable-options"])
         // The graph is not stable; this toolchain has it.
         .env("RUSTC_BOOTSTRAP", "1")
         .current_dir(root())
@@ -198,8 +197,8 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
     let units = graph["units"].as_array().expect("units");
     let mut known = vec![None; units.len()];
     let name = |unit: &Value| {
-        let id = unit["pkg_id"].as_str().expect("an identifier").to_owned();
-        // `…/crates/kahan-core#0.1.0`, or `…/systems#kahan-systems@0.1.0` where the folder is called otherwise.
+        let id = unit["pkg_id"].as_str().expect("an identifier");
+        // `…/crates/kahan-core#0.1.0`, or `…/systems#kahan-systems@0.1.0` where the folder has another name.
         let (path, version) = id.split_once('#').expect("a version");
         version.split_once('@').map_or(path.rsplit('/').next().unwrap_or(path), |(name, _)| name).to_owned()
     };
@@ -210,12 +209,13 @@ fn units(call: &[&str]) -> BTreeSet<(String, u64)> {
 /// asked for by all; `crates/kahan-cli/Cargo.toml` lists those that no crate of ours needs.
 #[test]
 fn what_programs_and_the_wheel_share_is_compiled_once() {
-    // `cargo run` builds one program, and resolves features over the default members as a whole.
-    let first = units(&["build", "--bin=kahan-verify"]);
+    // `cargo run --release` builds one program, and resolves features over the default members.
+    let first = units(&["build", "--release", "--bin=kahan-verify"]);
     assert!(first.len() <= FIRST_UNITS, "{} units: {first:?}", first.len());
-    let command = units(&["build", "--package=kahan-cli"]);
+    let command = units(&["build", "--release", "--package=kahan-cli"]);
     // As maturin calls it.
-    let wheel = units(&["rustc", "--package=kahan-python", "--lib", "--features=pyo3/extension-module"]);
+    let wheel =
+        units(&["rustc", "--release", "--package=kahan-python", "--lib", "--features=pyo3/extension-module"]);
     for name in SHARED {
         let of = |units: &BTreeSet<(String, u64)>| -> BTreeSet<u64> {
             units.iter().filter(|(package, _)| package == name).map(|(_, hash)| *hash).collect()
@@ -225,6 +225,14 @@ fn what_programs_and_the_wheel_share_is_compiled_once() {
         assert_eq!(one, of(&command), "{name} is compiled again for the command");
         assert_eq!(one, of(&wheel), "{name} is compiled again for the wheel");
     }
+}
+
+/// `.ci/run` tests the whole workspace, and so does what the README promises, as it stands there.
+#[test]
+fn the_tests_of_the_default_members_are_those_of_the_workspace() {
+    let whole = units(&["test", "--workspace"]);
+    let others: Vec<_> = units(&["test"]).into_iter().filter(|unit| !whole.contains(unit)).collect();
+    assert!(others.is_empty(), "built otherwise with --workspace: {others:?}");
 }
 
 #[test]
