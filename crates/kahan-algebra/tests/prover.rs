@@ -128,8 +128,7 @@ fn the_points_of_a_proof_pay_for_every_draw_that_may_pass_wrongly() {
         for bits in [0, 100, 1 << 20] {
             let points = points_needed(degree, bits).expect("a reasonable number of points");
             let draw = (bits as f64 / 60.0).mul_add(64.0, degree as f64).log2() - 60.0;
-            let choices: f64 =
-                (1..=15).map(|i| (f64::from(points + i) / f64::from(i)).log2()).sum();
+            let choices: f64 = (1..=15).map(|i| (f64::from(points + i) / f64::from(i)).log2()).sum();
             let error = f64::from(points).mul_add(draw + 4.0, choices);
             assert!(error <= -100.0, "{points} points err by 2^{error} at {degree}, {bits}");
         }
