@@ -5,7 +5,21 @@
     python3 tests/data/generate.py --check    compares instead; exit status 1 where they differ
 
 The orbits of heights.json grow long, so `--check` follows them up to numbers of 12 000 digits and says how far that is;
-`--check --all` follows them to their ends in some minutes, as writing does.
+`--check --all` follows them to their ends in some ten minutes, as writing does.
+
+SYSTEM.json holds the text of a field, `cases`, the first 8 iterates of `orbits`, and `singular` points, where det A = 0.
+A case has these keys; a value is null where it is not defined:
+
+    params, eps, x       what is given; a step takes the time 2 eps
+    f, field_jacobian    f(x), f'(x)
+    A, b, x_next         A x_next = b
+    jacobian             the derivative of x_next by x
+    det_A, det_jacobian  their determinants
+    H_eps, K_eps         integrals of the map, at x
+    c                    the conformal factor of Table 1
+    volume_density       ρ with det_jacobian ρ(x_next) = ρ(x)
+    P, Q                 Tables 3 and 4: J P(x) J^T = P(x_next), and the same of Q/c
+    extra_...            true, but not printed in the paper
 
 Kahan's map of a quadratic field f and the formulas for its objects are those of Hone and Petrera, "Three-dimensional
 discrete systems of Hirota-Kimura type and deformed Lie-Poisson algebras", as corrected where a line says so. Every
