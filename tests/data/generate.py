@@ -430,22 +430,32 @@ def orbit_by_fractions(kahan, x):
         x = kahan.step(x)
 
 
-def orbit_by_integers(kahan, x):
+# Linear forms that are products aₙaₙ₊₁ along an orbit. The numerators of a step have the square of the product of these
+# aₙ in common, up to small factors: nearly all that cancels.
+FORMS = {"e4": [(1, 0, 0), (0, 1, 0)], "e6": [(-1, 1, 1), (1, 1, -1)]}
+
+
+def orbit_by_integers(kahan, x, forms=()):
     """The points of an orbit as pairs (p, q); fast where all components share nearly all of their denominator.
 
     With x = X/w, and m the product of the denominators of ε and of the parameters, m w A and m w b hold integers, and
     so do the determinants of Cramer's rule. What divides a component and the denominator divides gcd(X1 X2 ..., w), so
-    a point takes one greatest common divisor of long numbers.
+    a point takes one greatest common divisor of long numbers, after what is expected to cancel has done so.
     """
+    expected = [1] * len(forms)
     scale = kahan.eps.denominator * prod(value.denominator for value in kahan.parameters.values())
     w = lcm(*(value.denominator for value in x))
     whole = [integer(w * value) for value in x]
     while True:
+        content = gcd(prod(expected) ** 2, *whole, w)
+        whole, w = [value // content for value in whole], w // content
         shared = gcd(prod(whole), w)
         content = gcd(shared, *whole)
         whole, w = [value // content for value in whole], w // content
         commons = [gcd(value, shared, w) for value in whole]
         yield [(value // common, w // common) for value, common in zip(whole, commons)]
+        values = [sum(entry * value for entry, value in zip(form, whole)) for form in forms]
+        expected = [value // gcd(value, factor) for value, factor in zip(values, expected)]
         columns = transposed([[integer(scale * entry) for entry in row] for row in kahan.matrix(whole, kahan.eps, w)])
         side = [integer(scale * entry) for entry in kahan.right_side(whole, w)]
         whole = [determinant([*columns[:i], side, *columns[i + 1 :]]) for i in range(len(side))]
@@ -482,9 +492,9 @@ def heights_of(system, steps, longest):
     """The entry of one system, up to the first number of more bits than `longest`."""
     parameters, eps, x, source = ORBITS[system]
     kahan, x = Map(system, numbers(parameters), Fraction(eps)), numbers(x)
-    follow = orbit_by_fractions if system in ("e7", "e8") else orbit_by_integers
+    points = orbit_by_fractions(kahan, x) if system in ("e7", "e8") else orbit_by_integers(kahan, x, FORMS.get(system, ()))
     kept, heights, last = [], {state: [] for state in kahan.states}, []
-    for n, point in zip(range(steps + 1), follow(kahan, x)):
+    for n, point in zip(range(steps + 1), points):
         last = [max(abs(p), abs(q)) for p, q in point]
         if max(last).bit_length() > longest:
             break
