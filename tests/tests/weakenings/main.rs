@@ -149,7 +149,8 @@ fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Opti
         let rest = words.split(' ').skip_while(|word| *word != "--");
         command.args(rest);
     }
-    command.current_dir(folder()).env("CARGO_TARGET_DIR", target());
+    // A crate is compiled several times, one line changed.
+    command.current_dir(folder()).env("CARGO_TARGET_DIR", target()).env("CARGO_INCREMENTAL", "1");
     command.stdout(Stdio::null()).stderr(Stdio::null());
     let Some(deadline) = deadline else { return Some(command.status().expect("cargo runs").success()) };
     let mut child = command.process_group(0).spawn().expect("cargo runs");
