@@ -5,7 +5,7 @@
 //! names or files hold these words. With `change` in place of `every` it tries those whose file
 //! has changed since a commit, KAHAN_BASE or else the last one that is twelve hours older than HEAD,
 //! and four others, which the hash of HEAD chooses. It begins none, and goes on with none, after
-//! [`MINUTES`], and says which were left out.
+//! [`MINUTES`], and says how many it has tried.
 //!
 //! The workspace is copied into the target folder, one weakening after the other is put into the
 //! copy, and the tests that its line names are run there: the workspace itself stays as it is,

@@ -12,7 +12,7 @@
 //!
 //! So one draw passes wrongly with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰.
 //!
-//! Where something divides by zero, another point is drawn, in two loops of r = [`MOST_DRAWS`] turns.
+//! Where something divides by zero, another point is drawn, in two loops of r = 16 turns (`MOST_DRAWS`).
 //! A step is drawn up to r times until it has a value, so it passes wrongly with probability at most
 //! r·e. A claim that has no value at a step goes on to the next, and less than r steps are passed
 //! over in all. A false claim with k points is proved only if k of its first k + r − 1 steps pass
