@@ -113,11 +113,26 @@ fn multiples_of_large_primes_are_no_hiding_place() {
 
 #[test]
 fn the_number_of_points_follows_from_the_bound() {
-    // e = 16 (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with e^k < 2⁻¹⁰⁰.
+    // e = (64 (b/60 + 1) + d) 2⁻⁶⁰; k is the least with (256 e)^k < 2⁻¹⁰⁰, but for powers of two.
     assert_eq!(points_needed(1, 1), Some(3));
     assert_eq!(points_needed(900, 100), Some(3));
-    assert_eq!(points_needed(1 << 36, 0), Some(6));
+    assert_eq!(points_needed(1 << 36, 0), Some(7));
     assert_eq!(points_needed(u64::MAX, 0), None);
+}
+
+/// A false claim is proved if k steps pass it wrongly, of the k + 15 that are taken at most; each
+/// step is the first of 16 draws that has a value.
+#[test]
+fn the_points_of_a_proof_pay_for_every_draw_that_may_pass_wrongly() {
+    for degree in (0..46).flat_map(|power| [1_u64 << power, 3 << power]) {
+        for bits in [0, 100, 1 << 20] {
+            let points = points_needed(degree, bits).expect("a reasonable number of points");
+            let draw = (bits as f64 / 60.0).mul_add(64.0, degree as f64).log2() - 60.0;
+            let choices: f64 = (1..=15).map(|i| (f64::from(points + i) / f64::from(i)).log2()).sum();
+            let error = f64::from(points).mul_add(draw + 4.0, choices);
+            assert!(error <= -100.0, "{points} points err by 2^{error} at {degree}, {bits}");
+        }
+    }
 }
 
 #[test]

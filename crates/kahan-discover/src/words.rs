@@ -194,7 +194,7 @@ fn formulas(report: &Report) -> Vec<String> {
     if let Some(index) = report.replaced() {
         let replaced = &report.integrals[index];
         sentences.push(format!(
-            "In place of {}, a line of {} characters that `--macro` and `--json` write, the modified Hamiltonian stands in its compact form.",
+            "In place of {}, whose text has {} characters, the modified Hamiltonian stands in its compact form.",
             replaced.name().unwrap_or_default(),
             replaced.text.len()
         ));
@@ -280,7 +280,7 @@ fn composition(report: &Report) -> Option<String> {
         (false, _) => format!(": {}", kept.join(", ")),
     };
     Some(format!(
-        "The map itself keeps its integrals at one eps; steps of order 4, 6 and 8 (`kahan orbit --order`), which compose it at several eps, keep {} of degree ≤ {}{which}.",
+        "The map itself keeps its integrals at one eps; compositions of order 4, 6 and 8, which step at several eps, keep {} of degree ≤ {}{which}.",
         counted(survivors.hilbert.integrals, "integral"),
         survivors.hilbert.degree()
     ))

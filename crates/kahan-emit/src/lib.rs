@@ -1,8 +1,8 @@
-//! Kahan's map of a system in other languages.
+//! Kahan's map of a system as Rust.
 //!
-//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the same map as Rust
-//! ([`rust`]), which is what the macro expands to. It must not know mathematics: it decides nothing
-//! that a plan has not decided.
+//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the map as tokens
+//! (`rust`), which is what the macro expands to, or as formatted text. It must not know
+//! mathematics: it decides nothing that a plan has not decided.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -40,8 +40,8 @@ impl MachineFloat for f64 {}
 /// [another level](Self::at_level) is asked for. It runs as machine code where that can be had, and
 /// else interpreted, by the same calls and with the same bits. Nothing panics, whatever the numbers
 /// are: a pole shows as numbers that are not finite. After the first call on a thread no step
-/// allocates. A map can be used from any number of threads at once, none of which waits for
-/// another.
+/// allocates. A map can be used from any number of threads at once. What is compiled or planned at
+/// its first use is made by one thread, for which the others wait; steps wait for nobody.
 #[derive(Clone, Debug)]
 pub struct MapAt<T> {
     map: Map,

@@ -14,9 +14,10 @@ pub fn available() -> usize {
 /// Runs `work` for each index below `count`, in about this order, each on whichever thread comes
 /// free.
 ///
-/// `threads` is the number of threads, by default as many as the machine runs at once; one is the
-/// caller's own, so that a machine without threads works, too. A thread that panics ends the call
-/// with its panic.
+/// `threads` is the number of threads, by default as many as the machine runs at once. Where one
+/// thread or one index is asked for, the caller's own does the work, so that a machine without
+/// threads works, too; otherwise the caller waits for so many others. A thread that panics ends the
+/// call with its panic.
 #[expect(clippy::disallowed_methods, reason = "work is shared out here")]
 pub fn for_each(count: usize, threads: Option<usize>, work: &(dyn Fn(usize) + Sync)) {
     let threads = threads.unwrap_or_else(available);

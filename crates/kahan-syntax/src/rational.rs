@@ -1,4 +1,4 @@
-//! Exact rational numbers, the coefficients of everything in this crate.
+//! Exact rational numbers: the literals of the language, and the coefficients of every polynomial.
 //!
 //! In come integers, decimals as written, and other rationals; out go sums, products, quotients and
 //! the one correctly rounded float. What holds: every value is in lowest terms with a positive

@@ -59,7 +59,8 @@ impl<S: Step<Scalar = f64>> ThroughF64<(S, f32)> {
     /// `&dyn Step<Scalar = f64>`. Its own ε and parameters stay doubles, and
     /// [`eps`](Step::eps) is ε rounded.
     ///
-    /// Cost: a run allocates a state in `f64`; its steps do not.
+    /// Cost: each call of [`advance`](Step::advance) and [`part`](Step::part) allocates a state in
+    /// `f64`; the steps of one `advance` share it.
     pub fn of_step(step: S) -> Self {
         let eps = *step.eps() as f32;
         Self((step, eps))

@@ -1,24 +1,41 @@
 //! What is proved in comments, made weaker line by line: each weakening must fail a test.
 //!
-//! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture` copies the workspace
-//! into the target folder, puts one weakening after the other into the copy, and runs the
-//! tests that its line names. A text that does not stand in its file exactly once is an error, and
-//! so is a copy that does not compile, or whose tests fail as it stands. It takes some twenty
-//! minutes; with KAHAN_WEAKENING=WORDS in the environment it tries those alone whose names or files
-//! hold these words.
+//! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all of them,
+//! which takes some twenty minutes; with KAHAN_WEAKENING=WORDS in the environment those alone whose
+//! names or files hold these words. With `change` in place of `every` it tries those whose file
+//! has changed since a commit, KAHAN_BASE or else the last one that is twelve hours older than HEAD,
+//! and four others, which the hash of HEAD chooses. It begins none, and goes on with none, after
+//! [`MINUTES`], and says how many it has tried.
+//!
+//! The workspace is copied into the target folder, one weakening after the other is put into the
+//! copy, and the tests that its line names are run there: the workspace itself stays as it is,
+//! whenever a run is ended. The copy begins with the builds of the workspace. A text that
+//! does not stand in its file exactly once is an error, and so is a copy that does not compile, or
+//! whose tests fail as it stands.
+
+#![cfg(unix)]
 
 mod list;
 mod machine_code;
 mod orbits;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
 use list::{WEAKENINGS, Weakening};
 use machine_code::MACHINE_CODE;
 use orbits::ORBITS;
+
+/// How long the weakenings of a change are tried.
+const MINUTES: u64 = 3;
+
+/// How many weakenings are tried besides those of a change.
+const OTHERS: usize = 4;
 
 /// All of them.
 fn every() -> impl Iterator<Item = &'static Weakening> {
@@ -30,24 +47,85 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is part of a workspace").to_owned()
 }
 
-/// The folder of the copy, and that of its builds.
-fn folders() -> (PathBuf, PathBuf) {
-    let folder = root().join("target").join("weakenings");
-    (folder.join("workspace"), folder.join("target"))
+/// The folder of the workspace's builds, among which is this program.
+fn builds() -> PathBuf {
+    let program = std::env::current_exe().expect("a program has a path");
+    program.ancestors().nth(2).expect("it stands in target/debug/deps").to_owned()
 }
 
-/// Copies a folder; files that are alike stay as they are, so that they are not compiled again.
-fn copy(from: &Path, to: &Path) {
+/// The copy of the workspace, in the target folder.
+fn folder() -> PathBuf {
+    builds().with_file_name("weakenings").join("workspace")
+}
+
+/// The copy's own builds. Cargo knows crates by their place in a workspace, so in the builds of the
+/// workspace a weakened crate would be taken for the sound one.
+fn target() -> PathBuf {
+    folder().with_file_name("target")
+}
+
+/// Makes the copy of the workspace, or brings it up to date.
+fn copy_workspace() {
+    let (made, found) = (folder(), folder().is_dir());
+    let made = made.parent().expect("it was joined");
+    if found {
+        return update(&root(), &folder());
+    }
+    // What was built stays built: files keep their times. A copy that is not finished has another
+    // name.
+    let begun = made.with_extension("begun");
+    let builds = builds();
+    copy(&root(), &begun.join("workspace"), &|path| !is_left_out(path));
+    let (from, to) = (builds.as_path(), begun.join("target").join("debug"));
+    copy(&from.join("deps"), &to.join("deps"), &|path| {
+        path.extension().is_some_and(|kind| ["d", "rlib", "rmeta", "so"].iter().any(|known| kind == *known))
+    });
+    for name in [".fingerprint", "build"] {
+        copy(&from.join(name), &to.join(name), &|_| true);
+    }
+    fs::rename(begun, made).expect("a folder can be renamed");
+}
+
+fn is_left_out(path: &Path) -> bool {
+    path.file_name().is_some_and(|name| name == "target" || name == ".git")
+}
+
+fn entries(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder can be read");
+    entries.map(|entry| entry.expect("an entry").path()).collect()
+}
+
+/// Copies a folder with the times of its files.
+fn copy(from: &Path, to: &Path, is_copied: &dyn Fn(&Path) -> bool) {
     fs::create_dir_all(to).expect("a folder can be made");
-    for entry in fs::read_dir(from).expect("a folder can be read") {
-        let path = entry.expect("an entry").path();
-        let name = path.file_name().expect("a name");
-        if name == "target" || name == ".git" {
+    for path in entries(from).into_iter().filter(|path| is_copied(path)) {
+        let copied = to.join(path.file_name().expect("a name"));
+        if path.is_dir() {
+            copy(&path, &copied, is_copied);
+        } else {
+            fs::copy(&path, &copied).expect("a file can be copied");
+            let time = path.metadata().and_then(|about| about.modified()).expect("a file has a time");
+            let file = fs::File::options().append(true).open(&copied).expect("a copy can be opened");
+            file.set_modified(time).expect("times can be set");
+        }
+    }
+}
+
+/// Makes one folder like another; files that are alike stay as they are, so that they are not
+/// compiled again, and others are of now.
+fn update(from: &Path, to: &Path) {
+    fs::create_dir_all(to).expect("a folder can be made");
+    for path in entries(to) {
+        if path.file_name().is_some_and(|name| from.join(name).exists()) {
             continue;
         }
-        let copied = to.join(name);
+        let removed = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+        removed.expect("what is no longer there can be removed");
+    }
+    for path in entries(from).into_iter().filter(|path| !is_left_out(path)) {
+        let copied = to.join(path.file_name().expect("a name"));
         if path.is_dir() {
-            copy(&path, &copied);
+            update(&path, &copied);
         } else {
             write(&copied, &fs::read(&path).expect("a file can be read"));
         }
@@ -60,9 +138,9 @@ fn write(path: &Path, bytes: &[u8]) {
     }
 }
 
-/// Runs `cargo test` with these words in the copy; whether it succeeds.
-fn cargo_test(words: &str, only_builds: bool) -> bool {
-    let (copy, target) = folders();
+/// Runs `cargo test` with these words in the copy; whether it succeeds, and `None` where it was
+/// ended at the deadline.
+fn cargo_test(words: &str, only_builds: bool, deadline: Option<Instant>) -> Option<bool> {
     let mut command = Command::new(env!("CARGO"));
     command.arg("test").args(words.split(' ').take_while(|word| *word != "--"));
     if only_builds {
@@ -71,9 +149,28 @@ fn cargo_test(words: &str, only_builds: bool) -> bool {
         let rest = words.split(' ').skip_while(|word| *word != "--");
         command.args(rest);
     }
-    command.current_dir(copy).env("CARGO_TARGET_DIR", target);
+    // A crate is compiled several times, one line changed.
+    command.current_dir(folder()).env("CARGO_TARGET_DIR", target()).env("CARGO_INCREMENTAL", "1");
     command.stdout(Stdio::null()).stderr(Stdio::null());
-    command.status().expect("cargo runs").success()
+    let Some(deadline) = deadline else { return Some(command.status().expect("cargo runs").success()) };
+    let mut child = command.process_group(0).spawn().expect("cargo runs");
+    loop {
+        if let Some(status) = child.try_wait().expect("cargo ends") {
+            return Some(status.success());
+        }
+        if Instant::now() >= deadline {
+            end(&mut child);
+            return None;
+        }
+        sleep(Duration::from_millis(50));
+    }
+}
+
+/// Ends a cargo with all that it has started, and waits for it.
+fn end(cargo: &mut Child) {
+    let group = format!("-{}", cargo.id());
+    Command::new("kill").args(["-TERM", "--", &group]).status().expect("a group can be ended");
+    cargo.wait().expect("it has been ended");
 }
 
 /// The file of the copy with the weakening in it.
@@ -83,6 +180,91 @@ fn weakened(weakening: &Weakening) -> Result<String, String> {
         1 => Ok(text.replacen(weakening.text, weakening.weaker, 1)),
         count => Err(format!("`{}` stands {count} times in {}", weakening.text, weakening.file)),
     }
+}
+
+/// What git says in the workspace.
+fn git(words: &[&str]) -> String {
+    let output = Command::new("git").args(words).current_dir(root()).output().expect("git runs");
+    assert!(output.status.success(), "git {}: {}", words.join(" "), String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("paths and hashes are text").trim().to_owned()
+}
+
+/// The weakenings of what changed since `KAHAN_BASE`, and four others that share their tests.
+fn chosen_by_the_change() -> Vec<&'static Weakening> {
+    let head = git(&["rev-parse", "HEAD"]);
+    let base = std::env::var("KAHAN_BASE").unwrap_or_else(|_| {
+        let time: i64 = git(&["log", "-1", "--format=%ct"]).parse().expect("seconds");
+        let before = format!("--before={}", time - 12 * 3600);
+        git(&["rev-list", "-1", "--first-parent", &before, "HEAD"])
+    });
+    // Without a base everything has changed.
+    let changed = if base.is_empty() { git(&["ls-files"]) } else { git(&["diff", "--name-only", &base]) };
+    let changed: BTreeSet<&str> = changed.lines().collect();
+    let mut shuffled: Vec<&Weakening> = every().collect();
+    shuffled.sort_by_key(|weakening| hash(&head, weakening.name));
+    let (of_change, others): (Vec<_>, Vec<_>) =
+        shuffled.into_iter().partition(|weakening| changed.contains(weakening.file));
+    let tests = others.first().map(|weakening| weakening.tests);
+    let others = others.into_iter().filter(|weakening| Some(weakening.tests) == tests).take(OTHERS);
+    println!("{} of what changed since {base}, and {OTHERS} others", of_change.len());
+    of_change.into_iter().chain(others).collect()
+}
+
+/// FNV-1a over both.
+fn hash(commit: &str, name: &str) -> u64 {
+    let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+    commit.bytes().chain(name.bytes()).fold(0xcbf2_9ce4_8422_2325, mix)
+}
+
+/// Tries weakenings, those with the same tests together; panics if one of them fails no test.
+fn try_all(chosen: &[&Weakening], deadline: Option<Instant>) {
+    copy_workspace();
+    // What depends on a crate is compiled again after its weakenings, so the front end comes last.
+    let mut chosen = chosen.to_vec();
+    chosen.sort_by_key(|weakening| weakening.file.starts_with("crates/kahan-algebra/"));
+    // In the order of the first of each.
+    let mut commands: Vec<&str> = Vec::new();
+    let mut groups: BTreeMap<&str, Vec<&Weakening>> = BTreeMap::new();
+    for &weakening in &chosen {
+        let group = groups.entry(weakening.tests).or_insert_with(|| {
+            commands.push(weakening.tests);
+            Vec::new()
+        });
+        group.push(weakening);
+    }
+    let (mut tried, mut survivors) = (0, Vec::new());
+    'all: for command in commands {
+        match cargo_test(command, false, deadline) {
+            Some(passes) => assert!(passes, "cargo test {command}: fails as it stands"),
+            None => break 'all,
+        }
+        for weakening in &groups[command] {
+            let path = folder().join(weakening.file);
+            let whole = fs::read(&path).expect("a file can be read");
+            write(&path, weakened(weakening).expect("the weakening has its place").as_bytes());
+            let compiles = cargo_test(command, true, deadline);
+            let survives =
+                compiles.and_then(
+                    |compiles| {
+                        if compiles { cargo_test(command, false, deadline) } else { Some(false) }
+                    },
+                );
+            write(&path, &whole);
+            let verdict = match (compiles, survives) {
+                (_, None) | (None, _) => break 'all,
+                (Some(false), _) => "does not compile",
+                (Some(true), Some(true)) => "survives",
+                (Some(true), Some(false)) => "fails",
+            };
+            println!("{verdict}: {}", weakening.name);
+            tried += 1;
+            if verdict != "fails" {
+                survivors.push(weakening.name);
+            }
+        }
+    }
+    println!("{tried} of {} weakenings tried", chosen.len());
+    assert!(survivors.is_empty(), "{}", survivors.join("; "));
 }
 
 /// Part of every run, so that a change of the code takes its weakenings along.
@@ -95,35 +277,18 @@ fn every_weakening_has_its_place() {
 }
 
 #[test]
-#[ignore = "compiles the workspace once for each weakening"]
+#[ignore = "compiles parts of the workspace once for each weakening"]
 fn every_weakening_fails_a_test() {
-    let (folder, _) = folders();
-    copy(&root(), &folder);
     let words = std::env::var("KAHAN_WEAKENING").unwrap_or_default();
     let is_chosen =
         |weakening: &&Weakening| weakening.name.contains(&words) || weakening.file.contains(&words);
     let chosen: Vec<&Weakening> = every().filter(is_chosen).collect();
-    let commands: BTreeSet<&str> = chosen.iter().map(|weakening| weakening.tests).collect();
-    for command in commands {
-        assert!(cargo_test(command, false), "cargo test {command}: fails as it stands");
-    }
-    let mut survivors = Vec::new();
-    for weakening in chosen {
-        let path = folder.join(weakening.file);
-        let whole = fs::read(&path).expect("a file can be read");
-        write(&path, weakened(weakening).expect("the weakening has its place").as_bytes());
-        let compiles = cargo_test(weakening.tests, true);
-        let survives = compiles && cargo_test(weakening.tests, false);
-        write(&path, &whole);
-        let verdict = match (compiles, survives) {
-            (false, _) => "does not compile",
-            (true, true) => "survives",
-            (true, false) => "fails",
-        };
-        println!("{verdict}: {}", weakening.name);
-        if verdict != "fails" {
-            survivors.push(weakening.name);
-        }
-    }
-    assert!(survivors.is_empty(), "{}", survivors.join("; "));
+    try_all(&chosen, None);
+}
+
+#[test]
+#[ignore = "compiles parts of the workspace once for each weakening"]
+fn weakenings_of_a_change_fail_a_test() {
+    let deadline = Instant::now() + Duration::from_secs(60 * MINUTES);
+    try_all(&chosen_by_the_change(), Some(deadline));
 }

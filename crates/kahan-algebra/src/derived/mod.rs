@@ -1,9 +1,10 @@
-//! Everything of a system that is evaluated, as straight-line plans: they are assembled here and
-//! nowhere else.
+//! The field, the map and the claims of a system as straight-line plans.
 //!
 //! In: a checked system. Out: a [`Derived`], in which each plan has a name; of a family its
-//! [`Lines`], for a proof the `scheme`. Whoever writes code, runs a map, proves or prints
-//! reads it from there, so that all of them compute the same operations in the same order.
+//! [`Lines`], for a proof the `scheme`. Whoever writes code, runs a map or prints reads the plans
+//! from there, so that all of them compute the same operations in the same order. Plans of other
+//! things are assembled where these are known: those of claims while the text is checked, those of
+//! exact heights in `kahan-runtime`.
 
 mod lines;
 mod listing;

@@ -58,7 +58,8 @@ pub(super) fn take_step<A: Arithmetic>(
     Some(Sample { here, there, matrix, back_matrix, jacobian_determinant })
 }
 
-/// How often a point is drawn again before a claim counts as undefined.
+/// How many points are drawn for one step, and how many more steps than a claim needs are taken for
+/// it, plus one; the error of a proof ([`super::sizes`]) grows with its square.
 pub(super) const MOST_DRAWS: usize = 16;
 
 /// The random points of one specialisation, drawn as they are asked for.

@@ -10,9 +10,16 @@
 //! * F is not zero modulo p but vanishes at the point: at most deg F / p < deg F · 2⁻⁶⁰ (Schwartz
 //!   and Zippel).
 //!
-//! A point where something divides by zero is drawn again, up to 16 times, which multiplies both by
-//! at most 16. Points are independent, so k of them err with probability at most e^k, e = 16 (b/60
-//! · 2⁻⁵⁴ + deg F · 2⁻⁶⁰), and k is chosen such that e^k < 2⁻¹⁰⁰; it is never below 3. "Random" is
+//! So one draw passes wrongly with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰.
+//!
+//! Where something divides by zero, another point is drawn, in two loops of r = 16 turns (`MOST_DRAWS`).
+//! A step is drawn up to r times until it has a value, so it passes wrongly with probability at most
+//! r·e. A claim that has no value at a step goes on to the next, and less than r steps are passed
+//! over in all. A false claim with k points is proved only if k of its first k + r − 1 steps pass
+//! wrongly. Steps are independent, and there are binomial(k + r − 1, k) ≤ rᵏ ways to choose the k,
+//! so that happens with probability at most (r²·e)ᵏ.
+//!
+//! k is chosen such that (r²·e)ᵏ < 2⁻¹⁰⁰; it is never below 3. "Random" is
 //! SHAKE256 of the block's text, 256 bits of it: more than any such bound needs, builds are
 //! reproducible, and whoever writes a block cannot aim at its primes except by trial. deg F and b
 //! come from running the very same residuals in the arithmetic of sizes ([`Sizes`]).
@@ -22,7 +29,7 @@ use crate::derived::Scheme;
 use crate::system::Claim;
 
 use super::residual::pairs;
-use super::sample::{Sample, impose, rows, run};
+use super::sample::{MOST_DRAWS, Sample, impose, rows, run};
 
 /// The error of a proof is below 2 to minus this.
 pub const ERROR_EXPONENT: u32 = 100;
@@ -43,12 +50,13 @@ pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {
     points_needed(worst.degree, worst.bits).filter(|_| worst.degree <= HIGHEST_DEGREE)
 }
 
-/// The number of points for residuals of this degree and size: the least k with e^k < 2⁻¹⁰⁰.
+/// The number of points for residuals of this degree and size: a k with (r²·e)ᵏ < 2⁻¹⁰⁰, the
+/// least for r²·e rounded up to a power of two.
 #[must_use]
 pub fn points_needed(degree: u64, bits: u64) -> Option<u32> {
-    // Everything in units of 2⁻⁶⁰: e·2⁶⁰ ≤ 16 (64·(b/60 + 1) + deg F), rounded up to a power of
-    // two.
-    let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(16)?;
+    // r²·e in units of 2⁻⁶⁰, where e·2⁶⁰ ≤ 64·(b/60 + 1) + deg F.
+    let draws = const { MOST_DRAWS as u64 * MOST_DRAWS as u64 };
+    let units = (bits / 60 + 1).checked_mul(64)?.checked_add(degree)?.checked_mul(draws)?;
     let lost = u64::BITS - units.leading_zeros();
     let gained = 60u32.checked_sub(lost).filter(|&gained| gained > 0)?;
     Some(ERROR_EXPONENT.div_ceil(gained))

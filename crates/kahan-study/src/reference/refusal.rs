@@ -49,7 +49,7 @@ impl core::fmt::Display for NoReference {
             Self::NoTime { reached } => write!(
                 f,
                 "a reference trajectory takes longer than there is time: the series came to t = {}, and a second method has to \
-                 agree with it; give more time (--seconds), or choose a shorter horizon",
+                 agree with it; give more `seconds`, or choose a shorter horizon",
                 Time(*reached, 4)
             ),
             Self::Disagree { difference, allowed, .. } if *difference < LEAST_DIFFERENCE => write!(

@@ -16,9 +16,33 @@
 //!   no quotient. Where 1/|â| is at hand, as for a reciprocal 2/d or 2/d/d′, the same m is
 //!   |v̂|·(mₐ/|â| + m_b/|b̂|), and what is in parentheses is kept as a sum.
 //!
-//! Magnitudes are rounded themselves, v̂ stands for v where they are made, and γₖ is taken as k·u;
-//! [`SLACK`] pays for all three as long as k·u is at most 1/10. A number of the last rungs knows
-//! how far it may be off, and m and k follow from that.
+//! A number of the last rungs knows how far it may be off, and m and k follow from that.
+//!
+//! # Slack
+//! Magnitudes are rounded themselves, k times at most, and errors are computed as k·u·m, not as γₖ·m.
+//! [`SLACK`] pays for both: what holds of a computed m is
+//!
+//! > |v| ≤ M and |v̂ − v| ≤ γₖ·M, where M = m/(1−u)ᵏ,
+//!
+//! and γₖ·M ≤ 17/16·k·u·m as long as t = k·u is at most 1/25, since
+//!
+//! > γₖ/(1−u)ᵏ/t ≤ (eᵗ − 1)·eᵗ/t = Σ (2ⁿ − 1)·tⁿ⁻¹/n! = 1 + 3t/2 + 7t²/6 + … ≤ 1.0620 at t = 1/25;
+//!
+//! what is left, up to 1.0625, pays for the last two roundings of an error. (At t = 1/24 it is 1.0646,
+//! more than the slack.) Sums and products keep the inequalities of M by the rules above, as m takes
+//! a rounding wherever k grows. Magnitudes of numbers wider than `f64` are rounded to 53 bits, of
+//! which all that a `u32` can count is less than 2⁻²⁰.
+//!
+//! In quotients v̂ stands for v, too. Let q = â/b̂. The doubt in b̂ is at most |b̂|/64, so |v| ≤ 64/63·(|q|
+//! + γ_kₐ·Mₐ/|b̂|), and
+//!
+//! > |q − v| ≤ (γ_kₐ·Mₐ + |v|·γ_k_b·M_b)/|b̂| ≤ 64/63·γ_max(kₐ, k_b)·(Mₐ + |q|·M_b)/|b̂|.
+//!
+//! So m is multiplied by the slack once more, which exceeds 64/63 and the roundings of m, and |v̂|/m
+//! ≤ (1 + γ_kₐ)/1.0625 < 1 for kₐ·u ≤ 1/25, so the quotient's own rounding is paid for. In a chain
+//! c/d/d′/… of n divisors off by ρᵢ ≤ 1/64 each, |v/q − 1| ≤ Π 1/(1−ρᵢ) − 1 ≤ 1.0625·Σ ρᵢ for n ≤ 6.
+//! Steps divide by one determinant a block, by eight at most. With the premises below a rounding adds
+//! 1 to w or to the bits of B, so t < 10⁻⁴; then the slack of errors is left, too, and n ≤ 14 will do.
 //!
 //! # Underflow
 //! A product, a quotient or a literal that underflows is off by η at most, and m with it. With all
@@ -32,7 +56,7 @@
 //!
 //! All of that is known while compiling, but for the inputs: [`Bounded::largest_input`] is what
 //! they may be, and whoever makes the values compares. Where operations and constants alone break
-//! a premise (k·u ≤ 1/10 among them), no input is small enough; where nothing underflows, any is.
+//! a premise (k·u ≤ 1/25 among them), no input is small enough; where nothing underflows, any is.
 
 mod formats;
 mod known;
@@ -63,9 +87,8 @@ pub(crate) type PackedDouble = Both<f64>;
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) type PackedSingle = Both<f32>;
 
-/// What magnitudes are multiplied by before they are believed: they are rounded, quotients are made
-/// of rounded values, and (1+u)ᵏ − 1 is more than k·u. Quotients have it twice, which is once more
-/// than they need.
+/// What magnitudes are multiplied by before they are believed: they are rounded, and (1+u)ᵏ − 1 is
+/// more than k·u. Quotients are multiplied by it once more, as they are made of rounded values.
 pub(crate) const SLACK: f64 = 1.0625;
 
 /// A value v̂ with |v̂ − v| ≤ γₖ·m, and how both are held.
@@ -127,7 +150,7 @@ impl<V: Working, P: Pair<V>> Bounded<V, P> {
         if allowance == 0.0 {
             return Limit::ANY;
         }
-        let most_roundings = const { (0.1 / V::UNIT) as u32 };
+        let most_roundings = const { (0.04 / V::UNIT) as u32 };
         let is_broken = self.roundings > most_roundings
             || self.underflows > MOST_UNDERFLOWS
             || self.bits > bits_of_products;

@@ -16,8 +16,8 @@ impl StepPlan {
         self.recurrence().div_ceil(UNIT)
     }
 
-    /// Cycles a step in an orbit: the largest mean over cycles of up to n steps, in units of 1/60
-    /// so that it is an integer.
+    /// Cycles a step in an orbit: the largest mean over dependency cycles of up to n steps, in units
+    /// of 1/60 cycle. The mean over a cycle of seven or more steps is rounded down to such a unit.
     pub(in crate::plan) fn recurrence(&self) -> u64 {
         let n = self.kernel.dimension();
         let mut longest = 0;
@@ -100,7 +100,7 @@ fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<
     arrival[node.0]
 }
 
-/// Divisible by the lengths of cycles of up to six steps.
+/// How many units a cycle has: a multiple of 1 to 6, so that means over up to six steps are whole.
 const UNIT: u64 = 60;
 
 /// The longest ways through one step after another.

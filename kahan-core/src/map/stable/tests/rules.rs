@@ -3,9 +3,9 @@
 
 use num_traits::One;
 
-use super::worst::{Beside, Q, Worst, off_by, two_to};
+use super::worst::{Beside, Q, Worst, off_by, two_to, with_low_magnitudes};
+use crate::scalar::bounded::Number;
 use crate::scalar::bounded::{Bounded, SLACK};
-use crate::scalar::bounded::{Magnitude, Number};
 
 /// Coarse enough for (1+u)ᵏ − 1 to differ from ku.
 const COARSE: i32 = 10;
@@ -84,12 +84,29 @@ fn a_product_rounds_once_and_has_the_errors_of_both_factors() {
     }
 }
 
-/// (1+u)¹⁰⁰ − 1 is more than 100 u: half of the slack would not do.
+/// (1+u)⁴⁰ − 1 is more than 40 u, and magnitudes that are rounded 40 times are too small: half of
+/// the slack would not do.
 #[test]
-fn the_slack_pays_for_products_of_roundings() {
-    let product = rounded_up::<COARSE>(100);
-    assert_near(&product, 0.98);
-    assert!(product.part() * SLACK > 1.0 + (SLACK - 1.0) / 2.0);
+fn the_slack_pays_for_products_of_roundings_and_for_those_of_magnitudes() {
+    with_low_magnitudes(|| assert_near(&rounded_up::<COARSE>(40), 0.99));
+}
+
+/// Operands and magnitudes as far off as they may be, in quotients of either kind.
+#[test]
+fn the_slack_of_quotients_pays_for_rounded_magnitudes() {
+    const MIDDLE: i32 = 13;
+    with_low_magnitudes(|| {
+        for (a, b) in [(300, 0), (300, 100), (112, 112)] {
+            let quotient =
+                off_by(DOWN, || rounded_down::<MIDDLE>(a).over(&rounded_up(b))).expect("a quotient");
+            assert!(quotient.part() <= 1.0, "{}", quotient.part());
+        }
+        let chain = off_by(DOWN, || {
+            let first = Beside::<MIDDLE>::literal(2, 1).over(&rounded_up(112))?;
+            (0..5).try_fold(first, |quotient, _| quotient.over(&rounded_up(112)))
+        });
+        assert!(chain.expect("a quotient").part() <= 1.0);
+    });
 }
 
 #[test]
@@ -132,8 +149,8 @@ fn a_divisor_that_may_be_zero_has_no_quotient() {
             Some(_) => {
                 seen[0] += 1;
                 assert!(doubt <= divisor.bounded.value().exact() * two_to(0), "{divisor:?}");
-                let bound = 64.0 * divisor.bounded.error();
-                assert!(bound <= 1.01 * divisor.bounded.value().size(), "{divisor:?}");
+                let bound: f64 = divisor.bounded.error().into();
+                assert!(64.0 * bound <= 1.01 * f64::from(divisor.bounded.value().size()), "{divisor:?}");
             }
             None => seen[1] += 1,
         }
@@ -184,8 +201,8 @@ fn a_weight_bounds_the_product_with_a_reciprocal() {
             });
             let weight = reciprocal.bounded.weight(numerator.bounded.roundings());
             // So that a bound overflows where the increment does.
-            assert!(f64::of(weight) >= reciprocal.bounded.value().size());
-            let bound = f64::of(weight) * numerator.bounded.magnitude() * Worst::<FINE>::UNIT;
+            assert!(weight >= reciprocal.bounded.value().size());
+            let bound = f64::from(weight * numerator.bounded.magnitude()) * Worst::<FINE>::UNIT;
             let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
             // n + 1 for the numerator and the product, and (d + 1)·2 for a reciprocal that errs by
             // d + 1.
@@ -203,7 +220,7 @@ fn a_weight_of_an_exact_number_counts_the_product() {
         let (numerator, factor) = (rounded_up::<FINE>(n), Beside::given(0.75));
         let product = off_by(UP, || numerator.times(&factor));
         let weight = factor.bounded.weight(numerator.bounded.roundings());
-        let bound = weight * numerator.bounded.magnitude() * Worst::<FINE>::UNIT;
+        let bound = f64::from(weight * numerator.bounded.magnitude()) * Worst::<FINE>::UNIT;
         let part = num_traits::ToPrimitive::to_f64(&product.error()).expect("a number") / bound;
         assert!((ALL..=1.0).contains(&part), "{part} of the bound");
     }

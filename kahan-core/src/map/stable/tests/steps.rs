@@ -106,7 +106,7 @@ where
             let Some(attempt) = off_by(direction, || attempt(&x, eps)) else { continue };
             let Ok(exact) = &exact else { panic!("a value at a pole: {x:?}, {eps}") };
             let (error, size) = compared(&attempt.next, exact);
-            let computed = attempt.next.iter().map(Number::size).fold(0.0, f64::max);
+            let computed = attempt.next.iter().map(|next| f64::from(next.size())).fold(0.0, f64::max);
             // The last roundings are the components' own: of the product and of the sum, as nothing
             // is fused.
             let own = 2.0 * Number24::UNIT * (computed + size);
@@ -151,8 +151,8 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
     // The state of rest beside it is larger; what moves begins at 0, so that its last roundings are
     // of its own size.
     let error = compared(&[attempt.next[0]], &vector![exact[0].clone()]).0;
-    let size = attempt.next[1].size();
-    let own = 2.0 * Number24::UNIT * attempt.next[0].size();
+    let size = f64::from(attempt.next[1].size());
+    let own = 2.0 * Number24::UNIT * f64::from(attempt.next[0].size());
     let part = (error - own) / (attempt.bound() * size);
     assert!(part <= 1.0 && part > 0.6, "{part} of the bound");
 }

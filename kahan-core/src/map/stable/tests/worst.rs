@@ -14,7 +14,7 @@ use num_traits::{FromPrimitive, One, Signed, ToPrimitive, Zero};
 
 use crate::scalar::bounded::{Both, Pair};
 use crate::scalar::bounded::{Bounded, Working, operations};
-use crate::scalar::bounded::{Number, Range, power_of_two};
+use crate::scalar::bounded::{Magnitude, Number, Range, power_of_two};
 use crate::{Constant, Pivot, Scalar};
 
 pub(super) type Q = BigRational;
@@ -26,6 +26,16 @@ pub(super) struct Worst<const BITS: i32>(&'static Q);
 thread_local! {
     /// By how many u, and by how many η, the next results are off.
     static OFF: Cell<(i64, i64)> = const { Cell::new((0, 0)) };
+    /// Whether magnitudes are rounded down by u, or not at all.
+    static ARE_MAGNITUDES_LOW: Cell<bool> = const { Cell::new(false) };
+}
+
+/// What `run` gives where every operation on magnitudes is off by −u.
+pub(super) fn with_low_magnitudes<V>(run: impl FnOnce() -> V) -> V {
+    let before = ARE_MAGNITUDES_LOW.replace(true);
+    let result = run();
+    ARE_MAGNITUDES_LOW.set(before);
+    result
 }
 
 /// What `run` gives where every operation is off by `relative` u and by `absolute` η.
@@ -87,14 +97,70 @@ impl<const BITS: i32> Pivot for Worst<BITS> {
     }
 }
 
+/// A magnitude of precision u = 2^−BITS, next to which the roundings of `f64` are nothing.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub(super) struct Rough<const BITS: i32>(f64);
+
+impl<const BITS: i32> Rough<BITS> {
+    fn rounded(exact: f64) -> Self {
+        Self(if ARE_MAGNITUDES_LOW.get() { exact * (1.0 - power_of_two(-BITS)) } else { exact })
+    }
+}
+
+impl<const BITS: i32> Magnitude for Rough<BITS> {
+    fn of(value: f64) -> Self {
+        Self(value)
+    }
+}
+
+impl<const BITS: i32> From<Rough<BITS>> for f64 {
+    fn from(rough: Rough<BITS>) -> Self {
+        rough.0
+    }
+}
+
+impl<const BITS: i32> Add for Rough<BITS> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::rounded(self.0 + other.0)
+    }
+}
+
+impl<const BITS: i32> Mul for Rough<BITS> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::rounded(self.0 * other.0)
+    }
+}
+
+impl<const BITS: i32> Div for Rough<BITS> {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        Self::rounded(self.0 / other.0)
+    }
+}
+
+impl<const BITS: i32> Zero for Rough<BITS> {
+    fn zero() -> Self {
+        Self(0.0)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.0.is_zero()
+    }
+}
+
 impl<const BITS: i32> Number for Worst<BITS> {
-    type Magnitude = f64;
+    type Magnitude = Rough<BITS>;
     const UNIT: f64 = power_of_two(-BITS);
     /// 2¹⁰·2²⁰·η.
     const RANGE: Range = Range::of(ETA, 10 + 20 + ETA, 4, 6);
 
-    fn size(&self) -> f64 {
-        self.0.abs().to_f64().expect("a number of ordinary size")
+    fn size(&self) -> Rough<BITS> {
+        Rough(self.0.abs().to_f64().expect("a number of ordinary size"))
     }
 }
 
@@ -180,9 +246,9 @@ impl<const BITS: i32> Beside<BITS> {
     /// The part of its bound that the error comes to; at most 1, or the bound is none. |v| ≤ m
     /// holds up to the slack, too.
     pub(super) fn part(&self) -> f64 {
-        let magnitude = self.bounded.magnitude();
+        let magnitude: f64 = self.bounded.magnitude().into();
         assert!(self.exact.abs().to_f64().expect("a number") <= 1.0625 * magnitude, "{self:?}");
-        let part = self.error() / Q::from_f64(self.bounded.error()).expect("a finite bound");
+        let part = self.error() / Q::from_f64(self.bounded.error().into()).expect("a finite bound");
         part.to_f64().expect("a number")
     }
 
