@@ -414,7 +414,8 @@ class System(Field):
 
         Exponents are per unit of time: ``lyapunov`` is the largest, ``spectrum`` has all in descending order,
         of shape (variables,), and ``mean_log_det`` is their sum. ``lyapunov_error`` and
-        ``spectrum_errors`` say by how much each still changes. Tangent vectors
+        ``spectrum_errors`` say by how much each still changes; as far as that, ``lyapunov`` and the first of
+        ``spectrum`` agree. Tangent vectors
         are made orthogonal every ``every`` steps. Three indicators tell chaotic orbits from regular ones:
         ``fli`` grows like the number of steps, and else like its logarithm; ``megno`` grows, and else tends
         to 2; ``sali`` falls to 0 exponentially, and else stays or falls like a power of time.

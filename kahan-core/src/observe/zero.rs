@@ -15,15 +15,15 @@ pub(super) struct Place<T> {
 }
 
 /// The part of the larger value at the ends up to which a value next to the sign change is small:
-/// u^¼, with u the rounding of the scalar; 2⁻¹² of `f64`, 2⁻⁶ of `f32`.
+/// u^⅓, with u the rounding of the scalar; 2⁻¹⁷ of `f64`, 2⁻⁸ of `f32`.
 ///
 /// Two places that are next to each other differ by about u in θ. There a continuous function
 /// differs from 0 by its rounding errors: by u·|x|/|x̃ − x| of its change from end to end where a
-/// step moves the point from x to x̃. That is below u^¼ in all steps that move a point by more than
-/// u^¾ of its size. A jump keeps its height, whatever their distance, and the values at a pole
+/// step moves the point from x to x̃. That is below u^⅓ in all steps that move a point by more than
+/// u^⅔ of its size. A jump keeps its height, whatever their distance, and the values at a pole
 /// exceed those at the ends.
 pub(super) fn small<T: FloatScalar>() -> f64 {
-    libm::exp2(-f64::from(digits::<T>() / 4))
+    libm::exp2(-f64::from(T::SHORT_BITS))
 }
 
 /// The digits of the scalar, about.

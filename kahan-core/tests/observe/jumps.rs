@@ -210,8 +210,8 @@ fn crossings_of_slow_orbits_are_found() {
         let found = section(&Turn.at(eps), start, 10, Direction::Both, |x: &[f64]| x[0] + x[1] - 1.0);
         assert_eq!((found.points.all, found.jumps), (1, 0), "{eps}");
     }
-    let start = vector![-3.5e-3_f32, 100.0];
-    let found = section(&Turn.at(1e-5), start, 10, Direction::Both, |x: &[f32]| x[0] + x[1] - 100.0);
+    let start = vector![-3.5e-2_f32, 100.0];
+    let found = section(&Turn.at(1e-4), start, 10, Direction::Both, |x: &[f32]| x[0] + x[1] - 100.0);
     assert_eq!((found.points.all, found.jumps), (1, 0));
 }
 

@@ -82,7 +82,9 @@ impl Asking for Section {
         if let Some(sink) = sink.or_else(|| (!self.json).then(Sink::standard)) {
             write(&found, sink)?;
         }
-        jumps(&self.plane, found.jumps).iter().for_each(|note| warn(note));
+        if !self.json {
+            jumps(&self.plane, found.jumps).iter().for_each(|note| warn(note));
+        }
         Ok(Answer::of(&found, self.json, |_| String::new()).but(complaint))
     }
 }

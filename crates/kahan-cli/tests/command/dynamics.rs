@@ -80,7 +80,8 @@ fn a_name_means_one_thing_whatever_else_is_asked() {
     for (start, steps) in
         [("1,1,1", "1"), ("-3,4,20", "2"), ("1,-5,9", "3"), ("1,1,1", "40"), ("1,1,1", "4000")]
     {
-        let asked = [&lorenz[..], &[&format!("--at={start}")[..], "--steps", steps, "--json"]].concat();
+        let start = format!("--at={start}");
+        let asked = [&lorenz[..], &[&start, "--steps", steps, "--json"]].concat();
         let all = object(&asked);
         let spectrum: Vec<f64> = all["spectrum"].as_array().expect("a list").iter().map(number).collect();
         assert!(spectrum.len() == 3 && spectrum.is_sorted_by(|one, other| one >= other), "{spectrum:?}");
