@@ -301,10 +301,10 @@ fn escapes_and_crossings_can_end_a_run() {
     assert_eq!(ended, Some(first));
     assert_eq!(extremes, map.orbit(start).observe(first, Extrema::of(|x: &[f64]| x[0])));
     let crossings = |sink| Section::new(&map, |x: &[f64]| x[0], Direction::Both, sink);
-    let found = map.orbit(start).observe(1000, crossings(AtMost::new(2)));
+    let found = map.orbit(start).observe(1000, crossings(AtMost::new(2))).points;
     let mut orbit = map.orbit(start);
     let section = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(2).ending());
-    let ended = orbit.observe(1000, section);
+    let ended = orbit.observe(1000, section).points;
     assert!(found.all > 2 && ended.all == 2 && ended.kept == found.kept);
     assert_eq!(orbit.next(), map.orbit(start).nth(ended.kept[1].step as usize + 2));
 }

@@ -177,7 +177,7 @@ class Ensemble(Table):
     """The steps that each made, fewer than asked where numbers leave their range; ``None`` without
     observers, as then nobody looks."""
     observed: dict[str, Array]
-    """What was observed, by name."""
+    """What was observed, by name; ``spectrum`` has shape (trajectories, variables)."""
 
     def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, steps: Array | None,
                  observed: dict[str, Array]) -> None:
@@ -190,11 +190,18 @@ class Ensemble(Table):
 
     def columns(self) -> dict[str, Array]:
         """The first points, as ``start_x``, ``eps`` and parameters that were given, the last points, the steps,
-        and what was observed, by name."""
+        and what was observed, by name; of the spectrum ``spectrum_1`` and so on."""
         start = {f"start_{name}": values for name, values in self.system._columns(self.start).items()}
         given = {name: np.broadcast_to(values, len(self.x)) for name, values in self.given.items()}
         steps = {} if self.steps is None else {"steps": self.steps}
-        return {**start, **given, **self.system._columns(self.x), **steps, **self.observed}
+        seen = {}
+        for name, values in self.observed.items():
+            columns = [(name, values)] if values.ndim == 1 else ((f"{name}_{k}", row) for k, row in enumerate(values.T, 1))
+            seen.update(columns)
+        return {**start, **given, **self.system._columns(self.x), **steps, **seen}
+
+    def __getitem__(self, name: str) -> Array:
+        return self.observed[name] if name in self.observed else super().__getitem__(name)
 
     def plot(self, *axes: str, color: str | None = None, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws a dot a trajectory over two columns, by default the last points' first two variables.
@@ -262,6 +269,9 @@ class Chart(Table):
 class Section(Table):
     """Where an orbit crosses a section: a row a crossing.
 
+    ``jumps`` counts sign changes of ``plane`` without a zero: at a pole of the formula or of the map,
+    or where the formula jumps. They are no rows.
+
     ``ended`` is ``"complete"`` where all steps were made, ``"points"`` where the orbit had as many
     crossings before as ``points`` asked for, and ``"range"`` where its next point is not finite.
     """
@@ -278,14 +288,20 @@ class Section(Table):
     """The steps of the orbit."""
     ended: str
     """Why the orbit goes no further."""
+    jumps: int
+    """How often ``plane`` changes its sign without a zero."""
     eps: float
     """Half the time step."""
 
-    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int, ended: str, eps: float) -> None:
-        self.system, self.plane, self.x, self.t, self.steps, self.ended, self.eps = system, plane, x, t, steps, ended, eps
+    def __init__(self, system: System, plane: str, x: Array, t: Array, steps: int, ended: str, jumps: int,
+                 eps: float) -> None:
+        self.system, self.plane, self.x, self.t, self.steps, self.ended = system, plane, x, t, steps, ended
+        self.jumps, self.eps = jumps, eps
 
     def __repr__(self) -> str:
-        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings{_end(self.ended, self.steps)}>"
+        jumps = f", {self.jumps} jumps" if self.jumps else ""
+        end = _end(self.ended, self.steps)
+        return f"<Section of {self.system.name} at {self.plane} = 0: {len(self.x)} crossings{jumps}{end}>"
 
     def columns(self) -> dict[str, Array]:
         """t and the variables, by name."""

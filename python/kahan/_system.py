@@ -321,7 +321,7 @@ class System(Field):
         ``points`` has shape (trajectories, variables); ``eps`` and each of ``params`` are one number
         or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
         else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
-        of time), spectrum (all), log_det (their sum), fli, megno, sali, rotation, escape; see ``observe``.
+        of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum), fli, megno, sali, rotation, escape; see ``observe``.
         Tangent vectors are made orthogonal every ``every`` steps. The column ``escaped`` is the step at
         which a variable is beyond ``escape``, and NaN where an orbit does not escape.
 
@@ -352,7 +352,12 @@ class System(Field):
                                             every=whole(every, "every"), escape=escape, threads=threads,
                                             listener=_listener(progress))
         count = len(self.variables)
-        columns = {name: values[:, k] for k, name in enumerate(seen) if k >= count}
+        columns: dict[str, Array] = {}
+        for k, name in enumerate(seen[count:], count):
+            if name == "spectrum_1":
+                columns["spectrum"] = values[:, k:k + count]
+            elif not name.startswith("spectrum_"):
+                columns[name] = values[:, k]
         return Ensemble(self, np.asarray(points), inputs, values[:, :count], made, columns)
 
     def _has_drift(self, name: str, of: Sequence[str]) -> None:
@@ -407,8 +412,10 @@ class System(Field):
     ) -> Answer:
         """What the orbit of a point does.
 
-        Exponents are per unit of time: ``lyapunov`` has all of them, the largest first, and
-        ``lyapunov_errors`` by how much each still changes; ``mean_log_det`` is their sum. Tangent vectors
+        Exponents are per unit of time: ``lyapunov`` is the largest, ``spectrum`` has all in descending order,
+        of shape (variables,), and ``mean_log_det`` is their sum. ``lyapunov_error`` and
+        ``spectrum_errors`` say by how much each still changes; as far as that, ``lyapunov`` and the first of
+        ``spectrum`` agree. Tangent vectors
         are made orthogonal every ``every`` steps. Three indicators tell chaotic orbits from regular ones:
         ``fli`` grows like the number of steps, and else like its logarithm; ``megno`` grows, and else tends
         to 2; ``sali`` falls to 0 exponentially, and else stays or falls like a power of time.
@@ -418,8 +425,10 @@ class System(Field):
         beyond ``escape``, and ``None`` where there is none. ``steps`` are fewer than asked where numbers leave
         their range; a number of what is observed is then ``None`` where it is none.
         """
-        return Answer(self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
-                                order=whole(order, "order"), every=whole(every, "every"), escape=escape))
+        found = self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+                          order=whole(order, "order"), every=whole(every, "every"), escape=escape)
+        spectrum = {name: np.array(found[name], dtype=float) for name in ("spectrum", "spectrum_errors")}
+        return Answer(found | spectrum)
 
     def section(
         self, x: Any, eps: Number, steps: int, plane: str, *, direction: str = "rising", points: int = 100_000,
@@ -428,8 +437,9 @@ class System(Field):
         """Where the orbit of a point crosses ``plane`` = 0, a formula of the variables and integrals.
 
         ``direction`` is rising, falling or both. Each crossing is refined on the curve that the map
-        draws as eps grows from 0. The orbit ends after ``points`` crossings, if not before; ``ended``
-        says which.
+        draws as eps grows from 0. A sign change without a zero, as at a pole of the formula or of the
+        map, is no crossing; ``jumps`` counts them. The orbit ends after ``points`` crossings, if not
+        before; ``ended`` says which.
         """
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
@@ -437,7 +447,7 @@ class System(Field):
                           plane=plane, side=choice(direction, "direction"), points=whole(points, "points"))
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
         return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), found["ended"],
-                       nearest(eps, "eps"))
+                       int(found["jumps"]), nearest(eps, "eps"))
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
@@ -448,7 +458,7 @@ class System(Field):
         ``over`` has for each name (low, high, count), text as "0:1:/20", or an array of values; what
         it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
         number: sali, fli, megno, lyapunov, escape, or a column of another one, as drift_H or
-        lyapunov_2. Costs an orbit a cell, in lanes and on all threads.
+        spectrum_2. Costs an orbit a cell, in lanes and on all threads.
 
         An exponent of an orbit that escapes is large, and no sign of chaos: ``plot`` leaves cells out whose
         orbits have gone beyond ``escape``, which is best some times the size of the region of interest.
@@ -671,9 +681,9 @@ _COLUMNS = {"escape": "escaped"}
 
 def _observable(color: str) -> tuple[str, str]:
     """The observable that has a column, and the column."""
-    for start, observable in (("drift", "drift"), ("lyapunov_", "spectrum"), ("least_", "extrema"), ("greatest_", "extrema"),
+    for start, observable in (("drift", "drift"), ("spectrum_", "spectrum"), ("least_", "extrema"), ("greatest_", "extrema"),
                               ("rotation_", "rotation"), ("final_", "final"), ("mean_log_det", "log_det")):
-        if color.startswith(start) and color != "lyapunov_error":
+        if color.startswith(start):
             return observable, color
     return ("lyapunov" if color == "lyapunov_error" else color), _COLUMNS.get(color, color)
 

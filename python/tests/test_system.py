@@ -117,7 +117,15 @@ def test_what_is_found_is_proved_and_in_formulas():
 def test_questions_answer_by_the_names_of_the_command():
     s = kahan.catalog.lv
     observed = s.observe([0.5, 1.25], 0.05, 2000)
-    assert len(observed.lyapunov) == 2 and observed.escaped is None
+    assert isinstance(observed.lyapunov, float) and observed.spectrum.shape == (2,) and observed.escaped is None
+    assert observed.spectrum_errors.shape == (2,) and observed.lyapunov_error > 0
+    for steps in (1, 3, 2000):
+        one = s.observe([0.5, 1.25], 0.05, steps)
+        many = s.ensemble([[1, 2], [0.5, 1.25]], 0.05, steps, observe=["spectrum", "lyapunov"])
+        assert many.lyapunov.shape == (2,) and many.lyapunov[1] == one.lyapunov
+        assert many.spectrum.shape == (2, 2) and (many.spectrum[1] == one.spectrum).all()
+        assert (np.diff(many.spectrum) <= 0).all() and (many["spectrum_2"] == many["spectrum"][:, 1]).all()
+        assert list(many.observed) == ["spectrum", "lyapunov", "lyapunov_error"]
     with pytest.raises(AttributeError, match="`lyapunow`; did you mean `lyapunov`"):
         observed.lyapunow
     section = s.section([0.5, 1.25], 0.05, 5000, "y - 1")

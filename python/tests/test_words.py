@@ -88,6 +88,8 @@ def test_an_end_is_said():
     crossings = E6.section([1, 2, 3], 0.01, 10**5, "x - y", direction="both", points=5)
     assert len(crossings) == 5 and crossings.ended == "points" and "no more after step" in repr(crossings)
     assert E6.section([1, 2, 3], 0.01, 10, "x - y").ended == "complete"
+    beyond = kahan.System("xdot = x^2 + 1; ydot = 1;").section([0.1, 0], 0.05, 60, "x", direction="both")
+    assert (len(beyond), beyond.jumps, crossings.jumps) == (1, 2, 0) and "1 crossings, 2 jumps>" in repr(beyond)
     assert "no finite point after step" in repr(kahan.System("xdot = x^2;").orbit([1.0], 0.25, 100))
 
 

@@ -64,11 +64,13 @@ fn sections_are_refined_by_parts_of_a_step() {
     let (lorenz, map) = lorenz();
     let plane = |x: &[f64]| x[2] - 27.0;
     let found =
-        observed(&map, &[1.0, 2.0, 20.0], 1000, Section::new(&map, plane, Direction::Rising, AtMost::new(9)));
+        observed(&map, &[1.0, 2.0, 20.0], 1000, Section::new(&map, plane, Direction::Rising, AtMost::new(9)))
+            .points;
     let own = lorenz.at(0.005);
     let own = lorenz
         .orbit(vector![1.0, 2.0, 20.0], 0.005)
-        .observe(1000, Section::new(&own, plane, Direction::Rising, AtMost::new(9)));
+        .observe(1000, Section::new(&own, plane, Direction::Rising, AtMost::new(9)))
+        .points;
     assert!(found.all == own.all && found.all > 3);
     let (first, own) = (&found.kept[0], &own.kept[0]);
     assert_eq!(first.step, own.step);

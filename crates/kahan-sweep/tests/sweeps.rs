@@ -129,7 +129,9 @@ fn a_row_is_what_the_library_says_of_its_point() {
         assert_eq!(whole(row, "steps"), 50);
         assert_eq!(x, ["final_x", "final_y", "final_z"].map(|name| double(row, name)));
         assert!(double(row, "drift_H") < 1e-12 && double(row, "least_x") <= x[0]);
-        let sum: f64 = (1..=3).map(|k| double(row, &format!("lyapunov_{k}"))).sum();
+        let spectrum = [1, 2, 3].map(|k| double(row, &format!("spectrum_{k}")));
+        assert!(spectrum.is_sorted_by(|one, other| one >= other), "{spectrum:?}");
+        let sum: f64 = spectrum.iter().sum();
         assert!((sum - double(row, "mean_log_det")).abs() < 1e-9);
     }
 }

@@ -26,7 +26,7 @@
 //! |---|---|
 //! | between which values a quantity stays | [`Extrema`] |
 //! | how well integrals are kept | [`Drift`] |
-//! | the largest exponent, all of them, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
+//! | the largest exponent, all in descending order, their sum | [`Lyapunov`], `Spectrum`, [`MeanLogDet`] |
 //! | regular or chaotic, soon | [`Fli`], [`Megno`], [`Sali`] |
 //! | how fast it turns | [`Rotation`] |
 //! | where it crosses a section, and when first | [`Section`], [`first_crossing`] |
@@ -71,6 +71,7 @@ mod spectrum;
 mod tangent;
 mod tuples;
 mod visit;
+mod zero;
 
 #[cfg(feature = "std")]
 use crate::EnsembleScalar;
@@ -99,7 +100,7 @@ pub use rotation::{Rotation, Turns};
 pub use sali::Sali;
 #[cfg(feature = "std")]
 pub use section::{AtMost, Kept};
-pub use section::{Crossing, Direction, Section, Sink, first_crossing};
+pub use section::{Crossing, Direction, Section, Sectioned, Sink, first_crossing};
 #[cfg(feature = "std")]
 pub use spectrum::Spectrum;
 pub use tangent::{Tangent, TangentMap};

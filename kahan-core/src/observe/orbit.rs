@@ -73,7 +73,7 @@ impl<S: Step<Scalar: FloatScalar> + Clone> Orbit<S> {
         level: impl Fn(&[S::Scalar]) -> S::Scalar,
     ) -> Option<Crossing<PointOf<S>, S::Scalar>> {
         let section = Section::new(self.map.clone(), level, Direction::Both, First(None));
-        self.observe(steps, section)
+        self.observe(steps, section).points
     }
 }
 

@@ -13,9 +13,9 @@ where
     /// under its own step.
     ///
     /// Observers that look at one point at a time see what they would of any orbit: extrema, drift,
-    /// escape, residence, return. Those that compare a point with the one before (sections,
-    /// rotation, exponents) take the two on both sides of infinity for neighbours: give them an
-    /// orbit that ends there.
+    /// escape, residence, return. Sections count a sign change from one side of infinity to the
+    /// other as a jump. Others that compare a point with the one before (rotation, exponents) take
+    /// the two on both sides of infinity for neighbours: give them an orbit that ends there.
     ///
     /// ```
     /// use kahan_core::observe::Extrema;

@@ -11,12 +11,13 @@ use super::growth::{Size, dot, scale, square};
 use super::lyapunov::Doublings;
 use super::{Exponent, Observer, TangentMap};
 
-/// The k largest Lyapunov exponents, largest first as a rule, per unit of time.
+/// The k largest Lyapunov exponents in descending order, per unit of time.
 ///
 /// Tangent vectors v₁, …, vₖ are carried along and made orthogonal every m steps, each against
 /// those before it: the QR decomposition that G. Benettin, L. Galgani, A. Giorgilli, J.-M.
-/// Strelcyn, Meccanica 15 (1980) 9 describe. Exponent j is the rate at which the part of vⱼ grows
-/// that is orthogonal to those before it. With as many vectors as variables, all begin along the
+/// Strelcyn, Meccanica 15 (1980) 9 describe. The rate at which the part of vⱼ grows that is
+/// orthogonal to those before it tends to the j-th largest exponent; on short runs these rates may
+/// have another order, and the report sorts them. With as many vectors as variables, all begin along the
 /// axes, and the exponents' sum is [`MeanLogDet`](super::MeanLogDet) to rounding.
 ///
 /// Lengths are never divided out, only powers of two; no root is taken.
@@ -108,7 +109,9 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
         let exponent = |direction: &GrowingVector<_>| {
             direction.doublings.exponent(Size::ONE, (self.steps, direction.growth), time)
         };
-        self.directions.iter().map(exponent).collect()
+        let mut exponents: Vec<_> = self.directions.iter().map(exponent).collect();
+        exponents.sort_by(|one, other| other.value.total_cmp(&one.value));
+        exponents
     }
 }
 

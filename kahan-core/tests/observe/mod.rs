@@ -4,6 +4,7 @@ mod ensembles;
 mod exponents;
 mod first_times;
 mod indicators;
+mod jumps;
 mod sections;
 
 use kahan_core::prelude::*;

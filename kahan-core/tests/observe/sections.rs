@@ -11,8 +11,8 @@ fn crossings(eps: f64, steps: u64, direction: Direction) -> Vec<Crossing<SVector
     let map = HenonHeiles.at(eps);
     let section = Section::new(&map, |x: &[f64]| x[0], direction, AtMost::new(10_000));
     let found = map.orbit(START.into()).observe(steps, section);
-    assert_eq!(found.all as usize, found.kept.len());
-    found.kept
+    assert_eq!((found.points.all as usize, found.jumps), (found.points.kept.len(), 0));
+    found.points.kept
 }
 
 #[test]
@@ -74,6 +74,6 @@ fn a_callback_gets_every_crossing_and_a_full_store_counts_on() {
     map.orbit(START.into()).observe(5000, Section::new(&map, |x: &[f64]| x[0], Direction::Both, take));
     assert_eq!(seen, all);
     let few = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(3));
-    let few = map.orbit(START.into()).observe(5000, few);
+    let few = map.orbit(START.into()).observe(5000, few).points;
     assert_eq!((few.all as usize, few.kept), (all.len(), all[..3].to_vec()));
 }

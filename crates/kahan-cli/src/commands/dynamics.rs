@@ -16,7 +16,8 @@ use crate::reading::{Start, observable, order, whole};
 /// per unit of time, of which a step takes 2 eps. What an exponent still moves by is its distance
 /// from what the first eighth to quarter of the steps gave; its value has the digits that this
 /// leaves, and in JSON all. Where 0 lies within that, the largest exponent shows no chaos so far.
-/// All exponents together are the mean of log |det J|.
+/// It follows a vector of its own, and agrees with the first of all exponents as far as both have
+/// converged. All exponents together are the mean of log |det J|.
 ///
 /// Three indicators tell regular orbits from chaotic ones sooner. FLI, the fast Lyapunov indicator,
 /// is the logarithm of the largest growth of a tangent vector: it grows like log n on regular

@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use kahan_draw::answer::jumps;
 use kahan_runtime::Ended;
 use kahan_study::{Section as Question, SectionFound, Side, Study};
 use serde_json::{Map, Value, json};
 
 use super::line::Asking;
-use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table};
+use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
 use crate::reading::{Start, one_of, whole};
 
 /// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
@@ -16,8 +17,9 @@ use crate::reading::{Start, one_of, whole};
 /// The section is where a formula of the variables, of the claimed integrals, parameters and eps
 /// vanishes. A crossing lies between two points of the orbit; it is refined on the curve that the
 /// map draws from the first to the second as eps grows from 0, which is as far from the flow as a
-/// step is: t is that of the crossing, and n the step that it comes after. Steps are those of
-/// `kahan orbit` in f64. Where numbers leave the range of f64, the crossings up to there are kept,
+/// step is: t is that of the crossing, and n the step that it comes after. A sign change without a
+/// zero, as at a pole of the formula or of the map, is a jump: a note counts them, and they are no
+/// rows. Steps are those of `kahan orbit` in f64. Where numbers leave the range of f64, the crossings up to there are kept,
 /// and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = "\
@@ -38,7 +40,7 @@ pub(crate) struct Section {
     #[arg(long, value_name = "EXPR", allow_hyphen_values = true)]
     plane: String,
 
-    /// Which crossings count: those where the formula grows, falls, or both.
+    /// Which sign changes count: those where the formula grows, falls, or both.
     #[arg(long = "direction", value_name = "DIRECTION", value_parser = one_of(&Side::ALL, |side| side.name().into()), default_value = "rising")]
     side: Side,
 
@@ -50,7 +52,7 @@ pub(crate) struct Section {
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object: system, variables, steps, ended, times, points.
+    /// Print one JSON object: system, variables, steps, ended, times, points, jumps.
     #[arg(long)]
     json: bool,
 }
@@ -79,6 +81,9 @@ impl Asking for Section {
         });
         if let Some(sink) = sink.or_else(|| (!self.json).then(Sink::standard)) {
             write(&found, sink)?;
+        }
+        if !self.json {
+            jumps(&self.plane, found.jumps).iter().for_each(|note| warn(note));
         }
         Ok(Answer::of(&found, self.json, |_| String::new()).but(complaint))
     }

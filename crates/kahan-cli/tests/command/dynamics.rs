@@ -17,15 +17,15 @@ const TURN: [&str; 7] =
 fn a_circle_is_known_in_closed_form() {
     let found = object(&[&["dynamics"], &TURN[..], &["--steps", "5000"]].concat());
     let keys: Vec<&str> = found.as_object().expect("an object").keys().map(String::as_str).collect();
-    let wanted =
-        "system steps lyapunov lyapunov_errors mean_log_det fli megno sali rotation drift extrema escaped";
+    let wanted = "system steps lyapunov lyapunov_error spectrum spectrum_errors mean_log_det fli megno sali rotation drift \
+                  extrema escaped";
     assert_eq!(keys, wanted.split(' ').collect::<Vec<_>>());
     // The map turns by 2 atan(eps): clockwise from x to its rate.
     let turns = &found["rotation"]["x"];
     assert!((number(&turns["value"]) + 0.05_f64.atan() / PI).abs() < 1e-13, "{turns}");
     assert!(number(&turns["error"]) < 1e-9);
     // Lengths are kept, but for some roundings in 500 units of time.
-    for exponent in found["lyapunov"].as_array().expect("a list") {
+    for exponent in found["spectrum"].as_array().expect("a list").iter().chain([&found["lyapunov"]]) {
         assert!(number(exponent).abs() < 1e-13);
     }
     assert!(number(&found["drift"]["R"]["max"]) < 1e-12);
@@ -40,7 +40,7 @@ fn linear_fields_have_the_exponents_of_their_multipliers() {
     let found =
         object(&["dynamics", "--field", field, "--eps", "0.1", "--at", "1,1", "--steps", "4000", "--json"]);
     let exact = |rate: f64| ((1.0 + eps * rate) / (1.0 - eps * rate)).ln() / (2.0 * eps);
-    let [first, second] = [0, 1].map(|k| number(&found["lyapunov"][k]));
+    let [first, second] = [0, 1].map(|k| number(&found["spectrum"][k]));
     // What the first vectors are in eigenvectors goes with 1/t.
     assert!((first - exact(fast)).abs() < 2e-3 && (second - exact(slow)).abs() < 2e-3, "{first} {second}");
     let sum = exact(fast) + exact(slow);
@@ -67,7 +67,31 @@ fn an_orbit_that_overflows_is_told_and_kept() {
     // 3ⁿ > 10⁶ from n = 13 on.
     assert_eq!(found["escaped"], 13);
     assert_eq!(found["steps"], 646);
-    assert!((number(&found["lyapunov"][0]) - 3.0_f64.ln()).abs() < 1e-13);
+    for exponent in [&found["lyapunov"], &found["spectrum"][0]] {
+        assert!((number(exponent) - 3.0_f64.ln()).abs() < 1e-13);
+    }
+}
+
+/// Alone, among others, and on runs so short that the vectors have not found their order.
+#[test]
+fn a_name_means_one_thing_whatever_else_is_asked() {
+    let lorenz =
+        ["dynamics", "lorenz", "--param", "s=10", "--param", "r=28", "--param", "b=8/3", "--eps", "1e-2"];
+    for (start, steps) in
+        [("1,1,1", "1"), ("-3,4,20", "2"), ("1,-5,9", "3"), ("1,1,1", "40"), ("1,1,1", "4000")]
+    {
+        let start = format!("--at={start}");
+        let asked = [&lorenz[..], &[&start, "--steps", steps, "--json"]].concat();
+        let all = object(&asked);
+        let spectrum: Vec<f64> = all["spectrum"].as_array().expect("a list").iter().map(number).collect();
+        assert!(spectrum.len() == 3 && spectrum.is_sorted_by(|one, other| one >= other), "{spectrum:?}");
+        for [name, other] in [["lyapunov", "spectrum"], ["spectrum", "lyapunov"]] {
+            let alone = object(&[&asked[..], &["--observe", name]].concat());
+            assert_eq!((&alone[name], alone.get(other)), (&all[name], None));
+        }
+        let last = all["lyapunov"].as_f64().expect("a number");
+        assert!(steps != "4000" || (last - spectrum[0]).abs() < 0.1, "{last} {spectrum:?}");
+    }
 }
 
 #[test]
@@ -120,6 +144,36 @@ fn sections_are_where_the_formula_vanishes() {
     assert_eq!(few, "n,t,x,y,z\n");
     let first = [&["section"], &TURN[..6], &["--steps", "500", "--plane", "x - 1", "--points", "2"]].concat();
     assert_eq!(answer(&first).lines().count(), 3);
+}
+
+/// The orbit jumps over a pole of the map, and the formula has poles but no zero.
+#[test]
+fn jumps_are_no_crossings() {
+    let over_a_pole = ["section", "--field", "xdot = x^2 + 1; ydot = 1;", "--eps", "0.05", "--at", "0.1,0"];
+    let over_a_pole = [&over_a_pole[..], &["--steps", "60"]].concat();
+    let of_the_formula = ["section", "lv", "--eps", "0.1", "--at", "1/2,5/3", "--steps", "300"];
+    let hole = ["section", "--field", "xdot = 1;", "--eps", "0.1", "--at", "-1", "--steps", "60"];
+    for (start, plane, direction, expected) in [
+        (&over_a_pole[..], "x", "falling", (0, 2)),
+        (&over_a_pole[..], "x", "rising", (1, 0)),
+        (&over_a_pole[..], "1/x", "both", (0, 3)),
+        (&of_the_formula[..], "1/(x-1)", "rising", (0, 9)),
+        (&hole[..], "1/x", "rising", (0, 1)),
+        (&hole[..], "x^2/x", "rising", (1, 0)),
+    ] {
+        let asked = [start, &["--plane", plane, "--direction", direction]].concat();
+        let found = object(&[&asked[..], &["--json"]].concat());
+        let (points, jumps) = (found["points"].as_array().map(Vec::len), &found["jumps"]);
+        assert_eq!((points, jumps), (Some(expected.0), &expected.1.into()), "{plane} {direction}");
+        let output = kahan(&asked);
+        assert_eq!((output.status.code(), text(&output.stdout).lines().count()), (Some(0), 1 + expected.0));
+        let note = text(&output.stderr).to_owned();
+        match expected.1 {
+            0 => assert_eq!(note, ""),
+            1 => assert!(note.starts_with("note: 1 jump: "), "{note}"),
+            many => assert!(note.starts_with(&format!("note: {many} jumps: ")), "{note}"),
+        }
+    }
 }
 
 #[test]

@@ -70,12 +70,13 @@ fn dynamics_are_the_same_in_every_unit() {
     let said = |unit: [i32; 2]| {
         let [k, j] = unit;
         let found = run(object, &arguments("dynamics", unit, &["--steps", "300", "--json"]));
-        let rates = ["lyapunov", "lyapunov_errors", "mean_log_det"].map(|name| of(&found[name], -j));
+        let rates = ["lyapunov", "lyapunov_error", "spectrum", "spectrum_errors", "mean_log_det"]
+            .map(|name| of(&found[name], -j));
         let others = ["steps", "fli", "megno", "sali", "rotation"].map(|name| of(&found[name], 0));
         [rates.concat(), others.concat(), of(&found["extrema"], k)].concat()
     };
     let ordinary = said([0, 0]);
-    assert_eq!(ordinary.len(), 5 + 8 + 4);
+    assert_eq!(ordinary.len(), 7 + 8 + 4);
     for unit in UNITS {
         assert_eq!(said(unit), ordinary, "{unit:?}");
     }

@@ -6,6 +6,7 @@
 mod discovered;
 mod observed;
 mod poles;
+mod section;
 mod traded;
 
 use kahan_study::{Answer, Shown};
@@ -16,6 +17,7 @@ use crate::document::{JACOBIAN, LINE, claim, display, formulas};
 pub use discovered::{evaluation, numbers, states_and_images};
 pub use observed::{convergence, observed, out_of_range};
 pub use poles::poles;
+pub use section::jumps;
 pub use traded::{choice, front};
 
 /// Larger matrices are no reading.

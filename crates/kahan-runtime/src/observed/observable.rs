@@ -65,8 +65,8 @@ observables! {
     Lyapunov, called "lyapunov", "The largest Lyapunov exponent, per unit of time.", Orbit:
         "lyapunov" = "largest Lyapunov exponent, per unit of time",
         "lyapunov_error" = "how far the exponent has converged, per unit of time";
-    Spectrum, called "spectrum", "All Lyapunov exponents, per unit of time.", Numbers:
-        "lyapunov_{}" = "Lyapunov exponent, per unit of time";
+    Spectrum, called "spectrum", "All Lyapunov exponents in descending order, per unit of time.", Numbers:
+        "spectrum_{}" = "Lyapunov exponent, the largest first, per unit of time";
     LogDet, called "log_det", "The mean of log |det ∂x̃/∂x|, the sum of all exponents.", Orbit:
         "mean_log_det" = "sum of all Lyapunov exponents, per unit of time";
     Fli, called "fli", "The fast Lyapunov indicator.", Orbit: "fli" = "fast Lyapunov indicator";
@@ -90,7 +90,7 @@ pub enum Seen {
     Extrema(Vec<Option<Extremes<f64>>>),
     /// The largest exponent, with how far it has converged.
     Exponent(Exponent),
-    /// All exponents, the largest first.
+    /// All exponents, in descending order.
     Spectrum(Vec<Exponent>),
     /// An indicator.
     Number(f64),

@@ -94,7 +94,8 @@ impl<T: MachineFloat + PartialOrd> Subject<'_, T> {
         answers.say("steps", (escape, stays, back.map(|back| back.step)));
         answers.add("distance", AREA, back.map(|back| back.squared_distance).as_slice());
         answers.add("rotation", NUMBER, &[turns.value, turns.error, between.value, between.error]);
-        for crossing in &crossings.kept {
+        answers.say("jumps", crossings.jumps);
+        for crossing in &crossings.points.kept {
             answers.say("crossing", crossing.step);
             answers.add("part", NUMBER, &[crossing.part]);
             answers.add("crossing", LENGTH, &crossing.point);

@@ -95,8 +95,9 @@ pub struct Observed {
 }
 
 impl Observe {
-    /// What is observed unless told: all but the last point and the largest exponent alone.
-    pub const USUAL: [Observable; 9] = [
+    /// What is observed unless told: all but the last point.
+    pub const USUAL: [Observable; 10] = [
+        Observable::Lyapunov,
         Observable::Spectrum,
         Observable::LogDet,
         Observable::Fli,
@@ -209,7 +210,7 @@ fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
             named(integrals, drifts, |drift| json!({"max": drift.max, "final": drift.last}))
         }
         Seen::Extrema(extrema) => named(variables, extrema, |of| json!(of.map(|of| [of.least, of.greatest]))),
-        Seen::Exponent(one) => json!({"value": one.value, "error": one.error}),
+        Seen::Exponent(one) => json!(one.value),
         Seen::Spectrum(all) => json!(all.iter().map(|one| one.value).collect::<Vec<_>>()),
         Seen::Number(number) => json!(number),
         Seen::Turns(turns) => {
@@ -224,15 +225,17 @@ impl Serialize for Observed {
         let mut object = json!({"system": self.system, "steps": self.steps});
         for (observable, seen) in &self.seen {
             let name = match observable {
-                Observable::Lyapunov => "largest_lyapunov",
-                Observable::Spectrum => "lyapunov",
                 Observable::LogDet => "mean_log_det",
                 Observable::Escape => "escaped",
                 other => other.name(),
             };
             object[name] = json_of(seen, &self.variables, &self.integrals);
-            if let Seen::Spectrum(all) = seen {
-                object["lyapunov_errors"] = all.iter().map(|one| one.error).collect();
+            match seen {
+                Seen::Exponent(one) => object["lyapunov_error"] = json!(one.error),
+                Seen::Spectrum(all) => {
+                    object["spectrum_errors"] = all.iter().map(|one| one.error).collect();
+                }
+                _ => {}
             }
         }
         object.serialize(serializer)

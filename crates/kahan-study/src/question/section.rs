@@ -5,7 +5,7 @@ use std::ops::Range;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
-use kahan_core::observe::{self, Crossing, Direction, Section as Crossings};
+use kahan_core::observe::{self, Crossing, Direction, Section as Crossings, Sectioned};
 use kahan_discover::Watch;
 use kahan_runtime::{Ended, Follow, Followed, MapAt, RuntimePoint};
 use serde::{Deserialize, Serialize, Serializer};
@@ -34,7 +34,7 @@ pub struct Section {
     /// What vanishes on the section: a formula of the variables, the integrals that are claimed
     /// without `when`, the parameters and `eps`.
     pub plane: String,
-    /// Which crossings count.
+    /// Which sign changes count.
     #[serde(default)]
     pub side: Side,
     /// The most crossings.
@@ -87,6 +87,9 @@ pub struct SectionFound {
     pub ended: Ended,
     /// Where the orbit crosses, in order.
     pub crossings: Vec<Crossing<Vec<f64>, f64>>,
+    /// How often the formula changes its sign in the directions that count, but has no zero: at a
+    /// pole of the formula or of the map, or where the formula jumps.
+    pub jumps: u64,
 }
 
 /// A function of the state whose zeros are a section.
@@ -187,13 +190,15 @@ impl Section {
         let crossings = Crossings::new(&at, plane.height(&at), direction, first);
         let count = Count::new("steps", self.steps, watch);
         let followed = at.observe(&mut x, self.steps, crossings, |steps| count.tell(steps));
-        let Followed { report: crossings, steps, ended } = followed.expect("the start is of the field");
+        let Followed { report, steps, ended } = followed.expect("the start is of the field");
+        let Sectioned { points: crossings, jumps } = report;
         Ok(SectionFound {
             system: study.name().to_owned(),
             variables: study.variables().to_vec(),
             steps,
             ended,
             crossings,
+            jumps,
         })
     }
 }
@@ -237,6 +242,7 @@ struct Object<'a> {
     ended: &'static str,
     times: Vec<f64>,
     points: Vec<&'a [f64]>,
+    jumps: u64,
 }
 
 impl Serialize for SectionFound {
@@ -253,6 +259,7 @@ impl Serialize for SectionFound {
             },
             times: self.crossings.iter().map(|crossing| crossing.time).collect(),
             points: self.crossings.iter().map(|crossing| &crossing.point[..]).collect(),
+            jumps: self.jumps,
         };
         object.serialize(serializer)
     }

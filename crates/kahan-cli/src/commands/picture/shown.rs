@@ -6,6 +6,7 @@
 use std::path::PathBuf;
 
 use kahan_algebra::rational::Rational;
+use kahan_draw::answer;
 use kahan_draw::picture::{self, Coordinate, Look, Picture, Trace};
 use kahan_runtime::heights::Stop;
 use kahan_study::{Axis, Diagram, End, Heights, Orbit, Plane, Question, Section, Study, StudyError};
@@ -196,20 +197,23 @@ impl Shown {
                 let mut trace = Trace::new(&axes);
                 let asked = Question::Orbit(Orbit::new(eps.clone(), at, self.steps));
                 let end = study.rows(&asked, 0..u64::MAX, &mut trace, prompt)?;
-                return Ok((trace, end == End::Complete));
+                return Ok((trace, end == End::Complete, 0));
             };
             let asked = Section::new(eps.clone(), at, self.steps, plane);
             let found = Section { points: usize::MAX, ..asked }.ask(study, prompt)?;
-            Ok((Trace::of_section(&axes, &found), found.steps == self.steps))
+            Ok((Trace::of_section(&axes, &found), found.steps == self.steps, found.jumps))
         })?;
-        let ended = traced.iter().filter(|(_, is_complete)| !is_complete).count();
+        let ended = traced.iter().filter(|(_, is_complete, _)| !is_complete).count();
+        let jumps = traced.iter().map(|(.., jumps)| jumps).sum();
         let is_cut = is_over && (traced.len() < starts.len() || ended > 0);
         let seen = plane.map_or("Orbits".to_owned(), |plane| format!("The section {plane} = 0 of orbits"));
         let against = self.names(study)?.join(" and ");
         let described = format!("{seen} of {} at eps = {eps}, {against} against each other", study.name());
-        let traces = traced.into_iter().map(|(trace, _)| trace).collect();
+        let traces = traced.into_iter().map(|(trace, ..)| trace).collect();
         let picture = picture::portrait(described, study.variables(), traces, look);
-        Ok(Drawn { picture, notes: notes(starts.len(), ended, is_cut) })
+        let mut notes = notes(starts.len(), ended, is_cut);
+        notes.extend(answer::jumps(plane.unwrap_or_default(), jumps));
+        Ok(Drawn { picture, notes })
     }
 
     /// What orbits tend to.

@@ -1,0 +1,14 @@
+//! What sections say in words.
+
+/// Counts the sign changes of the formula `plane` that are no crossings, where there are some.
+#[must_use]
+pub fn jumps(plane: &str, jumps: u64) -> Option<String> {
+    let count = match jumps {
+        0 => return None,
+        1 => "1 jump".to_owned(),
+        many => format!("{many} jumps"),
+    };
+    Some(format!(
+        "{count}: there {plane} changes its sign without a zero, as at a pole of the formula or of the map; a jump is no crossing"
+    ))
+}
