@@ -16,9 +16,9 @@ use super::circle::{characteristic_polynomial, product, stability};
 
 /// The most decimal digits of a coordinate of a cycle over ℚ. The heights of what is no cycle grow
 /// with every step, most often by a factor; those of a cycle come back, to a few digits.
-pub const MOST_DIGITS: u64 = 200;
+const MOST_DIGITS: u64 = 200;
 /// The most products of fractions for the characteristic polynomial of the derivative along a cycle.
-pub const MOST_PRODUCTS: usize = 200_000;
+const MOST_PRODUCTS: usize = 200_000;
 
 /// A cycle over ℚ, and what is proved of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +34,8 @@ pub struct RationalCycle {
 impl Map {
     /// The rational cycle of the map at this ε, half the time step, near one in floats. `None`
     /// where no fractions with denominators of a few digits are, and where the proof takes numbers
-    /// beyond [`MOST_DIGITS`] or more than [`MOST_PRODUCTS`].
+    /// of more than 200 digits, or more than 200 000 products of them: that is a cycle of a point
+    /// in more than 20 variables.
     ///
     /// Cost: an exact orbit over the period for each of some guesses, and the exact derivative at
     /// each point.
