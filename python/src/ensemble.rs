@@ -234,7 +234,9 @@ impl Many<f64> {
         caller: &Caller,
     ) -> Result<Vec<Followed<Vec<f64>>>, kahan_runtime::DimensionError> {
         let width = variables.max(1);
-        // Few enough that Ctrl-C need not wait for long.
+        // Turns are counted by a second run.
+        let runs = if asked.of.contains(&Observable::Rotation) { 2 } else { 1 };
+        // Few enough that all threads have some.
         let together = (AT_ONCE / self.steps.max(1)).clamp(16, 256) as usize;
         let pieces: Vec<&[f64]> = rows.chunks(together * width).collect();
         let seen = threads::map(pieces.len(), Some(caller.threads()), |piece| {
@@ -249,9 +251,8 @@ impl Many<f64> {
             let parameters: Vec<&[f64]> = self.constants.iter().map(|values| &values[own(values)]).collect();
             let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
             let maps: Vec<&MapAt<f64>> = (0..count).map(|orbit| &maps[orbit.min(maps.len() - 1)]).collect();
-            let seen = asked.of_orbits(&maps, &starts);
-            let _ = self.made(self.steps, count, caller);
-            Ok(seen)
+            let of = (self.steps.saturating_mul(runs)).saturating_mul(self.trajectories as u64);
+            Ok(asked.of_orbits(&maps, &starts, &|steps| caller.made(steps, of)))
         });
         Ok(seen.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
     }

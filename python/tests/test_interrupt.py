@@ -10,6 +10,10 @@ import pytest
 LONG = [
     "s.orbit([1, 2, 3], 0.01, 10**12, every=10**12)",
     "s.ensemble(np.ones((20000, 3)) * 0.1, 0.001, 10**9)",
+    *(
+        f"s.ensemble(np.ones((100_000, 3)) * 0.1, 0.001, 10**6, observe=['{of}'])"
+        for of in ["rotation", "spectrum", "extrema", "sali", "escape"]
+    ),
     "s.observe([1, 2, 3], 0.01, 10**11)",
     # Steps of these numbers take seconds each.
     "kahan.catalog.lorenz(s=10, r=28, b='8/3').orbit([1, 2, 3], '1/70', 30, scalar='exact')",

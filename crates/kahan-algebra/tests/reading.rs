@@ -117,6 +117,48 @@ fn limits_are_errors_at_their_place() {
     }
 }
 
+/// So many names with something around each.
+fn listed(count: usize, name: impl Fn(usize) -> String, between: &str) -> String {
+    (0..count).map(name).collect::<Vec<_>>().join(between)
+}
+
+#[test]
+fn blocks_of_more_names_and_claims_than_are_read_are_refused() {
+    let parameters = |count| listed(count, |k| format!("a{k}"), " + ");
+    let header = |count| listed(count, |k| format!("a{k}"), ", ");
+    let constants = |count| listed(count, |k| format!("const c{k} = {k};"), " ");
+    let claims = |count| listed(count, |k| format!("integral I{k} = x;"), " ");
+    let arrays = |count| listed(count, |k| format!("x{k}[i]dot = x{k}[i+64];"), " ");
+    for (allowed, refused) in [
+        (format!("xdot = {};", parameters(9_999)), format!("xdot = {};", parameters(70_000))),
+        (
+            format!("struct S {{ {} }} xdot = {};", header(9_999), parameters(9_999)),
+            format!("struct S {{ {} }} xdot = {};", header(70_000), parameters(70_000)),
+        ),
+        (format!("{} xdot = 1;", constants(9_000)), format!("{} xdot = 1;", constants(70_000))),
+        (format!("xdot = 0; {}", claims(500)), format!("xdot = 0; {}", claims(501))),
+        (format!("for i in open {{ {} }}", arrays(77)), format!("for i in open {{ {} }}", arrays(78))),
+        (
+            format!("for i in periodic {{ x[i]dot = {}; }}", parameters(9_997)),
+            format!("for i in periodic {{ x[i]dot = {}; }}", parameters(70_000)),
+        ),
+    ] {
+        assert!(
+            reading(&allowed).diagnostics().is_empty(),
+            "{allowed:.60}: {:?}",
+            reading(&allowed).diagnostics()
+        );
+        let kinds: Vec<Kind> = reading(&refused).diagnostics().iter().map(|mistake| mistake.kind).collect();
+        assert_eq!(kinds, [Kind::TooLarge], "{refused:.60}");
+    }
+}
+
+#[test]
+fn no_more_than_two_hundred_mistakes_are_told() {
+    let text = format!("struct S {{ a }} xdot = a + {};", listed(20_000, |k| format!("b{k}"), " + "));
+    assert_eq!(reading(&text).diagnostics().len(), 200);
+}
+
 #[test]
 fn one_mistake_makes_one_error_and_three_make_three() {
     let text = "xdot = y*z + sin(x); ydot = zz*x; zdot = x^2*y; integral H = x + ydot;";

@@ -160,7 +160,7 @@ fn check_state<S: Step>(map: &S, x: &[S::Scalar]) -> Result<(), DimensionError> 
 }
 
 /// The steps between two looks of the watch: they take some milliseconds at most.
-fn pause(variables: usize) -> u64 {
+pub(crate) fn pause(variables: usize) -> u64 {
     const MOST: u64 = 4096;
     const FEW: u64 = 8;
     (MOST * FEW.pow(2) / (variables as u64).saturating_pow(2).max(1)).clamp(1, MOST)

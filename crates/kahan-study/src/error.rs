@@ -188,6 +188,18 @@ pub enum StudyError {
         /// How many it has.
         cells: u64,
     },
+    /// A grid has more cells than [`MOST_CELLS`].
+    ManyCells {
+        /// How many it has.
+        cells: u64,
+    },
+    /// The matrices of a field are too large to be written out.
+    LargeMatrices {
+        /// How many variables it has.
+        variables: usize,
+        /// The most.
+        most: usize,
+    },
     /// The question measures times, and the watch has no clock.
     NoClock,
     /// The steps of a field cannot be tried.
@@ -301,6 +313,15 @@ impl fmt::Display for StudyError {
             Self::TooLong { cells } => write!(
                 f,
                 "the answer has {cells} cells, and at most {MOST_CELLS} are kept in memory; take its rows, or a larger `every`"
+            ),
+            Self::ManyCells { cells } => write!(
+                f,
+                "the grid has {cells} cells, and at most {MOST_CELLS} are kept in memory; give its axes fewer values"
+            ),
+            Self::LargeMatrices { variables, most } => write!(
+                f,
+                "the matrices of {variables} variables are not written out, which goes up to {most}; ask for the block alone, \
+                 or show a family of the same equations at fewer sites"
             ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
             Self::Judge { system, why } => write!(f, "{system} cannot be judged: {why}"),

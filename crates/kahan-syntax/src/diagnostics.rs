@@ -108,6 +108,9 @@ fn without_middle(text: &str, longest: usize, first: usize, last: usize) -> Stri
     format!("{head}…{tail}")
 }
 
+/// The most mistakes that are kept: who corrects so many asks again.
+const MOST_MISTAKES: usize = 200;
+
 /// The mistakes found so far. Dropping a collector without [`Diagnostics::finish`] is a bug and
 /// panics.
 #[derive(Debug)]
@@ -122,9 +125,10 @@ impl Default for Diagnostics {
 }
 
 impl Diagnostics {
-    /// Adds a mistake; the same message at the same place is kept once.
+    /// Adds a mistake; the same message at the same place is kept once, and so many in all.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         if let Some(list) = &mut self.list
+            && list.len() < MOST_MISTAKES
             && !list.contains(&diagnostic)
         {
             list.push(diagnostic);
@@ -140,6 +144,12 @@ impl Diagnostics {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.list.as_ref().is_none_or(Vec::is_empty)
+    }
+
+    /// Whether so many were found that no more are kept.
+    #[must_use]
+    pub fn is_full(&self) -> bool {
+        self.len() >= MOST_MISTAKES
     }
 
     /// How many mistakes were found so far.

@@ -5,6 +5,7 @@
 //! then seen by its observers: so each stays in the nearest cache for that long.
 
 use core::array::from_fn;
+use core::ops::ControlFlow;
 use std::vec::Vec;
 
 use crate::ensemble::advance::{Stretch, divide};
@@ -72,7 +73,9 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
                 let mut observed: Vec<O> = (start..len.min(start + GROUP)).map(&observers).collect();
                 let mut points: [Group<T>; N] = from_fn(|c| columns[c][group]);
                 let advance = |points: &mut _| advance(first + group, points);
-                observe_group(&mut points, &mut observed, steps, on.level, advance);
+                observe_group(&mut points, &mut observed, steps, on.level, advance, |_| {
+                    ControlFlow::Continue(())
+                });
                 for (column, points) in columns.iter_mut().zip(points) {
                     column[group] = points;
                 }
@@ -88,13 +91,14 @@ impl<T: EnsembleScalar, const N: usize> Ensemble<T, N> {
     }
 }
 
-/// One group's points, shown at every step and advanced.
+/// One group's points, shown at every step and advanced. `tell` hears of steps, and may stop them.
 pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
     points: &mut P,
     observers: &mut [O],
     steps: u64,
     level: Level,
     advance: impl Fn(&mut P),
+    mut tell: impl FnMut(u64) -> ControlFlow<()>,
 ) {
     // The point before the burst, then those of the burst.
     let mut seen: [P; BURST + 1] = from_fn(|_| points.clone());
@@ -111,5 +115,8 @@ pub fn observe_group<T: EnsembleScalar, O: Observer<T>, P: Grouped<T>>(
         let mut each = observers.iter_mut();
         let burst = Burst { before, seen: &seen[..=len], level };
         O::observe_burst(&mut from_fn(|_| each.next()), &burst);
+        if tell(len as u64).is_break() {
+            return;
+        }
     }
 }

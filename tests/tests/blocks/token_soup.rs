@@ -3,6 +3,8 @@
 //! Random token soups and mutated blocks go through lexer, parser, checker and prover. The
 //! generator's seed is fixed, so a failure comes back.
 
+use std::ops::Range;
+
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
 use kahan_algebra::lexer::lex;
@@ -114,8 +116,8 @@ const VALID: [&str; 4] = [
     "#[derive(Debug)] pub(crate) struct Linear { a, b, } xdot = a*y + 1; ydot = -(b*x); bracket P { {x,y} = 1; };",
 ];
 
-fn soup() -> impl Strategy<Value = String> {
-    proptest::collection::vec((0..WORDS.len(), any::<bool>()), 0..60).prop_map(|words| {
+fn soup(length: Range<usize>) -> impl Strategy<Value = String> {
+    proptest::collection::vec((0..WORDS.len(), any::<bool>()), length).prop_map(|words| {
         words.into_iter().map(|(word, apart)| WORDS[word].to_owned() + if apart { " " } else { "" }).collect()
     })
 }
@@ -143,7 +145,7 @@ proptest! {
     #![proptest_config(config(3_000))]
 
     #[test]
-    fn no_soup_of_tokens_makes_the_front_end_panic(text in soup()) {
+    fn no_soup_of_tokens_makes_the_front_end_panic(text in soup(0..60)) {
         read_text(&text);
     }
 
@@ -158,6 +160,66 @@ proptest! {
 
     #[test]
     fn no_mutation_of_a_block_makes_the_front_end_panic(text in mutated()) {
+        read_text(&text);
+    }
+}
+
+/// So many of what is listed.
+fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String {
+    (0..count).map(one).collect::<Vec<_>>().join(between)
+}
+
+/// Blocks of sizes at, below and beyond the limits of the language, each size drawn by itself.
+fn large() -> impl Strategy<Value = String> {
+    let size = |sizes: &'static [usize]| proptest::sample::select(sizes);
+    (
+        size(&[1, 9, 1_000, 10_000, 10_001]),
+        size(&[0, 1, 9_000, 70_000]),
+        size(&[0, 1, 500, 501]),
+        size(&[1, 256, 257, 5_000]),
+        size(&[1, 2, 64, 65, 1_000_000]),
+        size(&[1, 2_000, 20_000]),
+    )
+        .prop_map(|(equations, parameters, claims, nesting, exponent, terms)| {
+            let names = listed(parameters, |k| format!(" + a{k}"), "");
+            let sum = listed(terms, |k| format!("{k}*x0*x{}", k % equations), " + ");
+            let nested = format!("{}x0{}", "(".repeat(nesting), ")".repeat(nesting));
+            let others = listed(equations, |k| format!("x{k}dot = x{};", (k + 1) % equations), " ");
+            let claims = listed(claims, |k| format!("integral I{k} = x0^{exponent};"), " ");
+            format!("ydot = {sum}{names} + {nested} + b^{exponent}; {others} {claims}")
+        })
+}
+
+/// Families of every reach, with claims.
+fn far() -> impl Strategy<Value = String> {
+    let reach = proptest::sample::select(&[1_usize, 2, 16, 63, 64, 65][..]);
+    let boundary = proptest::sample::select(&["open", "periodic"][..]);
+    let force = proptest::sample::select(&["x", "c[i]*x", "k*x", "x[i]*x"][..]);
+    (reach, boundary, force, 1..4_usize).prop_map(|(reach, boundary, force, terms)| {
+        let pull =
+            listed(terms, |k| format!("{force}[i+{0}] - {force}[i-{0}]", reach - k.min(reach - 1)), " + ");
+        format!(
+            "for i in {boundary} {{ x[i]dot = y[i]; y[i]dot = {pull}; }} integral S = sum(x[i] + y[i]); \
+             hamiltonian H = sum(y[i]^2/2 - x[i]*x[i+{reach}]);"
+        )
+    })
+}
+
+proptest! {
+    #![proptest_config(config(20))]
+
+    #[test]
+    fn no_long_soup_of_tokens_makes_the_front_end_panic(text in soup(2_000..20_000)) {
+        read_text(&text);
+    }
+
+    #[test]
+    fn no_block_at_a_limit_makes_the_front_end_panic(text in large()) {
+        read_text(&text);
+    }
+
+    #[test]
+    fn no_family_of_any_reach_makes_the_front_end_panic(text in far()) {
         read_text(&text);
     }
 }

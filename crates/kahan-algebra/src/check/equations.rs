@@ -1,5 +1,7 @@
 //! Equations: expanded exactly, of degree at most two in the states.
 
+use rustc_hash::FxHashSet;
+
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics};
 use kahan_syntax::syntax::{Block, Expr, ExprKind};
 use kahan_syntax::token::Span;
@@ -20,13 +22,12 @@ pub(super) fn expand_all(
 ) -> (Vec<Component>, Kept) {
     let mut values = Values::of(&scope.symbols);
     let (mut components, mut kept) = (Vec::new(), Vec::new());
-    let mut seen: Vec<&str> = Vec::new();
+    let mut seen: FxHashSet<&str> = FxHashSet::default();
     for equation in &block.equations {
         let sound = equation.value.as_ref().filter(|value| scope.resolve(value, false, diagnostics));
-        if seen.contains(&equation.state.text.as_str()) {
+        if !seen.insert(&equation.state.text) {
             continue;
         }
-        seen.push(&equation.state.text);
         let expansion = sound.and_then(|value| {
             let expansion = expand(value, scope, &mut values);
             let expansion = expansion.and_then(|expansion| check_degree(value, expansion, scope));

@@ -1,5 +1,7 @@
 //! A family: arrays, parameters of the chain and of its sites, equations, sums.
 
+use rustc_hash::FxHashSet;
+
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead, Reference};
 use kahan_syntax::token::Span;
@@ -15,6 +17,7 @@ use super::names::{Scope, is_epsilon};
 use super::outside::values_beyond_the_ends;
 use super::stand_in::StandIn;
 use super::sums::summand;
+use super::{report_names, report_size};
 
 /// Checks the family of a block. There is always a stand-in, and a family where the block has no
 /// mistake.
@@ -24,10 +27,16 @@ pub(crate) fn check_family(
     diagnostics: &mut Diagnostics,
 ) -> (StandIn, Option<Family>) {
     let before = diagnostics.len();
+    if report_size(block, diagnostics) {
+        return (StandIn::of_type(block.header.clone()), None);
+    }
     report_strangers(block, head, diagnostics);
     let equations = block.equations[head.equations_before..head.equations_until].to_vec();
     let block = &Block { equations, ..block.clone() };
     let names = Names::of(block, diagnostics);
+    if report_names(names.seen() + block.constants.len(), block, diagnostics) {
+        return (StandIn::of_type(block.header.clone()), None);
+    }
     let mut scope = Scope::of(names.symbols());
     names.report_plain_arrays(block, &mut scope, diagnostics);
     let constants = constants::evaluate(block, &mut scope, diagnostics);
@@ -75,7 +84,8 @@ pub(crate) fn check_family(
 fn with_names_of_sites(block: &Block, names: &Names) -> Block {
     let mut block = block.clone();
     if let Some(header) = &mut block.header {
-        header.parameters.retain(|name| !names.site_parameters.contains(&name.text));
+        let of_sites: FxHashSet<&String> = names.site_parameters.iter().collect();
+        header.parameters.retain(|name| !of_sites.contains(&name.text));
     }
     block
 }
@@ -120,56 +130,68 @@ struct Names {
 
 impl Names {
     fn of(block: &Block, diagnostics: &mut Diagnostics) -> Self {
-        let mut arrays: Vec<String> = Vec::new();
+        let mut arrays = Distinct::default();
         for equation in &block.equations {
             let array = &equation.state;
-            if arrays.contains(&array.text) {
+            if !arrays.push(&array.text) {
                 let message = format!("`{}[i]dot` is given twice", array.text);
                 let help = "remove one of the equations, or rename its array";
                 diagnostics.report(Kind::Name, array.span, message, help);
-            } else {
-                arrays.push(array.text.clone());
             }
         }
         let mut reach = 1;
-        let mut at_sites: Vec<String> = Vec::new();
-        let mut plain: Vec<String> = Vec::new();
+        let (mut at_sites, mut plain) = (Distinct::default(), Distinct::default());
         for (reference, _) in references(block) {
             match reference {
                 Reference::Site { array, offset } => {
                     reach = reach.max(offset.unsigned_abs() as usize);
-                    push_new(&mut at_sites, array);
+                    at_sites.push(array);
                 }
-                Reference::Name(name) => push_new(&mut plain, name),
+                Reference::Name(name) => {
+                    plain.push(name);
+                }
             }
         }
-        let is_constant = |name: &String| block.constants.iter().any(|constant| constant.name.text == **name);
-        let is_known = |name: &String| arrays.contains(name) || is_constant(name) || is_epsilon(name);
-        let (mut parameters, mut site_parameters) = (Vec::new(), Vec::new());
+        let constants: FxHashSet<&str> =
+            block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
+        let is_known = |name: &str| arrays.has(name) || constants.contains(name) || is_epsilon(name);
+        let (mut parameters, mut site_parameters) = (Distinct::default(), Distinct::default());
         match &block.header {
             Some(header) => {
                 for name in &header.parameters {
                     let text = &name.text;
-                    let message = if arrays.contains(text) {
+                    let message = if arrays.has(text) {
                         format!("`{text}` is an array (`{text}[i]dot` is given), so it cannot be a parameter")
-                    } else if parameters.contains(text) || site_parameters.contains(text) {
+                    } else if parameters.has(text) || site_parameters.has(text) {
                         format!("the parameter `{text}` is declared twice")
                     } else {
-                        let list =
-                            if at_sites.contains(text) { &mut site_parameters } else { &mut parameters };
-                        list.push(text.clone());
+                        let list = if at_sites.has(text) { &mut site_parameters } else { &mut parameters };
+                        list.push(text);
                         continue;
                     };
                     diagnostics.report(Kind::Name, name.span, message, "rename one of them, or remove one");
                 }
             }
             None => {
-                site_parameters = at_sites.into_iter().filter(|name| !is_known(name)).collect();
-                let is_new = |name: &String| !is_known(name) && !site_parameters.contains(name);
-                parameters = plain.into_iter().filter(is_new).collect();
+                for name in at_sites.names.iter().filter(|name| !is_known(name)) {
+                    site_parameters.push(name);
+                }
+                for name in plain.names.iter().filter(|name| !is_known(name) && !site_parameters.has(name)) {
+                    parameters.push(name);
+                }
             }
         }
-        Names { arrays, parameters, site_parameters, reach }
+        Names {
+            arrays: arrays.names,
+            parameters: parameters.names,
+            site_parameters: site_parameters.names,
+            reach,
+        }
+    }
+
+    /// How many values a site sees.
+    fn seen(&self) -> usize {
+        (2 * self.reach + 1) * (self.arrays.len() + self.site_parameters.len()) + self.parameters.len()
     }
 
     fn symbols(&self) -> Symbols {
@@ -187,10 +209,11 @@ impl Names {
 
     /// Reports arrays without an index, once each.
     fn report_plain_arrays(&self, block: &Block, scope: &mut Scope, diagnostics: &mut Diagnostics) {
+        let at_sites: FxHashSet<&str> =
+            self.arrays.iter().chain(&self.site_parameters).map(String::as_str).collect();
         for (reference, span) in references(block) {
             let Reference::Name(name) = reference else { continue };
-            let is_at_sites = self.arrays.iter().chain(&self.site_parameters).any(|array| array == name);
-            if is_at_sites && !scope.is_poisoned(name) {
+            if at_sites.contains(name) && !scope.is_poisoned(name) {
                 let message = format!("`{name}` has a value at each site");
                 diagnostics.report(Kind::Name, span, message, format!("write `{name}[i]`"));
                 scope.poison(name);
@@ -199,9 +222,25 @@ impl Names {
     }
 }
 
-fn push_new(names: &mut Vec<String>, name: &str) {
-    if !names.iter().any(|known| known == name) {
-        names.push(name.to_owned());
+/// Names in the order in which they came, each once.
+#[derive(Default)]
+struct Distinct {
+    names: Vec<String>,
+    known: FxHashSet<String>,
+}
+
+impl Distinct {
+    /// Adds a name; `false` if it is there already.
+    fn push(&mut self, name: &str) -> bool {
+        let is_new = self.known.insert(name.to_owned());
+        if is_new {
+            self.names.push(name.to_owned());
+        }
+        is_new
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.known.contains(name)
     }
 }
 

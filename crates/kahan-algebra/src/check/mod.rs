@@ -32,8 +32,13 @@ pub(crate) use family::check_family;
 pub use kahan_syntax::spelling::nearest;
 pub use stand_in::{Broken, StandIn};
 
-/// The most equations of a block: 16 bits number its states, a second copy of them, and parameters.
+/// The most equations of a block.
 const MOST_EQUATIONS: usize = 10_000;
+/// The most names of a block: states, parameters, constants and claims; of a family those that a
+/// site sees, an array once for each neighbour. 16 bits number them, and a second copy of them.
+const MOST_NAMES: usize = 10_000;
+/// The most claims of a block.
+const MOST_CLAIMS: usize = 500;
 
 /// The mistake of a family where a plain system is wanted.
 #[must_use]
@@ -103,9 +108,8 @@ impl Checked {
     }
 }
 
-/// Checks a block of plain equations. There is always a stand-in, and a system where the equations
-/// have no mistake; claims with a mistake are left out of it.
-pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
+/// Reports a block that declares too much; `true` if it does.
+fn report_size(block: &Block, diagnostics: &mut Diagnostics) -> bool {
     if let Some(equation) = block.equations.get(MOST_EQUATIONS) {
         diagnostics.report(
             Kind::TooLarge,
@@ -113,6 +117,41 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
             format!("the block has more than {MOST_EQUATIONS} equations"),
             "write the equations of many sites once, as in `for i in periodic { x[i]dot = x[i+1]; }`",
         );
+        return true;
+    }
+    if let Some(claim) = block.claims.iter().chain(&block.hamiltonians).nth(MOST_CLAIMS) {
+        diagnostics.report(
+            Kind::TooLarge,
+            claim.name.span,
+            format!("the block has more than {MOST_CLAIMS} claims"),
+            "leave those out that follow from others",
+        );
+        return true;
+    }
+    let parameters = block.header.as_ref().map_or(0, |header| header.parameters.len());
+    report_names(block.equations.len() + parameters + block.constants.len(), block, diagnostics)
+}
+
+/// Reports so many names, if they are too many; `true` if they are.
+fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> bool {
+    if count <= MOST_NAMES {
+        return false;
+    }
+    let span = block.equations.first().map_or(Span::token(0), |equation| equation.state.span);
+    diagnostics.report(
+        Kind::TooLarge,
+        span,
+        format!("the block has {count} names, and at most {MOST_NAMES} are read"),
+        "write numbers for parameters that do not change, and the equations of many sites once, as in \
+         `for i in periodic { x[i]dot = c[i]*x[i+1]; }`",
+    );
+    true
+}
+
+/// Checks a block of plain equations. There is always a stand-in, and a system where the equations
+/// have no mistake; claims with a mistake are left out of it.
+pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (StandIn, Option<System>) {
+    if report_size(&block, diagnostics) {
         return (StandIn::of_type(block.header), None);
     }
     if block.equations.is_empty() && diagnostics.is_empty() {
@@ -125,6 +164,10 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
     }
     let before = diagnostics.len();
     let mut scope = Scope::new(&block, diagnostics);
+    let names = scope.symbols.states.len() + scope.symbols.parameters.len() + block.constants.len();
+    if report_names(names, &block, diagnostics) {
+        return (StandIn::of_type(block.header), None);
+    }
     let constants = constants::evaluate(&block, &mut scope, diagnostics);
     let (components, kept) = equations::expand_all(&block, &mut scope, diagnostics);
     let is_sound = diagnostics.len() == before

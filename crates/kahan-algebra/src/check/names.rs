@@ -12,7 +12,7 @@ use kahan_syntax::table::sorted_by_key;
 use kahan_syntax::token::Span;
 
 use crate::poly::Variable;
-use crate::symbols::Symbols;
+use crate::symbols::{Symbol, Symbols};
 
 /// What a name means in an equation.
 #[derive(Clone, Debug)]
@@ -25,6 +25,8 @@ pub(super) enum Meaning {
 #[derive(Default)]
 pub(super) struct Scope {
     pub(super) symbols: Symbols,
+    /// The states and parameters by name.
+    places: FxHashMap<String, Symbol>,
     /// Values of constants; `None` for one whose value was not understood.
     pub(super) constants: FxHashMap<String, Option<Rational>>,
     /// Claims so far.
@@ -45,7 +47,11 @@ pub(super) fn is_epsilon(name: &str) -> bool {
 
 impl Scope {
     fn is_state_name(&self, name: &str) -> bool {
-        self.symbols.states.iter().any(|state| state == name)
+        matches!(self.places.get(name), Some(Symbol::State(_)))
+    }
+
+    fn is_parameter_name(&self, name: &str) -> bool {
+        matches!(self.places.get(name), Some(Symbol::Parameter(_)))
     }
 
     /// Whether nothing of this name may be reported any more.
@@ -62,10 +68,7 @@ impl Scope {
         if is_epsilon(name) {
             return Some(self.symbols.epsilon());
         }
-        let position = |names: &[String]| names.iter().position(|known| known == name);
-        position(&self.symbols.states)
-            .map(|i| self.symbols.state(i))
-            .or_else(|| position(&self.symbols.parameters).map(|k| self.symbols.parameter(k)))
+        self.places.get(name).map(|symbol| self.symbols.variable(*symbol))
     }
 
     /// Notes that something uses this name.
@@ -104,7 +107,7 @@ impl Scope {
             } else if self.meaning(&name).is_none() && !(in_claim && self.claims.contains(&name)) {
                 sound = false;
                 // A constant without a value has been reported at its declaration.
-                if !self.constants.contains_key(&name) {
+                if !self.constants.contains_key(&name) && !diagnostics.is_full() {
                     self.report_unknown(reference, span, in_claim, diagnostics);
                 }
             }
@@ -193,7 +196,7 @@ impl Scope {
             return;
         };
         for name in &header.parameters {
-            if self.symbols.parameters.contains(&name.text) && !self.used.contains(&name.text) {
+            if self.is_parameter_name(&name.text) && !self.used.contains(&name.text) {
                 diagnostics.report(
                     Kind::UnusedParameter,
                     name.span,
@@ -209,7 +212,7 @@ impl Scope {
         let text = &name.text;
         let taken = if self.is_state_name(text) {
             "a state variable"
-        } else if self.symbols.parameters.contains(text) {
+        } else if self.is_parameter_name(text) {
             "a parameter"
         } else if self.constants.contains_key(text) {
             if what == "constant" { "an earlier constant" } else { "a constant" }

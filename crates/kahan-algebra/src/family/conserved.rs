@@ -1,29 +1,20 @@
 //! What the map of a family keeps, whatever the number of sites.
 //!
-//! A statement about every number of sites is one about finitely many. Which terms meet at a place
-//! of the chain depends on its distance to the ends only, as far as couplings reach; so what holds
-//! for all chains up to [`longest`] sites, in which places near the left end, near the right end
-//! and in between occur by themselves, holds for all. Each chain is expanded and compared exactly.
+//! Each claim is one about finitely many terms, see [`everywhere`](super::everywhere).
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::rational::Rational;
+use kahan_syntax::syntax::{Boundary, Name};
+use rustc_hash::FxHashMap;
 
-use crate::poly::Polynomial;
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial};
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
 use crate::symbols::Symbols;
 
-use super::hamiltonian::stencil;
+use super::everywhere::{Extent, MOST_WORK, Middle, budget, product};
+use super::hamiltonian::check_hamiltonian;
 use super::{Family, SiteSum};
-
-/// The number of sites up to which chains are compared.
-///
-/// A claim couples sites at most its own reach apart, their equations as many more, so that terms
-/// of the time derivative meet within four times the reach; past twice that, and a site for the
-/// constant terms, nothing new occurs.
-#[must_use]
-pub fn longest(family: &Family) -> usize {
-    8 * family.reach + 2
-}
 
 /// Reports every claim of the family that is false.
 pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
@@ -33,7 +24,7 @@ pub fn check_claims(family: &Family, diagnostics: &mut Diagnostics) {
         }
     }
     if let Some(hamiltonian) = &family.hamiltonian
-        && let Err(mistake) = stencil(family, hamiltonian)
+        && let Err(mistake) = check_hamiltonian(family, hamiltonian)
     {
         diagnostics.push(mistake);
     }
@@ -55,7 +46,9 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
             "write `hamiltonian` for the energy; at a given number of sites `kahan discover --sites 4` looks for others",
         ));
     }
-    if degree == 0 || is_constant(family, integral) {
+    let over_budget = |_| too_long(name);
+    let middle = Middle::of(family);
+    if degree == 0 || is_constant(&middle, integral, &mut budget()).map_err(over_budget)? {
         return Err(Diagnostic::new(
             Kind::FalseClaim,
             name.span,
@@ -63,9 +56,13 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
             "write a sum of states, as in `sum(x[i])`",
         ));
     }
-    for sites in 1..=longest(family) {
+    if cancels(&middle, integral, &mut budget()).map_err(over_budget)? {
+        return Ok(());
+    }
+    let budget = &mut budget();
+    for sites in 1..=middle.sites {
         let symbols = family.symbols_at(sites);
-        if let Some(left) = derivative(family, integral, sites, &symbols) {
+        if let Some(left) = derivative(family, integral, sites, &symbols, budget).map_err(over_budget)? {
             let text = Text.polynomial(&symbols, &left);
             return Err(Diagnostic::new(
                 Kind::FalseClaim,
@@ -82,22 +79,79 @@ fn linear_integral(family: &Family, integral: &SiteSum) -> Result<(), Diagnostic
     Ok(())
 }
 
-/// Whether the sum over a long chain depends on no state: its terms cancel, as those of
+/// The mistake of a claim that is beyond the budget.
+pub(super) fn too_long(name: &Name) -> Diagnostic {
+    Diagnostic::new(
+        Kind::TooLarge,
+        name.span,
+        format!("to prove `{}` takes more than {MOST_WORK} products of terms", name.text),
+        "remove the claim, or let it and the equations reach fewer neighbours, in fewer terms; at a given number of sites `kahan discover --sites 4` finds what the map keeps",
+    )
+}
+
+/// Whether the sum over every chain depends on no state: its terms cancel, as those of
 /// `sum(x[i+1] - x[i])` do in a ring.
-fn is_constant(family: &Family, sum: &SiteSum) -> bool {
-    let sites = longest(family);
-    let symbols = family.symbols_at(sites);
-    let mut slopes = vec![RationalFunction::zero(); symbols.dimension()];
-    for site in 0..sites {
-        let density = family.moved(&sum.density, site, sites, &symbols);
-        for (k, slope) in slopes.iter_mut().enumerate() {
-            let own = density.numerator.derivative(symbols.state(k));
-            if let Some(own) = RationalFunction::new(own, density.denominator.clone()) {
-                *slope = &*slope + &own;
+fn is_constant(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Result<bool, OverBudget> {
+    let density = middle.at(&sum.density, 0);
+    // The slope of the whole sum by the state of an array in the middle.
+    let mut slopes: FxHashMap<(usize, Extent), RationalFunction> = FxHashMap::default();
+    for (monomial, value) in density.numerator.terms() {
+        let Some((state, _)) =
+            monomial.powers().iter().find(|(variable, _)| middle.symbols.is_state(*variable))
+        else {
+            continue;
+        };
+        let (offset, array) = middle.state(*state);
+        budget.charge(1 + density.denominator.len() as u64)?;
+        let extent = middle.extent(monomial, middle.extent_of_site(0));
+        let extent = middle.moved(extent, -offset);
+        let slope = monomial.lowered(*state).expect("it occurs");
+        let slope = Polynomial::term(middle.shifted(&slope, -offset), value.clone());
+        let below = middle.shifted_polynomial(&density.denominator, -offset);
+        let slope = RationalFunction::new_within(slope, below, budget)?.expect("a divisor is not zero");
+        let total = slopes.entry((array, extent)).or_insert_with(RationalFunction::zero);
+        *total = total.add_within(&slope, budget)?;
+    }
+    Ok(slopes.values().all(RationalFunction::is_zero))
+}
+
+/// Whether the terms of the sum's derivative along the field cancel in every chain, those over one
+/// divisor among themselves. Where these do not, others may.
+pub(super) fn cancels(middle: &Middle<'_>, sum: &SiteSum, budget: &mut Budget) -> Result<bool, OverBudget> {
+    let density = middle.at(&sum.density, 0);
+    // By divisor, monomial and length, wherever they begin.
+    let mut terms: FxHashMap<(Polynomial, Monomial, usize), Rational> = FxHashMap::default();
+    for state in density.numerator.variables().into_iter().filter(|&state| middle.symbols.is_state(state)) {
+        let (offset, array) = middle.state(state);
+        let component = middle.at(&middle.family.components[array], offset);
+        let place = middle.extent_of_site(0).with(middle.extent_of_site(offset));
+        let below = product(&density.denominator, &component.denominator, budget)?;
+        let content = below.monomial_content();
+        budget.charge(density.numerator.len() as u64)?;
+        for (written, value) in density.numerator.terms() {
+            let Some(slope) = written.lowered(state) else { continue };
+            budget.charge((component.numerator.len() * (1 + below.len())) as u64)?;
+            for (factor, by) in component.numerator.terms() {
+                let extent = middle.extent(factor, middle.extent(&slope, place));
+                let above = slope.mul(factor);
+                let common = above.gcd(&content);
+                let above = above.div(&common).expect("a common divisor divides");
+                let below = below.div_monomial(&common).expect("a common divisor divides");
+                let first = match middle.family.boundary {
+                    Boundary::Open => extent.first,
+                    Boundary::Periodic => {
+                        middle.first_site(below.terms().map(|(monomial, _)| monomial).chain([&above]))
+                    }
+                };
+                let by_first = -(first as i64);
+                let below = middle.shifted_polynomial(&below, by_first);
+                let total =
+                    terms.entry((below, middle.shifted(&above, by_first), extent.sites())).or_default();
+                *total = &*total + &(value * by);
             }
         }
     }
-    slopes.iter().all(RationalFunction::is_zero)
+    Ok(terms.values().all(Rational::is_zero))
 }
 
 pub(super) fn plural(sites: usize) -> &'static str {
@@ -105,29 +159,36 @@ pub(super) fn plural(sites: usize) -> &'static str {
 }
 
 /// The numerator of the sum's derivative along the field; `None` where it vanishes.
-fn derivative(family: &Family, sum: &SiteSum, sites: usize, symbols: &Symbols) -> Option<Polynomial> {
-    let field = family.at_sites(sites).field;
+fn derivative(
+    family: &Family,
+    sum: &SiteSum,
+    sites: usize,
+    symbols: &Symbols,
+    budget: &mut Budget,
+) -> Result<Option<Polynomial>, OverBudget> {
     // Terms over one divisor cancel among themselves, most often all of them.
     let mut groups: Vec<(Polynomial, Polynomial)> = Vec::new();
     for site in 0..sites {
         let density = family.moved(&sum.density, site, sites, symbols);
         let states = density.numerator.variables().into_iter().filter(|variable| symbols.is_state(*variable));
         for state in states {
-            let component = &field.components[usize::from(state.0)];
+            let place = usize::from(state.0);
+            let (site, array) = (place / family.block(), place % family.block());
+            let component = family.moved(&family.components[array], site, sites, symbols);
             let slope = density.numerator.derivative(state);
-            let above = &slope * &component.numerator;
-            let below = &density.denominator * &component.denominator;
+            let above = product(&slope, &component.numerator, budget)?;
+            let below = product(&density.denominator, &component.denominator, budget)?;
             match groups.iter_mut().find(|(divisor, _)| *divisor == below) {
-                Some((_, total)) => *total = &*total + &above,
+                Some((_, total)) => *total = total.add_within(&above, budget)?,
                 None => groups.push((below, above)),
             }
         }
     }
     let mut total = RationalFunction::zero();
     for (below, above) in groups.into_iter().filter(|(_, above)| !above.is_zero()) {
-        if let Some(quotient) = RationalFunction::new(above, below) {
-            total = &total + &quotient;
+        if let Some(quotient) = RationalFunction::new_within(above, below, budget)? {
+            total = total.add_within(&quotient, budget)?;
         }
     }
-    (!total.is_zero()).then(|| total.numerator().clone())
+    Ok((!total.is_zero()).then(|| total.numerator().clone()))
 }

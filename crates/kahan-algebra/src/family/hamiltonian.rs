@@ -5,34 +5,20 @@
 //! (2013) 025201).
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
+use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, Reference};
-use kahan_syntax::table::Table;
 
-use crate::poly::{Monomial, Polynomial};
-use crate::rational_function::RationalFunction;
+use crate::poly::{Budget, Monomial, OverBudget, Polynomial};
 use crate::render::{Notation, Text};
-use crate::symbols::Symbols;
+use crate::symbols::Symbol;
 
-use super::conserved::{longest, plural};
+use super::conserved::{plural, too_long};
+use super::everywhere::{Extent, Middle, budget, product};
 use super::linear::Equations;
 use super::{Family, Role, SiteSum};
 
-/// One entry of K above the diagonal: of the row of array `row` at site i and the column of array
-/// `column` at site i + `offset`.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct StencilEntry {
-    /// The array of the row.
-    pub row: usize,
-    /// The array of the column.
-    pub column: usize,
-    /// How far the column's site is from the row's.
-    pub offset: usize,
-    /// The entry, which depends on parameters of the chain at most.
-    pub value: RationalFunction,
-}
-
-/// Finds K for the Hamiltonian, and proves ẋ = K∇H for every number of sites.
-pub(super) fn stencil(family: &Family, hamiltonian: &SiteSum) -> Result<Vec<StencilEntry>, Diagnostic> {
+/// Proves that there is a K with ẋ = K∇H for every number of sites.
+pub(super) fn check_hamiltonian(family: &Family, hamiltonian: &SiteSum) -> Result<(), Diagnostic> {
     let name = &hamiltonian.name;
     let refuse = |message: String, help: &str| Diagnostic::new(Kind::Claim, name.span, message, help);
     let degree = family.symbols.degree(&hamiltonian.density.numerator);
@@ -63,23 +49,16 @@ pub(super) fn stencil(family: &Family, hamiltonian: &SiteSum) -> Result<Vec<Sten
             "declare the reciprocal as the parameter",
         ));
     }
-    let unknowns = unknowns(family);
-    let mut equations = Equations::default();
-    // The longest chain first: its middle names the term that is in the way.
-    let shortest = match family.boundary {
-        // Shorter rings are this one with sites identified, on both sides of the equations.
-        Boundary::Periodic => longest(family),
-        Boundary::Open => 1,
-    };
-    for sites in (shortest..=longest(family)).rev() {
-        Chain::of(family, hamiltonian, sites).equate(&unknowns, &mut equations).map_err(|(site, array, monomial)| {
-            let term = relative(family, &family.symbols_at(sites), &monomial, site, sites);
+    match missing(&Middle::of(family), hamiltonian, &mut budget()) {
+        Ok(None) => Ok(()),
+        Err(OverBudget) => Err(too_long(name)),
+        Ok(Some(Missing { array, term, site, sites })) => {
             let place = match family.boundary {
                 Boundary::Periodic => String::new(),
                 Boundary::Open => format!(" (site {site} of {sites} {})", plural(sites)),
             };
             let array = &family.arrays[array];
-            Diagnostic::new(
+            Err(Diagnostic::new(
                 Kind::FalseClaim,
                 name.span,
                 format!(
@@ -87,12 +66,9 @@ pub(super) fn stencil(family: &Family, hamiltonian: &SiteSum) -> Result<Vec<Sten
                     name.text, family.reach
                 ),
                 "correct the Hamiltonian or the equations",
-            )
-        })?;
+            ))
+        }
     }
-    let values = equations.solution(unknowns.len());
-    let entry = |((row, column, offset), value)| StencilEntry { row, column, offset, value };
-    Ok(unknowns.into_iter().zip(values).map(entry).filter(|entry| !entry.value.is_zero()).collect())
 }
 
 /// The entries of K that fix all others: above the diagonal.
@@ -106,134 +82,168 @@ fn unknowns(family: &Family) -> Vec<(usize, usize, usize)> {
     pairs.flat_map(offsets).collect()
 }
 
-/// A term that no K gives: site, array, monomial.
-type Missing = (usize, usize, Monomial);
-
-/// A chain with its energy's gradient.
-struct Chain<'a> {
-    family: &'a Family,
-    symbols: Symbols,
+/// A term that no K gives, at a site of a chain.
+pub(super) struct Missing {
+    array: usize,
+    term: String,
+    site: usize,
     sites: usize,
-    gradient: Vec<Polynomial>,
-    /// What the energy is divided by.
-    divisor: Polynomial,
 }
 
-impl<'a> Chain<'a> {
-    fn of(family: &'a Family, hamiltonian: &SiteSum, sites: usize) -> Self {
-        let symbols = family.symbols_at(sites);
-        let mut gradient = vec![Polynomial::zero(); symbols.states.len()];
-        let mut divisor = Polynomial::one();
-        for site in 0..sites {
-            let density = family.moved(&hamiltonian.density, site, sites, &symbols);
-            for state in density.numerator.variables() {
-                if symbols.is_state(state) {
-                    let slope = &mut gradient[usize::from(state.0)];
-                    *slope = &*slope + &density.numerator.derivative(state);
-                }
-            }
-            divisor = density.denominator;
-        }
-        Chain { family, symbols, sites, gradient, divisor }
-    }
-
-    /// Adds ẋ = K∇H, term by term; the middle of the chain first.
-    fn equate(&self, unknowns: &[(usize, usize, usize)], equations: &mut Equations) -> Result<(), Missing> {
-        let system = self.family.at_sites(self.sites);
-        let middle = self.sites / 2;
-        let rest = (0..self.sites).filter(|site| *site != middle && self.family.boundary == Boundary::Open);
-        let mut known: Vec<Vec<RationalFunction>> = Vec::new();
-        for site in std::iter::once(middle).chain(rest) {
-            for array in 0..self.family.block() {
-                let component = &system.field.components[site * self.family.block() + array];
-                let sides: Vec<Polynomial> = unknowns
-                    .iter()
-                    .map(|unknown| &self.column(*unknown, site, array) * &component.denominator)
-                    .chain([&component.numerator * &self.divisor])
-                    .collect();
-                for (monomial, row) in self.by_monomial(&sides) {
-                    if known.contains(&row) {
-                        continue;
-                    }
-                    known.push(row.clone());
-                    if !equations.add(row) {
-                        return Err((site, array, monomial));
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// What an unknown entry of K, and its negative below the diagonal, multiplies in the row of an
-    /// array at a site.
-    fn column(&self, (row, column, offset): (usize, usize, usize), site: usize, array: usize) -> Polynomial {
-        let mut sum = Polynomial::zero();
-        if row == array
-            && let Some(slope) = self.slope(site as i64 + offset as i64, column)
-        {
-            sum = &sum + slope;
-        }
-        if column == array
-            && let Some(slope) = self.slope(site as i64 - offset as i64, row)
-        {
-            sum = &sum - slope;
-        }
-        sum
-    }
-
-    fn slope(&self, site: i64, array: usize) -> Option<&Polynomial> {
-        let site = match self.family.boundary {
-            Boundary::Periodic => site.rem_euclid(self.sites as i64),
-            Boundary::Open => site,
-        };
-        let site = usize::try_from(site).ok().filter(|site| *site < self.sites)?;
-        Some(&self.gradient[site * self.family.block() + array])
-    }
-
-    /// The coefficients of each monomial in states and in parameters of sites, one a side. Terms of
-    /// the last side come first.
-    fn by_monomial(&self, sides: &[Polynomial]) -> Vec<(Monomial, Vec<RationalFunction>)> {
-        let first_of_sites = self.symbols.states.len() + self.family.parameters.len();
-        let epsilon = self.symbols.epsilon();
-        let varies = |variable: crate::poly::Variable| {
-            self.symbols.is_state(variable)
-                || (usize::from(variable.0) >= first_of_sites && variable != epsilon)
-        };
-        let groups: Vec<_> = sides.iter().map(|side| side.group(varies)).collect();
-        let mut monomials: Vec<&Monomial> = Vec::new();
-        for (monomial, _) in groups.iter().rev().flat_map(Table::iter) {
-            if !monomials.contains(&monomial) {
-                monomials.push(monomial);
-            }
-        }
-        let row = |monomial: &Monomial| {
-            let coefficients = groups.iter().map(|side| side.get(monomial).cloned().unwrap_or_default());
-            coefficients.map(RationalFunction::from).collect()
-        };
-        monomials.into_iter().map(|monomial| (monomial.clone(), row(monomial))).collect()
-    }
+/// A term at the middle of a long chain.
+struct Term {
+    monomial: Monomial,
+    coefficient: Rational,
+    extent: Extent,
 }
 
-/// A monomial of a chain as one of its family, seen from a site.
-fn relative(family: &Family, symbols: &Symbols, monomial: &Monomial, site: usize, sites: usize) -> String {
-    let name = |index: usize| {
-        let states = symbols.states.len();
-        let parameters = family.parameters.len();
-        let (base, place) = if index < states {
-            (&family.arrays[index % family.block()], index / family.block())
-        } else if index < states + parameters {
-            return family.parameters[index - states].clone();
-        } else {
-            let rest = index - states - parameters;
-            (&family.site_parameters[rest / sites], rest % sites)
-        };
-        Reference::Site { array: base, offset: place as i64 - site as i64 }.to_string()
+/// A term of ẋ = K∇H for an array in the middle.
+struct RowTerm {
+    /// In states and in parameters of sites.
+    monomial: Monomial,
+    extent: Extent,
+    /// The unknown that it multiplies; their number for a term of ẋ.
+    unknown: usize,
+    /// In parameters of the chain.
+    coefficient: Polynomial,
+}
+
+/// The first term that no K gives.
+pub(super) fn missing(
+    middle: &Middle<'_>,
+    hamiltonian: &SiteSum,
+    budget: &mut Budget,
+) -> Result<Option<Missing>, OverBudget> {
+    let unknowns = unknowns(middle.family);
+    budget.charge(unknowns.len() as u64)?;
+    let gradient = gradient(middle, hamiltonian, budget)?;
+    let divisor = middle.at(&hamiltonian.density, 0).denominator;
+    let mut rows = Vec::new();
+    for array in 0..middle.family.block() {
+        rows.push(row(middle, &unknowns, &gradient, &divisor, array, budget)?);
+    }
+    let mut equations = Equations::new(unknowns.len());
+    let name = |array, term: &RowTerm, extent: Extent| Missing {
+        array,
+        term: relative(middle, &term.monomial),
+        site: middle.site - extent.first,
+        sites: extent.sites(),
     };
-    let factors = monomial
-        .powers()
-        .iter()
-        .map(|&(variable, exponent)| Text.power(&name(usize::from(variable.0)), exponent.into()));
-    let factors: Vec<String> = factors.collect();
+    // Far from the ends all terms of a monomial stand together; those of ẋ first, to be named.
+    let long = Extent { first: 0, last: middle.sites - 1 };
+    for is_given in [true, false] {
+        for (array, terms) in rows.iter().enumerate() {
+            let given = |term: &RowTerm| term.unknown == unknowns.len();
+            let groups = terms.chunk_by(|one, other| one.monomial == other.monomial);
+            for group in groups.filter(|group| group.iter().any(given) == is_given) {
+                if !equations.add(group.iter().map(|term| (term.unknown, &term.coefficient)), budget)? {
+                    return Ok(Some(name(array, &group[0], long)));
+                }
+            }
+        }
+    }
+    // Terms of one extent cancel by themselves; shorter chains first.
+    for (array, mut terms) in rows.into_iter().enumerate() {
+        let order = |term: &RowTerm| (term.extent.sites(), term.extent.first);
+        terms.sort_by(|one, other| order(one).cmp(&order(other)));
+        for group in terms.chunk_by(|one, other| one.extent == other.extent && one.monomial == other.monomial)
+        {
+            if !equations.add(group.iter().map(|term| (term.unknown, &term.coefficient)), budget)? {
+                return Ok(Some(name(array, &group[0], group[0].extent)));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The derivatives of H, but for its divisor, by the state of each array in the middle.
+fn gradient(
+    middle: &Middle<'_>,
+    hamiltonian: &SiteSum,
+    budget: &mut Budget,
+) -> Result<Vec<Vec<Term>>, OverBudget> {
+    let mut gradient: Vec<Vec<Term>> = (0..middle.family.block()).map(|_| Vec::new()).collect();
+    let density = middle.at(&hamiltonian.density, 0);
+    for (monomial, value) in density.numerator.terms() {
+        let extent = middle.extent(monomial, middle.extent_of_site(0));
+        for &(state, exponent) in monomial.powers() {
+            if !middle.symbols.is_state(state) {
+                continue;
+            }
+            budget.charge(1)?;
+            let (offset, array) = middle.state(state);
+            let slope = monomial.lowered(state).expect("it occurs");
+            gradient[array].push(Term {
+                monomial: middle.shifted(&slope, -offset),
+                coefficient: value * &Rational::from(i64::from(exponent)),
+                extent: middle.moved(extent, -offset),
+            });
+        }
+    }
+    Ok(gradient)
+}
+
+/// The terms of ẋ = K∇H for one array, multiplied by the divisors of both, in the order of their
+/// monomials.
+fn row(
+    middle: &Middle<'_>,
+    unknowns: &[(usize, usize, usize)],
+    gradient: &[Vec<Term>],
+    divisor: &Polynomial,
+    array: usize,
+    budget: &mut Budget,
+) -> Result<Vec<RowTerm>, OverBudget> {
+    let component = middle.at(&middle.family.components[array], 0);
+    let here = middle.extent_of_site(0);
+    let mut terms = Vec::new();
+    let mut add = |unknown, monomial: &Monomial, coefficient: Rational, extent: Extent| {
+        let (of_sites, of_chain) = monomial.split(|variable| middle.is_at_sites(variable));
+        let coefficient = Polynomial::term(of_chain, coefficient);
+        terms.push(RowTerm { monomial: of_sites, extent, unknown, coefficient });
+    };
+    let written = product(&component.numerator, divisor, budget)?;
+    for (monomial, value) in written.terms() {
+        add(unknowns.len(), monomial, value.clone(), middle.extent(monomial, here));
+    }
+    for (unknown, &(row, column, offset)) in unknowns.iter().enumerate() {
+        let offset = offset as i64;
+        // The entry, and its negative below the diagonal.
+        for (_, other, offset, sign) in
+            [(row, column, offset, 1), (column, row, -offset, -1)].iter().filter(|(of, ..)| *of == array)
+        {
+            budget.charge((gradient[*other].len() * component.denominator.len()) as u64)?;
+            for term in &gradient[*other] {
+                let slope = middle.shifted(&term.monomial, *offset);
+                let extent = middle.moved(term.extent, *offset).with(here);
+                let value = &term.coefficient * &Rational::from(*sign);
+                for (factor, by) in component.denominator.terms() {
+                    add(unknown, &slope.mul(factor), &value * by, middle.extent(factor, extent));
+                }
+            }
+        }
+    }
+    terms.sort_by(|one, other| one.monomial.cmp(&other.monomial));
+    Ok(terms)
+}
+
+/// A monomial as one of the family, seen from the middle.
+fn relative(middle: &Middle<'_>, monomial: &Monomial) -> String {
+    let family = middle.family;
+    let name = |variable| match middle.symbols.symbol(variable) {
+        Symbol::State(_) => {
+            let (offset, array) = middle.state(variable);
+            Reference::Site { array: &family.arrays[array], offset }.to_string()
+        }
+        Symbol::Parameter(k) if k >= family.parameters.len() => {
+            let (index, site) =
+                ((k - family.parameters.len()) / middle.sites, (k - family.parameters.len()) % middle.sites);
+            let offset = site as i64 - middle.site as i64;
+            Reference::Site { array: &family.site_parameters[index], offset }.to_string()
+        }
+        _ => middle.symbols.name(variable),
+    };
+    let powers = monomial.powers().iter();
+    let factors: Vec<String> =
+        powers.map(|&(variable, exponent)| Text.power(&name(variable), exponent.into())).collect();
     if factors.is_empty() { "1".to_owned() } else { Text.product(&factors) }
 }

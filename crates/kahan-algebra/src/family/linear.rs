@@ -1,51 +1,60 @@
 //! Linear equations over the functions of a few parameters, met one after the other.
 
+use kahan_syntax::table::Table;
+
+use crate::poly::{Budget, OverBudget, Polynomial};
 use crate::rational_function::RationalFunction;
 
+/// Coefficients by the number of their unknown; the right side has the number behind all.
+type Row = Table<usize, RationalFunction>;
+
 /// Equations Σ aₖuₖ = r, each reduced by those before it.
-#[derive(Default)]
 pub(super) struct Equations {
-    /// The place of the leading coefficient, which is 1; all coefficients, and behind them the
-    /// right side.
-    rows: Vec<(usize, Vec<RationalFunction>)>,
+    unknowns: usize,
+    /// By the first unknown that occurs, whose coefficient is 1.
+    rows: Table<usize, Row>,
 }
 
 impl Equations {
-    /// Adds an equation, its coefficients and its right side; `false` if it contradicts those
+    pub(super) fn new(unknowns: usize) -> Self {
+        Equations { unknowns, rows: Table::new() }
+    }
+
+    /// Adds an equation, whose terms of one unknown are added up; `false` if it contradicts those
     /// before it.
-    pub(super) fn add(&mut self, mut equation: Vec<RationalFunction>) -> bool {
-        for (place, row) in &self.rows {
-            subtract_multiple(&mut equation, *place, row);
+    pub(super) fn add<'a>(
+        &mut self,
+        terms: impl Iterator<Item = (usize, &'a Polynomial)>,
+        budget: &mut Budget,
+    ) -> Result<bool, OverBudget> {
+        let mut equation = Row::new();
+        for (unknown, coefficient) in terms {
+            let sum = equation.or_insert_with(unknown, |_| RationalFunction::zero());
+            *sum = sum.add_within(&RationalFunction::from(coefficient.clone()), budget)?;
         }
-        let Some(place) = equation.iter().position(|value| !value.is_zero()) else { return true };
-        if place + 1 == equation.len() {
-            return false;
-        }
-        let inverse = equation[place].recip().expect("it is not zero");
-        equation.iter_mut().for_each(|value| *value = &*value * &inverse);
-        for (_, row) in &mut self.rows {
-            subtract_multiple(row, place, &equation);
-        }
-        self.rows.push((place, equation));
-        true
-    }
-
-    /// A solution in `count` unknowns, zero where the equations leave one free.
-    pub(super) fn solution(&self, count: usize) -> Vec<RationalFunction> {
-        let mut solution = vec![RationalFunction::zero(); count];
-        for (place, row) in &self.rows {
-            solution[*place] = row[count].clone();
-        }
-        solution
-    }
-}
-
-/// Takes so much of `row`, which has 1 at `place`, from another row that 0 is left there.
-fn subtract_multiple(from: &mut [RationalFunction], place: usize, row: &[RationalFunction]) {
-    let factor = -&from[place];
-    if !factor.is_zero() {
-        for (value, other) in from.iter_mut().zip(row) {
-            *value = &*value + &(&factor * other);
+        let mut from = 0;
+        loop {
+            let first = equation.iter().find(|(unknown, value)| **unknown >= from && !value.is_zero());
+            let Some((&unknown, value)) = first else { return Ok(true) };
+            if unknown == self.unknowns {
+                return Ok(false);
+            }
+            let Some(row) = self.rows.get(&unknown) else {
+                let inverse = value.recip().expect("it is not zero");
+                let mut row = Row::new();
+                for (&unknown, value) in equation.iter().filter(|(_, value)| !value.is_zero()) {
+                    row.insert(unknown, value.mul_within(&inverse, budget)?);
+                }
+                self.rows.insert(unknown, row);
+                return Ok(true);
+            };
+            let factor = value.clone();
+            for (&unknown, value) in row.iter() {
+                let product = factor.mul_within(value, budget)?;
+                let rest = equation.or_insert_with(unknown, |_| RationalFunction::zero());
+                *rest = rest.sub_within(&product, budget)?;
+            }
+            from = unknown + 1;
         }
     }
 }

@@ -5,6 +5,7 @@
 //! is ([`conserved`]).
 
 pub mod conserved;
+pub mod everywhere;
 mod expand;
 mod hamiltonian;
 mod linear;

@@ -9,6 +9,10 @@ use crate::check::Checked;
 use crate::prime_field::SplitMix64;
 use crate::read;
 
+use super::conserved::cancels;
+use super::everywhere::{Middle, budget};
+use super::hamiltonian::missing;
+
 /// A term: its coefficient, and names with the offsets of their sites.
 type Term = (i64, Vec<(&'static str, i64)>);
 
@@ -218,4 +222,81 @@ fn constant_stencils_are_found_where_they_are() {
     // The density at the first site lacks the spring to the left wall.
     assert!(!holds(&oscillators("open", force)));
     assert!(!holds(&oscillators("periodic", &force.replace("2*q[i]", "3*q[i]"))));
+}
+
+/// The products of terms that the proof of the one claim of a family takes.
+fn work(text: &str) -> u64 {
+    let tokens = lex(text).tokens;
+    let family = crate::read_unproved(&tokens).family().unwrap_or_else(|why| panic!("{text}: {why:?}"));
+    let family = family.expect("a family");
+    let mut budget = budget();
+    let before = budget.work_left();
+    let middle = Middle::of(&family);
+    match (&family.hamiltonian, &*family.integrals) {
+        (Some(energy), []) => {
+            assert!(missing(&middle, energy, &mut budget).expect("within").is_none(), "{text}")
+        }
+        (None, [sum]) => assert!(cancels(&middle, sum, &mut budget).expect("within"), "{text}"),
+        _ => panic!("one claim"),
+    }
+    before - budget.work_left()
+}
+
+#[test]
+fn proofs_grow_with_the_terms_that_meet_and_not_with_the_chains() {
+    for boundary in ["open", "periodic"] {
+        let energy = |reach: usize| {
+            work(&format!(
+                "for i in {boundary} {{ x[i]dot = y[i+{reach}]; y[i]dot = -x[i-{reach}]; }} \
+                 hamiltonian H = sum(x[i]^2/2 + y[i]^2/2);"
+            ))
+        };
+        let sum = |reach: usize| {
+            work(&format!(
+                "for i in {boundary} {{ x[i]dot = x[i]*(x[i+{reach}] - x[i-{reach}]); }} integral S = sum(x[i]);"
+            ))
+        };
+        assert!(energy(64) < 16 * energy(4), "{} {}", energy(4), energy(64));
+        assert_eq!(sum(1), sum(64));
+    }
+}
+
+#[test]
+fn claims_beyond_the_budget_are_refused() {
+    let states = |sign: &str| (1..=64).map(|k| format!("x[i{sign}{k}]")).collect::<Vec<_>>().join(" + ");
+    let all = format!("({} + {})", states("+"), states("-"));
+    for claim in [format!("hamiltonian H = sum({all}^2);"), format!("integral S = sum({all});")] {
+        let text = format!("for i in periodic {{ x[i]dot = {all}^2; }} {claim}");
+        let reading = reading(&text);
+        let kinds: Vec<_> = reading.diagnostics().iter().map(|mistake| mistake.kind).collect();
+        assert_eq!(kinds, [kahan_syntax::diagnostics::Kind::TooLarge], "{claim}");
+    }
+}
+
+#[test]
+fn what_holds_far_from_the_ends_may_fail_near_them_at_any_reach() {
+    for reach in [1, 3, 16] {
+        let family = |x: &str, y: &str| {
+            format!(
+                "for i in open {{ x[i]dot = {x}; y[i]dot = {y}; }} \
+                 hamiltonian H = sum((x[i+{reach}] - x[i])^2/2 + y[i]^2/2);"
+            )
+        };
+        let middle = format!("x[i+{reach}] - 2*x[i] + x[i-{reach}]");
+        assert!(!holds(&family("y[i]", &middle)));
+        // A chain that ends has the first of two summands only while it reaches so far.
+        assert!(!holds(&family("y[i]", &format!("{middle} + x[i]"))));
+    }
+    for reach in [1, 3, 16] {
+        assert!(holds(&format!(
+            "for i in open {{ x[i]dot = y[i]; y[i]dot = x[i+{reach}] + x[i-{reach}]; }} \
+             hamiltonian H = sum(y[i]^2/2 - x[i]*x[i+{reach}]);"
+        )));
+        assert!(holds(&format!(
+            "for i in open {{ x[i]dot = c[i]*x[i+{reach}]; y[i]dot = -c[i]*x[i+{reach}]; }} integral S = sum(x[i] + y[i]);"
+        )));
+        assert!(!holds(&format!(
+            "for i in open {{ x[i]dot = x[i+{reach}] - x[i]; }} integral S = sum(x[i]);"
+        )));
+    }
 }

@@ -4,6 +4,8 @@
 //! orbit has the points and the report that it has alone, bit for bit, whatever stands beside it.
 
 use core::array::from_fn;
+use core::cell::Cell;
+use core::ops::ControlFlow;
 
 use kahan_core::observe::{Burst, GROUP, Grouped, Observer, Observers, observe_group};
 use kahan_core::{EnsembleScalar, Level, Scalar};
@@ -12,7 +14,7 @@ use super::group::RuntimeGroup;
 use super::{MachineFloat, MapAt, RuntimePoint};
 use crate::dimension::Argument;
 use crate::engine::Abreast;
-use crate::follow::is_finite;
+use crate::follow::{is_finite, pause};
 use crate::{DimensionError, Ended, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
@@ -43,6 +45,22 @@ impl<T: MachineFloat> MapAt<T> {
         steps: u64,
         observers: impl Fn(usize) -> O,
     ) -> Result<Vec<O::Report>, DimensionError> {
+        Self::observe_columns_while(maps, columns, steps, observers, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The same, of which `tell` hears how many more steps were made in all, after some thousands
+    /// of each orbit. It may stop the work: then the reports are of the points that were seen.
+    ///
+    /// # Errors
+    /// As [`observe_columns`](Self::observe_columns).
+    pub fn observe_columns_while<O: Observer<T>>(
+        maps: &[&Self],
+        columns: &mut [&mut [T]],
+        steps: u64,
+        observers: impl Fn(usize) -> O,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Result<Vec<O::Report>, DimensionError> {
+        let pause = pause(columns.len());
         let orbits = columns.first().map_or(0, |column| column.len());
         if maps.len() != 1 {
             DimensionError::check(Argument::Maps, maps.len(), orbits)?;
@@ -53,9 +71,22 @@ impl<T: MachineFloat> MapAt<T> {
             let end = orbits.min(first + GROUP);
             let own = from_fn(|lane| maps[(first + lane).min(end - 1).min(maps.len() - 1)]);
             let mut observed: Vec<O> = (first..end).map(&observers).collect();
-            if !Self::has_observed_group(own, columns, first, &mut observed, steps) {
+            let told = Cell::new((0, ControlFlow::Continue(())));
+            let tell = |more: u64| {
+                let (made, mut flow) = told.get();
+                let made = made + more;
+                let is_time = flow.is_continue() && made >= pause;
+                if is_time {
+                    flow = tell(made);
+                }
+                told.set((if is_time { 0 } else { made }, flow));
+                flow
+            };
+            let group = (end - first) as u64;
+            if !Self::has_observed_group(own, columns, first, &mut observed, steps, |more| tell(more * group))
+            {
                 for (orbit, (map, observer)) in (first..).zip(own.into_iter().zip(&mut observed)) {
-                    map.observe_alone(columns, orbit, observer, steps);
+                    map.observe_alone(columns, orbit, observer, steps, tell);
                 }
             }
             reports.extend(observed.into_iter().map(O::report));
@@ -70,10 +101,12 @@ impl<T: MachineFloat> MapAt<T> {
         first: usize,
         observers: &mut [O],
         steps: u64,
+        tell: impl FnMut(u64) -> ControlFlow<()>,
     ) -> bool {
         let Some(abreast) = Self::abreast(maps, 0, Vec::new()) else { return false };
         let Some(mut points) = RuntimeGroup::gather(columns, first) else { return false };
-        observe_group(&mut points, observers, steps, Level::best(), |points| abreast.step(points.as_mut()));
+        let advance = |points: &mut _| abreast.step(RuntimeGroup::as_mut(points));
+        observe_group(&mut points, observers, steps, Level::best(), advance, tell);
         points.scatter(columns, first);
         true
     }
@@ -84,6 +117,7 @@ impl<T: MachineFloat> MapAt<T> {
         orbit: usize,
         observer: &mut impl Observer<T>,
         steps: u64,
+        tell: impl Fn(u64) -> ControlFlow<()>,
     ) {
         let mut x: RuntimePoint<T> = columns.iter().map(|column| column[orbit]).collect();
         observer.observe(0, &x);
@@ -94,6 +128,9 @@ impl<T: MachineFloat> MapAt<T> {
             }
             self.advance_checked(&mut x, 1);
             observer.observe(step, &x);
+            if tell(1).is_break() {
+                break;
+            }
         }
         columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
     }

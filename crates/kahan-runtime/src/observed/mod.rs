@@ -41,7 +41,8 @@ pub trait ObservedFloat: MachineFloat + PartialOrd {
     ) -> Result<Followed<Vec<Seen>>, DimensionError>;
 
     /// The same of many orbits, side by side where there is code for that: a map an orbit, and
-    /// column c has variable c of all first points. An orbit has the same numbers alone.
+    /// column c has variable c of all first points. An orbit has the same numbers alone. What was
+    /// seen when `tell` stopped the work is of no use.
     ///
     /// # Errors
     /// [`DimensionError`] for columns that do not fit the maps, or each other.
@@ -49,6 +50,7 @@ pub trait ObservedFloat: MachineFloat + PartialOrd {
         maps: &[&MapAt<Self>],
         starts: &[Vec<Self>],
         asked: &Observing<'_>,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError>;
 }
 
@@ -68,8 +70,9 @@ macro_rules! observed {
                 maps: &[&MapAt<Self>],
                 starts: &[Vec<Self>],
                 asked: &Observing<'_>,
+                tell: &dyn Fn(u64) -> ControlFlow<()>,
             ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError> {
-                running::abreast(maps, starts, asked)
+                running::abreast(maps, starts, asked, tell)
             }
         })*
     };

@@ -192,15 +192,18 @@ pub(super) fn abreast<T: MachineFloat + PartialOrd>(
     maps: &[&MapAt<T>],
     starts: &[Vec<T>],
     asked: &Observing<'_>,
+    tell: &dyn Fn(u64) -> ControlFlow<()>,
 ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError> {
     let observers = |orbit: usize| WhileFinite::new(all(maps[orbit], asked));
-    let first = MapAt::observe_columns(maps, &mut slices(&mut starts.to_vec()), asked.steps, observers)?;
+    let points = &mut starts.to_vec();
+    let first = MapAt::observe_columns_while(maps, &mut slices(points), asked.steps, observers, tell)?;
     let turns = if asked.of.contains(&Observable::Rotation) {
         let observers = |orbit: usize| {
             let Followed { report: (_, middles), steps, .. } = &first[orbit];
             WhileFinite::new(maps[orbit].rotations(*steps, middles.as_ref().expect("rotation is asked for")))
         };
-        let again = MapAt::observe_columns(maps, &mut slices(&mut starts.to_vec()), asked.steps, observers)?;
+        let points = &mut starts.to_vec();
+        let again = MapAt::observe_columns_while(maps, &mut slices(points), asked.steps, observers, tell)?;
         again.into_iter().map(|followed| Some(followed.report)).collect()
     } else {
         vec![None; first.len()]

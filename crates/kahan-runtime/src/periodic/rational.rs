@@ -14,6 +14,12 @@ use crate::heights::HeightsOrbit;
 
 use super::circle::{characteristic_polynomial, product, stability};
 
+/// The most decimal digits of a coordinate of a cycle over ℚ. The heights of what is no cycle grow
+/// with every step, most often by a factor; those of a cycle come back, to a few digits.
+const MOST_DIGITS: u64 = 200;
+/// The most products of fractions for the characteristic polynomial of the derivative along a cycle.
+const MOST_PRODUCTS: usize = 200_000;
+
 /// A cycle over ℚ, and what is proved of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RationalCycle {
@@ -27,7 +33,9 @@ pub struct RationalCycle {
 
 impl Map {
     /// The rational cycle of the map at this ε, half the time step, near one in floats. `None`
-    /// where no fractions with denominators of a few digits are.
+    /// where no fractions with denominators of a few digits are, and where the proof takes numbers
+    /// of more than 200 digits, or more than 200 000 products of them: that is a cycle of a point
+    /// in more than 20 variables.
     ///
     /// Cost: an exact orbit over the period for each of some guesses, and the exact derivative at
     /// each point.
@@ -38,6 +46,9 @@ impl Map {
         const NEAR: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 
         let start = cycle.points.first()?;
+        if products(start.len(), cycle.points.len()) > MOST_PRODUCTS {
+            return None;
+        }
         let points = NEAR.iter().find_map(|near| {
             let guess: Option<Vec<Rational>> =
                 start.iter().map(|&x| simplest(x, near * cycle.size())).collect();
@@ -59,7 +70,8 @@ impl Map {
 
     /// The orbit of a point, if it closes after so many steps.
     fn closed(&self, eps: &Rational, start: &[Rational], period: usize) -> Option<Vec<Vec<Rational>>> {
-        let mut orbit = HeightsOrbit::new(self.field().system(), self.parameters(), eps, start).ok()?;
+        let orbit = HeightsOrbit::new(self.field().system(), self.parameters(), eps, start).ok()?;
+        let mut orbit = orbit.within_digits(MOST_DIGITS);
         let mut points = Vec::new();
         for _ in 0..=period {
             orbit.next()?;
@@ -67,6 +79,12 @@ impl Map {
         }
         (points.pop()? == points[0]).then_some(points)
     }
+}
+
+/// The products of fractions for the derivative along a cycle, a product of matrices a point, and
+/// for its characteristic polynomial, a product of matrices a variable.
+fn products(variables: usize, period: usize) -> usize {
+    variables.saturating_pow(3).saturating_mul(variables.saturating_add(period))
 }
 
 /// The fraction with the smallest denominator that is at most `near` from a number.
@@ -107,6 +125,26 @@ fn between(low: &Rational, high: &Rational) -> Option<Rational> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_orbit_that_does_not_close_ends_at_the_limit_of_digits() {
+        let text = "xdot = x*(1 - y); ydot = y*(x - 1);";
+        let map = crate::Field::parse(text).unwrap().map().unwrap();
+        let (eps, start) = (Rational::new(1, 5), [Rational::new(3, 5), Rational::one()]);
+        assert_eq!(map.closed(&eps, &start, 10_000), None);
+        assert_eq!(map.closed(&eps, &[Rational::one(), Rational::one()], 10_000).unwrap().len(), 10_000);
+    }
+
+    #[test]
+    fn long_cycles_of_many_variables_are_beyond_the_products() {
+        assert!(products(4, 150) < MOST_PRODUCTS && products(20, 1) < MOST_PRODUCTS);
+        let equation = |i: usize| format!("x{i}dot = x{i}*(x{} - 1);", (i + 1) % 24);
+        let text: String = (0..24).map(equation).collect();
+        let map = crate::Field::parse(&text).unwrap().map().unwrap();
+        let cycle = kahan_core::periodic::periodic_point(&map.at(0.1), &[0.9; 24], 1).unwrap();
+        assert!(products(24, 1) > MOST_PRODUCTS);
+        assert_eq!(map.rational_cycle(&Rational::new(1, 10), &cycle), None);
+    }
 
     #[test]
     fn the_simplest_fraction_near_a_number_is_found() {

@@ -4,6 +4,8 @@
 //! orbit is stored; where rotation is asked for it is followed twice, once for the middles of its
 //! extremes.
 
+use std::ops::ControlFlow;
+
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_core::Composition;
@@ -165,7 +167,8 @@ impl Observe {
 
     /// What is seen of many orbits, side by side where there is code for that: the numbers of the
     /// columns, as far as each orbit goes. `maps` has a map an orbit, and `starts` a column a
-    /// variable; ε, order and first point of the question do not count.
+    /// variable; ε, order and first point of the question do not count. `tell` hears of steps, and
+    /// may stop the work, whose result is of no use then.
     ///
     /// # Panics
     /// Where these do not fit each other.
@@ -173,12 +176,13 @@ impl Observe {
         &self,
         maps: &[&MapAt<T>],
         starts: &[Vec<T>],
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<f64>>> {
         let numbers = |Followed { report, steps, ended }: Followed<Vec<Seen>>| {
             let report = report.iter().flat_map(Seen::numbers).collect();
             Followed { report, steps, ended }
         };
-        let seen = T::abreast(maps, starts, &self.observing(&self.observables())).expect(FITTING);
+        let seen = T::abreast(maps, starts, &self.observing(&self.observables()), tell).expect(FITTING);
         seen.into_iter().map(numbers).collect()
     }
 

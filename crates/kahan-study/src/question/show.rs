@@ -18,6 +18,9 @@ use crate::sympy::{self, SymPy};
 
 pub use plan::{Costs, Listing, Planned};
 
+/// The most variables of a field whose matrices are written out.
+const MOST_VARIABLES: usize = 500;
+
 /// Asks for the formulas of a field, its given parameters put in, or for the plan of its code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -138,9 +141,14 @@ impl Show {
     /// map is reduced. Costs milliseconds up to a second, as the budget of terms bounds it.
     ///
     /// # Errors
-    /// [`StudyError`]: claims that do not hold, a field that is not defined at its parameters.
+    /// [`StudyError`]: claims that do not hold, a field that is not defined at its parameters, one of
+    /// more than 500 variables, of which only the block is shown.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Shown, StudyError> {
         study.proved()?;
+        let variables = study.variables().len();
+        if variables > MOST_VARIABLES && self.form != Form::Kahan {
+            return Err(StudyError::LargeMatrices { variables, most: MOST_VARIABLES });
+        }
         let mut system = study.specialised()?;
         let block = macro_block(&system);
         let notation: &dyn Notation = match self.form {

@@ -1,17 +1,31 @@
 //! The names that a block declares: states, and parameters by its header or, without one, by use.
 
+use rustc_hash::FxHashSet;
+
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::spelling::is_keyword;
 use kahan_syntax::syntax::{Block, Name};
 
-use crate::symbols::Symbols;
+use crate::symbols::{Symbol, Symbols};
 
 use super::{Scope, is_epsilon, report_reserved};
 
 impl Scope {
     /// A scope with these names alone.
     pub(in crate::check) fn of(symbols: Symbols) -> Self {
-        Scope { symbols, ..Scope::default() }
+        let states = symbols.states.iter().cloned().zip((0..).map(Symbol::State));
+        let parameters = symbols.parameters.iter().cloned().zip((0..).map(Symbol::Parameter));
+        Scope { places: states.chain(parameters).collect(), symbols, ..Scope::default() }
+    }
+
+    fn add_state(&mut self, name: &str) {
+        self.places.insert(name.to_owned(), Symbol::State(self.symbols.states.len()));
+        self.symbols.states.push(name.to_owned());
+    }
+
+    fn add_parameter(&mut self, name: &str) {
+        self.places.insert(name.to_owned(), Symbol::Parameter(self.symbols.parameters.len()));
+        self.symbols.parameters.push(name.to_owned());
     }
 
     /// The scope of a block with its states and parameters, and no constant or claim yet.
@@ -57,15 +71,17 @@ impl Scope {
                 if report_reserved(state, diagnostics) {
                     self.poison(&state.text);
                 }
-                self.symbols.states.push(state.text.clone());
+                self.add_state(&state.text);
             }
         }
     }
 
     fn collect_parameters(&mut self, parameters: &[Name], block: &Block, diagnostics: &mut Diagnostics) {
+        let constants: FxHashSet<&str> =
+            block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
         for name in parameters {
             let text = &name.text;
-            let (message, help) = if self.symbols.parameters.contains(text) {
+            let (message, help) = if self.is_parameter_name(text) {
                 (format!("the parameter `{text}` is declared twice"), "remove one".to_owned())
             } else if self.is_state_name(text) {
                 let given = format!(
@@ -79,11 +95,11 @@ impl Scope {
             } else if report_reserved(name, diagnostics) {
                 self.poison(text);
                 continue;
-            } else if block.constants.iter().any(|constant| constant.name.text == *text) {
+            } else if constants.contains(text.as_str()) {
                 let help = format!("remove the parameter: `const {text}` fixes its value");
                 (format!("`{text}` is a parameter and a constant"), help)
             } else {
-                self.symbols.parameters.push(text.clone());
+                self.add_parameter(text);
                 continue;
             };
             diagnostics.report(Kind::Name, name.span, message, help);
@@ -92,15 +108,17 @@ impl Scope {
 
     /// Without a header the free names of the equations are the parameters.
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
+        let constants: FxHashSet<&str> =
+            block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
         let mut names = Vec::new();
         for value in block.equations.iter().filter_map(|equation| equation.value.as_ref()) {
             value.visit_names(&mut |name, span| names.push((name.to_string(), span)));
         }
         for (text, span) in names {
             let known = self.is_state_name(&text)
-                || self.symbols.parameters.contains(&text)
+                || self.is_parameter_name(&text)
                 || self.poisoned.contains(&text)
-                || block.constants.iter().any(|constant| constant.name.text == text)
+                || constants.contains(text.as_str())
                 || is_epsilon(&text)
                 || text == "ϵ";
             if known {
@@ -115,7 +133,7 @@ impl Scope {
                 );
                 self.poisoned.insert(text);
             } else {
-                self.symbols.parameters.push(text);
+                self.add_parameter(&text);
             }
         }
     }

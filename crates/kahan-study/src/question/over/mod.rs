@@ -11,7 +11,7 @@ mod cells;
 mod orbits;
 mod waves;
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::Watch;
@@ -79,7 +79,7 @@ impl Over {
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<OverFound, StudyError> {
         let cells = self.cells(study)?;
         if cells > MOST_CELLS {
-            return Err(StudyError::TooLong { cells });
+            return Err(StudyError::ManyCells { cells });
         }
         let mut rows = Table::default();
         self.rows(study, 0..cells, &mut rows, watch)?;
@@ -127,7 +127,9 @@ impl Over {
             let (mut table, mut field) = (empty.clone(), None);
             match &found {
                 Found::Orbits(orbits) if goes_on(0) => {
-                    orbits.rows(own).into_iter().for_each(|row| push(&mut table, row));
+                    let tell =
+                        |_| if goes_on(0) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+                    orbits.rows(own, &tell).into_iter().for_each(|row| push(&mut table, row));
                     goes_on(table.count() as u64);
                 }
                 Found::Orbits(_) => {}

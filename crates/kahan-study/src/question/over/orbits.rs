@@ -68,15 +68,23 @@ impl<'a> Orbits<'a> {
         [LANES, (AT_ONCE / self.asked.steps.max(1)).clamp(LANES, 256)]
     }
 
-    /// The rows of cells that follow each other.
-    pub(super) fn rows(&self, cells: std::ops::Range<u64>) -> Vec<Vec<Entry>> {
+    /// The rows of cells that follow each other; none where `tell`, which hears that steps were
+    /// made, ends the work.
+    pub(super) fn rows(
+        &self,
+        cells: std::ops::Range<u64>,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Vec<Vec<Entry>> {
         let begun: Vec<Begun> = cells.map(|index| self.begun(index)).collect();
         let (mut map, mut rows) = (Known::default(), Vec::with_capacity(begun.len()));
         for same in begun.chunk_by(|a, b| (a.order, a.bits) == (b.order, b.bits)) {
             let found = match same[0].bits {
-                32 => self.found(same, &mut map, |value| value as f32),
-                _ => self.found(same, &mut map, |value| value),
+                32 => self.found(same, &mut map, |value| value as f32, tell),
+                _ => self.found(same, &mut map, |value| value, tell),
             };
+            if tell(0).is_break() {
+                return Vec::new();
+            }
             for (begun, found) in same.iter().zip(found) {
                 let mut row = self.cells.entries(begun.index, &begun.place, &begun.values);
                 let (steps, seen) = found.map_or((0, Vec::new()), |found| (found.steps, found.report));
@@ -105,6 +113,7 @@ impl<'a> Orbits<'a> {
         begun: &[Begun],
         known: &mut Known,
         nearest: fn(f64) -> T,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Option<Followed<Vec<Seen>>>> {
         let composition = Composition::of_order(begun[0].order).expect("orders were looked at");
         let of_one_map = |a: &Begun, b: &Begun| {
@@ -127,12 +136,12 @@ impl<'a> Orbits<'a> {
         let asked = self.asked.observing(&of);
         let found = match own[..] {
             [] => Vec::new(),
-            _ if self.asked.of.iter().all(|one| *one == Observable::Last) => self.ends(&own, starts),
+            _ if self.asked.of.iter().all(|one| *one == Observable::Last) => self.ends(&own, starts, tell),
             [one] => {
                 let start: Vec<T> = starts.iter().map(|column| column[0]).collect();
-                vec![T::alone(one, &start, &asked, &|_| ControlFlow::Continue(())).expect(FITTING)]
+                vec![T::alone(one, &start, &asked, tell).expect(FITTING)]
             }
-            _ => T::abreast(&own, &starts, &asked).expect(FITTING),
+            _ => T::abreast(&own, &starts, &asked, tell).expect(FITTING),
         };
         let mut found = found.into_iter();
         let of_each = groups.iter().flat_map(|(same, map)| same.iter().map(move |_| map.as_ref()));
@@ -148,6 +157,7 @@ impl<'a> Orbits<'a> {
         &self,
         maps: &[&MapAt<T>],
         mut columns: Vec<Vec<T>>,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<Seen>>> {
         let steps = self.asked.steps;
         let is_short = steps <= AT_ONCE / LANES;
@@ -162,7 +172,7 @@ impl<'a> Orbits<'a> {
             }
             for orbit in orbits {
                 let mut x: Vec<T> = columns.iter().map(|column| column[orbit]).collect();
-                let followed = same[0].follow(&mut x, steps, |_| ControlFlow::Continue(()));
+                let followed = same[0].follow(&mut x, steps, tell);
                 found.push(followed.expect(FITTING));
                 columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
             }
