@@ -11,7 +11,7 @@ use crate::symbols::Symbols;
 use super::constants;
 use super::equations;
 use super::expand::expand_in_claim;
-use super::names::{Scope, is_epsilon};
+use super::names::{Scope, is_epsilon, is_never_free};
 use super::outside::values_beyond_the_ends;
 use super::stand_in::StandIn;
 use super::sums::summand;
@@ -144,7 +144,10 @@ impl Names {
             }
         }
         let is_constant = |name: &String| block.constants.iter().any(|constant| constant.name.text == **name);
-        let is_known = |name: &String| arrays.contains(name) || is_constant(name) || is_epsilon(name);
+        let is_array = |name: &str| arrays.iter().any(|array| array == name);
+        let is_known = |name: &String| {
+            is_array(name) || is_constant(name) || is_epsilon(name) || is_never_free(name, is_array)
+        };
         let (mut parameters, mut site_parameters) = (Vec::new(), Vec::new());
         match &block.header {
             Some(header) => {
