@@ -99,7 +99,7 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
         ("struct S { w } xdot = w*x^3;", "`u` for `x^2`", "struct S { w } xdot = w*u*x; udot = 2*w*u^2;"),
         ("xdot = (x + y)^70; ydot = 0;", "`w` for `x^2`", ""),
         ("xdot = y/(h + x); ydot = -x;", "`w` for `1/(x + h)`", ""),
-        ("xdot = x^-1;", "`w` for `1/(x)`", ""),
+        ("xdot = x^-1;", "`w` for `1/x`", ""),
         ("const w = 1; xdot = w/x^2;", "`u` for `1/(x^2)`", ""),
         ("xdot = x^(3/2);", "write an integer literal", ""),
         ("xdot = x^0.5;", "write an integer literal", ""),

@@ -311,7 +311,7 @@ fn exact_tasks_are_swept() {
     assert_eq!(column(discover.path(), "independent_integrals"), vec![Field::Long(1); 3]);
 }
 
-/// The hash of a plan tells whose results they are, so it may not change with the names in the code.
+/// The hash of a plan tells whose results they are: it does not change with names in the code.
 #[test]
 fn a_plan_has_one_form_in_its_own_words() {
     let task = |text: &str| {

@@ -381,7 +381,8 @@ fn state_divisor(scope: &Scope, state: Variable, divisor: &Expansion, span: Span
     let name = scope.symbols.name(state);
     let Expansion { numerator, denominator, .. } = divisor;
     let quotient = if denominator.is_one() && numerator.len() <= MOST {
-        format!("`1/({})`", Text.polynomial(&scope.symbols, numerator))
+        let divisor = Text.polynomial(&scope.symbols, numerator);
+        if divisor == name { format!("`1/{divisor}`") } else { format!("`1/({divisor})`") }
     } else {
         "the quotient".to_owned()
     };

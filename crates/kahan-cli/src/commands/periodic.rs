@@ -92,6 +92,9 @@ impl Asking for Periodic {
     }
 }
 
+/// Behind a verdict that the digits of the multipliers do not show.
+const BLURRED: &str = ", as rounding leaves no more digits of the multipliers";
+
 fn text(found: &CycleFound) -> String {
     let cycle = &found.cycle;
     let family = match cycle.family {
@@ -101,7 +104,7 @@ fn text(found: &CycleFound) -> String {
     };
     let cycle_lines = vec![
         format!("period       {}", cycle.points.len()),
-        format!("stability    {}", cycle.stability()),
+        format!("stability    {}{}", cycle.stability(), if cycle.is_blurred() { BLURRED } else { "" }),
         format!("multipliers  {}", multipliers(cycle)),
         format!("family       {family}"),
         format!("residual     {:.1e}", cycle.residual),

@@ -151,7 +151,7 @@ impl Picture {
         };
         let radius = number(&self.radius, "--radius")?;
         let spread = Spread { count: self.starts, radius, seed: self.seed };
-        let at = self.at.iter().map(|at| At::read(at, &spread, study.variables()));
+        let at = self.at.iter().map(|at| At::read(at, &spread, &study));
         let shown = Shown {
             what,
             eps: self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?,

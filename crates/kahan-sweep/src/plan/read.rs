@@ -145,7 +145,8 @@ fn starts(
         }
         _ => Err("is none of F.parquet, F.csv and F.npy".to_owned()),
     };
-    let points = read.and_then(|numbers| numbers.points(variables));
+    // Parameters and ε have their values in the plan, whatever columns the results of another have.
+    let points = read.and_then(|numbers| numbers.points(variables, &[]));
     points.map_err(|why| given.note(format!("starts: {} {why}", path.display()))).ok()
 }
 

@@ -240,8 +240,8 @@ impl<'a> Cursor<'a> {
         start.to(self.behind())
     }
 
-    /// Skips a bracketed group as [`skip_group`](Self::skip_group) does, and returns the tokens between
-    /// its brackets, too.
+    /// Skips a bracketed group as [`skip_group`](Self::skip_group) does, and returns the tokens
+    /// between its brackets, too.
     pub(super) fn take_group(&mut self) -> (Span, &'a [Token]) {
         let group = self.skip_group();
         let is_closed = matches!(self.tokens[group.last].kind, TokenKind::Close(_));
