@@ -97,6 +97,12 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
             "xdot = w*z; ydot = 0; zdot = 0; wdot = w*y*z;",
         ),
         ("struct S { w } xdot = w*x^3;", "`u` for `x^2`", "struct S { w } xdot = w*u*x; udot = 2*w*u^2;"),
+        (
+            "for i in open { x[i]dot = x[i]^3; }",
+            "`w[i]` for `x[i]^2`",
+            "for i in open { x[i]dot = x[i]*w[i]; w[i]dot = 2*w[i]^2; }",
+        ),
+        ("for i in open { x[i]dot = 1/x[i+1]; }", "`w[i]` for `1/x[i+1]`", ""),
         ("xdot = (x + y)^70; ydot = 0;", "`w` for `x^2`", ""),
         ("xdot = y/(h + x); ydot = -x;", "`w` for `1/(x + h)`", ""),
         ("xdot = x^-1;", "`w` for `1/x`", ""),

@@ -167,6 +167,11 @@ impl Scope {
         self.poison(name);
     }
 
+    /// Whether states are those of sites.
+    fn is_family(&self) -> bool {
+        self.symbols.states.iter().any(|state| state.ends_with(']'))
+    }
+
     /// Whether each site has a state of this name, in a family.
     fn is_array(&self, name: &str) -> bool {
         self.is_state_name(&Reference::Site { array: name, offset: 0 }.to_string())
@@ -184,10 +189,9 @@ impl Scope {
             return Some((message, "put in what it is equal to".to_owned()));
         }
         let message = "`t` is the time, and a field has no time unless it is a state".to_owned();
-        let is_family = self.symbols.states.iter().any(|state| state.ends_with(']'));
         Some((
             message,
-            if is_family {
+            if self.is_family() {
                 "give each site its time: `t[i]dot = 1;`, and write `t[i]`".to_owned()
             } else {
                 "write one more equation, `tdot = 1;`, and begin at the time of the start; for a parameter of this name \
@@ -205,7 +209,8 @@ impl Scope {
                 || self.all_claims.contains(name)
                 || self.is_array(name)
         };
-        fresh(&["w", "u", "q", "s", "r"], is_taken)
+        let new = fresh(&["w", "u", "q", "s", "r"], is_taken);
+        if self.is_family() { Reference::Site { array: &new, offset: 0 }.to_string() } else { new }
     }
 
     fn list(&self) -> String {
