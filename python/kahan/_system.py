@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
@@ -13,8 +13,9 @@ from typing import Any, cast
 import numpy as np
 
 from ._answer import Answer, _short
+from ._arrays import named
 from ._basis import Basis
-from ._errors import FieldError, choice, spelled, unknown
+from ._errors import CHOICES, FieldError, choice, spelled, unknown
 from ._exact import Number, _number, answer, exact, nearest, point, whole
 from ._kahan import Field, is_family
 from ._formula import Formula, Symbols
@@ -232,6 +233,13 @@ class System(Field):
 
     # What is called in loops: arrays in, arrays out.
 
+    def _at(self, x: Any) -> Any:
+        """A point, or points, in the order of the variables, whose names decide where columns have some."""
+        return named(x, self.variables, [*self.parameters, "eps"])
+
+    def _point(self, x: Any) -> list[str]:
+        return point(self._at(x))
+
     def _columns(self, x: Array) -> dict[str, Array]:
         """The columns of points by the names of the variables."""
         return dict(zip(self.variables, x.T))
@@ -242,7 +250,7 @@ class System(Field):
         Those of the map depend on eps, and some are claimed ``when`` eps and the parameters have
         certain values.
         """
-        names, values = self._integrals_at(x, eps)
+        names, values = self._integrals_at(self._at(x), eps)
         return {name: values[..., k] for k, name in enumerate(names)}
 
     def orbit(
@@ -276,6 +284,7 @@ class System(Field):
         variables in f64.
         """
         steps, every, order = whole(steps, "steps"), whole(every, "every"), whole(order, "order")
+        x = self._at(x)
         scalar, method = choice(scalar, "scalar"), choice(method, "method")
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
@@ -286,7 +295,7 @@ class System(Field):
             return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended, half if order == 2 else 0.0)
         if compensated or out is not None:
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
-        question = {"ask": "orbit", "at": point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
+        question = {"ask": "orbit", "at": self._point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
                     "scalar": scalar, "order": order, "method": method, "projective": projective}
         columns, ended, last = self._table(json.dumps(question), listener=_listener(progress))
         count = len(self.variables)
@@ -318,7 +327,8 @@ class System(Field):
     ) -> Ensemble:
         """Many trajectories: their points after so many steps, and what is observed on the way.
 
-        ``points`` has shape (trajectories, variables); ``eps`` and each of ``params`` are one number
+        ``points`` has shape (trajectories, variables), or columns with the names of the variables, as a
+        ``DataFrame`` has them; ``eps`` and each of ``params`` are one number
         or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
         else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
         of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum), fli, megno, sali, rotation, escape; see ``observe``.
@@ -329,6 +339,7 @@ class System(Field):
         many. A trajectory that meets a pole ends as NaN, observed ones at the last finite point.
         """
         names = list(self.parameters)
+        points = self._at(points)
         given: list[Any] = []
         if params:
             for name in params:
@@ -397,7 +408,7 @@ class System(Field):
         ``brackets``: numbers and arrays of float64, or with ``exact`` of fractions. What is undefined
         at the point is ``None``. Formulas are functions of many points: ``s.densities["rho"](x, eps)``.
         """
-        found = self._ask("evaluate", at=point(x), eps=_exact(eps, "eps"), scalar="exact" if exact else "f64")
+        found = self._ask("evaluate", at=self._point(x), eps=_exact(eps, "eps"), scalar="exact" if exact else "f64")
 
         def arrays(value: Any) -> Any:
             if isinstance(value, dict):
@@ -425,7 +436,7 @@ class System(Field):
         beyond ``escape``, and ``None`` where there is none. ``steps`` are fewer than asked where numbers leave
         their range; a number of what is observed is then ``None`` where it is none.
         """
-        found = self._ask("observe", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+        found = self._ask("observe", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
                           order=whole(order, "order"), every=whole(every, "every"), escape=escape)
         spectrum = {name: np.array(found[name], dtype=float) for name in ("spectrum", "spectrum_errors")}
         return Answer(found | spectrum)
@@ -443,7 +454,7 @@ class System(Field):
         """
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
-        found = self._ask("section", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+        found = self._ask("section", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
                           plane=plane, side=choice(direction, "direction"), points=whole(points, "points"))
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
         return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), found["ended"],
@@ -471,17 +482,18 @@ class System(Field):
         if eps is None:
             raise TypeError("chart needs eps, half the time step, or goes through it")
         observable, column = _observable(color)
+        if observable not in CHOICES["observable"]:
+            raise ValueError(f"color: {unknown('column', color, self._colors())}")
         self._has_drift("color", [observable])
-        question = {"ask": "observe", "at": point(x), "eps": exact(eps, "eps"), "steps": whole(steps, "steps"),
+        question = {"ask": "observe", "at": self._point(x), "eps": exact(eps, "eps"), "steps": whole(steps, "steps"),
                     "order": whole(order, "order"), "escape": escape,
-                    "of": list(dict.fromkeys([choice(observable, "observable"), "escape"]))}
+                    "of": list(dict.fromkeys([observable, "escape"]))}
         columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
                                     threads=_whole(threads, "threads"), listener=_listener(progress))
         found = {name: values for name, _, values in columns}
         meanings = {name: meaning for name, meaning, _ in columns}
         if column not in found:
-            known = [name for name in found if name not in ("index", "steps", *over)]
-            raise ValueError(f"color: {unknown('column', column, known)}")
+            raise ValueError(f"color: {unknown('column', color, self._colors())}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
         sizes = [_size(values) or len(np.unique(found[name])) for name, values in over.items()]
         # What is beyond all numbers is beyond a size.
@@ -495,6 +507,12 @@ class System(Field):
         of = ", ".join(([] if "eps" in over else [f"eps = {eps}"]) + [f"{steps} steps"])
         return Chart(self, along, color, values.reshape(sizes), escaped.reshape(sizes), meanings[column], of)
 
+    def _colors(self) -> list[str]:
+        """The columns that a chart can show."""
+        of: dict[str, Iterable[Any]] = {name: self.variables for name in ("final", "least", "greatest", "rotation")}
+        of |= {"drift": self.integrals, "lyapunov": range(1, 1 + len(self.variables))}
+        return [*_SINGLE, *(f"{start}_{name}" for start, names in of.items() for name in names)]
+
     def verify(self, *, progress: bool = False) -> Answer:
         """Whether the claims of the field hold: each is proved, as when it was read; of a system of
         the catalog as it stands those of the paper about it."""
@@ -505,13 +523,13 @@ class System(Field):
         axes = _axes(over, has_lists=False)
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
-        return Answer(self._ask("periodic", at=point(x), eps=_exact(eps, "eps"), period=whole(period, "period"),
+        return Answer(self._ask("periodic", at=self._point(x), eps=_exact(eps, "eps"), period=whole(period, "period"),
                                 over=axes[0] if axes else None))
 
     def heights(self, x: Any, eps: Number, steps: int, *, max_digits: int | None = None, seconds: float | None = None,
                 progress: bool = False) -> Answer:
         """How the heights of an exact orbit grow: exponentially where the map is not integrable."""
-        return Answer(self._ask("heights", progress, at=point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+        return Answer(self._ask("heights", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
                                 max_digits=_whole(max_digits, "max_digits"), seconds=seconds))
 
     def poles(self, eps: Number | None = None, *, steps: int | None = None, seconds: float | None = None,
@@ -547,7 +565,7 @@ class System(Field):
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,
               progress: bool = False) -> Answer:
         """The cheapest setting (scalar, order, eps) that follows the flow, or keeps the integrals, to a tolerance."""
-        return Answer(self._ask("trade", progress, at=point(x), horizon=_exact(horizon, "horizon"), need=need,
+        return Answer(self._ask("trade", progress, at=self._point(x), horizon=_exact(horizon, "horizon"), need=need,
                                 tolerance=_exact(tolerance, "tolerance"), seconds=float(seconds)))
 
     def extremes(self, *, trials: int = 4000, seed: int = 1, progress: bool = False) -> Answer:
@@ -616,11 +634,16 @@ class Discovery(Answer):
 
     @cached_property
     def claimed(self) -> System:
-        """The field with what was found as its claims, which are proved once more; it steps and plots."""
-        of = self._of
-        equations = [f"{name}dot = {right};" for name, right in zip(self.variables, of._sheet("text")["field"])]
-        fixed = {name for name, value in of.parameters.items() if value is not None}
-        return System("\n".join([*equations, *(_without(claim, fixed) for claim in self.claims)]))
+        """The field with what was found as its claims, which are proved once more; it steps and plots.
+
+        Its parameters have the values with which it was searched, ``when`` which the claims are made.
+        """
+        text, is_name, sites, given = self._of._call
+        field = System._of(text, is_name, sites, {})._sheet("text")["field"]
+        equations = "\n".join(f"{name}dot = {right};" for name, right in zip(self.variables, field))
+        names = set(re.findall(r"\w+", equations))
+        given = {name: value for name, value in given.items() if name in names}
+        return System._of("\n".join([equations, *self.claims]), False, None, given)
 
     @property
     def integrals(self) -> dict[str, Formula]:
@@ -667,16 +690,10 @@ def _right(claim: dict[str, Any]) -> str:
     return text.partition(" when ")[0]
 
 
-def _without(claim: str, fixed: set[str]) -> str:
-    """The claim without its conditions on parameters whose values stand in the field already."""
-    stated, when, condition = claim.removesuffix(";").rpartition(" when ")
-    if not when:
-        return claim
-    kept = [relation for relation in condition.split(", ") if relation.partition(" = ")[0] not in fixed]
-    return f"{stated} when {', '.join(kept)};" if kept else f"{stated};"
+_SINGLE = ("sali", "fli", "megno", "lyapunov", "lyapunov_error", "mean_log_det", "escape")
+"""The colors of charts that a field has whatever its names are."""
 
-
-_COLUMNS = {"escape": "escaped"}
+_COLUMNS = {"escape": "escaped", "log_det": "mean_log_det"}
 
 
 def _observable(color: str) -> tuple[str, str]:

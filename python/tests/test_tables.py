@@ -190,3 +190,46 @@ def test_others_take_the_field_and_its_integrals():
     assert abs(energy(end) - 7) < 1e-7
     stiff = scipy.solve_ivp(rate, (0, 1), x, method="Radau", jac=rate.jacobian, rtol=1e-10, atol=1e-10)
     assert np.abs(stiff.y[:, -1] - end).max() < 1e-7 and stiff.njev > 0
+
+
+def test_names_of_columns_decide_which_variable_they_are() -> None:
+    pandas = pytest.importorskip("pandas")
+    s = kahan.System("xdot = k1*y; ydot = -x;", k1=2)
+    rows = np.array([[0.1, 0.2], [0.3, 0.4]])
+    expected = s.ensemble(rows, 0.1, 5).x
+    frame = pandas.DataFrame({"y": rows[:, 1], "note": [1, 2], "x": rows[:, 0]}, index=["a", "b"])
+    structured = np.array([(b, a) for a, b in rows], dtype=[("y", float), ("x", float)])
+    for given in (frame, structured, {"y": rows[:, 1], "x": rows[:, 0]}, pandas.DataFrame(rows)):
+        np.testing.assert_array_equal(s.ensemble(given, 0.1, 5).x, expected)
+    assert s.ensemble(rows, 0.1, 5, params={"k1": pandas.Series([1.0, 2.0], index=["a", "b"])}).x.shape == (2, 2)
+    start = s.orbit(rows[0], 0.1, 5).x
+    for given in (frame.iloc[0], {"y": 0.2, "x": 0.1}):
+        np.testing.assert_array_equal(s.orbit(given, 0.1, 5).x, start)
+        assert s.observe(given, 0.1, 5).steps == 5
+    for wrong, said in ((frame.assign(k1=1.0), "`k1` is no variable"), (frame.assign(eps=1.0), "`eps` is no variable"),
+                        (frame[["x", "note"]], "no column `y`"), (frame[["x", "x", "y"]], "two columns `x`")):
+        with pytest.raises(ValueError, match=said):
+            s.ensemble(wrong, 0.1, 5)
+    with pytest.raises(TypeError, match="have the names y, note, x"):
+        s.step(frame, 0.1)
+
+
+def test_every_color_that_is_listed_is_shown() -> None:
+    s = kahan.System("xdot = y; ydot = -x; integral H = x^2 + y^2;")
+    with pytest.raises(ValueError, match="there is no column `final`; did you mean `final_x`?"):
+        s.chart({"x": (0.1, 0.2, 2)}, [0.1, 0.1], 0.1, steps=20, color="final")
+    with pytest.raises(ValueError, match="there is no column `nothing_such`") as refused:
+        s.chart({"x": (0.1, 0.2, 2)}, [0.1, 0.1], 0.1, steps=20, color="nothing_such")
+    listed = str(refused.value).partition("there is ")[2].partition("there is ")[2].split(", ")
+    assert "final_x" in listed and "sali" in listed
+    for color in listed:
+        assert s.chart({"x": (0.1, 0.2, 2)}, [0.1, 0.1], 0.1, steps=20, color=color).values.shape == (2,)
+
+
+def test_what_was_found_is_claimed_at_the_values_of_the_search() -> None:
+    s = kahan.System("xdot = y; ydot = a - b*x^2;", a="1/2")
+    claimed = s(b=3).discover(seconds=5).claimed
+    assert claimed.parameters == {"a": kahan.System("xdot = a;", a="1/2").parameters["a"], "b": 3}
+    assert claimed.integrals and claimed(a=0.5).parameters == claimed.parameters
+    assert claimed.ensemble([[0.1, 0.2]], 0.1, 5, observe=["drift"]).x.shape == (1, 2)
+    assert s.discover(seconds=5).claimed.parameters["b"] is None

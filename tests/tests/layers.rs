@@ -39,7 +39,7 @@ const CORE: Layered = Layered {
 const SYNTAX: Layered = Layered {
     folder: "crates/kahan-syntax",
     name: "kahan_syntax",
-    layers: &["rational", "table", "token", "lexer", "syntax", "diagnostics", "spelling", "parse"],
+    layers: &["rational", "table", "token", "spelling", "lexer", "syntax", "diagnostics", "parse"],
 };
 
 const ALGEBRA: Layered = Layered {

@@ -24,7 +24,7 @@ use std::process::ExitCode;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, CommandFactory, FromArgMatches, Parser};
 
-use commands::{BEFORE_CHART, Command, GROUPS};
+use commands::{Command, GROUPS};
 use printing::{Answer, Refusal, finish, joined, warn};
 use reading::{ONE_WORD, Source};
 
@@ -74,9 +74,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 /// The same for programs of other languages: the exit status as a number.
 pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
-    if arguments.get(1).is_some_and(|command| command == BEFORE_CHART) {
-        warn("`kahan map` is called `kahan chart` now");
-    }
     let named = arguments.get(1).and_then(|name| command().find_subcommand(name).cloned());
     let matches = command().try_get_matches_from(arguments);
     let note = matches.as_ref().ok().and_then(undeclared);

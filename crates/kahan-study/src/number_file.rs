@@ -70,12 +70,18 @@ impl<V: Entry> Numbers<V> {
 
 impl Numbers<Option<Rational>> {
     /// A first point a row, with a coordinate a variable: of named columns those of the variables,
-    /// else a column a variable.
+    /// else a column a variable. `others` are names that mean something else in the field: a column
+    /// of such a name would be passed over, and is refused.
     ///
     /// # Errors
     /// What the file has too much or too little of, said of it: "has no rows; …".
-    pub fn points(&self, variables: &[String]) -> Result<Vec<Vec<Rational>>, String> {
+    pub fn points(&self, variables: &[String], others: &[String]) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
+        if let Some(other) = names.iter().flatten().find(|name| others.contains(name)) {
+            return Err(format!(
+                "has a column `{other}`, which is no variable, and rows are first points; leave it out, and give {other} one value"
+            ));
+        }
         let named = |names: &[String], variable: &String| {
             let mut places = (0..names.len()).filter(|place| names[*place] == *variable);
             match (places.next(), places.next()) {

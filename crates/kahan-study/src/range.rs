@@ -102,13 +102,6 @@ impl Range {
         &self.spacing
     }
 
-    /// The same ends with other values between them, where that is a range.
-    #[must_use]
-    pub fn spaced(&self, spacing: Spacing) -> Option<Self> {
-        let range = Range { spacing, ..self.clone() };
-        range.check(MOST as u64).is_ok().then_some(range)
-    }
-
     /// Cells with these values in their middles; `None` where they are not equally spaced, or fewer
     /// than two.
     #[must_use]
@@ -227,18 +220,6 @@ impl Range {
 
 fn half(step: &Rational) -> Rational {
     step.checked_div(&Rational::from(2)).expect("2 is not 0")
-}
-
-impl Spacing {
-    /// What it means, in words.
-    #[must_use]
-    pub fn words(&self) -> String {
-        match self {
-            Spacing::Count(count) => format!("{count} values with both ends"),
-            Spacing::Step(step) => format!("steps of {step}"),
-            Spacing::Cells(cells) => format!("the middles of {cells} cells"),
-        }
-    }
 }
 
 /// As it is read.

@@ -219,14 +219,14 @@ impl Study {
         self.at(given)
     }
 
-    /// The same for this ε: integrals that are claimed `when` something holds are claimed without a
-    /// condition where the values of the parameters and ε are such. Where there are some, the field
-    /// is planned anew.
+    /// The same for this ε: what is claimed `when` something holds is claimed without a condition
+    /// where the values of the parameters and ε are such. Where there is some of it, the field is
+    /// planned anew.
     ///
     /// # Errors
     /// Claims that do not hold, and a field that divides by zero.
     pub fn at_step(&self, eps: &Rational) -> Result<Self, StudyError> {
-        let is_open = |claim: &Claim| claim.kind == ClaimKind::Integral && !claim.is_unconditional();
+        let is_open = |claim: &Claim| !claim.is_unconditional();
         if !self.proved()?.claims.iter().any(is_open) {
             return Ok(self.clone());
         }
@@ -239,12 +239,19 @@ impl Study {
                 .iter()
                 .any(|own| own.name.text == claim.name.text && own.conditions.iter().all(is_here))
         };
+        if !self.system().claims.iter().any(|claim| is_open(claim) && holds(claim)) {
+            return Ok(self.clone());
+        }
         let mut system = self.system().clone();
-        system
-            .claims
-            .iter_mut()
-            .filter(|claim| is_open(claim) && holds(claim))
-            .for_each(|claim| claim.conditions.clear());
+        for place in 0..system.claims.len() {
+            // A field has one density.
+            let claim = &system.claims[place];
+            let is_second =
+                claim.kind == ClaimKind::Density && system.accessors(ClaimKind::Density).next().is_some();
+            if is_open(claim) && holds(claim) && !is_second {
+                system.claims[place].conditions.clear();
+            }
+        }
         let (field, interpreter) = (OnceLock::new(), OnceLock::new());
         let read = Read { system, field, interpreter, ..Read::clone(&self.read) };
         Ok(Study::new(Arc::new(read), self.given().to_vec()))

@@ -207,7 +207,7 @@ fn other_questions_have_rows_too() {
 fn axes_that_do_not_fit_say_so() {
     let refused = |axes: Value| {
         let over = over(json!({
-            "ask": "over", "axes": axes, "draws": 3,
+            "ask": "over", "axes": axes, "draws": (1_u64 << 32) + 1,
             "question": {"ask": "observe", "eps": 1, "at": [1, 1], "steps": 4},
         }));
         study(Subject::named("lv")).ask(&Question::Over(over), &Unwatched).expect_err("a mistake").to_string()
@@ -221,6 +221,10 @@ fn axes_that_do_not_fit_say_so() {
         (json!([{"name": "order", "values": [2, 3]}]), "order: 3 is none of 2, 4, 6, 8"),
         (json!([{"name": "bits", "values": [16]}]), "bits: 16 is none of 32, 64"),
         (json!([{"name": "x", "draw": "uniform", "low": 1, "high": 0}]), "x: low is below high"),
+        (
+            json!([{"name": "x", "draw": "uniform", "low": 0, "high": 1}, {"name": "y", "draw": "sobol", "low": 0, "high": 1}]),
+            "y: Sobol's sequence has 4294967296 points",
+        ),
         (
             json!([{"name": "x", "range": "0:1:/100000"}, {"name": "y", "range": "0:1:/1000"}]),
             "100000000 cells",

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::Duration;
 
+use kahan_sweep::Plan;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 
@@ -312,6 +313,31 @@ fn exact_tasks_are_swept() {
     assert_eq!(column(discover.path(), "independent_integrals"), vec![Field::Long(1); 3]);
 }
 
+/// The hash of a plan tells whose results they are: it does not change with names in the code.
+#[test]
+fn a_plan_has_one_form_in_its_own_words() {
+    let task = |text: &str| {
+        let plan = Plan::read(text, "plan.toml").expect("a plan");
+        let (_, task) = plan.canonical().split_once("seed = ").expect("a seed");
+        task.split_once("\nrows_per_part").expect("rows").0.to_owned()
+    };
+    assert_eq!(
+        task(PLAN),
+        "3\nkind = orbit\nsteps = 50\nevery = 10\nescape = 1000000\nobserve = [final, drift, extrema, lyapunov, \
+         spectrum, log_det, fli, megno, sali, rotation, escape]"
+    );
+    let lv = "[system]\nname = \"lv\"\n[axes]\neps = 1\n";
+    assert_eq!(
+        task(&format!("{lv}x = 1\ny = 1\n[task]\nkind = \"heights\"\nsteps = 12\n")),
+        "1\nkind = heights\nsteps = 12\ndigits = 100000"
+    );
+    assert_eq!(task(&format!("{lv}[task]\nkind = \"discover\"\n")), "1\nkind = discover\ndegree = any");
+    assert_eq!(
+        task(&format!("{lv}[task]\nkind = \"discover\"\ndegree = 3\n")),
+        "1\nkind = discover\ndegree = 3"
+    );
+}
+
 #[test]
 fn every_mistake_of_a_plan_is_told_with_its_line() {
     let folder =
@@ -345,6 +371,7 @@ fn every_mistake_of_a_plan_is_told_with_its_line() {
         (("z = \"1/2\"\n", ""), "`z` has no value"),
         (("a2 = -3", "a2 = -3\na3 = 1"), "leave it out of one"),
         (("draws = 40\n", ""), "draws = 1000"),
+        (("draws = 40", "draws = 4294967297"), "x: Sobol's sequence has 4294967296 points"),
         (("order = [2, 4]", "order = [2, 3]"), "order: 3 is none of 2, 4, 6, 8"),
         (("\"drift\"", "\"drifts\""), "no observer `drifts`"),
         (("rows_per_part = 97", "rows_per_part = 97000000"), "rows_per_part is a whole number"),

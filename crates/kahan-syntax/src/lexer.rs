@@ -5,8 +5,11 @@
 //! …`, `x²`, `3eps`) becomes a token that carries its explanation, so that the command reports it
 //! like any other mistake.
 
+use std::cell::OnceCell;
+use std::collections::HashSet;
 use std::ops::Range;
 
+use crate::spelling::derivative;
 use crate::token::{Token, TokenKind};
 
 /// The tokens of a text and the byte range of each.
@@ -21,7 +24,14 @@ pub struct Lexed {
 /// Splits `text` into tokens. Never fails: what is no token becomes [`TokenKind::Unreadable`].
 #[must_use]
 pub fn lex(text: &str) -> Lexed {
-    let mut lexer = Lexer { text, at: 0, docs: Vec::new(), out: Lexed::default() };
+    let mut lexer = Lexer {
+        text,
+        at: 0,
+        docs: Vec::new(),
+        is_right: false,
+        words: OnceCell::new(),
+        out: Lexed::default(),
+    };
     while lexer.next_token() {}
     lexer.out
 }
@@ -31,6 +41,10 @@ struct Lexer<'a> {
     at: usize,
     /// Lines of documentation before the next token.
     docs: Vec<String>,
+    /// Whether the next token stands behind the `=` of its item.
+    is_right: bool,
+    /// All words of the text, for messages.
+    words: OnceCell<HashSet<&'a str>>,
     out: Lexed,
 }
 
@@ -51,6 +65,11 @@ impl Lexer<'_> {
         if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {
             previous.touches_next = last.end == range.start;
         }
+        self.is_right = match kind {
+            TokenKind::Punctuation('=') => true,
+            TokenKind::Punctuation(';') | TokenKind::Open('{') => false,
+            _ => self.is_right,
+        };
         let docs = std::mem::take(&mut self.docs);
         self.out.tokens.push(Token { kind, text: text.to_owned(), touches_next: false, docs });
         self.out.ranges.push(range);
@@ -91,11 +110,30 @@ impl Lexer<'_> {
             self.push(TokenKind::Close(c), 1);
         } else if "+-*/^=;,.:<>!?&|%#@~$".contains(c) {
             self.push(TokenKind::Punctuation(c), 1);
+        } else if let Some(order) = primes(c) {
+            let length = self.run(self.at, |c| primes(c).is_some());
+            let order = order.max(self.text[self.at..][..length].chars().filter_map(primes).sum());
+            let (message, help) = self.explain_prime(c, order);
+            self.push(TokenKind::Unreadable { message, help }, length);
         } else {
             let (message, help) = explain_unreadable(c);
             self.push(TokenKind::Unreadable { message, help }, c.len_utf8());
         }
         true
+    }
+
+    /// What a prime here means elsewhere: a derivative of the name that it touches.
+    fn explain_prime(&self, prime: char, order: usize) -> (String, String) {
+        let touches = self.out.ranges.last().is_some_and(|last| last.end == self.at);
+        let before = self.out.tokens.last().filter(|token| touches && token.kind == TokenKind::Identifier);
+        let state = before.map_or("x", |token| token.text.as_str());
+        let words = || self.text.split(|c| !continues_identifier(c)).collect();
+        let help = if self.is_right {
+            format!("a right-hand side has no derivatives: put in what `{state}dot` is equal to")
+        } else {
+            derivative(state, order, |name| self.words.get_or_init(words).contains(name))
+        };
+        (format!("`{prime}`: a prime marks no derivative here"), help)
     }
 
     /// Skips `/* … */`, which nests in Rust; one that is not closed is a mistake at its beginning.
@@ -161,15 +199,22 @@ fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
+/// Marks above letters, such as Newton's dot, belong to the name, as in Rust.
 fn continues_identifier(c: char) -> bool {
-    starts_identifier(c) || c.is_ascii_digit()
+    starts_identifier(c) || c.is_ascii_digit() || ('\u{300}'..='\u{36f}').contains(&c)
+}
+
+/// How many derivatives a mark behind a name means elsewhere.
+fn primes(c: char) -> Option<usize> {
+    match c {
+        '\'' | '’' | '′' => Some(1),
+        '″' => Some(2),
+        _ => None,
+    }
 }
 
 fn explain_unreadable(c: char) -> (String, String) {
     let (what, help) = match c {
-        '\'' | '’' | '′' => {
-            ("a prime marks no derivative here", "write `xdot = …` for the derivative of `x`")
-        }
         '²' => ("superscripts are not read", "write `^2`"),
         '³' => ("superscripts are not read", "write `^3`"),
         '−' | '–' | '—' => ("this is not the minus sign of the keyboard", "write `-`"),
@@ -178,6 +223,5 @@ fn explain_unreadable(c: char) -> (String, String) {
         '½' => ("fractions are written out", "write `1/2`"),
         _ => ("this character has no meaning in a field", "remove it"),
     };
-    let shown = if c == '\'' { c.to_string() } else { c.escape_debug().to_string() };
-    (format!("`{shown}`: {what}"), help.to_owned())
+    (format!("`{}`: {what}", c.escape_debug()), help.to_owned())
 }

@@ -16,12 +16,12 @@ pub mod table;
 
 pub mod token;
 
+pub mod spelling;
+
 pub mod lexer;
 
 pub mod syntax;
 
 pub mod diagnostics;
-
-pub mod spelling;
 
 pub mod parse;

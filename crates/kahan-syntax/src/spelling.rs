@@ -1,4 +1,8 @@
-//! Names as letters: which ones Rust keeps for itself, and which are slips of others.
+//! Names as letters: which ones Rust keeps for itself, which are slips of others, which mark a
+//! derivative, and which a message may propose.
+
+/// The page on fields that are not quadratic, where help names it.
+pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
 /// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
 #[must_use]
@@ -24,4 +28,71 @@ pub fn nearest<'a, N: AsRef<str>>(name: &str, known: &'a [N]) -> Option<&'a N> {
     };
     let distance = |known: &&N| strsim::osa_distance(&name.to_lowercase(), &known.as_ref().to_lowercase());
     known.iter().min_by_key(distance).filter(|nearest| distance(nearest) <= tolerance)
+}
+
+/// A short name that is not taken, for what a message proposes: the first of `wanted` that is free,
+/// or else one of them with a number.
+///
+/// ```
+/// use kahan_syntax::spelling::fresh;
+///
+/// assert_eq!(fresh(&["w", "u"], |name| name == "w"), "u");
+/// assert_eq!(fresh(&["w"], |name| name == "w" || name == "w1"), "w2");
+/// ```
+#[must_use]
+pub fn fresh(wanted: &[&str], is_taken: impl Fn(&str) -> bool) -> String {
+    let plain = wanted.iter().map(|name| (*name).to_owned());
+    let numbered = (1_usize..).flat_map(|k| wanted.iter().map(move |name| format!("{name}{k}")));
+    plain.chain(numbered).find(|name| !is_taken(name)).expect("there is always one more")
+}
+
+/// What to write for the derivative of `state` of this order: `xdot = …`, or a chain of equations
+/// with names that are not taken.
+#[must_use]
+pub fn derivative(state: &str, order: usize, is_taken: impl Fn(&str) -> bool) -> String {
+    if order < 2 {
+        return format!("write `{state}dot = …` for the derivative of `{state}`");
+    }
+    let velocity = fresh(&["v", "u", "p"], &is_taken);
+    if order == 2 {
+        return format!(
+            "for the second derivative of `{state}` write `{state}dot = {velocity}; {velocity}dot = …`"
+        );
+    }
+    let next = fresh(&["a", "b", "c"], is_taken);
+    format!(
+        "write an equation for each derivative of `{state}`: `{state}dot = {velocity}; {velocity}dot = {next}; {next}dot = …`"
+    )
+}
+
+/// The name without Newton's dots above its letters, and how many there are: `ẋ` is `x` with one,
+/// `ẍ` with two; `None` without dots.
+///
+/// ```
+/// use kahan_syntax::spelling::without_dots;
+///
+/// assert_eq!(without_dots("ẋ1"), Some(("x1".to_owned(), 1)));
+/// assert_eq!(without_dots("q\u{308}"), Some(("q".to_owned(), 2)));
+/// assert_eq!(without_dots("x"), None);
+/// ```
+#[must_use]
+pub fn without_dots(name: &str) -> Option<(String, usize)> {
+    const ONE: &str = "ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzȦAḂBĊCḊDĖEḞFĠGḢHİIṀMṄNȮOṖPṘRṠSṪTẆWẊXẎYŻZ";
+    const TWO: &str = "ḧhẗtẅwẍxÿyḦHẄWẌXŸY";
+    let plain = |dotted: &str, c: char| {
+        let mut letters = dotted.chars();
+        std::iter::from_fn(|| Some((letters.next()?, letters.next()?))).find(|(own, _)| *own == c)
+    };
+    let mut dots = 0;
+    let letters = name.chars().filter_map(|c| {
+        let found = plain(ONE, c).map(|found| (1, found)).or_else(|| plain(TWO, c).map(|found| (2, found)));
+        match (c, found) {
+            ('\u{307}', _) => (dots += 1, None).1,
+            ('\u{308}', _) => (dots += 2, None).1,
+            (_, Some((count, (_, plain)))) => (dots += count, Some(plain)).1,
+            (_, None) => Some(c),
+        }
+    });
+    let letters: String = letters.collect();
+    (dots > 0 && !letters.is_empty()).then_some((letters, dots))
 }

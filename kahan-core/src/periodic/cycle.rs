@@ -1,9 +1,10 @@
 //! One cycle: found from a point near it, and judged.
 
 use core::fmt;
+use std::vec;
 use std::vec::Vec;
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use super::Differentiable;
 use super::newton::closed;
@@ -25,8 +26,8 @@ pub struct PeriodicPoint {
     /// that is larger, as the cycle may be a point whose coordinates are all 0: what lengths are
     /// compared with.
     pub(super) size: f64,
-    /// How far a multiplier of size 1 may be from it by rounding.
-    pub(super) rounding: f64,
+    /// How far each multiplier may be from the circle by rounding, if it is one of size 1.
+    margins: Vec<f64>,
 }
 
 /// How orbits near a cycle behave, as its multipliers say it to first order.
@@ -99,7 +100,8 @@ impl PeriodicPoint {
     #[must_use]
     pub fn stability(&self) -> Stability {
         let is_larger = self.outside() > 0;
-        let inside = self.multipliers.iter().filter(|one| size(one) < 1.0 - self.rounding).count();
+        let with_margins = self.multipliers.iter().zip(&self.margins);
+        let inside = with_margins.filter(|(one, margin)| size(one) < 1.0 - **margin).count();
         match (is_larger, inside > 0) {
             (true, true) => Stability::Saddle,
             (true, false) => Stability::Repelling,
@@ -108,9 +110,29 @@ impl PeriodicPoint {
         }
     }
 
-    /// How many multipliers are larger than 1 in size.
+    /// Whether a multiplier counts as one of size 1 whose digits say otherwise, as its error is
+    /// large.
+    #[must_use]
+    pub fn is_blurred(&self) -> bool {
+        /// What digits do not show.
+        const SHOWN: f64 = 1e-5;
+
+        let off = |(one, margin): (&Complex<f64>, &f64)| {
+            let distance = (size(one) - 1.0).abs();
+            distance > SHOWN && distance <= *margin
+        };
+        self.multipliers.iter().zip(&self.margins).any(off)
+    }
+
+    /// How many multipliers are larger than 1 in size; they come first.
     pub(super) fn outside(&self) -> usize {
-        self.multipliers.iter().filter(|one| size(one) > 1.0 + self.rounding).count()
+        let with_margins = self.multipliers.iter().zip(&self.margins);
+        with_margins.take_while(|(one, margin)| size(one) > 1.0 + **margin).count()
+    }
+
+    /// How far the multiplier with this index may be from the circle by rounding, if its size is 1.
+    pub(super) fn margin(&self, index: usize) -> f64 {
+        self.margins[index]
     }
 
     /// What lengths near it are compared with: the largest coordinate of its points, or about that
@@ -127,12 +149,11 @@ impl PeriodicPoint {
         let largest = cycle.amax().max(map.unit.size);
         let all: Vec<Vec<f64>> = cycle.as_slice().chunks(n).map(<[f64]>::to_vec).collect();
         let period = smallest_period(&all, largest);
-        let derivative =
-            all[..period].iter().fold(DMatrix::identity(n, n), |product, x| map.derivative(x) * product);
+        let factors: Vec<DMatrix<f64>> = all[..period].iter().map(|x| map.derivative(x)).collect();
         let points = all[..period].iter().map(|x| map.outside(x)).collect();
-        let Linearized { multipliers, family, rounding } = Linearized::of(derivative);
+        let Linearized { multipliers, family, margins } = Linearized::of(&factors);
         let (residual, size) = (residual * map.unit.length, largest * map.unit.length);
-        PeriodicPoint { points, residual, multipliers, family, size, rounding }
+        PeriodicPoint { points, residual, multipliers, family, size, margins }
     }
 }
 
@@ -141,11 +162,14 @@ impl PeriodicPoint {
 struct Linearized {
     multipliers: Vec<Complex<f64>>,
     family: usize,
-    rounding: f64,
+    margins: Vec<f64>,
 }
 
 impl Linearized {
-    fn of(derivative: DMatrix<f64>) -> Self {
+    /// Of the derivatives at the points, in their order.
+    fn of(factors: &[DMatrix<f64>]) -> Self {
+        let (derivative, error) = product(factors);
+        let conditions = conditions(&derivative);
         let mut multipliers: Vec<Complex<f64>> = derivative.complex_eigenvalues().iter().copied().collect();
         multipliers.sort_by(|a, b| {
             size(b).total_cmp(&size(a)).then(b.re.total_cmp(&a.re)).then(b.im.total_cmp(&a.im))
@@ -154,10 +178,77 @@ impl Linearized {
         let left = (derivative - DMatrix::identity(n, n)).singular_values();
         let scale = left.max().max(1.0);
         let family = left.iter().filter(|value| **value < CIRCLE * scale).count();
-        // What rounding leaves of a derivative is in proportion to it, and has its root in a double
-        // eigenvalue.
-        Linearized { multipliers, family, rounding: CIRCLE * scale.sqrt() }
+        let margin = |multiplier: &Complex<f64>| {
+            let distance = |(own, _): &&(Complex<f64>, f64)| size(&(own - multiplier));
+            let nearest = conditions.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            let condition = nearest.map_or(f64::INFINITY, |(_, condition)| *condition);
+            // What rounding leaves of a derivative is in proportion to it, and has its root in a
+            // double eigenvalue.
+            (CIRCLE * scale.sqrt()).max(condition * error)
+        };
+        let margins = multipliers.iter().map(margin).collect();
+        Linearized { multipliers, family, margins }
     }
+}
+
+/// The product P of the derivatives Jₚ…J₁, and a bound on the norm of what is wrong with it, to
+/// first order in the unit u of rounding.
+///
+/// Each Jₖ is known to some roundings, and its product with Jₖ₋₁…J₁ is rounded: an error of
+///
+///     (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖, times ‖Jₚ…Jₖ₊₁‖ for what comes behind.
+///
+/// The eigenvalues of P are those of a matrix that is 10 n u ‖P‖ away from it.
+fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {
+    const UNIT: f64 = f64::EPSILON / 2.0;
+
+    let n = factors[0].nrows();
+    let mut behind = vec![0.0; factors.len()];
+    let mut tail = DMatrix::identity(n, n);
+    for (norm, factor) in behind.iter_mut().zip(factors).rev() {
+        *norm = tail.norm();
+        tail *= factor;
+    }
+    let (mut product, mut error) = (DMatrix::identity(n, n), 0.0);
+    for (factor, behind) in factors.iter().zip(behind) {
+        error += (n + 16) as f64 * UNIT * factor.norm() * product.norm() * behind;
+        product = factor * product;
+    }
+    error += 10.0 * n as f64 * UNIT * product.norm();
+    (product, error)
+}
+
+/// The eigenvalues of a matrix, each with its condition ‖x‖‖y‖/|yᴴx| of right and left eigenvectors
+/// x and y: how far it moves, to first order, where the matrix changes by one of norm 1. Infinite,
+/// or not a number, where there are no such eigenvectors.
+fn conditions(matrix: &DMatrix<f64>) -> Vec<(Complex<f64>, f64)> {
+    const MOST_ROUNDS: usize = 10_000;
+
+    let n = matrix.nrows();
+    let complex = matrix.map(|entry| Complex::new(entry, 0.0));
+    let Some(schur) = Schur::try_new(complex, f64::EPSILON, MOST_ROUNDS) else { return Vec::new() };
+    let (_, triangular) = schur.unpack();
+    let least = f64::EPSILON * triangular.norm();
+    // A multiple eigenvalue counts as several that are a rounding apart.
+    let pivot = |pivot: Complex<f64>| if size(&pivot) < least { Complex::new(least, 0.0) } else { pivot };
+    let condition = |i: usize| {
+        let eigenvalue = triangular[(i, i)];
+        let mut right = vec![Complex::new(0.0, 0.0); n];
+        let mut left = right.clone();
+        (right[i], left[i]) = (Complex::new(1.0, 0.0), Complex::new(1.0, 0.0));
+        for j in (0..i).rev() {
+            let sum: Complex<f64> = (j + 1..=i).map(|k| triangular[(j, k)] * right[k]).sum();
+            right[j] = -sum / pivot(triangular[(j, j)] - eigenvalue);
+        }
+        for j in i + 1..n {
+            let sum: Complex<f64> = (i..j).map(|k| left[k] * triangular[(k, j)]).sum();
+            left[j] = -sum / pivot(triangular[(j, j)] - eigenvalue);
+        }
+        // Both are 1 at i, and elsewhere one of them is 0.
+        let norm = |vector: &[Complex<f64>]| vector.iter().map(size).fold(0.0, f64::hypot);
+        (eigenvalue, norm(&right) * norm(&left))
+    };
+    (0..n).map(condition).collect()
 }
 
 /// |μ|

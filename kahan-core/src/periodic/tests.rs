@@ -43,7 +43,7 @@ macro_rules! steps {
     )*};
 }
 
-steps!(Logistic, Henon, SaddleNode, Fifth, Arctangent, Turning, Several, Meeting, Far);
+steps!(Logistic, Henon, SaddleNode, Fifth, Arctangent, Turning, Several, Meeting, Far, Linear);
 
 /// x ↦ r x (1 − x).
 struct Logistic(f64);
@@ -182,6 +182,46 @@ fn a_turn_of_a_fifth_has_a_family_of_cycles() {
     assert_eq!((cycle.points.len(), cycle.family, cycle.stability()), (5, 2, Stability::Neutral));
     // Of the cycles of the family it is the one that begins where it was looked for.
     assert!((cycle.points[0][0] - 1.0).abs() < 1e-12);
+}
+
+/// A linear map with this matrix, whose fixed point is 0.
+struct Linear([f64; 4]);
+
+impl ByHand for Linear {
+    const DIMENSION: usize = 2;
+
+    fn image(&self, x: &[f64]) -> Vec<f64> {
+        let image = self.derivative(x) * DMatrix::from_column_slice(2, 1, x);
+        image.as_slice().to_vec()
+    }
+}
+
+impl Differentiable for Linear {
+    fn derivative(&self, _: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_row_slice(2, 2, &self.0)
+    }
+}
+
+#[test]
+fn a_multiplier_is_off_the_circle_only_beyond_its_error() {
+    let turned = |[a, b, c, d]: [f64; 4]| {
+        let (sin, cos) = 0.7_f64.sin_cos();
+        let turn = DMatrix::from_row_slice(2, 2, &[cos, -sin, sin, cos]);
+        let matrix = &turn * DMatrix::from_row_slice(2, 2, &[a, b, c, d]) * turn.transpose();
+        Linear([matrix[(0, 0)], matrix[(0, 1)], matrix[(1, 0)], matrix[(1, 1)]])
+    };
+    let verdict = |matrix| periodic_point(&turned(matrix), &[0.0, 0.0], 1).unwrap().stability();
+    for shear in [1.0, 1e2, 1e4, 1e6, 1e7] {
+        assert_eq!(verdict([1.0, shear, 0.0, 1.0]), Stability::Neutral, "{shear}");
+        assert_eq!(verdict([-1.0, shear, 0.0, -1.0]), Stability::Neutral, "{shear}");
+    }
+    for shear in [1.0, 1e2, 1e4] {
+        assert_eq!(verdict([1.01, shear, 0.0, 1.0 / 1.01]), Stability::Saddle, "{shear}");
+        assert_eq!(verdict([0.99, shear, 0.0, 0.98]), Stability::Attracting, "{shear}");
+        assert_eq!(verdict([1.02, shear, 0.0, 1.01]), Stability::Repelling, "{shear}");
+    }
+    // A large multiplier says nothing against another one.
+    assert_eq!(verdict([1e9, 1.0, 0.0, 1e-9]), Stability::Saddle);
 }
 
 #[test]

@@ -161,7 +161,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
         let index = outer.cycle.outside() - 1;
         let size_of = |cycle: &PeriodicPoint| size(&cycle.multipliers[index]);
         let size_at = |there: &Place| size_of(&self.arc.judged(there).cycle);
-        let is_inside = |size: f64| size < 1.0 - inner.cycle.rounding;
+        let is_inside = |size: f64| size < 1.0 - inner.cycle.margin(index);
         // One that goes through the circle may be at it where it does not count as outside yet.
         let behind = inner.at + self.length * (inner.at - outer.at).signum();
         let (begin, bound) = if is_inside(size_of(&inner.cycle)) {
@@ -170,7 +170,7 @@ impl<M: Parametric, F: Fn(f64) -> M> Stride<'_, F> {
             (behind, 1.0)
         } else {
             // It stayed on the circle but for rounding, and leaves it with a root of the distance.
-            (inner.at, 1.0 + inner.cycle.rounding)
+            (inner.at, 1.0 + inner.cycle.margin(index))
         };
         Turn { change, parameter: self.halved([begin, outer.at], |there| size_at(there) <= bound) }
     }

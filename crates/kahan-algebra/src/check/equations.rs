@@ -46,20 +46,24 @@ fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Exp
     let monomials = expansion.numerator.terms().map(|(monomial, _)| (degree(monomial), monomial));
     match monomials.max_by_key(|(degree, _)| *degree) {
         Some((highest @ 3.., monomial)) => {
-            Err(too_high(raising_factor(value, scope), &describe(monomial, scope), highest.into()))
+            let (term, product) = describe(monomial, scope);
+            Err(too_high(scope, raising_factor(value, scope), &term, &product, highest.into()))
         }
         _ => Ok(expansion),
     }
 }
 
-/// The term in words, parameters left out.
-fn describe(monomial: &Monomial, scope: &Scope) -> String {
+/// The term in words, parameters left out, and a product of two states that divides it.
+fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     let (states, _) = monomial.split(|variable| scope.symbols.is_state(variable));
-    let powers = states.powers().iter();
-    let powers =
-        powers.map(|&(variable, exponent)| Text.power(&scope.symbols.name(variable), exponent.into()));
-    let powers: Vec<String> = powers.collect();
-    format!("the term `{}`", Text.product(&powers))
+    let power = |name: &str, exponent: u32| Text.power(name, exponent.into());
+    let powers = states.powers().iter().map(|&(variable, exponent)| (scope.symbols.name(variable), exponent));
+    let powers: Vec<(String, u32)> = powers.map(|(name, exponent)| (name, u32::from(exponent))).collect();
+    let square = powers.iter().find(|(_, exponent)| *exponent > 1).map(|(name, _)| power(name, 2));
+    let names = || powers.iter().take(2).map(|(name, _)| name.clone()).collect::<Vec<_>>();
+    let product = square.unwrap_or_else(|| Text.product(&names()));
+    let powers: Vec<String> = powers.iter().map(|(name, exponent)| power(name, *exponent)).collect();
+    (format!("the term `{}`", Text.product(&powers)), product)
 }
 
 /// The place that raises the degree above two: of a sum its first term that is too high, of a

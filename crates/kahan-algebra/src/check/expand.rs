@@ -10,6 +10,7 @@
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
+use kahan_syntax::spelling::NOT_QUADRATIC;
 use kahan_syntax::syntax::{Expr, Reference};
 use kahan_syntax::token::Span;
 
@@ -17,6 +18,7 @@ use crate::field::Component;
 use crate::kept::Values;
 use crate::poly::{Budget, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
+use crate::render::{Notation, Text};
 
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
@@ -180,17 +182,7 @@ impl Target for Fractions<'_> {
         let Expansion { numerator, denominator, .. } = &b;
         let variables = numerator.variables();
         if let Some(state) = variables.into_iter().find(|&variable| self.scope.symbols.is_state(variable)) {
-            let state = self.scope.symbols.name(state);
-            return Err(Diagnostic::new(
-                Kind::StateDivisor,
-                span,
-                format!(
-                    "this divisor depends on the state `{state}`, and the field must be polynomial in the states"
-                ),
-                format!(
-                    "divide by numbers and parameters only, or introduce a new variable for the quotient by `{state}`"
-                ),
-            ));
+            return Err(state_divisor(self.scope, state, &b, span));
         }
         let inverse = match numerator.as_constant() {
             Some(divisor) => {
@@ -243,13 +235,15 @@ impl Target for Fractions<'_> {
         }
         let reached = u64::from(degree).saturating_mul(exponent);
         if base.numerator.len() > 1 && reached > HIGHEST_DEGREE {
-            return Err(too_high(span, "this power", reached));
+            return Err(self.power_too_high(&base, span, reached));
         }
         let exponent = u32::try_from(exponent).unwrap_or(u32::MAX);
         let power = |polynomial: &Polynomial, budget: &mut Budget| polynomial.pow_within(exponent, budget);
         let powers = (power(&base.numerator, &mut self.budget), power(&base.denominator, &mut self.budget));
         let (Ok(numerator), Ok(denominator)) = powers else {
-            return Err(if reached > 2 { too_high(span, "this power", reached) } else { too_large(span) });
+            let mistake =
+                if reached > 2 { self.power_too_high(&base, span, reached) } else { too_large(span) };
+            return Err(mistake);
         };
         let kept = match exponent {
             0 => None,
@@ -270,6 +264,14 @@ impl Target for Fractions<'_> {
 }
 
 impl Fractions<'_> {
+    /// The mistake of a power of states that is too high.
+    fn power_too_high(&self, base: &Expansion, span: Span, degree: u64) -> Diagnostic {
+        let symbols = &self.scope.symbols;
+        let state = base.numerator.variables().into_iter().find(|&variable| symbols.is_state(variable));
+        let name = symbols.name(state.expect("a degree in the states is that of a state"));
+        too_high(self.scope, span, "this power", &Text.power(&name, 2), degree)
+    }
+
     fn product(&mut self, a: &Polynomial, b: &Polynomial, span: Span) -> Result<Polynomial, Diagnostic> {
         if a.is_one() {
             return Ok(b.clone());
@@ -358,13 +360,40 @@ impl Fractions<'_> {
     }
 }
 
-/// The mistake of a term of degree `degree` > 2.
-pub(super) fn too_high(span: Span, term: &str, degree: u64) -> Diagnostic {
+/// The mistake of a term of degree `degree` > 2 that `product`, of two states, divides.
+pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, degree: u64) -> Diagnostic {
+    let new = scope.new_variable();
     Diagnostic::new(
         Kind::Degree,
         span,
         format!("{term} has degree {degree} in the states, and Kahan's method needs a quadratic field"),
-        "lower the degree with a new variable, for example `w` for `x^2` with its own equation",
+        format!(
+            "lower the degree with a new variable, for example `{new}` for `{product}` with its own equation: {NOT_QUADRATIC} shows how"
+        ),
+    )
+}
+
+/// The mistake of dividing by `divisor`, which depends on this state.
+fn state_divisor(scope: &Scope, state: Variable, divisor: &Expansion, span: Span) -> Diagnostic {
+    /// Divisors of more terms are not repeated.
+    const MOST: usize = 4;
+
+    let name = scope.symbols.name(state);
+    let Expansion { numerator, denominator, .. } = divisor;
+    let quotient = if denominator.is_one() && numerator.len() <= MOST {
+        let divisor = Text.polynomial(&scope.symbols, numerator);
+        if divisor == name { format!("`1/{divisor}`") } else { format!("`1/({divisor})`") }
+    } else {
+        "the quotient".to_owned()
+    };
+    let new = scope.new_variable();
+    Diagnostic::new(
+        Kind::StateDivisor,
+        span,
+        format!("this divisor depends on the state `{name}`, and the field must be polynomial in the states"),
+        format!(
+            "divide by numbers and parameters only, or introduce a new variable `{new}` for {quotient}: {NOT_QUADRATIC} shows how"
+        ),
     )
 }
 

@@ -13,7 +13,7 @@ use crate::symbols::Symbols;
 use super::constants;
 use super::equations;
 use super::expand::expand_in_claim;
-use super::names::{Scope, is_epsilon};
+use super::names::{Scope, is_epsilon, is_never_free};
 use super::outside::values_beyond_the_ends;
 use super::stand_in::StandIn;
 use super::sums::summand;
@@ -154,7 +154,10 @@ impl Names {
         }
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
-        let is_known = |name: &str| arrays.has(name) || constants.contains(name) || is_epsilon(name);
+        let is_array = |name: &str| arrays.has(name);
+        let is_known = |name: &str| {
+            is_array(name) || constants.contains(name) || is_epsilon(name) || is_never_free(name, is_array)
+        };
         let (mut parameters, mut site_parameters) = (Distinct::default(), Distinct::default());
         match &block.header {
             Some(header) => {

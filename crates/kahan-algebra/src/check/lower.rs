@@ -72,12 +72,6 @@ pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, 
             }
             Ok(product)
         }
-        ExprKind::Power(_, exponent) if *exponent < 0 && !target.inverts() => Err(Diagnostic::new(
-            Kind::Exponent,
-            expr.span,
-            format!("the exponent {exponent} is negative"),
-            "in an equation write a quotient, `1/(…)`; its divisor must be free of states",
-        )),
         ExprKind::Power(base, exponent) => {
             let lowered = lower(base, target)?;
             let power = target.power(lowered, exponent.unsigned_abs(), expr.span)?;
@@ -85,7 +79,22 @@ pub(super) fn lower<T: Target>(expr: &Expr, target: &mut T) -> Result<T::Value, 
                 return Ok(power);
             }
             let one = target.number(&Rational::one());
-            divide(target, one, power, base.span)
+            let inverse = divide(target, one, power, base.span)?;
+            if target.inverts() {
+                return Ok(inverse);
+            }
+            let shown = match (&base.kind, exponent.unsigned_abs()) {
+                (ExprKind::Name(name), 1) => format!("1/{name}"),
+                (ExprKind::Name(name), exponent) => format!("1/{name}^{exponent}"),
+                (_, 1) => "1/(…)".to_owned(),
+                (_, exponent) => format!("1/(…)^{exponent}"),
+            };
+            Err(Diagnostic::new(
+                Kind::Exponent,
+                expr.span,
+                format!("the exponent {exponent} is negative"),
+                format!("in an equation write a quotient, `{shown}`"),
+            ))
         }
         ExprKind::Special(InFamily::OverSites(_)) => Err(sum_out_of_place(expr.span)),
     }

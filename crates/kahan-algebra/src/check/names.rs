@@ -6,7 +6,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
-use kahan_syntax::spelling::{is_keyword, nearest};
+use kahan_syntax::spelling::{fresh, is_keyword, nearest, without_dots};
 use kahan_syntax::syntax::{Block, Expr, Name, Reference};
 use kahan_syntax::table::sorted_by_key;
 use kahan_syntax::token::Span;
@@ -137,6 +137,11 @@ impl Scope {
             self.poison(name);
             return;
         }
+        if let Some((message, help)) = self.never_free(name).filter(|_| !in_claim) {
+            diagnostics.report(Kind::UnknownName, span, message, help);
+            self.poison(name);
+            return;
+        }
         let help = if name == "ϵ" {
             "for half the time step write `eps` (in claims)".to_owned()
         } else if let Reference::Site { array, .. } = reference {
@@ -163,6 +168,52 @@ impl Scope {
             help,
         );
         self.poison(name);
+    }
+
+    /// Whether states are those of sites.
+    fn is_family(&self) -> bool {
+        self.symbols.states.iter().any(|state| state.ends_with(']'))
+    }
+
+    /// Whether each site has a state of this name, in a family.
+    fn is_array(&self, name: &str) -> bool {
+        self.is_state_name(&Reference::Site { array: name, offset: 0 }.to_string())
+    }
+
+    /// What is wrong where a name is none that a right-hand side may have undeclared, and what to
+    /// write instead.
+    fn never_free(&self, name: &str) -> Option<(String, String)> {
+        let is_state = |base: &str| self.is_state_name(base) || self.is_array(base);
+        if !is_never_free(name, is_state) {
+            return None;
+        }
+        if name != TIME {
+            let message = format!("`{name}` is a derivative, and a right-hand side has none");
+            return Some((message, "put in what it is equal to".to_owned()));
+        }
+        let message = "`t` is the time, and a field has no time unless it is a state".to_owned();
+        Some((
+            message,
+            if self.is_family() {
+                "give each site its time: `t[i]dot = 1;`, and write `t[i]`".to_owned()
+            } else {
+                "write one more equation, `tdot = 1;`, and begin at the time of the start; for a parameter of this name \
+             write a header, `struct Name { t }`"
+                .to_owned()
+            },
+        ))
+    }
+
+    /// A name for a new variable, which nothing has.
+    pub(super) fn new_variable(&self) -> String {
+        let is_taken = |name: &str| {
+            self.variable(name).is_some()
+                || self.constants.contains_key(name)
+                || self.all_claims.contains(name)
+                || self.is_array(name)
+        };
+        let new = fresh(&["w", "u", "q", "s", "r"], is_taken);
+        if self.is_family() { Reference::Site { array: &new, offset: 0 }.to_string() } else { new }
     }
 
     fn list(&self) -> String {
@@ -242,4 +293,18 @@ fn report_reserved(name: &Name, diagnostics: &mut Diagnostics) -> bool {
     };
     diagnostics.report(Kind::Name, name.span, message, help);
     true
+}
+
+/// The name of the time in a right-hand side.
+const TIME: &str = "t";
+
+/// The name whose derivative `name` is: `x` for `xdot` and `ẋ`.
+fn base_of_derivative(name: &str) -> Option<String> {
+    name.strip_suffix("dot").map(str::to_owned).or_else(|| Some(without_dots(name)?.0))
+}
+
+/// Whether a name of a right-hand side is no parameter unless the header declares it: the time, and
+/// the derivative of a state.
+pub(super) fn is_never_free(name: &str, is_state: impl Fn(&str) -> bool) -> bool {
+    name == TIME || base_of_derivative(name).is_some_and(|base| is_state(&base))
 }

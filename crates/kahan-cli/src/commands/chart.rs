@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_draw::picture::{Chart as Shown, Look, chart};
-use kahan_study::{Axis, Observable, Observe, Over, Question, Spacing, Study, StudyError};
+use kahan_study::{Axis, Observable, Observe, Over, Question, Study, StudyError};
 use serde_json::{Value, json};
 
 use super::line::{Asking, Line};
@@ -111,7 +111,7 @@ impl Asking for Chart {
     type Question = Over;
 
     fn asked(&self) -> Result<(Study, Over), Refusal> {
-        let axes = self.over.iter().map(|over| reading::over(over, Spacing::Cells));
+        let axes = self.over.iter().map(|over| reading::over(over));
         let axes: Vec<Axis> = axes.collect::<Result<_, _>>()?;
         let (study, at, eps) = self.start.study_over(&axes)?;
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));

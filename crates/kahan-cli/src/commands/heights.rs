@@ -11,7 +11,7 @@ use kahan_study::{Heights as Question, HeightsFound, NoStep, Study, fifteen_digi
 use super::eval::unreduced;
 use super::line::Asking;
 use crate::printing::layout::{headed, paragraphs, table};
-use crate::printing::{Answer, Prompt, Refusal, Sink, csv, warn};
+use crate::printing::{Answer, Prompt, Refusal, Sink, csv};
 use crate::reading::{Start, seconds, whole};
 
 /// Follows an exact orbit and measures how its heights grow.
@@ -58,10 +58,6 @@ pub(crate) struct Heights {
     /// Write every height to this file too, a line a step; it appears when it is complete.
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
-
-    /// What `--out` was called before.
-    #[arg(long, hide = true, conflicts_with = "out")]
-    csv: Option<PathBuf>,
 }
 
 impl Asking for Heights {
@@ -76,11 +72,7 @@ impl Asking for Heights {
     /// The heights; a complaint at a pole.
     fn run(&self) -> Result<Answer, Refusal> {
         let (study, asked) = self.asked()?;
-        if self.csv.is_some() {
-            warn("`--csv` of heights is called `--out` now");
-        }
-        let out = self.out.as_deref().or(self.csv.as_deref());
-        let sink = out.map(Sink::table).transpose()?;
+        let sink = self.out.as_deref().map(Sink::table).transpose()?;
         let found = asked.ask(&study, &Prompt::of("steps"))?;
         if let Some(sink) = sink {
             let all = (0..found.survey.heights.len()).collect();

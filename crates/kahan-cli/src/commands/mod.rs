@@ -30,9 +30,6 @@ use kahan_study::Question;
 use crate::printing::{Answer, Refusal};
 use line::{Asking, Line};
 
-/// What `kahan chart` was called before: Kahan's map is the map.
-pub(crate) const BEFORE_CHART: &str = "map";
-
 /// Makes of the commands, each in a module of its name, what is common to all: `GROUPS`, the
 /// commands by what they are for, as `kahan --help` lists them; what clap reads; what runs, where
 /// `$whole` makes the command line; and the call that asks a question.
@@ -74,9 +71,8 @@ macro_rules! commands {
 
 commands! { |whole|
     "A field": list::List, show::Show asking Show, eval::Eval asking Evaluate;
-    // A chart under its name before, too, for those who have it in scripts.
     "Orbits": orbit::Orbit asking Orbit, dynamics::Dynamics asking Observe, section::Section asking Section,
-        periodic::Periodic asking Periodic, #[command(alias = BEFORE_CHART)] chart::Chart asking Over,
+        periodic::Periodic asking Periodic, chart::Chart asking Over,
         picture::Picture asking Diagram by picture::shown::Shown::of_diagram, sweep::Sweep;
     "What is preserved": discover::Discover asking Discover, scan::Scan asking Scan,
         poles::Poles asking Poles, heights::Heights asking Heights;

@@ -94,7 +94,7 @@ impl Page {
 
     fn scene(&self, study: &Study) -> Result<Scene, Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
-        let at = self.at.as_deref().map(|at| point(at, study.variables())).transpose()?;
+        let at = self.at.as_deref().map(|at| point(at, study)).transpose()?;
         Ok(study.scene(eps.as_ref(), at.as_deref())?)
     }
 

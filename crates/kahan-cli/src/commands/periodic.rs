@@ -7,7 +7,7 @@ use clap::Args;
 use kahan_core::periodic::{Branch, PeriodicPoint};
 use kahan_draw::document::Rows;
 use kahan_draw::picture::{Look, branch};
-use kahan_study::{CycleFound, Periodic as Question, Spacing, Study, StudyError, characteristic_polynomial};
+use kahan_study::{CycleFound, Periodic as Question, Study, StudyError, characteristic_polynomial};
 
 use super::line::Asking;
 use super::look::{OutFile, SheetOptions, usual};
@@ -66,9 +66,7 @@ impl Asking for Periodic {
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
-        // So many steps were one value more.
-        let axis = self.over.as_deref().map(|axis| over(axis, |steps| Spacing::Count(steps + 1)));
-        let axis = axis.transpose()?;
+        let axis = self.over.as_deref().map(over).transpose()?;
         let (study, at, eps) = self.start.study_over(axis.as_slice())?;
         Ok((study, Question { eps, at, period: self.period, over: axis }))
     }
@@ -94,6 +92,9 @@ impl Asking for Periodic {
     }
 }
 
+/// Behind a verdict that the digits of the multipliers do not show.
+const BLURRED: &str = ", as rounding leaves no more digits of the multipliers";
+
 fn text(found: &CycleFound) -> String {
     let cycle = &found.cycle;
     let family = match cycle.family {
@@ -103,7 +104,7 @@ fn text(found: &CycleFound) -> String {
     };
     let cycle_lines = vec![
         format!("period       {}", cycle.points.len()),
-        format!("stability    {}", cycle.stability()),
+        format!("stability    {}{}", cycle.stability(), if cycle.is_blurred() { BLURRED } else { "" }),
         format!("multipliers  {}", multipliers(cycle)),
         format!("family       {family}"),
         format!("residual     {:.1e}", cycle.residual),

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use kahan_algebra::rational::Rational;
 use kahan_draw::picture::Picture as Drawing;
-use kahan_study::{Spacing, Study};
+use kahan_study::Study;
 use serde_json::json;
 
 use super::line::Line;
@@ -138,9 +138,7 @@ impl Picture {
             Kind::Portrait => What::Portrait,
             Kind::Section => What::Section(self.plane.clone().unwrap_or_default()),
             Kind::OrbitsOver => {
-                // So many steps were one value more.
-                let axis = self.over.as_deref().unwrap_or_default();
-                let axis = over(axis, |steps| Spacing::Count(steps + 1))?;
+                let axis = over(self.over.as_deref().unwrap_or_default())?;
                 self.source.leaves_free(std::slice::from_ref(&axis), self.eps.as_ref())?;
                 What::Over(axis, self.transient)
             }
@@ -153,7 +151,7 @@ impl Picture {
         };
         let radius = number(&self.radius, "--radius")?;
         let spread = Spread { count: self.starts, radius, seed: self.seed };
-        let at = self.at.iter().map(|at| At::read(at, &spread, study.variables()));
+        let at = self.at.iter().map(|at| At::read(at, &spread, &study));
         let shown = Shown {
             what,
             eps: self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?,

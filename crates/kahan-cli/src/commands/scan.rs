@@ -3,7 +3,7 @@
 use clap::Args;
 use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{Proposal, Sight};
-use kahan_study::{Axis, Scan as Question, ScanFound, Spacing, Study};
+use kahan_study::{Axis, Scan as Question, ScanFound, Study};
 
 use super::discover::Search;
 use super::line::{Asking, Line};
@@ -45,11 +45,11 @@ impl Asking for Scan {
         let (source, ranges) = self.search.source.without_ranges();
         let study = source.study()?;
         let of_parameter =
-            |&(name, range): &(&str, &str)| axis_of(name.trim(), range, &format!("--param {}", name.trim()));
+            |&(name, range): &(&str, &str)| axis(name.trim(), range, &format!("--param {}", name.trim()));
         let mut axes = ranges.iter().map(of_parameter).collect::<Result<Vec<Axis>, Refusal>>()?;
         let mut eps = None;
         match self.search.eps.as_deref() {
-            Some(range) if range.contains(':') => axes.push(axis_of("eps", range, "--eps")?),
+            Some(range) if range.contains(':') => axes.push(axis("eps", range, "--eps")?),
             Some(value) => eps = Some(number(value, "--eps")?),
             None => {}
         }
@@ -71,12 +71,6 @@ impl Asking for Scan {
         let found = asked.ask(&study, &Prompt::of("points"))?;
         Ok(Answer::of(&found, self.search.json, text))
     }
-}
-
-/// A range behind an option.
-fn axis_of(name: &str, range: &str, option: &str) -> Result<Axis, Refusal> {
-    // The third part was a step.
-    axis(name, range, option, |step| Spacing::Step(Rational::from(step as i64)))
 }
 
 /// What a relation has for it, in words, and the claims that are proved there.

@@ -31,7 +31,9 @@ impl Sweep {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         match sweeper().args(&self.arguments).status() {
             // It has said all there is to say.
-            Ok(status) => std::process::exit(status.code().unwrap_or(1)),
+            Ok(status) => {
+                Ok(Answer::silent(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
+            }
             Err(error) => Err(not_started(&error)),
         }
     }

@@ -135,7 +135,7 @@ impl Trade {
         // A false claim is told before a number that is missing.
         study.proved()?;
         let asked = Question {
-            at: point(&self.at, study.variables())?,
+            at: point(&self.at, &study)?,
             horizon: number(&self.horizon, "--horizon")?,
             need: self.need,
             tolerance: number(&self.tolerance, "--tolerance")?,

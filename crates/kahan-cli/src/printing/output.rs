@@ -16,8 +16,10 @@ pub(crate) struct Answer {
     pub(crate) text: String,
     /// Whether a terminal may break its lines at spaces.
     pub(crate) breaks: bool,
-    /// A failed check or a pole, for standard error; then the exit status is 1.
+    /// A failed check or a pole, for standard error.
     pub(crate) complaint: Option<String>,
+    /// The exit status.
+    pub(crate) status: u8,
 }
 
 /// Bad usage or input: one paragraph for standard error; the exit status is 2.
@@ -27,7 +29,12 @@ pub(crate) struct Refusal(String);
 impl Answer {
     /// Plain text; a terminal breaks long lines at spaces.
     pub(crate) fn text(text: String) -> Self {
-        Answer { text, breaks: true, complaint: None }
+        Answer { text, breaks: true, complaint: None, status: 0 }
+    }
+
+    /// Nothing to print: another program has said what there is to say, and ended with this status.
+    pub(crate) fn silent(status: u8) -> Self {
+        Answer { status, ..Answer::verbatim(String::new()) }
     }
 
     /// A text of another language, in which a line break may mean something.
@@ -45,9 +52,10 @@ impl Answer {
         if as_json { Answer::json(found) } else { Answer::text(text(found)) }
     }
 
-    /// With a complaint, if there is one.
+    /// With a complaint, if there is one; then the exit status is 1.
     pub(crate) fn but(self, complaint: Option<String>) -> Self {
-        Answer { complaint, ..self }
+        let status = u8::from(complaint.is_some());
+        Answer { complaint, status, ..self }
     }
 }
 
@@ -83,10 +91,9 @@ pub(crate) fn warn(note: &str) {
 /// error.
 pub(crate) fn finish(result: Result<Answer, Refusal>) -> u8 {
     let (text, complaint, status) = match result {
-        Ok(Answer { text, breaks, complaint }) => {
+        Ok(Answer { text, breaks, complaint, status }) => {
             let width = terminal_width().filter(|_| breaks);
             let text = width.map_or_else(|| text.clone(), |width| folded(&text, width));
-            let status = u8::from(complaint.is_some());
             (text, complaint.map_or_else(String::new, |complaint| paragraph(&complaint)), status)
         }
         Err(Refusal(reports)) => (String::new(), reports, 2),

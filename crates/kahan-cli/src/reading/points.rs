@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use kahan_algebra::rational::Rational;
+use kahan_study::Study;
 use kahan_study::number_file::{Entry, Numbers};
 
 use super::values::number;
@@ -24,17 +25,19 @@ pub(super) fn read<V: Entry>(path: &str, option: &str) -> Result<Numbers<V>, Ref
 }
 
 /// The points that `--at` gives, at least one.
-pub(crate) fn points(at: &str, states: &[String]) -> Result<Vec<Vec<Rational>>, Refusal> {
+pub(crate) fn points(at: &str, study: &Study) -> Result<Vec<Vec<Rational>>, Refusal> {
+    let states = study.variables();
     if !is_number_file(at) {
         return Ok(vec![coordinates(at, states)?]);
     }
-    let points = read(at, "--at")?.points(states);
+    let others = [study.parameters(), &["eps".to_owned()]].concat();
+    let points = read(at, "--at")?.points(states, &others);
     points.map_err(|why| Refusal::new(format!("--at: the file {at} {why}")))
 }
 
 /// The one point that `--at` gives.
-pub(crate) fn point(at: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
-    only(points(at, states)?, at)
+pub(crate) fn point(at: &str, study: &Study) -> Result<Vec<Rational>, Refusal> {
+    only(points(at, study)?, at)
 }
 
 /// The one among the points that `--at` gives.

@@ -1,6 +1,7 @@
 //! The system that a command is about, as arguments name it: of the catalog, from the command line,
 //! or from a file; and the values of its parameters.
 
+use std::f64::consts::{E, PI};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -65,7 +66,8 @@ pub(crate) struct Start {
     /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
     ///
     /// Or a file, F.csv or F.npy, that has the point as a row. A first line of names says which
-    /// column is which variable; other columns are ignored. `orbit` takes several rows.
+    /// column is which variable; others are ignored, but parameters refused. `orbit` takes several
+    /// rows.
     #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
     pub(super) at: Option<String>,
 }
@@ -176,6 +178,10 @@ impl Source {
         let given: Vec<&str> = given.filter_map(|given| Some(given.split_once('=')?.0.trim())).collect();
         let mut names = block.undeclared();
         names.retain(|name| !given.contains(&name.as_str()));
+        let number = |(name, value): &(&str, f64)| {
+            names.iter().any(|own| own == name).then(|| format!("; `const {name} = {value};` is the number"))
+        };
+        let numbers: String = [("E", E), ("pi", PI)].iter().filter_map(number).collect();
         let more = if names.len() > MOST { ", …" } else { "" };
         names.truncate(MOST);
         let equations = joined(names.iter().map(|name| format!("{name}dot")), ", ");
@@ -185,7 +191,7 @@ impl Source {
             _ => "are taken as parameters",
         };
         let names = names.join(", ");
-        Some(brief(&format!("{names}{more} {taken}: nothing defines {equations}{more}")))
+        Some(brief(&format!("{names}{more} {taken}: nothing defines {equations}{more}{numbers}")))
     }
 
     /// This source with single values only, and the parameters that are given as ranges:

@@ -47,7 +47,7 @@ impl Start {
     /// The same with all first points.
     pub(crate) fn starts(&self) -> Result<(Study, Vec<Vec<Rational>>, Rational), Refusal> {
         let study = self.source.proved()?;
-        let starts = points(self.at(), study.variables())?;
+        let starts = points(self.at(), &study)?;
         study.values()?;
         Ok((study, starts, self.half_step()?.ok_or(StudyError::MissingStep)?))
     }
@@ -60,7 +60,7 @@ impl Start {
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
         let study = self.source.proved()?;
         self.source.leaves_free(axes, self.eps.as_ref())?;
-        let at = point(self.at(), study.variables())?;
+        let at = point(self.at(), &study)?;
         Ok((study, at, self.half_step()?))
     }
 

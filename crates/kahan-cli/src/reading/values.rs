@@ -7,9 +7,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use kahan_algebra::rational::Rational;
 use kahan_study::formula::{self, Formula, Known, NoFormula};
 use kahan_study::numbers::{self, ScalarKind};
-use kahan_study::{Axis, Observable, Range, Spacing};
+use kahan_study::{Axis, Observable, Range};
 
-use crate::printing::{Refusal, warn};
+use crate::printing::Refusal;
 
 /// An exact number; `what` names it in the refusal.
 pub(crate) fn number(text: &str, what: &str) -> Result<Rational, Refusal> {
@@ -65,34 +65,19 @@ pub(crate) fn order() -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(["2", "4", "6", "8"]).map(|order| order.parse().expect("clap takes no others"))
 }
 
-/// NAME=FROM:TO:…, as `--over` has it; `before` as of [`axis`].
-pub(crate) fn over(text: &str, before: fn(usize) -> Spacing) -> Result<Axis, Refusal> {
+/// NAME=FROM:TO:…, as `--over` has it.
+pub(crate) fn over(text: &str) -> Result<Axis, Refusal> {
     let (name, range) = text.split_once('=').ok_or_else(|| {
         Refusal::new(format!(
             "--over: `{text}` does not say of what; write NAME=FROM:TO:COUNT, as in eps=1/10:1:400"
         ))
     })?;
-    axis(name.trim(), range, &format!("--over {}", name.trim()), before)
+    axis(name.trim(), range, &format!("--over {}", name.trim()))
 }
 
-/// FROM:TO:… behind an option, for what has this name. `before` is what a bare COUNT meant there
-/// until now, which a note says.
-pub(crate) fn axis(
-    name: &str,
-    text: &str,
-    option: &str,
-    before: fn(usize) -> Spacing,
-) -> Result<Axis, Refusal> {
+/// FROM:TO:… behind an option, for what has this name.
+pub(crate) fn axis(name: &str, text: &str, option: &str) -> Result<Axis, Refusal> {
     let range = Range::read(text).map_err(|why| Refusal::new(format!("{option}: {why}")))?;
-    if let Spacing::Count(count) = range.spacing()
-        && let Some(meant) = range.spaced(before(*count))
-    {
-        warn(&format!(
-            "{option}: {range} means {} now; it meant {}, which is written {meant}",
-            range.spacing().words(),
-            meant.spacing().words()
-        ));
-    }
     Ok(Axis { name: name.to_owned(), range })
 }
 

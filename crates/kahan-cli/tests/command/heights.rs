@@ -97,17 +97,15 @@ fn every_step_goes_into_the_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("heights.csv");
     let path_text = path.to_str().expect("UTF-8");
-    for (option, note) in [("--out", ""), ("--csv", "note: `--csv` of heights is called `--out` now\n")] {
-        let (table, said) =
-            run(0, &["e4", "--eps", "1/2", "--at", "7/3,11/13,23/47", "--steps", "30", option, path_text]);
-        assert!(table.contains("growth    quadratic"), "{table}");
-        assert_eq!(said, note);
-        let csv = std::fs::read_to_string(&path).expect("the file");
-        let lines: Vec<&str> = csv.lines().collect();
-        assert_eq!(lines.len(), 32);
-        assert_eq!(lines[0], "n,h_x,h_y,h_z,digits");
-        assert_eq!(lines[2], "1,16.040286638396,14.0172776521616,17.3927107137843,8");
-    }
+    let (table, said) =
+        run(0, &["e4", "--eps", "1/2", "--at", "7/3,11/13,23/47", "--steps", "30", "--out", path_text]);
+    assert!(table.contains("growth    quadratic"), "{table}");
+    assert_eq!(said, "");
+    let csv = std::fs::read_to_string(&path).expect("the file");
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 32);
+    assert_eq!(lines[0], "n,h_x,h_y,h_z,digits");
+    assert_eq!(lines[2], "1,16.040286638396,14.0172776521616,17.3927107137843,8");
 }
 
 #[test]

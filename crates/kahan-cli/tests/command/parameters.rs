@@ -41,7 +41,7 @@ fn said(arguments: &[&str]) -> String {
 fn that_nothing_declares_are_said_once_by_every_command() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
-    let t = "note: t is taken as a parameter: nothing defines tdot\n";
+    let k = "note: k is taken as a parameter: nothing defines kdot\n";
     for arguments in [
         &["show"][..],
         &["show", "--json"],
@@ -50,19 +50,26 @@ fn that_nothing_declares_are_said_once_by_every_command() {
         &["discover", "--seconds", "1"],
         &["poles", "--seconds", "1", "--json"],
     ] {
-        assert_eq!(said(&[arguments, &["--field", "xdot = t*x;"]].concat()), t, "{arguments:?}");
+        assert_eq!(said(&[arguments, &["--field", "xdot = k*x;"]].concat()), k, "{arguments:?}");
     }
     assert_eq!(
         said(&["show", "--field", "xdot = x^2*y^2 + z;"]),
         "note: y, z are taken as parameters: nothing defines ydot, zdot\n"
     );
-    let family = ["show", "--sites", "3", "--field", "for i in periodic { x[i]dot = t*x[i]*x[i+1]; }"];
-    assert_eq!(said(&family), t);
+    assert_eq!(
+        said(&["show", "--field", "xdot = pi*x + E;"]),
+        "note: pi, E are taken as parameters: nothing defines pidot, Edot; `const E = 2.718281828459045;` is the number; \
+         `const pi = 3.141592653589793;` is the number\n"
+    );
+    let family = ["show", "--sites", "3", "--field", "for i in periodic { x[i]dot = k*x[i]*x[i+1]; }"];
+    assert_eq!(said(&family), k);
+    // The time is no parameter.
+    assert!(refusal(&["show", "--field", "xdot = t*x;"]).contains("write one more equation, `tdot = 1;`"));
     // A value, a range, a header and a program declare a name.
     let lv = "xdot = a*x*(1 - y); ydot = y*(x - 1);";
     let of_lv = ["--field", lv, "--at", "1,2"];
     for arguments in [
-        &["show", "--field", "xdot = t*x;", "--param", "t=2"][..],
+        &["show", "--field", "xdot = k*x;", "--param", "k=2"][..],
         &["show", "--field", "struct S { t } xdot = t*x;"],
         &["show", "--field", "const t = 2; xdot = t*x;"],
         &["show", "e9"],
@@ -92,20 +99,20 @@ fn that_nothing_declares_are_said_once_by_every_command() {
         .expect("a file");
     assert_eq!(said(&["show", "--file", &program]), "");
     let plain = file("t.txt");
-    std::fs::write(&plain, "xdot = t*x;").expect("a file");
-    assert_eq!(said(&["show", "--file", &plain]), t);
-    let wrong = refusal(&["show", "--field", "xdot = t*x^3;"]);
-    assert!(wrong.contains("degree 3") && wrong.ends_with(t), "{wrong}");
-    assert!(!refusal(&["eval", "--field", "xdot = t*x;", "--eps", "1", "--at", "1"]).contains("note"));
+    std::fs::write(&plain, "xdot = k*x;").expect("a file");
+    assert_eq!(said(&["show", "--file", &plain]), k);
+    let wrong = refusal(&["show", "--field", "xdot = k*x^3;"]);
+    assert!(wrong.contains("degree 3") && wrong.ends_with(k), "{wrong}");
+    assert!(!refusal(&["eval", "--field", "xdot = k*x;", "--eps", "1", "--at", "1"]).contains("note"));
 }
 
 #[cfg(unix)]
 #[test]
 fn that_nothing_declares_are_said_of_standard_input() {
     let run = std::process::Command::new("sh")
-        .args(["-c", "echo 'xdot = t*x;' | \"$KAHAN\" show --file - --json"])
+        .args(["-c", "echo 'xdot = k*x;' | \"$KAHAN\" show --file - --json"])
         .env("KAHAN", env!("CARGO_BIN_EXE_kahan"))
         .output()
         .expect("a shell");
-    assert_eq!(text(&run.stderr), "note: t is taken as a parameter: nothing defines tdot\n");
+    assert_eq!(text(&run.stderr), "note: k is taken as a parameter: nothing defines kdot\n");
 }

@@ -121,3 +121,27 @@ fn what_is_no_cycle_and_what_does_not_fit_is_said() {
     let over = ["periodic", "lv", "--at", "0.9,1", "--over", "eps=1/10:1:+1/5"];
     assert!(answer(&over).contains("neutral"));
 }
+
+/// trace − 2 is 1.5e-10 there, and rounding makes it a hundred thousand times as much.
+#[test]
+fn a_verdict_takes_account_of_the_error_of_its_multipliers() {
+    let cycle = |eps: &str, at: &str, period: &str| {
+        object(&[
+            "periodic",
+            "weierstrass",
+            "--param",
+            "a=1",
+            "--eps",
+            eps,
+            "--at",
+            at,
+            "--period",
+            period,
+            "--json",
+        ])
+    };
+    assert_eq!(cycle("1/20", "0.41,0.1", "29")["stability"], "neutral");
+    // Its fixed points, at x = ±1/√6, are a saddle and a centre.
+    assert_eq!(cycle("1/20", "0.41,0", "1")["stability"], "saddle");
+    assert_eq!(cycle("1/20", "-0.41,0", "1")["stability"], "neutral");
+}

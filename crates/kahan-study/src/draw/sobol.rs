@@ -1,7 +1,10 @@
 //! Sobol's sequence by the numbers of Joe and Kuo, in the order of the Gray code.
 
-/// Bits of a number, and with them the length of the sequence: 2³².
+/// Bits of a number.
 const BITS: usize = 32;
+
+/// The length of the sequence: beyond, its points come again.
+const LENGTH: u64 = 1 << BITS;
 
 /// How many dimensions there are numbers for.
 const DIMENSIONS: usize = 512;
@@ -16,8 +19,14 @@ pub(crate) struct Sobol {
 }
 
 impl Sobol {
-    /// The dimension with this index; why not, beyond [`DIMENSIONS`].
-    pub(crate) fn dimension(index: usize) -> Result<Self, String> {
+    /// The dimension with this index, for so many points; why not, beyond [`DIMENSIONS`] or
+    /// [`LENGTH`].
+    pub(crate) fn dimension(index: usize, points: u64) -> Result<Self, String> {
+        if points > LENGTH {
+            return Err(format!(
+                "Sobol's sequence has {LENGTH} points and then repeats itself; draw {points} with \"uniform\""
+            ));
+        }
         let mut m = [1u32; BITS];
         if index > 0 {
             let line = NUMBERS.lines().filter(|line| !line.starts_with('#')).nth(index - 1);
@@ -44,12 +53,12 @@ impl Sobol {
         Ok(Self { directions: std::array::from_fn(|i| m[i] << (BITS - 1 - i)) })
     }
 
-    /// The number of this index, below 2³².
+    /// The number of this index, which is below [`LENGTH`].
     pub(crate) fn at(&self, index: u64) -> f64 {
         let gray = index ^ (index >> 1);
         let chosen = self.directions.iter().enumerate().filter(|(bit, _)| gray >> bit & 1 == 1);
         let sum = chosen.fold(0, |sum, (_, direction)| sum ^ direction);
-        f64::from(sum) / (1u64 << BITS) as f64
+        f64::from(sum) / LENGTH as f64
     }
 }
 
@@ -74,7 +83,7 @@ mod tests {
         for (index, point) in expected.iter().enumerate() {
             for (dimension, value) in point.iter().enumerate() {
                 assert_eq!(
-                    Sobol::dimension(dimension).unwrap().at(index as u64),
+                    Sobol::dimension(dimension, 8).unwrap().at(index as u64),
                     *value,
                     "{index} {dimension}"
                 );
@@ -85,11 +94,17 @@ mod tests {
     #[test]
     fn each_dimension_takes_every_dyadic_cell_once() {
         for dimension in [0, 1, 2, 17, 100, DIMENSIONS - 1] {
-            let sobol = Sobol::dimension(dimension).unwrap();
+            let sobol = Sobol::dimension(dimension, 1024).unwrap();
             let mut cells: Vec<u32> = (0..1024).map(|index| (sobol.at(index) * 1024.0) as u32).collect();
             cells.sort_unstable();
             assert!(cells.into_iter().eq(0..1024), "{dimension}");
         }
-        assert!(Sobol::dimension(DIMENSIONS).is_err());
+        assert!(Sobol::dimension(DIMENSIONS, 1).is_err());
+    }
+
+    #[test]
+    fn no_point_comes_twice() {
+        assert!(Sobol::dimension(0, LENGTH).is_ok());
+        assert!(Sobol::dimension(0, LENGTH + 1).is_err());
     }
 }

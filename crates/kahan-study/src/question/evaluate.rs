@@ -67,12 +67,12 @@ pub struct Evaluated {
     pub jacobian: Option<Vec<Vec<Number>>>,
     /// Its determinant.
     pub det_jacobian: Option<Number>,
-    /// The integrals that are claimed without `when`.
+    /// The integrals that are claimed without `when`, or of whose `when` the values are.
     #[serde(serialize_with = "by_name")]
     pub integrals: Names<Option<Number>>,
-    /// The density that is claimed without `when`.
+    /// The density of those claims.
     pub density: Option<Number>,
-    /// The brackets that are claimed without `when`, row by row.
+    /// The brackets of those claims, row by row.
     #[serde(serialize_with = "by_name")]
     pub brackets: Names<Option<Vec<Vec<Number>>>>,
     /// Why there is no next point.
@@ -93,12 +93,12 @@ impl Evaluate {
     /// [`StudyError`]: claims that do not hold, values that are missing, a field that is not
     /// defined at its parameters.
     pub fn ask(&self, study: &Study, _: &dyn Watch) -> Result<Evaluated, StudyError> {
-        study.proved()?;
+        let study = study.at_step(&self.eps)?;
         match self.scalar {
-            ScalarKind::Exact => self.over(&Exact, study),
-            ScalarKind::F64 => self.over(&Float64, study),
-            ScalarKind::F32 => self.over(&Float32, study),
-            ScalarKind::Dd => self.over(&DoubleDouble, study),
+            ScalarKind::Exact => self.over(&Exact, &study),
+            ScalarKind::F64 => self.over(&Float64, &study),
+            ScalarKind::F32 => self.over(&Float32, &study),
+            ScalarKind::Dd => self.over(&DoubleDouble, &study),
         }
     }
 

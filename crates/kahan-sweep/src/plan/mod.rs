@@ -129,16 +129,23 @@ impl Plan {
             };
         }
         let _ = writeln!(text, "draws = {}\nseed = {}", over.draws, over.seed);
-        // In the words of the first version, so that what was computed goes on.
+        // In the keys of a plan, with the values that it leaves out.
         let _ = match &*over.question {
-            Question::Observe(Observe { steps, every, escape, of, .. }) => writeln!(
-                text,
-                "Orbit {{ steps: {steps}, every: {every}, escape: {escape:?}, observe: {of:?} }}"
-            ),
-            Question::Heights(asked) => {
-                writeln!(text, "Heights(Heights {{ steps: {}, digits: {} }})", asked.steps, asked.max_digits)
+            Question::Observe(Observe { steps, every, escape, of, .. }) => {
+                let of: Vec<&str> = of.iter().map(|one| one.name()).collect();
+                let of = of.join(", ");
+                writeln!(
+                    text,
+                    "kind = orbit\nsteps = {steps}\nevery = {every}\nescape = {escape}\nobserve = [{of}]"
+                )
             }
-            Question::Discover(asked) => writeln!(text, "Search(Search {{ degree: {:?} }})", asked.degree),
+            Question::Heights(asked) => {
+                writeln!(text, "kind = heights\nsteps = {}\ndigits = {}", asked.steps, asked.max_digits)
+            }
+            Question::Discover(asked) => {
+                let degree = asked.degree.map_or("any".to_owned(), |degree| degree.to_string());
+                writeln!(text, "kind = discover\ndegree = {degree}")
+            }
             other => unreachable!("no plan asks {}", other.name()),
         };
         let _ = writeln!(text, "rows_per_part = {}", self.rows_per_part);

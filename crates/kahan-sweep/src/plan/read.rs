@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 use kahan_algebra::rational::Rational;
 use kahan_study::number_file::Numbers;
 use kahan_study::{
-    Discover, Heights, Observable, Observe, Over, Question, Range, Source, Spacing, Study, StudyError,
-    Subject, Systems, Table as Rows, Through, Unwatched, Varied,
+    Discover, Heights, Observable, Observe, Over, Question, Range, Spacing, Study, StudyError, Subject,
+    Systems, Table as Rows, Through, Unwatched, Varied,
 };
 use toml::de::DeTable;
 
@@ -145,7 +145,8 @@ fn starts(
         }
         _ => Err("is none of F.parquet, F.csv and F.npy".to_owned()),
     };
-    let points = read.and_then(|numbers| numbers.points(variables));
+    // Parameters and ε have their values in the plan, whatever columns the results of another have.
+    let points = read.and_then(|numbers| numbers.points(variables, &[]));
     points.map_err(|why| given.note(format!("starts: {} {why}", path.display()))).ok()
 }
 
@@ -308,13 +309,9 @@ fn missing(root: &Table<'_>, axes: &Axes<'_>, fixed: &[(String, Rational)], over
 
 /// How many points the drawn axes have.
 fn draws(root: &Table<'_>, given: Option<Given<'_>>, axes: &Axes<'_>) -> Option<u64> {
-    let of = |sources: &[Source]| {
-        let is_of = |axis: &Varied| matches!(&axis.through, Through::Drawn { source, .. } if sources.contains(source));
-        axes.iter().any(|(_, axis)| is_of(axis))
-    };
-    let most = if of(&[Source::Sobol]) { 1 << 32 } else { 1 << 53 };
-    let draws = given.map_or(Some(1), |given| given.whole(1..=most));
-    match (given, of(&SOURCES.map(|(_, source)| source))) {
+    let is_drawn = axes.iter().any(|(_, axis)| matches!(axis.through, Through::Drawn { .. }));
+    let draws = given.map_or(Some(1), |given| given.whole(1..=1 << 53));
+    match (given, is_drawn) {
         (Some(given), false) => given.note("no axis is drawn; leave `draws` out, or write an axis as { draw = \"sobol\", low = 0, high = 1 }"),
         (None, true) => root.note("axes are drawn; say how many points by draws = 1000 at the top of the plan"),
         _ => {}

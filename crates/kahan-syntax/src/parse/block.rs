@@ -1,6 +1,7 @@
 //! Items: `const`, equations, and where a claim begins.
 
 use crate::diagnostics::Kind;
+use crate::spelling::{derivative, without_dots};
 use crate::syntax::{Block, ClaimKind, Constant, Equation, Name};
 use crate::table::distinct;
 use crate::token::{Span, TokenKind};
@@ -91,6 +92,13 @@ pub(super) fn right_side(cursor: &mut Cursor<'_>, block: &mut Block, state: Name
 fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> {
     let span = left.span;
     if let Some(state) = left.text.strip_suffix("dot") {
+        if let Some((meant, order)) = derivative_of(cursor, state) {
+            let message =
+                format!("`{}` is the equation of a state `{state}`, which nothing else names", left.text);
+            let help = derivative(&meant, order, |name| cursor.mentions(name));
+            broken_equation(block, left, meant);
+            return error(Kind::Name, span, message, help);
+        }
         if !state.is_empty() {
             return Ok(Name { text: state.to_owned(), span });
         }
@@ -108,26 +116,67 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
     }
     let quotient = text.strip_prefix('d').filter(|state| !state.is_empty() && cursor.is_punctuation(0, '/'));
     let help = match quotient {
-        Some(state) => format!("write `{state}dot = …`"),
-        None if cursor.is_punctuation(0, '=') => format!("write `{}dot = …`", meant(&text)),
-        None => SHAPES.to_owned(),
+        Some(state) => {
+            block.misspelt_states.push(left.clone());
+            derivative(state, 1, |_| false)
+        }
+        None if cursor.is_punctuation(0, '=') => {
+            let (state, order) = meant(cursor, &text);
+            let help = derivative(&state, order, |name| cursor.mentions(name));
+            broken_equation(block, left, state);
+            help
+        }
+        None => {
+            block.misspelt_states.push(left);
+            SHAPES.to_owned()
+        }
     };
-    // Read as an equation all the same, so that the field keeps its dimension.
-    if cursor.is_punctuation(0, '=') {
-        block.equations.push(Equation { state: left.clone(), value: None });
-    }
-    block.misspelt_states.push(left);
     error(Kind::Name, span, format!("`{text}` is no left-hand side: it does not end in `dot`"), help)
 }
 
-/// The state that a left-hand side without `dot` probably means: `x` for `xdto`, `xDot` and `dxdt`.
-fn meant(left: &str) -> &str {
+/// Notes the equation of the state that `left` means, so that the field keeps its dimension and its
+/// names.
+fn broken_equation(block: &mut Block, left: Name, meant: String) {
+    let state = Name { text: meant, span: left.span };
+    block.equations.push(Equation { state: state.clone(), value: None });
+    block.misspelt_states.extend([left, state]);
+}
+
+/// What `x_dot`, `xddot` and `x_ddot` mean that are read as equations of `x_`, `xd` and `x_d`, and
+/// the order of the derivative; `None` where these are states, as the rest of the block names them.
+fn derivative_of(cursor: &Cursor<'_>, state: &str) -> Option<(String, usize)> {
+    let single = state.trim_end_matches('d');
+    let order = 1 + state.len() - single.len();
+    let meant = single.trim_end_matches('_');
+    let is_state = meant == state || meant.is_empty() || cursor.uses(state);
+    let is_marked = meant != single || probable_state(cursor, meant);
+    (!is_state && is_marked).then(|| (meant.to_owned(), order))
+}
+
+/// Whether a name may be that of the state which a left-hand side writes in another way: the block
+/// names it, or it is one letter.
+fn probable_state(cursor: &Cursor<'_>, name: &str) -> bool {
+    cursor.uses(name) || name.chars().count() == 1
+}
+
+/// The state that a left-hand side without `dot` probably means, and the order of its derivative:
+/// `x` for `xdto`, `xDot`, `dxdt`, `dx` and `ẋ`.
+fn meant(cursor: &Cursor<'_>, left: &str) -> (String, usize) {
+    if let Some(dotted) = without_dots(left) {
+        return dotted;
+    }
     let leibniz = left.strip_prefix('d').and_then(|rest| rest.strip_suffix("dt"));
     let twisted = left.char_indices().rev().nth(2).and_then(|(at, _)| {
         let ending = distinct(left[at..].to_lowercase().chars());
         (ending == ['d', 'o', 't']).then_some(&left[..at])
     });
-    leibniz.or(twisted).filter(|state| !state.is_empty()).unwrap_or(left)
+    let in_words = || left.to_lowercase().ends_with("prime").then(|| &left[..left.len() - "prime".len()]);
+    let is_state = |name: &&str| probable_state(cursor, name) && !cursor.uses(left);
+    let differential = || left.strip_prefix(['d', 'D']).map(|rest| rest.trim_matches('_')).filter(is_state);
+    let partial = || left.strip_suffix("_t").filter(is_state);
+    let state = leibniz.or(twisted).or_else(in_words).or_else(differential).or_else(partial);
+    let state = state.map(|state| state.trim_matches('_')).filter(|state| !state.is_empty());
+    (state.unwrap_or(left).to_owned(), 1)
 }
 
 pub(super) fn equals(cursor: &mut Cursor<'_>) -> Parsed<()> {
@@ -143,7 +192,11 @@ pub(super) fn equals(cursor: &mut Cursor<'_>) -> Parsed<()> {
         return Err(diagnostic);
     }
     let span = cursor.behind().to(cursor.here());
-    Err(cursor.missing(Kind::Syntax, span, "`=`", "write `=` after the name"))
+    let help = match cursor.before(1) {
+        Some(name) if cursor.is_open(0, '(') => format!("write `{} = …`, without arguments", name.text),
+        _ => "write `=` after the name".to_owned(),
+    };
+    Err(cursor.missing(Kind::Syntax, span, "`=`", help))
 }
 
 pub(super) fn semicolon(cursor: &mut Cursor<'_>) -> Parsed<()> {

@@ -1,5 +1,8 @@
 //! A place in the token list, with what every parsing function asks of it.
 
+use std::cell::OnceCell;
+use std::collections::HashMap;
+
 use crate::diagnostics::{Diagnostic, Kind};
 use crate::syntax::{ClaimKind, Name};
 use crate::token::{Span, Token, TokenKind};
@@ -15,6 +18,8 @@ pub(super) struct Cursor<'a> {
     /// What the index of a site is called, if the block holds a family: `i`, unless that is the
     /// mistake.
     pub(super) index: Option<&'a str>,
+    /// All names in the tokens, each with whether it stands elsewhere than before a `=`.
+    names: OnceCell<HashMap<&'a str, bool>>,
 }
 
 /// What may end an expression besides `;`, `,` and a closing bracket.
@@ -37,12 +42,36 @@ impl<'a> Cursor<'a> {
         let has_sites = tokens.windows(3).any(|three| {
             word(&three[0], "for") && three[1].kind == TokenKind::Identifier && word(&three[2], "in")
         });
-        Cursor { tokens, at: 0, end: End::Semicolon, index: has_sites.then_some("i") }
+        Cursor { index: has_sites.then_some("i"), end: End::Semicolon, ..Cursor::of_formulas(tokens) }
     }
 
     /// At the beginning of tokens that are no block, but formulas.
     pub(super) fn of_formulas(tokens: &'a [Token]) -> Self {
-        Cursor { tokens, at: 0, end: End::Formula, index: None }
+        Cursor { tokens, at: 0, end: End::Formula, index: None, names: OnceCell::new() }
+    }
+
+    fn names(&self) -> &HashMap<&'a str, bool> {
+        self.names.get_or_init(|| {
+            let mut names = HashMap::new();
+            for (place, token) in self.tokens.iter().enumerate() {
+                if token.kind == TokenKind::Identifier {
+                    let next = self.tokens.get(place + 1).map(|next| &next.kind);
+                    let is_used = next != Some(&TokenKind::Punctuation('='));
+                    *names.entry(token.text.as_str()).or_default() |= is_used;
+                }
+            }
+            names
+        })
+    }
+
+    /// Whether this name stands anywhere in the tokens.
+    pub(super) fn mentions(&self, name: &str) -> bool {
+        self.names().contains_key(name)
+    }
+
+    /// Whether this name stands anywhere but before a `=`.
+    pub(super) fn uses(&self, name: &str) -> bool {
+        self.names().get(name).is_some_and(|is_used| *is_used)
     }
 
     pub(super) fn position(&self) -> usize {
@@ -209,6 +238,15 @@ impl<'a> Cursor<'a> {
             }
         }
         start.to(self.behind())
+    }
+
+    /// Skips a bracketed group as [`skip_group`](Self::skip_group) does, and returns the tokens
+    /// between its brackets, too.
+    pub(super) fn take_group(&mut self) -> (Span, &'a [Token]) {
+        let group = self.skip_group();
+        let is_closed = matches!(self.tokens[group.last].kind, TokenKind::Close(_));
+        let last = group.last + usize::from(!is_closed);
+        (group, self.tokens.get(group.first + 1..last).unwrap_or_default())
     }
 
     /// The mistake that the next token is, if the lexer could not read it.

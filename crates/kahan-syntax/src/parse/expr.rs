@@ -13,6 +13,8 @@
 //! recognised and answered with the way to write it here.
 
 use crate::diagnostics::Kind;
+use crate::rational::Rational;
+use crate::spelling::NOT_QUADRATIC;
 use crate::syntax::{Expr, ExprKind, Factor, Term};
 use crate::token::{Span, TokenKind};
 
@@ -121,16 +123,24 @@ fn power<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
 
 /// Reads `[-] INTEGER`.
 fn exponent(cursor: &mut Cursor<'_>) -> Parsed<i64> {
-    const HELP: &str = "write an integer literal, as in `x^2`";
+    let help = || format!("write an integer literal, as in `x^2`; {NOT_QUADRATIC} has other powers");
     let negative = cursor.take('-');
     let span = cursor.here();
     let found = cursor.describe_next();
     let Some(token) = cursor.peek(0).filter(|token| token.kind == TokenKind::Literal) else {
-        return error(Kind::Exponent, span, format!("an exponent is an integer literal, not {found}"), HELP);
+        let inside = if cursor.is_open(0, '(') { cursor.take_group().1 } else { &[] };
+        let literal = match inside {
+            [one] if !negative => parse_number(&one.text, span).ok(),
+            _ => None,
+        };
+        let help =
+            literal.filter(Rational::is_integer).map_or_else(help, |value| format!("write `^{value}`"));
+        return error(Kind::Exponent, span, format!("an exponent is an integer literal, not {found}"), help);
     };
     let value = parse_number(&token.text, span)?;
     if !value.is_integer() || token.text.contains('.') {
-        return error(Kind::Exponent, span, format!("the exponent {found} is not an integer"), HELP);
+        let help = if value.is_integer() { format!("write `{value}`") } else { help() };
+        return error(Kind::Exponent, span, format!("the exponent {found} is not an integer"), help);
     }
     cursor.advance();
     let magnitude = value.as_i64().unwrap_or(i64::MAX);

@@ -2,8 +2,9 @@
 //! juxtaposition, statements. Each is answered with the way to write it here.
 
 use crate::diagnostics::Kind;
+use crate::spelling::{NOT_QUADRATIC, fresh};
 use crate::syntax::{Expr, ExprKind};
-use crate::token::{Span, TokenKind};
+use crate::token::{Span, Token, TokenKind};
 
 use super::cursor::{Cursor, End};
 use super::{Parsed, error};
@@ -33,15 +34,26 @@ pub(super) fn missing_operand<T>(cursor: &Cursor<'_>) -> Parsed<T> {
 
 /// A name is a whole operand: no call, path, field, method or index follows it.
 pub(super) fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed<()> {
+    if is_statement(name) && cursor.is_open(0, '(') {
+        return no_statement(span.to(cursor.skip_group()));
+    }
     if cursor.is_open(0, '(') {
-        let group = cursor.skip_group();
-        let (message, help) = if is_function(name) {
+        let (group, arguments) = cursor.take_group();
+        let has_several =
+            arguments.is_empty() || arguments.iter().any(|one| one.kind == TokenKind::Punctuation(','));
+        let (message, help) = if is_function(name) || has_several {
             (
                 format!("`{name}(…)` is a function call: fields here are polynomial, claims rational"),
-                format!("introduce a state for `{name}(…)`, with an equation of its own that is quadratic"),
+                instead_of_call(cursor, name, arguments),
             )
         } else {
-            (format!("`{name}(…)` reads as a function call"), format!("for a product write `{name}*(…)`"))
+            let is_of_time = matches!(arguments, [time] if time.text == "t");
+            let instead = if is_of_time {
+                format!("write `{name}`")
+            } else {
+                format!("for a product write `{name}*(…)`")
+            };
+            (format!("`{name}(…)` reads as a function call"), instead)
         };
         return error(Kind::NotAPolynomial, span.to(group), message, help);
     }
@@ -96,17 +108,88 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
 }
 
 fn is_function(name: &str) -> bool {
-    const FUNCTIONS: [&str; 22] = [
-        "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp",
-        "log", "ln", "sqrt", "cbrt", "abs", "sign", "max", "min", "pow",
+    const FUNCTIONS: [&str; 36] = [
+        "sin",
+        "cos",
+        "tan",
+        "cot",
+        "sec",
+        "csc",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sinh",
+        "cosh",
+        "tanh",
+        "sech",
+        "exp",
+        "log",
+        "ln",
+        "log2",
+        "log10",
+        "sqrt",
+        "cbrt",
+        "abs",
+        "sign",
+        "sgn",
+        "max",
+        "min",
+        "pow",
+        "floor",
+        "ceil",
+        "round",
+        "mod",
+        "heaviside",
+        "Heaviside",
+        "piecewise",
+        "erf",
+        "gamma",
     ];
     FUNCTIONS.contains(&name)
 }
 
-/// Whether the operand just read begins a statement of Rust. (A state may have the name of a
-/// keyword; what follows tells.)
-fn is_statement<X>(operand: &Expr<X>) -> bool {
-    matches!(&operand.kind, ExprKind::Name(name) if matches!(name.as_str(), "if" | "match" | "let" | "for" | "while"))
+/// What stands instead of a call with these arguments: of states, new states; of numbers and
+/// parameters, a constant or a parameter.
+fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
+    let next = |place: usize| arguments.get(place + 1).map(|token| &token.kind);
+    let is_state = |(place, token): (usize, &Token)| {
+        token.kind == TokenKind::Identifier
+            && (token.text == "t"
+                || cursor.mentions(&format!("{}dot", token.text))
+                || next(place) == Some(&TokenKind::Open('[')))
+    };
+    if arguments.iter().enumerate().any(is_state) {
+        return format!(
+            "introduce a state for `{name}(…)`, with an equation of its own that is quadratic: {NOT_QUADRATIC} shows how"
+        );
+    }
+    let own = fresh(&["c", "k", "r"], |name| cursor.mentions(name));
+    let number = match arguments {
+        [one] if name == "sqrt" => one.text.replace('_', "").parse::<f64>().ok().map(f64::sqrt),
+        _ => None,
+    };
+    match number.filter(|root| root.is_finite()) {
+        Some(root) => format!("it is a number: write `const {own} = {root};` above, and `{own}` here"),
+        None => format!(
+            "it depends on no state: write a parameter for it, such as `{own}`, or `const {own} = …;` above"
+        ),
+    }
+}
+
+/// Whether the name begins a statement of Rust. (A state may have the name of a keyword; what
+/// follows tells.)
+fn is_statement(name: &str) -> bool {
+    matches!(name, "if" | "match" | "let" | "for" | "while")
+}
+
+fn no_statement<T>(span: Span) -> Parsed<T> {
+    error(
+        Kind::NotAPolynomial,
+        span,
+        "a formula has no conditions, loops or statements",
+        "write one polynomial that holds everywhere",
+    )
 }
 
 /// After an operand stands an operator or the end of the expression.
@@ -127,12 +210,9 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
             format!("a `;` is missing before `{}`", token.text),
             format!("write `;` before `{}`", token.text),
         ),
-        TokenKind::Identifier if is_statement(&operand) => error(
-            Kind::NotAPolynomial,
-            span,
-            "a formula has no conditions, loops or statements",
-            "write one polynomial that holds everywhere",
-        ),
+        TokenKind::Identifier if matches!(&operand.kind, ExprKind::Name(name) if is_statement(name)) => {
+            no_statement(span)
+        }
         TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
             let help = match token.kind {
                 _ if cursor.end == End::Formula => {

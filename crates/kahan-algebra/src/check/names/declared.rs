@@ -8,7 +8,7 @@ use kahan_syntax::syntax::{Block, Name};
 
 use crate::symbols::{Symbol, Symbols};
 
-use super::{Scope, is_epsilon, report_reserved};
+use super::{Scope, is_epsilon, is_never_free, report_reserved};
 
 impl Scope {
     /// A scope with these names alone.
@@ -122,6 +122,10 @@ impl Scope {
                 || is_epsilon(&text)
                 || text == "ϵ";
             if known {
+                continue;
+            }
+            if is_never_free(&text, |name| self.is_state_name(name)) {
+                // Whoever looks it up finds that nothing declares it.
                 continue;
             }
             if is_keyword(&text) {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use kahan_study::{Axis, Range, Spacing};
+use kahan_study::{Axis, Range};
 
 use crate::printing::{Refusal, joined};
 use crate::reading::{self, named, number, over};
@@ -45,7 +45,7 @@ impl<'a> Rows<'a> {
         }
         let range = |axis: usize| {
             if has_range(axis) {
-                return over(&self.over[axis], Spacing::Cells);
+                return over(&self.over[axis]);
             }
             let values: Vec<f64> = rows.iter().map(|row| columns[axis][*row]).collect();
             let name = names[axis];

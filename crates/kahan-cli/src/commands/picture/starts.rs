@@ -34,14 +34,14 @@ impl Default for Spread {
 
 impl At {
     /// Reads one; a file has a point in each row.
-    pub(super) fn read(at: &str, spread: &Spread, variables: &[String]) -> Result<Vec<Self>, Refusal> {
+    pub(super) fn read(at: &str, spread: &Spread, study: &Study) -> Result<Vec<Self>, Refusal> {
         // The path of a file may have dots of its own.
         match at.split_once("..").filter(|_| !is_number_file(at)) {
             Some(_) if spread.count.is_none() => Err(Refusal::new(format!(
                 "--at {at} is a line; say by --starts how many first points it has"
             ))),
-            Some((from, to)) => Ok(vec![At::Line(point(from, variables)?, point(to, variables)?)]),
-            None => Ok(points(at, variables)?.into_iter().map(At::Point).collect()),
+            Some((from, to)) => Ok(vec![At::Line(point(from, study)?, point(to, study)?)]),
+            None => Ok(points(at, study)?.into_iter().map(At::Point).collect()),
         }
     }
 }

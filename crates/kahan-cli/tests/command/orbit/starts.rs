@@ -33,6 +33,31 @@ fn a_file_of_one_row_is_the_point_written_out() {
 }
 
 #[test]
+fn a_column_that_means_something_else_is_refused() {
+    let folder = folder();
+    let field = [
+        "orbit",
+        "--field",
+        "xdot = k1*y; ydot = -x;",
+        "--param",
+        "k1=1",
+        "--eps",
+        "1/7",
+        "--steps",
+        "3",
+        "--at",
+    ];
+    for (names, other) in [("x,y,k1", "k1"), ("k1,y,x", "k1"), ("x,eps,y", "eps")] {
+        let path = file(&folder, &format!("{names}\n1,2,3\n"));
+        let refused = running::refusal(&[&field[..], &[&path]].concat());
+        assert!(refused.contains(&format!("has a column `{other}`, which is no variable")), "{refused}");
+    }
+    let passed_over = file(&folder, "n,y,x\n1,2,3\n");
+    let of_file = running::answer(&[&field[..], &[&passed_over]].concat());
+    assert_eq!(of_file, running::answer(&[&field[..], &["3,2"]].concat()));
+}
+
+#[test]
 fn of_several_rows_each_begins_an_orbit() {
     let folder = folder();
     let starts = ["1/3,1/2", "1,2", "5/7,0.3"];

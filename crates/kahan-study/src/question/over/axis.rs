@@ -115,8 +115,8 @@ pub(super) enum Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// Those of the axis at a place among others, by the seed of their question.
-    pub(super) fn of(axes: &'a [Varied], place: usize, seed: u64) -> Result<Self, String> {
+    /// Those of the axis at a place among others, of so many draws by the seed of their question.
+    pub(super) fn of(axes: &'a [Varied], place: usize, draws: u64, seed: u64) -> Result<Self, String> {
         let is_sobol = |axis: &&Varied| matches!(axis.through, Through::Drawn { source: Source::Sobol, .. });
         match &axes[place].through {
             Through::List(values) if values.is_empty() => {
@@ -133,7 +133,7 @@ impl<'a> Values<'a> {
                         Box::new(move |index| uniform.at(index))
                     }
                     Source::Sobol => {
-                        let sobol = Sobol::dimension(axes[..place].iter().filter(is_sobol).count())?;
+                        let sobol = Sobol::dimension(axes[..place].iter().filter(is_sobol).count(), draws)?;
                         Box::new(move |index| sobol.at(index))
                     }
                 };

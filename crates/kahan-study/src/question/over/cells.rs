@@ -184,7 +184,7 @@ impl Along<'_> {
 fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, StudyError> {
     let (axis, observes) = (&over.axes[place], matches!(*over.question, Question::Observe(_)));
     let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
-    let values = Values::of(&over.axes, place, over.seed).map_err(wrong)?;
+    let values = Values::of(&over.axes, place, over.draws, over.seed).map_err(wrong)?;
     let named = |names: &[String]| names.iter().position(|name| *name == axis.name);
     let target = named(study.variables()).map(Target::Variable);
     let target = target.or_else(|| named(study.parameters()).map(Target::Parameter));

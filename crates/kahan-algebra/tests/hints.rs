@@ -1,0 +1,174 @@
+//! Each hint is followed to its end: to a text that is read, or to the page on fields that are not
+//! quadratic.
+//!
+//! A line of a table has a text with one mistake, and the text that its hint leads to. What a hint
+//! quotes must stand in that text, up to `…`.
+
+use std::path::Path;
+
+use kahan_algebra::check::Checked;
+use kahan_algebra::diagnostics::Diagnostic;
+
+use kahan_algebra::{lexer, read};
+
+/// The page that help names.
+const PAGE: &str = "docs/how-to/not-quadratic.md";
+
+fn checked(text: &str) -> Checked {
+    read(&lexer::lex(text).tokens)
+}
+
+fn mistake(text: &str) -> Diagnostic {
+    let read = checked(text);
+    let [mistake] = read.diagnostics() else { panic!("one mistake in {text}: {:?}", read.diagnostics()) };
+    mistake.clone()
+}
+
+/// What stands in backticks, in pieces between `…`.
+fn quoted(help: &str) -> Vec<&str> {
+    help.split('`').skip(1).step_by(2).flat_map(|quoted| quoted.split('…')).collect()
+}
+
+#[test]
+fn hints_lead_to_a_text_that_is_read() {
+    for (wrong, right) in [
+        // Derivatives as others write them.
+        ("dx = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("dx = -1;", "xdot = -1;"),
+        ("dx = -k*dx;", "dxdot = -k*dx;"),
+        ("Dx = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("dxdt = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("dx_dt = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("dx/dt = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("x_t = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("x_prime = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("ẋ = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("q\u{307} = p; pdot = -q;", "qdot = p; pdot = -q;"),
+        ("ẋ1 = y; ydot = -x1;", "x1dot = y; ydot = -x1;"),
+        ("x_dot = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("x_dot = -1;", "xdot = -1;"),
+        ("xDot = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("x_Dot = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("y1' = y2; y2dot = -y1;", "y1dot = y2; y2dot = -y1;"),
+        ("xdot(t) = y; ydot = -x;", "xdot = y; ydot = -x;"),
+        ("xdot = y(t); ydot = -x;", "xdot = y; ydot = -x;"),
+        ("xddot = -x;", "xdot = v; vdot = -x;"),
+        ("xddot = -g;", "xdot = v; vdot = -g;"),
+        ("x_ddot = -v*x;", "xdot = u; udot = -v*x;"),
+        ("ẍ = -x;", "xdot = v; vdot = -x;"),
+        ("x'' = -x;", "xdot = v; vdot = -x;"),
+        ("x″ = -x;", "xdot = v; vdot = -x;"),
+        ("x''' = -x;", "xdot = v; vdot = a; adot = -x;"),
+        // The time, and derivatives on a right-hand side.
+        ("xdot = t*x;", "xdot = t*x; tdot = 1;"),
+        ("xdot = t*x;", "struct Name { t } xdot = t*x;"),
+        ("struct S; xdot = t*x;", "struct S; xdot = t*x; tdot = 1;"),
+        ("for i in open { x[i]dot = t*x[i]; }", "for i in open { x[i]dot = t[i]*x[i]; t[i]dot = 1; }"),
+        // Powers and calls.
+        ("xdot = x^(2);", "xdot = x^2;"),
+        ("xdot = x^2.0;", "xdot = x^2;"),
+        ("xdot = k^-2*x;", "xdot = 1/k^2*x;"),
+        ("xdot = (k + 1)^-1*x;", "xdot = 1/(k + 1)*x;"),
+        ("xdot = k(x + 1);", "xdot = k*(x + 1);"),
+        ("xdot = sqrt(2)*x;", "const c = 1.4142135623730951; xdot = c*x;"),
+        ("xdot = c*x + sqrt(4);", "const k = 2; xdot = c*x + k;"),
+        ("xdot = exp(2*a)*x;", "xdot = c*x;"),
+        ("xdot = exp(2)*x;", "const c = 7.38905609893; xdot = c*x;"),
+    ] {
+        let Diagnostic { message, help, .. } = mistake(wrong);
+        assert!(!help.contains(PAGE), "{wrong}: {help}");
+        let alternatives = help.split("; for a parameter").chain([&*help]);
+        let is_there = |help: &str| quoted(help).iter().all(|piece| right.contains(piece.trim()));
+        let is_choice = help.contains(", or ")
+            && quoted(&help).iter().any(|piece| !piece.is_empty() && right.contains(piece));
+        assert!(alternatives.into_iter().any(is_there) || is_choice, "{wrong}: {message}: {help}");
+        assert_eq!(checked(right).diagnostics(), [], "{wrong} becomes {right}");
+    }
+}
+
+#[test]
+fn hints_on_what_is_not_quadratic_name_the_page() {
+    for (wrong, part, right) in [
+        ("vdot = -v^3;", "`w` for `v^2`", "vdot = -v*w; wdot = -2*w^2;"),
+        ("wdot = -w^3;", "`u` for `w^2`", "wdot = -w*u; udot = -2*u^2;"),
+        (
+            "xdot = x*y*z; ydot = 0; zdot = 0;",
+            "`w` for `x*y`",
+            "xdot = w*z; ydot = 0; zdot = 0; wdot = w*y*z;",
+        ),
+        ("struct S { w } xdot = w*x^3;", "`u` for `x^2`", "struct S { w } xdot = w*u*x; udot = 2*w*u^2;"),
+        (
+            "for i in open { x[i]dot = x[i]^3; }",
+            "`w[i]` for `x[i]^2`",
+            "for i in open { x[i]dot = x[i]*w[i]; w[i]dot = 2*w[i]^2; }",
+        ),
+        ("for i in open { x[i]dot = 1/x[i+1]; }", "`w[i]` for `1/x[i+1]`", ""),
+        ("xdot = (x + y)^70; ydot = 0;", "`w` for `x^2`", ""),
+        ("xdot = y/(h + x); ydot = -x;", "`w` for `1/(x + h)`", ""),
+        ("xdot = x^-1;", "`w` for `1/x`", ""),
+        ("const w = 1; xdot = w/x^2;", "`u` for `1/(x^2)`", ""),
+        ("xdot = x^(3/2);", "write an integer literal", ""),
+        ("xdot = x^0.5;", "write an integer literal", ""),
+        ("xdot = x^n;", "write an integer literal", ""),
+        ("xdot = sin(x);", "a state for `sin(…)`", "xdot = s; sdot = c*s; cdot = -s^2;"),
+        (
+            "xdot = y + cos(t); ydot = -x;",
+            "a state for `cos(…)`",
+            "xdot = y + c; ydot = -x; cdot = -s; sdot = c;",
+        ),
+        ("xdot = max(x, 0);", "a state for `max(…)`", ""),
+        ("xdot = hill(x, 2);", "a state for `hill(…)`", ""),
+    ] {
+        let help = mistake(wrong).help;
+        assert!(help.contains(part) && help.contains(PAGE), "{wrong}: {help}");
+        let is_further = |mistake: &Diagnostic| mistake.help.contains(PAGE);
+        assert!(
+            checked(right).diagnostics().iter().all(|mistake| right.is_empty() || is_further(mistake)),
+            "{right}"
+        );
+    }
+    assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(PAGE).exists());
+}
+
+/// What looks like a derivative is a state where the block names it.
+#[test]
+fn names_that_are_used_are_states() {
+    for (text, states) in [
+        ("x_dot = -k*x_;", "x_"),
+        ("xddot = -xd;", "xd"),
+        ("xdot = xd; xddot = -x;", "x xd"),
+        ("speeddot = 1;", "speed"),
+        ("ddot = 1;", "d"),
+        ("tdot = 1; xdot = t*x;", "t x"),
+        ("struct S; x_dot = x_; integral H = 0*x_ + x_;", ""),
+    ] {
+        let read = checked(text);
+        let is_claim = |mistake: &Diagnostic| mistake.message.contains("does not hold");
+        assert!(read.diagnostics().iter().all(is_claim), "{text}: {:?}", read.diagnostics());
+        if let Ok(system) = read.system() {
+            assert_eq!(system.field.symbols.states.join(" "), states, "{text}");
+        }
+    }
+    assert_eq!(checked("const t = 2; xdot = t*x;").diagnostics(), []);
+    assert_eq!(checked("struct S { t } xdot = t*x;").diagnostics(), []);
+}
+
+/// A field that is read as another one gives proofs of the wrong field.
+#[test]
+fn no_name_of_a_derivative_is_taken_for_a_parameter() {
+    for text in [
+        "x_dot = y; y_dot = -x;",
+        "xdot = v; vdot = -x - xdot;",
+        "xdot = v; vdot = -x - ẋ;",
+        "xdot = v; vdot = -x - v';",
+        "xdot = v; vdot = cos(t) - x;",
+        "for i in open { x[i]dot = t; }",
+        "for i in open { x[i]dot = xdot; }",
+    ] {
+        assert!(checked(text).system().is_err(), "{text}");
+    }
+    let both = checked("x_dot = y; y_dot = -x;");
+    assert_eq!(both.diagnostics().len(), 2, "{:?}", both.diagnostics());
+    let conditions = mistake("xdot = if(x > 0, 1, 2);");
+    assert!(!conditions.help.contains("if*"), "{conditions}");
+}

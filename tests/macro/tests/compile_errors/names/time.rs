@@ -1,0 +1,16 @@
+//! The time is a state or a parameter that the block declares, and a derivative is no name.
+
+use kahan_core::prelude::*;
+
+kahan! {
+    pub struct Driven;
+    xdot = v;
+    vdot = t - x;
+}
+
+fn main() {
+    let _ = kahan! {
+        xdot = v;
+        vdot = t - x - xdot;
+    };
+}
