@@ -445,7 +445,7 @@ class System(Field):
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
-        color: str = "sali", order: int = 2, escape: float = 1e6, threads: int | None = None, progress: bool = False,
+        color: str = "sali", order: int = 2, escape: float | None = 1e6, threads: int | None = None, progress: bool = False,
     ) -> Chart:
         """What orbits do over parameters, eps or first values: an observable at every value of ``over``.
 

@@ -26,7 +26,7 @@ def test_an_orbit_ends_in_the_same_way_wherever_it_is_followed(text, start, eps,
         assert (one.ended, one.ended_step) == (ended, step)
     # Beside others, one of which is not a number.
     points = np.array([start, np.full(len(start), np.nan), start])
-    chart = s.chart({"x": [start[0], start[0]]}, start, eps, steps=steps, color="sali", escape=1e300)
+    chart = s.chart({"x": [start[0], start[0]]}, start, eps, steps=steps, color="sali", escape=None)
     for many in (s.ensemble(points, eps, steps), s.ensemble(points, eps, steps, observe=["sali", "fli", "extrema"])):
         assert many.ended.tolist() == [ended, "range", ended] and many.ended_step.tolist() == [step, 0, step]
         whole = many.ended == "complete"
