@@ -92,6 +92,13 @@ fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     assert_eq!(found[0].end, End::Range(0));
     assert!(found[0].report.iter().all(|number| number.is_nan()), "{found:?}");
     assert!(found[1].end == End::Complete && found[1].report.iter().all(|number| number.is_finite()));
+    // Nor are they after no step.
+    let pole = Subject::text("xdot = x^2;").study(&Systems).expect("a field");
+    let observed =
+        Observe::new(number("1/2"), vec![number("1")], 9).ask(&pole, &Unwatched).expect("observations");
+    assert_eq!(observed.end, End::Range(0));
+    let observed = json!(observed);
+    assert!(["sali", "fli", "megno"].iter().all(|name| observed[name].is_null()), "{observed}");
 }
 
 /// 3ⁿ > 10⁶ from n = 13 on.

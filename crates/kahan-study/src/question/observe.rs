@@ -133,7 +133,10 @@ impl Observe {
             integrals: integrals.collect(),
             steps: end.steps(self.steps),
             end,
-            seen: of.into_iter().zip(report).collect(),
+            seen: of
+                .into_iter()
+                .zip(report.into_iter().map(|seen| after(end.steps(self.steps), seen)))
+                .collect(),
         })
     }
 
@@ -202,6 +205,14 @@ impl Observed {
     #[must_use]
     pub fn of(&self, observable: Observable) -> Option<&Seen> {
         self.seen.iter().find(|(own, _)| *own == observable).map(|(_, seen)| seen)
+    }
+}
+
+/// What was seen after so many steps: before the first one indicators say nothing of the orbit.
+fn after(steps: u64, seen: Seen) -> Seen {
+    match seen {
+        Seen::Number(_) if steps == 0 => Seen::Number(f64::NAN),
+        seen => seen,
     }
 }
 
