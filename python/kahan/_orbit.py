@@ -182,17 +182,22 @@ class Ensemble(Table):
     """``eps`` and what was given as ``params``, by name: one number, or one a trajectory."""
     x: Array
     """The last points, of the same shape: NaN where a trajectory ended early."""
-    ended: Array
-    """How each ended, in a word."""
     steps: Array
     """The steps that each made, fewer than asked where it ended early."""
     observed: dict[str, Array]
     """What was observed, by name."""
 
-    def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, ends: tuple[list[str], Array],
+    def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, ends: tuple[list[str], Array, Array],
                  observed: dict[str, Array]) -> None:
         self.system, self.start, self.given, self.x = system, start, given, x
-        self.ended, self.steps, self.observed = np.array(ends[0], dtype=object), ends[1], observed
+        self._words, self._places, self.steps = ends
+        self.observed = observed
+
+    @cached_property
+    def ended(self) -> Array:
+        """How each ended, in a word."""
+        ended: Array = np.array(self._words, dtype=object)[self._places]
+        return ended
 
     @property
     def ended_step(self) -> Array:

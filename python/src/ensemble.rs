@@ -256,12 +256,22 @@ impl Many<f64> {
     }
 }
 
-/// How trajectories ended, in words, and after how many steps.
-type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<i64>>);
+/// How trajectories ended: the words that occur, for each trajectory the place of its word, and its
+/// steps.
+type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
 
-fn ends(py: Python<'_>, steps: u64, ends: impl Iterator<Item = End> + Clone) -> Ends<'_> {
-    let made = ends.clone().map(|end| end.steps(steps) as i64).collect();
-    (ends.map(End::name).collect(), PyArray1::from_vec(py, made))
+fn ends(py: Python<'_>, steps: u64, ends: impl Iterator<Item = End>) -> Ends<'_> {
+    let (mut words, mut made) = (Vec::new(), Vec::new());
+    let place = |end: End| {
+        made.push(end.steps(steps) as i64);
+        let known = words.iter().position(|word| *word == end.name());
+        known.unwrap_or_else(|| {
+            words.push(end.name());
+            words.len() - 1
+        }) as u8
+    };
+    let places = ends.map(place).collect();
+    (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
 }
 
 /// How trajectories ended that went on after so many steps; one that had ended stays so.
