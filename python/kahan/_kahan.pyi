@@ -8,6 +8,7 @@ from typing_extensions import disjoint_base
 from ._exact import Number
 
 _Array = np.ndarray[Any, Any]
+_Ends = tuple[list[str], _Array, _Array]
 _Listener = Callable[[str, Any, Any], None] | None
 
 __version__: str
@@ -59,14 +60,14 @@ class Field:
     def _advance(
         self, points: Any, eps: Any, steps: int, *, parameters: Sequence[Any] = ..., order: int = 2,
         threads: int | None = None, out: _Array | None = None, listener: _Listener = None,
-    ) -> _Array: ...
+    ) -> tuple[_Array, _Ends]: ...
     def _observed(
         self, points: Any, eps: Any, steps: int, of: Sequence[str], *, parameters: Sequence[Any] = ..., order: int = 2,
-        every: int = 10, escape: float = 1e6, threads: int | None = None, listener: _Listener = None,
-    ) -> tuple[list[str], _Array, _Array]: ...
+        every: int = 10, escape: float | None = None, threads: int | None = None, listener: _Listener = None,
+    ) -> tuple[list[str], _Array, _Ends]: ...
     def _table(
         self, question: str, *, threads: int | None = None, listener: _Listener = None
-    ) -> tuple[list[tuple[str, str, Any]], str, int | None]: ...
+    ) -> tuple[list[tuple[str, str, Any]], str, int]: ...
 
 @disjoint_base
 class Chain:

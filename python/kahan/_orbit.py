@@ -23,7 +23,7 @@ __all__ = ["Chart", "Ensemble", "Orbit", "Section"]
 Array = np.ndarray[Any, Any]
 
 _ENDS = {"complete": "", "range": ", no finite point after step {}", "pole": ", a pole after step {}",
-         "points": ", no more after step {}, as `points` says"}
+         "escaped": ", escaped at step {}", "time": ", out of time after step {}", "stopped": ", stopped after step {}"}
 
 
 def _end(ended: str, steps: int) -> str:
@@ -86,8 +86,8 @@ class Orbit(Table):
     """The points of one orbit, a row each: ``x[k]`` is the point after ``n[k]`` steps.
 
     ``ended`` is ``"complete"`` where all steps were made. It is ``"range"`` where the next point is
-    beyond the range of floats, as it is at poles in floats too, and ``"pole"`` where other numbers
-    and methods tell that it has no value (det A = 0).
+    beyond the range of floats, as it is at poles in floats too, and ``"pole"`` where exact numbers
+    tell that it has no value (det A = 0). ``ended_step`` is the number of steps to the last point.
     """
 
     system: System
@@ -137,6 +137,11 @@ class Orbit(Table):
         given = self._integrals
         return given if isinstance(given, dict) else self.system.integral_values(self.x, given)
 
+    @property
+    def ended_step(self) -> int:
+        """The steps to the last point, ``steps``."""
+        return self.steps
+
     def __repr__(self) -> str:
         return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{_end(self.ended, self.steps)}>"
 
@@ -162,7 +167,12 @@ class Orbit(Table):
 
 @spelled
 class Ensemble(Table):
-    """Many trajectories: where they began and ended, and what was observed of them, an entry a trajectory."""
+    """Many trajectories: where they began and ended, and what was observed of them, an entry a trajectory.
+
+    ``ended`` says of each how it ended, as ``Orbit.ended`` says of one: ``"complete"``, ``"range"``, or
+    ``"escaped"`` beyond a bound that was asked for. Where one ended early its point and what was
+    observed are NaN, but for the step of its escape.
+    """
 
     system: System
     """The field, with its parameters."""
@@ -171,34 +181,46 @@ class Ensemble(Table):
     given: dict[str, Array]
     """``eps`` and what was given as ``params``, by name: one number, or one a trajectory."""
     x: Array
-    """The last points, of the same shape: NaN where a trajectory meets a pole, of observed ones the
-    last that is finite."""
-    steps: Array | None
-    """The steps that each made, fewer than asked where numbers leave their range; ``None`` without
-    observers, as then nobody looks."""
+    """The last points, of the same shape: NaN where a trajectory ended early."""
+    steps: Array
+    """The steps that each made, fewer than asked where it ended early."""
     observed: dict[str, Array]
     """What was observed, by name; ``spectrum`` has shape (trajectories, variables)."""
 
-    def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, steps: Array | None,
+    def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, ends: tuple[list[str], Array, Array],
                  observed: dict[str, Array]) -> None:
         self.system, self.start, self.given, self.x = system, start, given, x
-        self.steps, self.observed = steps, observed
+        self._words, self._places, self.steps = ends
+        self.observed = observed
+
+    @cached_property
+    def ended(self) -> Array:
+        """How each ended, in a word."""
+        ended: Array = np.array(self._words, dtype=object)[self._places]
+        return ended
+
+    @property
+    def ended_step(self) -> Array:
+        """The steps that each made, ``steps``."""
+        return self.steps
 
     def __repr__(self) -> str:
         seen = f"; observed: {', '.join(self.observed)}" if self.observed else ""
-        return f"<Ensemble of {len(self.x)} trajectories{seen}>"
+        early = int(np.sum(self.ended != "complete"))
+        return f"<Ensemble of {len(self.x)} trajectories{f', {early} ended early' if early else ''}{seen}>"
 
     def columns(self) -> dict[str, Array]:
-        """The first points, as ``start_x``, ``eps`` and parameters that were given, the last points, the steps,
-        and what was observed, by name; of the spectrum ``spectrum_1`` and so on."""
+        """The first points, as ``start_x``, ``eps`` and parameters that were given, the last points, how and
+        after how many steps each ended, and what was observed, by name; of the spectrum ``spectrum_1`` and
+        so on."""
         start = {f"start_{name}": values for name, values in self.system._columns(self.start).items()}
         given = {name: np.broadcast_to(values, len(self.x)) for name, values in self.given.items()}
-        steps = {} if self.steps is None else {"steps": self.steps}
+        ends = {"ended": self.ended, "ended_step": self.steps}
         seen = {}
         for name, values in self.observed.items():
             columns = [(name, values)] if values.ndim == 1 else ((f"{name}_{k}", row) for k, row in enumerate(values.T, 1))
             seen.update(columns)
-        return {**start, **given, **self.system._columns(self.x), **steps, **seen}
+        return {**start, **given, **self.system._columns(self.x), **ends, **seen}
 
     def __getitem__(self, name: str) -> Array:
         return self.observed[name] if name in self.observed else super().__getitem__(name)
@@ -225,18 +247,27 @@ class Chart(Table):
     color: str
     """What is shown."""
     values: Array
-    """The numbers; not a number where an orbit leaves the range of floats."""
-    escaped: Array
-    """The step after which a variable is beyond ``escape``; not a number where none is."""
+    """The numbers; not a number where an orbit ended early."""
+    ended: Array
+    """How each orbit ended: ``"complete"``, ``"escaped"`` beyond ``escape``, or ``"range"``."""
+    ended_step: Array
+    """The steps to the last point of each orbit."""
     meaning: str
     """What the numbers are, with their unit."""
     of: str
     """Of which orbits they are."""
 
-    def __init__(self, system: System, axes: dict[str, Array], color: str, values: Array, escaped: Array, meaning: str,
-                 of: str) -> None:
+    def __init__(self, system: System, axes: dict[str, Array], color: str, values: Array, ended: Array, ended_step: Array,
+                 meaning: str, of: str) -> None:
         self.system, self.axes, self.color, self.values = system, axes, color, values
-        self.escaped, self.meaning, self.of = escaped, meaning, of
+        self.ended, self.ended_step, self.meaning, self.of = ended, ended_step, meaning, of
+
+    @property
+    def escaped(self) -> Array:
+        """The step after which a variable is beyond ``escape``; not a number where none is. What is beyond
+        all numbers is beyond a size."""
+        beyond: Array = np.where(self.ended == "range", self.ended_step + 1.0, np.nan)
+        return np.where(self.ended == "escaped", self.ended_step, beyond)
 
     def _whole(self) -> Array:
         return self.values
@@ -249,14 +280,14 @@ class Chart(Table):
         return f"<Chart of {self.color} of {self.system.name} over {sizes}>"
 
     def columns(self) -> dict[str, Array]:
-        """What is gone through, and the numbers, by name; a row a cell."""
+        """What is gone through, the numbers, and how and when the orbits ended, by name; a row a cell."""
         grid = np.meshgrid(*self.axes.values(), indexing="ij")
         places = {name: axis.ravel() for name, axis in zip(self.axes, grid)}
-        return {**places, self.color: self.values.ravel()}
+        return {**places, self.color: self.values.ravel(), "ended": self.ended.ravel(), "ended_step": self.ended_step.ravel()}
 
     def plot(self, *, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws one axis as a curve, two in colours, the first across; SALI and drifts as logarithms, and
-        nothing where an orbit has escaped, unless that is the color.
+        nothing where an orbit ended early, unless the color is escape; the title counts these cells.
 
         Needs matplotlib; returns the axes.
         """
@@ -272,8 +303,9 @@ class Section(Table):
     ``jumps`` counts sign changes of ``plane`` without a zero: at a pole of the formula or of the map,
     or where the formula jumps. They are no rows.
 
-    ``ended`` is ``"complete"`` where all steps were made, ``"points"`` where the orbit had as many
+    ``ended`` is ``"complete"`` where all steps were made, ``"stopped"`` where the orbit had as many
     crossings before as ``points`` asked for, and ``"range"`` where its next point is not finite.
+    ``ended_step`` is the number of steps to the last point of the orbit.
     """
 
     system: System
@@ -297,6 +329,11 @@ class Section(Table):
                  eps: float) -> None:
         self.system, self.plane, self.x, self.t, self.steps, self.ended = system, plane, x, t, steps, ended
         self.jumps, self.eps = jumps, eps
+
+    @property
+    def ended_step(self) -> int:
+        """The steps of the orbit, ``steps``."""
+        return self.steps
 
     def __repr__(self) -> str:
         jumps = f", {self.jumps} jumps" if self.jumps else ""

@@ -84,8 +84,6 @@ def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
     if len(names) > 2:
         raise ValueError("a picture has two axes; take a part of `values`")
     label, shown = _scaled(found.color, found.meaning, found.values)
-    if found.color not in ("escape", "escaped"):
-        shown = np.where(np.isnan(found.escaped), shown, np.nan)
     axes: Any = ax
     if ax is None:
         import matplotlib.pyplot as plt
@@ -99,5 +97,7 @@ def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
         axes.figure.colorbar(mesh, ax=axes, label=label)
         axes.set_ylabel(names[1])
     axes.set_xlabel(names[0])
-    axes.set_title(f"{found.system.name}, {found.of}")
+    early = int(np.sum(found.ended != "complete"))
+    empty = f", {early} of {found.values.size} orbits end early" if early else ""
+    axes.set_title(f"{found.system.name}, {found.of}{empty}")
     return axes  # type: ignore[no-any-return]

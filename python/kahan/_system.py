@@ -306,7 +306,7 @@ class System(Field):
                      for (name, _, _), value in zip(columns[2 + count :], values[2 + count :])}
         given = Fraction(exact(eps, "eps")) if scalar == "exact" else nearest(eps, "eps")
         orbit = Orbit(self, given, states if low is None else states[:, :, 0], every,
-                      steps if last is None else last, ended, integrals)
+                      last, ended, integrals)
         orbit.x_low = low
         return orbit
 
@@ -320,7 +320,7 @@ class System(Field):
         observe: Sequence[str] = (),
         order: int = 2,
         every: int = 10,
-        escape: float = 1e6,
+        escape: float | None = None,
         threads: int | None = None,
         out: Array | None = None,
         progress: bool = False,
@@ -331,12 +331,15 @@ class System(Field):
         ``DataFrame`` has them; ``eps`` and each of ``params`` are one number
         or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
         else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
-        of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum), fli, megno, sali, rotation, escape; see ``observe``.
-        Tangent vectors are made orthogonal every ``every`` steps. The column ``escaped`` is the step at
-        which a variable is beyond ``escape``, and NaN where an orbit does not escape.
+        of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum),
+        fli, megno, sali, rotation, escape; see ``observe``. Tangent vectors are made orthogonal every ``every``
+        steps. With observers, an orbit ends as ``"escaped"`` at the step after which a variable is beyond
+        ``escape``, if that is given. The column ``escaped`` is that step, or else the first one beyond 1e6, and
+        NaN where there is none.
 
         Work is spread over ``threads``, by default all processors; the numbers do not depend on how
-        many. A trajectory that meets a pole ends as NaN, observed ones at the last finite point.
+        many. ``ended`` says how each trajectory ended, which is how its ``orbit`` ends, and ``steps``
+        after how many steps. Where one ended early its numbers are NaN.
         """
         names = list(self.parameters)
         points = self._at(points)
@@ -350,16 +353,16 @@ class System(Field):
         threads = _whole(threads, "threads")
         inputs = {name: np.asarray(value) for name, value in {"eps": eps, **(params or {})}.items()}
         if not observe:
-            x = self._advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
+            x, ends = self._advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
                               listener=_listener(progress))
-            return Ensemble(self, np.asarray(points), inputs, x, None, {})
+            return Ensemble(self, np.asarray(points), inputs, x, ends, {})
         if isinstance(observe, str):
             observe = (observe,)
         if out is not None:
             raise ValueError("out is for ensembles without observers")
         self._has_drift("observe", observe)
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
-        seen, values, made = self._observed(points, eps, steps, of, parameters=given, order=order,
+        seen, values, ends = self._observed(points, eps, steps, of, parameters=given, order=order,
                                             every=whole(every, "every"), escape=escape, threads=threads,
                                             listener=_listener(progress))
         count = len(self.variables)
@@ -369,7 +372,7 @@ class System(Field):
                 columns["spectrum"] = values[:, k:k + count]
             elif not name.startswith("spectrum_"):
                 columns[name] = values[:, k]
-        return Ensemble(self, np.asarray(points), inputs, values[:, :count], made, columns)
+        return Ensemble(self, np.asarray(points), inputs, values[:, :count], ends, columns)
 
     def _has_drift(self, name: str, of: Sequence[str]) -> None:
         if "drift" in of and not self.integrals:
@@ -418,7 +421,7 @@ class System(Field):
         return Answer({name: value if name == "variables" else arrays(value) for name, value in found.items()})
 
     def observe(
-        self, x: Any, eps: Number, steps: int, *, order: int = 2, every: int = 10, escape: float = 1e6,
+        self, x: Any, eps: Number, steps: int, *, order: int = 2, every: int = 10, escape: float | None = None,
         progress: bool = False,
     ) -> Answer:
         """What the orbit of a point does.
@@ -432,9 +435,11 @@ class System(Field):
         to 2; ``sali`` falls to 0 exponentially, and else stays or falls like a power of time.
         ``rotation`` has for each variable the turns a step about the middle of its extremes, modulo 1,
         ``drift`` the change of each claimed integral relative to its first value, and ``extrema`` the least
-        and the greatest value of each variable. ``escaped`` is the step after which a variable is
-        beyond ``escape``, and ``None`` where there is none. ``steps`` are fewer than asked where numbers leave
-        their range; a number of what is observed is then ``None`` where it is none.
+        and the greatest value of each variable. ``ended`` says how the orbit ended and ``ended_step`` after
+        how many steps: ``"complete"``, ``"range"`` where the next point is not finite, or ``"escaped"`` where a
+        variable is beyond ``escape``, if that is given; what is observed is then of the steps before.
+        ``escaped`` is the step after which a variable is beyond ``escape``, or else beyond 1e6, and ``None``
+        where there is none.
         """
         found = self._ask("observe", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
                           order=whole(order, "order"), every=whole(every, "every"), escape=escape)
@@ -462,7 +467,7 @@ class System(Field):
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
-        color: str = "sali", order: int = 2, escape: float = 1e6, threads: int | None = None, progress: bool = False,
+        color: str = "sali", order: int = 2, escape: float | None = 1e6, threads: int | None = None, progress: bool = False,
     ) -> Chart:
         """What orbits do over parameters, eps or first values: an observable at every value of ``over``.
 
@@ -471,8 +476,9 @@ class System(Field):
         number: sali, fli, megno, lyapunov, escape, or a column of another one, as drift_H or
         spectrum_2. Costs an orbit a cell, in lanes and on all threads.
 
-        An exponent of an orbit that escapes is large, and no sign of chaos: ``plot`` leaves cells out whose
-        orbits have gone beyond ``escape``, which is best some times the size of the region of interest.
+        An exponent of an orbit that escapes is large, and no sign of chaos: an orbit ends where a variable
+        is beyond ``escape``, which is best some times the size of the region of interest, and its cell is
+        NaN. ``ended`` and ``ended_step`` say how and after how many steps the orbit of each cell ended.
         """
         if not over:
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
@@ -487,7 +493,7 @@ class System(Field):
         self._has_drift("color", [observable])
         question = {"ask": "observe", "at": self._point(x), "eps": exact(eps, "eps"), "steps": whole(steps, "steps"),
                     "order": whole(order, "order"), "escape": escape,
-                    "of": list(dict.fromkeys([observable, "escape"]))}
+                    "of": [observable]}
         columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
                                     threads=_whole(threads, "threads"), listener=_listener(progress))
         found = {name: values for name, _, values in columns}
@@ -496,21 +502,21 @@ class System(Field):
             raise ValueError(f"color: {unknown('column', color, self._colors())}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
         sizes = [_size(values) or len(np.unique(found[name])) for name, values in over.items()]
-        # What is beyond all numbers is beyond a size.
-        leaves = found["steps"] < steps
-        escaped = np.where(leaves & np.isnan(found["escaped"]), found["steps"] + 1, found["escaped"])
-        values = escaped if observable == "escape" else np.where(leaves, np.nan, found[column])
         along = {}
         for k, name in enumerate(over):
             places = found[name].reshape(sizes) if name in found else np.full(sizes, np.nan)
             along[name] = np.moveaxis(places, k, 0).reshape(sizes[k], -1)[:, 0]
         of = ", ".join(([] if "eps" in over else [f"eps = {eps}"]) + [f"{steps} steps"])
-        return Chart(self, along, color, values.reshape(sizes), escaped.reshape(sizes), meanings[column], of)
+        ended, ended_step = np.array(found["ended"], dtype=object).reshape(sizes), found["ended_step"].reshape(sizes)
+        chart = Chart(self, along, color, found[column].reshape(sizes), ended, ended_step, meanings[column], of)
+        if observable == "escape":
+            chart.values = chart.escaped
+        return chart
 
     def _colors(self) -> list[str]:
         """The columns that a chart can show."""
         of: dict[str, Iterable[Any]] = {name: self.variables for name in ("final", "least", "greatest", "rotation")}
-        of |= {"drift": self.integrals, "lyapunov": range(1, 1 + len(self.variables))}
+        of |= {"drift": self.integrals, "spectrum": range(1, 1 + len(self.variables))}
         return [*_SINGLE, *(f"{start}_{name}" for start, names in of.items() for name in names)]
 
     def verify(self, *, progress: bool = False) -> Answer:

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use kahan_algebra::rational::Rational;
-use kahan_runtime::{Followed, MapAt, threads};
+use kahan_runtime::{DimensionError, End, Followed, MapAt, threads};
 use kahan_study::{Observable, Observe, Watch};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -23,8 +23,9 @@ const AT_ONCE: u64 = 1 << 22;
 
 #[pymethods]
 impl Field {
-    /// The points of many trajectories after so many steps. `eps` and the values of parameters are
-    /// one number, or one a trajectory.
+    /// The points of many trajectories after so many steps, not a number where one ended before; how
+    /// each ended, and after how many steps. `eps` and the values of parameters are one number, or
+    /// one a trajectory.
     #[pyo3(name = "_advance", signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn advance<'py>(
@@ -37,7 +38,7 @@ impl Field {
         threads: Option<usize>,
         out: Option<&Bound<'py, PyAny>>,
         listener: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
         let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
         match floats(points, "points")? {
             Floats::Double(points) => self.advanced(&points, &asked, out),
@@ -45,11 +46,10 @@ impl Field {
         }
     }
 
-    /// What is seen of the orbits of many points: names, numbers with a row an orbit, and how many
-    /// steps each makes. `of` are names of observables; arguments as for `advance`.
-    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = 1e6, threads = None, listener = None))]
+    /// What is seen of the orbits of many points: names, numbers with a row an orbit, how each ended,
+    /// and after how many steps. `of` are names of observables; arguments as for `advance`.
+    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = None, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
-    #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn observed<'py>(
         &self,
         points: &Bound<'py, PyAny>,
@@ -59,10 +59,10 @@ impl Field {
         parameters: Vec<Option<Bound<'py, PyAny>>>,
         order: u32,
         every: u64,
-        escape: f64,
+        escape: Option<f64>,
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<(Vec<String>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>)> {
+    ) -> PyResult<(Vec<String>, Bound<'py, PyArray2<f64>>, Ends<'py>)> {
         let py = points.py();
         let of = of.iter().map(|name| {
             let known = Observable::ALL.iter().find(|one| one.name() == name);
@@ -83,10 +83,10 @@ impl Field {
             many.observed(from, self.dimension(), &observe, caller)
         })?;
         let seen = seen.map_err(|error| of_dimension(&error))?;
-        let made: Vec<i64> = seen.iter().map(|followed| followed.steps as i64).collect();
+        let ends = ends(py, steps, seen.iter().map(|followed| followed.end));
         let numbers: Vec<f64> = seen.into_iter().flat_map(|followed| followed.report).collect();
         let numbers = PyArray1::from_vec(py, numbers).reshape([count, names.len()])?;
-        Ok((names, numbers, PyArray1::from_vec(py, made)))
+        Ok((names, numbers, ends))
     }
 }
 
@@ -128,7 +128,7 @@ impl Field {
         points: &Bound<'py, PyArrayDyn<T>>,
         asked: &Asked<'_, 'py>,
         out: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<(Bound<'py, PyAny>, Ends<'py>)> {
         let py = points.py();
         let points = points.readonly();
         let (many, shape) = (self.many::<T>(py, points.shape(), asked)?, points.shape());
@@ -138,17 +138,18 @@ impl Field {
             beside(py, asked.threads, &asked.listener, |caller| many.advance(to, self.dimension(), caller))?
                 .map_err(|error| of_dimension(&error))
         };
-        match out {
+        let (to, found) = match out {
             Some(out) => {
-                run(writable::<T>(out, shape)?.as_slice_mut()?)?;
-                Ok(out.clone())
+                let found = run(writable::<T>(out, shape)?.as_slice_mut()?)?;
+                (out.clone(), found)
             }
             None => {
                 let mut to = vec![T::zero(); from.len()];
-                run(&mut to)?;
-                Ok(PyArray1::from_vec(py, to).reshape(shape)?.into_any())
+                let found = run(&mut to)?;
+                (PyArray1::from_vec(py, to).reshape(shape)?.into_any(), found)
             }
-        }
+        };
+        Ok((to, ends(py, asked.steps, found.into_iter())))
     }
 }
 
@@ -170,23 +171,15 @@ impl<T: Float> Many<T> {
         caller.made(steps.saturating_mul(trajectories as u64), all)
     }
 
-    /// Advances points that stand row by row.
-    fn advance(
-        &self,
-        rows: &mut [T],
-        variables: usize,
-        caller: &Caller,
-    ) -> Result<(), kahan_runtime::DimensionError> {
+    /// Advances points that stand row by row: how each trajectory ended.
+    fn advance(&self, rows: &mut [T], variables: usize, caller: &Caller) -> Result<Vec<End>, DimensionError> {
         let width = variables.max(1);
         let pieces: Vec<Mutex<&mut [T]>> = rows.chunks_mut(TOGETHER * width).map(Mutex::new).collect();
-        let failed = Mutex::new(Ok(()));
-        threads::for_each(pieces.len(), Some(caller.threads()), &|piece| {
+        let found = threads::map(pieces.len(), Some(caller.threads()), |piece| {
             let mut rows = pieces[piece].lock().unwrap_or_else(PoisonError::into_inner);
-            if let Err(error) = self.piece(&mut rows, width, piece * TOGETHER, caller) {
-                *failed.lock().unwrap_or_else(PoisonError::into_inner) = Err(error);
-            }
+            self.piece(&mut rows, width, piece * TOGETHER, caller)
         });
-        failed.into_inner().unwrap_or_else(PoisonError::into_inner)
+        Ok(found.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
     }
 
     /// Those of one thread, the first of which has this number.
@@ -196,7 +189,7 @@ impl<T: Float> Many<T> {
         width: usize,
         first: usize,
         caller: &Caller,
-    ) -> Result<(), kahan_runtime::DimensionError> {
+    ) -> Result<Vec<End>, DimensionError> {
         let count = rows.len() / width;
         let mut columns = vec![vec![T::zero(); count]; width];
         for (k, row) in rows.chunks_exact(width).enumerate() {
@@ -208,19 +201,25 @@ impl<T: Float> Many<T> {
         let eps = &self.eps[own(&self.eps)];
         let parameters: Vec<&[T]> = self.constants.iter().map(|values| &values[own(values)]).collect();
         let at_once = (AT_ONCE / count as u64).max(1);
-        let mut left = self.steps;
+        let (mut left, mut ends) = (self.steps, Vec::new());
         let mut flow = caller.goes_on();
         while left > 0 && flow.is_continue() {
             let steps = left.min(at_once);
             let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-            self.at.advance_columns(&mut slices, eps, &parameters, steps)?;
+            let found = self.at.follow_columns(&mut slices, eps, &parameters, steps)?;
+            ends = together(&ends, found, self.steps - left);
             left -= steps;
             flow = self.made(steps, count, caller);
         }
         for (k, row) in rows.chunks_exact_mut(width).enumerate() {
             row.iter_mut().zip(&columns).for_each(|(x, column)| *x = column[k]);
         }
-        Ok(())
+        // Without a step each is complete, unless its start is not finite.
+        if self.steps == 0 {
+            let mut slices: Vec<&mut [T]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+            ends = self.at.follow_columns(&mut slices, eps, &parameters, 0)?;
+        }
+        Ok(ends)
     }
 }
 
@@ -232,7 +231,7 @@ impl Many<f64> {
         variables: usize,
         asked: &Observe,
         caller: &Caller,
-    ) -> Result<Vec<Followed<Vec<f64>>>, kahan_runtime::DimensionError> {
+    ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
         let width = variables.max(1);
         // Turns are counted by a second run.
         let runs = if asked.of.contains(&Observable::Rotation) { 2 } else { 1 };
@@ -256,6 +255,33 @@ impl Many<f64> {
         });
         Ok(seen.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
     }
+}
+
+/// How trajectories ended: the words that occur, for each trajectory the place of its word, and its
+/// steps.
+type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
+
+fn ends(py: Python<'_>, steps: u64, ends: impl Iterator<Item = End>) -> Ends<'_> {
+    let (mut words, mut made) = (Vec::new(), Vec::new());
+    let place = |end: End| {
+        made.push(end.steps(steps) as i64);
+        let known = words.iter().position(|word| *word == end.name());
+        known.unwrap_or_else(|| {
+            words.push(end.name());
+            words.len() - 1
+        }) as u8
+    };
+    let places = ends.map(place).collect();
+    (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
+}
+
+/// How trajectories ended that went on after so many steps; one that had ended stays so.
+fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
+    let own = |(k, end): (usize, End)| match before.get(k) {
+        Some(ended) if *ended != End::Complete => *ended,
+        _ => end.after(steps),
+    };
+    more.into_iter().enumerate().map(own).collect()
 }
 
 /// Numbers of which there is one, or one a trajectory.

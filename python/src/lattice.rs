@@ -84,7 +84,7 @@ impl Chain {
             at.follow(&mut x, steps, |made| caller.made(made, steps))
         })?;
         let followed = followed.map_err(|error| of_dimension(&error))?;
-        if followed.steps < steps {
+        if followed.end.steps(steps) < steps {
             // What is not finite stays so.
             x.fill(f64::NAN);
         }

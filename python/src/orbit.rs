@@ -4,7 +4,7 @@ use std::num::NonZeroU64;
 
 use kahan_core::num_traits::Zero;
 use kahan_core::{Composition, Increments, SingularStep, Step};
-use kahan_runtime::{DimensionError, Ended, Follow, Followed};
+use kahan_runtime::{DimensionError, End, Follow, Followed};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -245,11 +245,11 @@ where
             let rows = at.rows(&mut x, every, rest, |made| caller.made(made, steps))?;
             // The steps behind the last row show whether the orbit goes as far as it was asked.
             let left = steps % every.get();
-            if rows.ended != Ended::Complete || left == 0 {
+            if rows.end != End::Complete || left == 0 {
                 return Ok(rows);
             }
             let end = at.follow(&mut x, left, |made| caller.made(made, steps))?;
-            Ok(Followed { report: rows.report, steps: rows.steps + end.steps, ended: end.ended })
+            Ok(Followed { report: rows.report, end: end.end.after(steps - left) })
         })?
         .map_err(|error| of_dimension(&error))
     };
@@ -275,8 +275,7 @@ where
     } else {
         array.get_item(pyo3::types::PySlice::new(py, 0, made as isize, 1))?
     };
-    let ended = if followed.ended == Ended::Range { "range" } else { "complete" };
-    Ok((array, followed.steps, ended))
+    Ok((array, followed.end.steps(steps), followed.end.name()))
 }
 
 /// The composition of an order.

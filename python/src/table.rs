@@ -1,7 +1,7 @@
 //! Tables as arrays: the rows of a question, a column each.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{End, Exact, Kept, Table};
+use kahan_study::{Exact, Kept, Question, Table};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -14,7 +14,7 @@ use crate::field::Field;
 #[pymethods]
 impl Field {
     /// The rows of a question, which is JSON: for each column its name, its meaning and its values;
-    /// how the table ended, and after how many steps, where a point has no next one.
+    /// how it ended, and after how many steps of an orbit.
     #[pyo3(name = "_table", signature = (question, *, threads = None, listener = None))]
     #[expect(clippy::type_complexity, reason = "Python takes it apart at once")]
     fn table<'py>(
@@ -23,8 +23,9 @@ impl Field {
         question: &str,
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, Option<u64>)> {
+    ) -> PyResult<(Vec<(String, String, Bound<'py, PyAny>)>, &'static str, u64)> {
         let (question, study) = (crate::field::question(question)?, self.study().clone());
+        let asked = if let Question::Orbit(orbit) = &question { orbit.steps } else { 0 };
         let (table, end) = apart(py, threads, &Listener(listener), move |caller| {
             let mut table = Table::default();
             let end = study.rows(&question, 0..u64::MAX, &mut table, caller);
@@ -33,14 +34,7 @@ impl Field {
         .map_err(|error| of_study(py, &error))?;
         let columns = table.columns.into_iter().zip(table.values);
         let columns = columns.map(|(column, kept)| Ok((column.name, column.meaning, array(py, kept)?)));
-        let ended = match &end {
-            End::Complete => "complete",
-            End::Pole(_) => "pole",
-            End::Range(_) => "range",
-            End::Time => "time",
-            End::Stopped => "stopped",
-        };
-        Ok((columns.collect::<PyResult<_>>()?, ended, end.last().map(|last| last.step)))
+        Ok((columns.collect::<PyResult<_>>()?, end.name(), end.steps(asked)))
     }
 }
 

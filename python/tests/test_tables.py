@@ -90,10 +90,10 @@ def test_tables_have_columns():
     points, eps = np.ones((4, 3)), np.linspace(0.01, 0.02, 4)
     top = kahan.catalog.euler(a2=-3)
     many = top.ensemble(points, eps, 20, params={"a1": 1, "a3": [1, 2, 3, 4]}, observe=["fli"], out=None)
-    assert list(many) == ["start_x", "start_y", "start_z", "eps", "a1", "a3", "x", "y", "z", "steps", "fli"]
+    assert list(many) == ["start_x", "start_y", "start_z", "eps", "a1", "a3", "x", "y", "z", "ended", "ended_step", "fli"]
     assert many["a1"].tolist() == [1] * 4 and many["eps"] is not None and np.array_equal(many["eps"], eps)
     plain = E6.ensemble(points.tolist(), 0.01, 20)
-    assert (plain.start == 1).all() and (plain["x"] != 1).all() and plain.steps is None
+    assert (plain.start == 1).all() and (plain["x"] != 1).all() and (plain.ended_step == 20).all()
     for table in (orbit, section, many, plain, E6.chart({"x": (-1, 1, 3)}, [0, 1, 1], 0.1)):
         again = pickle.loads(pickle.dumps(table))
         assert list(again) == list(table) and all(np.array_equal(again[name], table[name]) for name in table)
@@ -110,7 +110,7 @@ def test_tables_are_handed_on_by_arrow():
         "section": E6.section([1, 2, 3], 0.05, 1000, "x - y", direction="both"),
         "chart": E6.chart({"x": (-1, 1, 3), "y": (0, 1, 2)}, [0, 1, 1], 0.1),
     }
-    assert list(tables["ensemble"]) == ["start_x", "start_y", "start_z", "eps", "x", "y", "z", "steps", "fli"]
+    assert list(tables["ensemble"]) == ["start_x", "start_y", "start_z", "eps", "x", "y", "z", "ended", "ended_step", "fli"]
     pyarrow = pytest.importorskip("pyarrow")
     for name, table in tables.items():
         columns, taken = table.columns(), pyarrow.table(table)
@@ -165,7 +165,7 @@ def test_cells_that_escape_show_no_chaos():
     exponents, steps = (hh.chart(over, [0, 0, 0.3, 0.1], 0.1, color=color, escape=10) for color in ("lyapunov", "escape"))
     escapes = np.isfinite(exponents.escaped)
     assert escapes.any() and not escapes.all() and np.array_equal(steps.values, exponents.escaped, equal_nan=True)
-    assert np.isfinite(exponents.values).all()
+    assert np.array_equal(np.isfinite(exponents.values), ~escapes) and (exponents.ended[escapes] == "escaped").all()
     (shown,), (counted,) = exponents.plot().lines, steps.plot().lines
     assert np.array_equal(np.isnan(shown.get_ydata()), escapes) and np.array_equal(np.isfinite(counted.get_ydata()), escapes)
     # Beyond the range of floats there is no exponent at all.

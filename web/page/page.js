@@ -329,7 +329,7 @@ function show(drawn) {
   $('panes').hidden = false
   const ended = drawn.find(({ stopped }) => stopped)
   $('ended').textContent = ended
-    ? `${METHODS[ended.method][0]} ${ended.stopped.pole ? 'meets a pole' : 'blows up'} after ${ended.stopped.step} steps; the ${ended.stopped.step + 1} points before it are drawn.`
+    ? `${METHODS[ended.method][0]} blows up after ${ended.stopped.step} steps; the ${ended.stopped.step + 1} points before it are drawn.`
     : `${own.length * (state.steps + 1)} points of ${own.length === 1 ? 'one orbit' : `${own.length} orbits`}`
   const places = state.axes.map(name => (name === 't' ? 1 : 2 + sheetOf.variables.indexOf(name)))
   const window = frame?.window || places.map(k => {

@@ -6,7 +6,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, End, Form, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems,
+    Answer, Discover, Form, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems,
     Table, Watch, list,
 };
 use kahan_systems::registry;
@@ -143,7 +143,7 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
     let begun = asked.begin_in_doubles(study)?;
     let head = json!(begun.head);
     let mut table = Table::default();
-    let end = begun.rows(0..u64::MAX, &mut table, watch);
+    let ending = begun.rows(0..u64::MAX, &mut table, watch);
     let mut columns = Vec::with_capacity(table.count() * table.values.len());
     for kept in &table.values {
         match kept {
@@ -152,7 +152,7 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
             _ => unreachable!("orbits in doubles have doubles and counts"),
         }
     }
-    let stopped = end.last().map(|last| json!({"step": last.step, "pole": matches!(end, End::Pole(_))}));
+    let stopped = ending.why.map(|_| json!({"step": ending.step}));
     let answer = json!({"head": head, "rows": table.count(), "stopped": stopped});
     Ok(Reply { answer, columns, ..Reply::default() })
 }

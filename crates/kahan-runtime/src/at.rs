@@ -18,8 +18,7 @@ use smallvec::SmallVec;
 
 use crate::dimension::Argument;
 use crate::engine::{
-    CodedStages, ColumnsOnce, Engine, Instructions, Scratches, Stage, integral_constants, split,
-    stage_constants,
+    CodedStages, Engine, Instructions, Scratches, Stage, integral_constants, split, stage_constants,
 };
 use crate::machine::StepKind;
 use crate::{DimensionError, Map};
@@ -55,7 +54,6 @@ pub struct MapAt<T> {
     stages: Arc<[Stage<T>]>,
     /// The same as machine code, where there is some.
     coded: Option<CodedStages<T>>,
-    columns: Arc<ColumnsOnce<T>>,
     /// The map of the variational field, which carries tangent vectors, once one is carried.
     variational: Arc<OnceLock<MapAt<T>>>,
 }
@@ -73,7 +71,6 @@ impl<T: MachineFloat> MapAt<T> {
             instructions,
             stages: Arc::default(),
             coded: None,
-            columns: Arc::default(),
             variational: Arc::default(),
         }
         .composed(composition)
@@ -105,7 +102,7 @@ impl<T: MachineFloat> MapAt<T> {
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
         let instructions = Instructions::at_level(level);
-        let at = MapAt { instructions, columns: Arc::default(), ..self.clone() }.composed(self.composition);
+        let at = MapAt { instructions, ..self.clone() }.composed(self.composition);
         (level == Level::Baseline || level.is_available() && at.coded.is_some()).then_some(at)
     }
 

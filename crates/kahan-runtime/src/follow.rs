@@ -1,8 +1,8 @@
 //! One orbit of any map over floats, followed as far as it goes.
 //!
 //! In: a map, a point, how many steps, and a watch that may stop the run. Out: the last point, how
-//! many steps led to it, why the orbit was followed no further, and what was asked on the way:
-//! nothing, observers, or rows of points. It must not know what a map is made of: chains, maps of
+//! the orbit ended after how many steps, and what was asked on the way: nothing, observers, or rows
+//! of points. It must not know what a map is made of: chains, maps of
 //! texts and compiled ones are followed by the same loop.
 
 use core::num::NonZeroU64;
@@ -11,38 +11,23 @@ use core::ops::ControlFlow;
 use kahan_core::observe::Observer;
 use kahan_core::{FloatScalar, Room, Scalar, Step};
 
-use crate::DimensionError;
 use crate::dimension::Argument;
+use crate::{DimensionError, End};
 
 /// How far an orbit was followed, and what came of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Followed<R> {
     /// What was asked on the way.
     pub report: R,
-    /// The steps made from the start to the last point.
-    pub steps: u64,
-    /// Why there are no more.
-    pub ended: Ended,
-}
-
-/// Why an orbit was followed no further.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ended {
-    /// All steps were made.
-    Complete,
-    /// An observer has seen all that it wants to.
-    Done,
-    /// The point one step later is not finite: a pole, or numbers too large for the scalar.
-    Range,
-    /// The watch stopped it.
-    Stopped,
+    /// How it ended, and after how many steps.
+    pub end: End,
 }
 
 /// Follows an orbit from `x`, step after step, while its points are finite.
 ///
 /// All calls replace `x` by the last point that is finite, so that a call can go on where another
 /// ended. Points have the bits that [`Step::advance`] gives them one by one. A start that is not
-/// finite is the last point, after no step.
+/// finite is the last point, after no step: [`End::Range`]`(0)`.
 ///
 /// `watch` is told of the steps made since it was asked last, and stops the run by
 /// [`ControlFlow::Break`]. It is asked every 4096 steps in up to eight variables, and after fewer
@@ -57,13 +42,13 @@ pub enum Ended {
 /// use std::ops::ControlFlow;
 ///
 /// use kahan_core::observe::{Escape, Lyapunov};
-/// use kahan_runtime::{Ended, Field, Follow};
+/// use kahan_runtime::{End, Field, Follow};
 ///
 /// let map = Field::parse("xdot = x^2 + 1;").unwrap().map().unwrap().at(0.05); // ε, half the time step
 /// let mut x = [0.0];
 /// let observers = (Lyapunov::new(&map), Escape::when(|x: &[f64]| x[0] > 5.0).ending());
 /// let followed = map.observe(&mut x, 1000, observers, |_| ControlFlow::Continue(())).unwrap();
-/// assert_eq!((followed.ended, followed.report.1), (Ended::Done, Some(followed.steps)));
+/// assert_eq!(followed.end, End::Stopped(followed.report.1.unwrap()));
 /// assert!(x[0] > 5.0);
 /// ```
 pub trait Follow: Step<Scalar: FloatScalar> + Sized {
@@ -78,8 +63,7 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
         watch: impl FnMut(u64) -> ControlFlow<()>,
     ) -> Result<Followed<()>, DimensionError> {
         check_state(self, x)?;
-        let (steps, ended) = run(self, x, [steps, steps], watch, |_, _| false);
-        Ok(Followed { report: (), steps, ended })
+        Ok(Followed { report: (), end: run(self, x, [steps, steps], watch, |_, _| false) })
     }
 
     /// At most so many steps, shown to observers: `x` as it is, as the point of step 0, and the
@@ -97,15 +81,15 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
     ) -> Result<Followed<O::Report>, DimensionError> {
         check_state(self, x)?;
         observers.observe(0, x);
-        let (steps, ended) = if observers.is_done() {
-            (0, Ended::Done)
+        let end = if observers.is_done() {
+            End::Stopped(0)
         } else {
             run(self, x, [steps, 1], watch, |step, x| {
                 observers.observe(step, x);
                 observers.is_done()
             })
         };
-        Ok(Followed { report: observers.report(), steps, ended })
+        Ok(Followed { report: observers.report(), end })
     }
 
     /// Writes every `every`-th point that follows `x` into `rows`, one after the other: the first
@@ -144,12 +128,12 @@ pub trait Follow: Step<Scalar: FloatScalar> + Sized {
         let mut report = 0;
         let steps = every.get().saturating_mul((rows.len() / entries) as u64);
         let mut rows = rows.chunks_exact_mut(entries);
-        let (steps, ended) = run(self, x, [steps, every.get()], watch, |_, x| {
+        let end = run(self, x, [steps, every.get()], watch, |_, x| {
             rows.next().into_iter().for_each(|row| row.copy_from_slice(x));
             report += 1;
             false
         });
-        Ok(Followed { report, steps, ended })
+        Ok(Followed { report, end })
     }
 }
 
@@ -166,15 +150,18 @@ pub(crate) fn pause(variables: usize) -> u64 {
     (MOST * FEW.pow(2) / (variables as u64).saturating_pow(2).max(1)).clamp(1, MOST)
 }
 
-/// Makes at most so many steps, and shows every `every`-th point until `is_done` says so: the steps
-/// made, and why no more.
+/// Makes at most so many steps, and shows every `every`-th point until `is_done` says so: how it
+/// ended.
 fn run<S: Step<Scalar: FloatScalar>>(
     map: &S,
     x: &mut [S::Scalar],
     [steps, every]: [u64; 2],
     mut watch: impl FnMut(u64) -> ControlFlow<()>,
     mut is_done: impl FnMut(u64, &[S::Scalar]) -> bool,
-) -> (u64, Ended) {
+) -> End {
+    if !is_finite(x) {
+        return End::Range(0);
+    }
     let (pause, mut room) = (pause(x.len()), Room::new());
     // Floats go on at poles.
     let mut advance = |x: &mut [S::Scalar], steps| {
@@ -190,28 +177,34 @@ fn run<S: Step<Scalar: FloatScalar>>(
             advance(x, now);
             if !is_finite(x) {
                 x.copy_from_slice(&before);
-                return (first + advance_while_finite(x, made + now - first, advance), Ended::Range);
+                return End::Range(first + advance_while_finite(x, made + now - first, advance));
             }
             made += now;
             left -= now;
             if left == 0 {
                 left = every;
                 if is_done(made, x) {
-                    return (made, Ended::Done);
+                    return End::Stopped(made);
                 }
             }
         }
         if watch(made - first).is_break() && made < steps {
-            return (made, Ended::Stopped);
+            return End::Stopped(made);
         }
     }
-    (made, Ended::Complete)
+    End::Complete
+}
+
+/// Whether no number of a point is larger than this, nor is one not a number.
+#[inline]
+pub(crate) fn is_within<T: Scalar>(x: &[T], size: f64) -> bool {
+    x.iter().all(|x| x.approximate().abs() <= size)
 }
 
 /// Whether all numbers of a point are finite.
 #[inline]
 pub(crate) fn is_finite<T: Scalar>(x: &[T]) -> bool {
-    x.iter().all(|x| x.approximate().is_finite())
+    is_within(x, f64::MAX)
 }
 
 /// Replaces `x`, of which it is known that so many steps lead out of the range, by the last point

@@ -52,11 +52,12 @@ pub use error::StudyError;
 #[cfg(feature = "toml")]
 pub use from_toml::from_toml;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
+pub use kahan_runtime::End;
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::*;
 pub use range::{Axis, NoRange, Range, Spacing};
-pub use rows::{Cell, Column, End, Exact, Kept, Last, MOST_CELLS, Rows, Table, Values, free_name};
+pub use rows::{Cell, Column, Ending, Exact, Kept, MOST_CELLS, Rows, Table, Values, free_name};
 pub use scene::Scene;
 pub use study::{MOST_VARIABLES, NoStep, Study};
 pub use subject::{Catalog, Named, Subject};

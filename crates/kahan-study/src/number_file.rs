@@ -59,7 +59,8 @@ pub struct Numbers<V = f64> {
 
 impl<V: Entry> Numbers<V> {
     /// The numbers of a file with this name: an array of NumPy's where it ends in `.npy`, else rows
-    /// of numbers with commas, behind a row of names or not.
+    /// of numbers with commas, behind a row of names or not. A column named `ended` has words, and
+    /// no numbers.
     ///
     /// # Errors
     /// Why they cannot be read.
@@ -133,7 +134,11 @@ fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
             continue;
         }
         let line = || line(text, &row);
-        let values: Result<Vec<V>, &str> = row.iter().map(|cell| V::of_text(cell).ok_or(cell)).collect();
+        // How orbits ended is told in words.
+        let words = numbers.names.iter().flatten().position(|name| name == "ended");
+        let number =
+            |(place, cell): (usize, _)| V::of_text(if words == Some(place) { "" } else { cell }).ok_or(cell);
+        let values: Result<Vec<V>, &str> = row.iter().enumerate().map(number).collect();
         match values {
             Ok(values) => {
                 let (found, names) = (values.len(), numbers.names.as_ref().map(Vec::len));

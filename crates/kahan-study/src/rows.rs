@@ -5,7 +5,8 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use kahan_core::Dd;
-use kahan_runtime::Fraction;
+use kahan_runtime::{End, Fraction};
+use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 use crate::numbers::Number;
@@ -210,37 +211,25 @@ impl Serialize for Table {
     }
 }
 
-/// How a table ended.
+/// How the rows of an orbit ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum End {
-    /// All rows that were asked for are there.
-    Complete,
-    /// The map has a pole at the last point.
-    Pole(Last),
-    /// The step from the last point leaves the range of the scalar.
-    Range(Last),
-    /// The time was up.
-    Time,
-    /// The watch, or who took the rows, stopped the work.
-    Stopped,
-}
-
-/// The last point of an orbit, from where no step leads on.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Last {
-    /// How many steps lead there.
+pub struct Ending {
+    /// How, and after how many steps.
+    pub end: End,
+    /// The steps to the last point: all, where the orbit is complete.
     pub step: u64,
-    /// What ends there, where that is, and what else could be tried, in a sentence.
-    pub why: String,
+    /// Why no step leads on, where that is, and what else could be tried, in a sentence; `None` of
+    /// an orbit that is complete or was stopped.
+    pub why: Option<String>,
 }
 
-impl End {
-    /// The point at which a table ends before all of its rows.
-    #[must_use]
-    pub fn last(&self) -> Option<&Last> {
-        match self {
-            Self::Pole(last) | Self::Range(last) => Some(last),
-            Self::Complete | Self::Time | Self::Stopped => None,
-        }
+/// Its name, the step, and the reason.
+impl Serialize for Ending {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_struct("Ending", 3)?;
+        object.serialize_field("ended", self.end.name())?;
+        object.serialize_field("ended_step", &self.step)?;
+        object.serialize_field("stopped", &self.why)?;
+        object.end()
     }
 }

@@ -10,7 +10,7 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_core::observe::{Escape, Visit};
-use kahan_runtime::{Ended, Follow, MapAt};
+use kahan_runtime::{End, Follow, MapAt};
 
 use crate::error::StudyError;
 use crate::map::rate;
@@ -110,7 +110,8 @@ impl Followed {
         let followed = at.observe(&mut x, STEPS - 1, (look, lost), |_| ControlFlow::Continue(()));
         let followed = followed.expect("the start is of the field");
         // A point that is lost is none of them.
-        let steps = followed.steps + u64::from(followed.ended != Ended::Done);
+        let is_lost = matches!(followed.end, End::Stopped(_));
+        let steps = followed.end.steps(STEPS - 1) + u64::from(!is_lost);
         let spread = |ends: &[[f64; 2]]| ends.iter().fold(0.0, |most: f64, [low, high]| most.max(high - low));
         let moves = spread(&late) > 1e-3 * size;
         let scene = Scene { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };

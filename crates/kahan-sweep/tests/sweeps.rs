@@ -127,7 +127,7 @@ fn a_row_is_what_the_library_says_of_its_point() {
         let map = field.with([("a1", 1.into()), ("a2", (-3).into()), ("a3", exact("a3"))]).expect("a map");
         let mut x = [double(row, "x"), double(row, "y"), 0.5];
         map.at(double(row, "eps")).advance(&mut x, 50).expect("three variables");
-        assert_eq!(whole(row, "steps"), 50);
+        assert_eq!(whole(row, "ended_step"), 50);
         assert_eq!(x, ["final_x", "final_y", "final_z"].map(|name| double(row, name)));
         assert!(double(row, "drift_H") < 1e-12 && double(row, "least_x") <= x[0]);
         let spectrum = [1, 2, 3].map(|k| double(row, &format!("spectrum_{k}")));

@@ -197,6 +197,6 @@ pub(crate) const ORBITS: &[Weakening] = &[
         "first + advance_while_finite(",
         "advance_while_finite("),
     of(FOLLOWED, "a group that goes on with an orbit that has left the range", "crates/kahan-runtime/src/at/observe.rs",
-        "O::MAY_END || !are_finite || !group",
+        "O::MAY_END || !go_on || !group",
         "O::MAY_END || !group"),
 ];

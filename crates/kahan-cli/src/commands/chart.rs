@@ -3,6 +3,7 @@
 
 mod rows;
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -24,9 +25,10 @@ use rows::Rows;
 /// else is as --at, --param and --eps say. At each value, or pair of values, an orbit begins, in
 /// doubles, for the same number of steps, and an observer says what it does: over one range a curve
 /// shows it, over two the colour of a cell around the values. The curve has a gap, and the cell
-/// stays empty, where the orbit leaves the range of doubles, and under `escape` where it does not
-/// escape. The numbers do not depend on the number of threads. The file is a picture, or a table of
-/// the numbers with a row an orbit.
+/// stays empty, where the orbit leaves the range of doubles or escapes, and under `escape` where it
+/// does neither; the legend counts them. The numbers do not depend on the number of threads. The
+/// file is a picture, or a table with a row an orbit: the number, how the orbit ended, and after how
+/// many steps.
 ///
 /// SALI and drift are shown as logarithms to base 10. Chaotic are the orbits where SALI is small,
 /// down to -16, and those where FLI, MEGNO or the Lyapunov exponent are large: on regular orbits
@@ -77,7 +79,7 @@ pub(crate) struct Chart {
     #[arg(long, default_value = "sali", value_parser = observable(&COLOURS))]
     color: Observable,
 
-    /// The orbit has escaped where a variable is larger than R in size.
+    /// The orbit ends, as escaped, where a variable is larger than R in size.
     #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true)]
     escape: String,
 
@@ -117,10 +119,8 @@ impl Asking for Chart {
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let escape = number(&self.escape, "--escape")?.to_f64();
-        let mut of = vec![self.color];
-        // Where there is an orbit, there is a last point.
-        of.extend((self.color == Observable::Escape).then_some(Observable::Last));
-        let observe = Observe { escape, of, ..Observe::new(eps, at, self.steps) };
+        let of = vec![self.color];
+        let observe = Observe { escape: Some(escape), of, ..Observe::new(eps, at, self.steps) };
         // The first range of a chart runs fastest, and the last axis of a question.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))
@@ -159,7 +159,8 @@ impl Asking for Chart {
         if self.json {
             return Ok(Answer::json(&json!({
                 "system": shown.name, "color": shown.column, "out": out, "shows": picture.drawing.description, "cells": cells,
-                "empty": empty, "least": least, "greatest": greatest,
+                "empty": empty, "ended": shown.ends().into_iter().collect::<HashMap<_, _>>(), "least": least,
+                "greatest": greatest,
             })));
         }
         let ends = least.zip(greatest);
@@ -199,12 +200,16 @@ fn table(shown: &Shown) -> String {
     let names: Vec<&str> = shown.axes.iter().map(|axis| axis.name.as_str()).collect();
     let along: Vec<Vec<f64>> = shown.axes.iter().map(floats).collect();
     let log = if shown.is_logarithm { "log_" } else { "" };
-    let mut text = format!("{},{log}{}\n", names.join(","), shown.column);
+    let ended = if shown.ended.is_empty() { "" } else { ",ended,ended_step" };
+    let mut text = format!("{},{log}{}{ended}\n", names.join(","), shown.column);
     for (index, value) in shown.values.iter().enumerate() {
         let places = [index % along[0].len(), index / along[0].len()];
         along.iter().zip(places).for_each(|(along, place)| text += &format!("{:?},", along[place]));
         if value.is_finite() {
             text += &format!("{value:?}");
+        }
+        if let Some((ended, step)) = shown.ended.get(index) {
+            text += &format!(",{ended},{step}");
         }
         text.push('\n');
     }

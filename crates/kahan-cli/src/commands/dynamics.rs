@@ -29,7 +29,7 @@ use crate::reading::{Start, observable, order, whole};
 /// A rotation number counts turns a step of a variable about the middle of its extremes, in the
 /// plane of the variable and its rate, modulo 1, with an estimate of its error. Drift is relative
 /// to the first value. Steps are those of `kahan orbit` in f64. Where numbers leave the range of
-/// f64, the answer covers the steps before, and the exit status is 1.
+/// f64, or the orbit escapes, the answer covers the steps before, and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -53,9 +53,11 @@ pub(crate) struct Dynamics {
     #[arg(long, value_name = "M", default_value = "10", allow_hyphen_values = true, value_parser = whole(1, u64::MAX))]
     every: u64,
 
-    /// The orbit has escaped where a variable is larger than R in size.
-    #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true, value_parser = radius)]
-    escape: f64,
+    /// End the orbit, as escaped, where a variable is larger than R in size.
+    ///
+    /// Without it the orbit goes on, and `escaped` says where a variable is larger than 1e6.
+    #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = radius)]
+    escape: Option<f64>,
 
     /// What is observed, in this order; nothing else is computed.
     #[arg(long = "observe", value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observe::USUAL.iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
@@ -90,7 +92,8 @@ impl Asking for Dynamics {
 
 /// What was observed as text.
 fn text(observed: &Observed) -> String {
-    let mut last = vec![vec!["steps".to_owned(), observed.steps.to_string()]];
+    let ended = format!("{}, {}", observed.steps, observed.end.name());
+    let mut last = vec![vec!["steps".to_owned(), ended]];
     if let Some(Seen::Step(escaped)) = observed.of(Observable::Escape) {
         let escaped = escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
         last.push(vec!["escaped".to_owned(), escaped]);

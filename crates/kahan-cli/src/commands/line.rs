@@ -171,15 +171,15 @@ mod tests {
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         let of = vec![Observable::Last, Observable::Fli];
         reads_back::<Dynamics>([
-            Observe { order: 8, every: 3, escape: 12.5, of, ..plain.clone() },
+            Observe { order: 8, every: 3, escape: Some(12.5), of, ..plain.clone() },
             plain.clone(),
         ]);
-        let of = vec![Observable::Escape, Observable::Last];
+        let of = vec![Observable::Escape];
         // Where eps is gone through, its first value stands in the question.
-        let asked = Observe { of, escape: 12.5, eps: rational(1, 1), ..plain.clone() };
+        let asked = Observe { of, escape: Some(12.5), eps: rational(1, 1), ..plain.clone() };
         let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();
         let two = study::Over::new(Question::Observe(asked), axes.clone());
-        let plain = Observe { of: vec![Observable::Sali], ..plain };
+        let plain = Observe { of: vec![Observable::Sali], escape: Some(1e6), ..plain };
         reads_back::<Chart>([two, study::Over::new(Question::Observe(plain), axes[..1].to_vec())]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);

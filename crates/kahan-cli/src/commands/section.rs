@@ -4,9 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use kahan_draw::answer::jumps;
-use kahan_runtime::Ended;
 use kahan_study::{Section as Question, SectionFound, Side, Study};
-use serde_json::{Map, Value, json};
+use serde_json::{Map, json};
 
 use super::line::Asking;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
@@ -52,7 +51,7 @@ pub(crate) struct Section {
     #[arg(long, value_name = "F.csv")]
     out: Option<PathBuf>,
 
-    /// Print one JSON object: system, variables, steps, ended, times, points, jumps.
+    /// Print one JSON object: system, variables, steps, ended, ended_step, times, points, jumps.
     #[arg(long)]
     json: bool,
 }
@@ -72,7 +71,7 @@ impl Asking for Section {
         let (study, asked) = self.asked()?;
         let sink = self.out.as_deref().map(Sink::table).transpose()?;
         let found = asked.ask(&study, &Prompt::of("steps"))?;
-        let complaint = (found.ended == Ended::Range).then(|| {
+        let complaint = found.end.is_early().then(|| {
             let (system, next) = (&found.system, found.steps + 1);
             format!(
                 "the orbit of {system} leaves the range of f64 at step {next}: a pole (det A = 0) or too large numbers; the \
@@ -96,5 +95,5 @@ fn write(found: &SectionFound, sink: Sink) -> Result<(), Broken> {
     let mut table = Table::begin(sink, Format::Csv, &head)?;
     found.rows(0..u64::MAX, &mut table);
     table.written()?;
-    table.end(&Value::Null)
+    table.end(&Map::new())
 }

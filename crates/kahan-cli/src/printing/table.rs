@@ -108,9 +108,13 @@ impl Table {
 
     /// Writes what stands behind the rows, and closes the sink; `stopped` says why the rows ended
     /// early, or is null.
-    pub(crate) fn end(mut self, stopped: &Value) -> Result<(), Broken> {
+    pub(crate) fn end(mut self, behind: &Map<String, Value>) -> Result<(), Broken> {
         if self.format == Format::Json {
-            self.sink.write(format!("\n  ],\n  \"stopped\": {stopped}\n}}\n"))?;
+            self.sink.write("\n  ]".to_owned())?;
+            for (name, value) in behind {
+                self.sink.write(format!(",\n  \"{name}\": {value}"))?;
+            }
+            self.sink.write("\n}\n".to_owned())?;
         }
         self.sink.finish()
     }

@@ -17,8 +17,8 @@ const TURN: [&str; 7] =
 fn a_circle_is_known_in_closed_form() {
     let found = object(&[&["dynamics"], &TURN[..], &["--steps", "5000"]].concat());
     let keys: Vec<&str> = found.as_object().expect("an object").keys().map(String::as_str).collect();
-    let wanted = "system steps lyapunov lyapunov_error spectrum spectrum_errors mean_log_det fli megno sali rotation drift \
-                  extrema escaped";
+    let wanted = "system steps ended ended_step lyapunov lyapunov_error spectrum spectrum_errors mean_log_det fli megno sali \
+                  rotation drift extrema escaped";
     assert_eq!(keys, wanted.split(' ').collect::<Vec<_>>());
     // The map turns by 2 atan(eps): clockwise from x to its rate.
     let turns = &found["rotation"]["x"];
@@ -66,7 +66,7 @@ fn an_orbit_that_overflows_is_told_and_kept() {
     let found: Value = serde_json::from_slice(&output.stdout).expect("an object");
     // 3ⁿ > 10⁶ from n = 13 on.
     assert_eq!(found["escaped"], 13);
-    assert_eq!(found["steps"], 646);
+    assert_eq!((&found["ended"], &found["ended_step"]), (&"range".into(), &646.into()));
     for exponent in [&found["lyapunov"], &found["spectrum"][0]] {
         assert!((number(exponent) - 3.0_f64.ln()).abs() < 1e-13);
     }
@@ -202,10 +202,12 @@ fn the_examples_of_the_help_run() {
     assert_eq!(examples_run("chart", folder.path()), 4);
 }
 
-/// Cells of a table: the two coordinates, and what is shown, empty where nothing is.
+/// Cells of a table: the two coordinates, and what is shown, empty where nothing is; not how orbits
+/// ended.
 fn cells(table: &str) -> Vec<[Option<f64>; 3]> {
     let cell = |text: &str| if text.is_empty() { None } else { Some(text.parse().expect("a number")) };
-    let row = |line: &str| line.split(',').map(cell).collect::<Vec<_>>().try_into().expect("three cells");
+    let row =
+        |line: &str| line.split(',').take(3).map(cell).collect::<Vec<_>>().try_into().expect("three cells");
     table.lines().skip(1).map(row).collect()
 }
 
@@ -221,7 +223,7 @@ fn charts_show_what_each_orbit_does() {
         std::fs::read_to_string(out).expect("the file")
     };
     let table = chart(&["r=-4:4:/4", "x=0:2:/3"], &["--color", "lyapunov"], &file("r.csv"));
-    assert_eq!(table.lines().next(), Some("r,x,lyapunov"));
+    assert_eq!(table.lines().next(), Some("r,x,lyapunov,ended,ended_step"));
     let rows = cells(&table);
     assert_eq!(rows.len(), 12);
     for [r, x, exponent] in rows {
@@ -246,9 +248,9 @@ fn charts_show_what_each_orbit_does() {
     let of_one: Vec<String> = rows
         .iter()
         .filter(|[_, x, _]| *x == Some(1.0))
-        .map(|[r, _, value]| format!("{:?},{:?}\n", r.expect("r"), value.expect("an exponent")))
+        .map(|[r, _, value]| format!("{:?},{:?},complete,100\n", r.expect("r"), value.expect("an exponent")))
         .collect();
-    assert_eq!(column, format!("r,lyapunov\n{}", of_one.concat()));
+    assert_eq!(column, format!("r,lyapunov,ended,ended_step\n{}", of_one.concat()));
     let curve = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.svg"));
     assert!(curve.contains("per unit of t of field over r from -3 to 3, 100 steps each"), "{curve}");
     let points = |class: &str| {
@@ -260,6 +262,16 @@ fn charts_show_what_each_orbit_does() {
     let escapes =
         cells(&chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "escape", "--escape", "1e3"], &file("e.csv")));
     assert!(escapes.iter().all(|[r, _, step]| step.is_some() == r.is_some_and(|r| r > 0.0)), "{escapes:?}");
+    // A cell whose orbit escapes shows nothing else, and the legend counts it.
+    let bound = |out: &str| {
+        chart(&["r=-4:4:/4", "x=1:2:/2"], &["--color", "lyapunov", "--escape", "1e3"], &file(out))
+    };
+    let table = bound("b.csv");
+    for (line, [r, _, exponent]) in table.lines().skip(1).zip(cells(&table)) {
+        let escapes = r.is_some_and(|r| r > 0.0);
+        assert_eq!((exponent.is_none(), line.contains(",escaped,")), (escapes, escapes), "{line}");
+    }
+    assert!(bound("b.svg").contains("4 cells empty: 4 escaped"));
     let drifts = cells(&chart(&["r=-4:0:/2", "x=1:2:/2"], &["--color", "drift"], &file("d.csv")));
     assert!(drifts.iter().all(|[_, _, drift]| drift.is_some_and(|drift| drift < -12.0)), "{drifts:?}");
     let picture = chart(&["x=-1:1:/8", "y=-1:1:/8"], &["--color", "fli", "--param", "r=1"], &file("p.svg"));

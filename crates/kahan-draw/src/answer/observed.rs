@@ -1,7 +1,7 @@
 //! What an orbit does, as tables.
 
 use kahan_core::observe::Extremes;
-use kahan_study::{Observable, Observed, Seen};
+use kahan_study::{End, Observable, Observed, Seen};
 
 use crate::document::Table;
 
@@ -97,14 +97,18 @@ pub fn convergence(observed: &Observed) -> Option<String> {
 /// Why there are fewer steps than asked.
 #[must_use]
 pub fn out_of_range(observed: &Observed) -> Option<String> {
-    observed.left_range.then(|| {
-        format!(
-            "the orbit of {} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; what is said is of the steps \
-             before",
-            observed.system,
-            observed.steps + 1
-        )
-    })
+    let Observed { system, steps, end, .. } = observed;
+    match end {
+        End::Escaped(_) => Some(format!(
+            "the orbit of {system} has escaped at step {steps}; what is said is of the steps up to there"
+        )),
+        end if end.is_early() => Some(format!(
+            "the orbit of {system} leaves the range of f64 at step {}: a pole (det A = 0) or too large numbers; what is said is of \
+             the steps before",
+            steps + 1
+        )),
+        _ => None,
+    }
 }
 
 /// Eight digits; nothing for what is not a number.

@@ -19,6 +19,8 @@ pub struct Chart {
     pub column: String,
     /// Whether they are logarithms of it, to base 10.
     pub is_logarithm: bool,
+    /// How each orbit ended, and after how many steps, cell by cell; of a file's rows nothing.
+    pub ended: Vec<(String, i64)>,
     /// How many steps each orbit takes, where that is known.
     steps: Option<u64>,
 }
@@ -31,7 +33,7 @@ fn logarithm(value: f64) -> f64 {
 impl Chart {
     /// What the first observable of [`Observe`] says of orbits over one or two ranges, the last
     /// axis of the question to the right. A cell is empty where its orbit leaves the range of
-    /// doubles, and under `escape` where it does not escape.
+    /// doubles or escapes, and under `escape` where it does neither.
     ///
     /// # Panics
     /// If the question is another, or something goes through other values than a range's.
@@ -44,9 +46,10 @@ impl Chart {
         };
         let axes: Vec<Axis> = asked.axes.iter().rev().map(axis).collect();
         let column = observe.of[0].name();
-        let values = values(observe, axes.len(), found).into_iter().map(Self::scale(column)).collect();
+        let (values, ended) = values(observe, axes.len(), found);
+        let values = values.into_iter().map(Self::scale(column)).collect();
         let chart = Chart::of_column(found.system.clone(), axes, column.to_owned(), values);
-        Chart { steps: Some(observe.steps), ..chart }
+        Chart { ended, steps: Some(observe.steps), ..chart }
     }
 
     /// Whether the numbers of a column have so many powers of ten that their logarithms are shown.
@@ -65,7 +68,7 @@ impl Chart {
     #[must_use]
     pub fn of_column(name: String, axes: Vec<Axis>, column: String, values: Vec<f64>) -> Self {
         let is_logarithm = Self::is_logarithmic(&column);
-        Chart { axes, values, name, column, is_logarithm, steps: None }
+        Chart { axes, values, name, column, is_logarithm, ended: Vec::new(), steps: None }
     }
 
     /// What the numbers are, in words.
@@ -87,6 +90,24 @@ impl Chart {
         format!("{} of {} over {}{steps}", self.label(), self.name, axes.join(" and "))
     }
 
+    /// How many orbits ended early, in each way.
+    #[must_use]
+    pub fn ends(&self) -> Vec<(&str, usize)> {
+        let count = |name| self.ended.iter().filter(|(ended, _)| ended == name).count();
+        let counts = ["range", "escaped"].map(|name| (name, count(name)));
+        counts.into_iter().filter(|(_, count)| *count > 0).collect()
+    }
+
+    /// The same in words, behind a number of cells.
+    fn early(&self) -> String {
+        let words = |(name, count): &(&str, usize)| match *name {
+            "escaped" => format!("{count} escaped"),
+            _ => format!("{count} left the range of doubles"),
+        };
+        let ends: Vec<String> = self.ends().iter().map(words).collect();
+        if ends.is_empty() { String::new() } else { format!(": {}", ends.join(", ")) }
+    }
+
     /// What there is to say where the colours of a scale tell nothing.
     fn note(&self, scale: Option<&NumberLine>) -> String {
         /// Some hundred roundings of 1.
@@ -96,7 +117,7 @@ impl Chart {
         let (low, high) = (numbers().fold(f64::MAX, f64::min), numbers().fold(f64::MIN, f64::max));
         let value = if self.is_logarithm { 10_f64.powf(low) } else { low };
         match high - low {
-            length if length < 0.0 => "every cell is empty".to_owned(),
+            length if length < 0.0 => format!("every cell is empty{}", self.early()),
             _ if self.is_logarithm && high <= ROUNDING.log10() => {
                 "no more than rounding in all cells".to_owned()
             }
@@ -108,7 +129,8 @@ impl Chart {
                 let beyond = (beyond > 0).then(|| {
                     format!("values from {low:.3} to {high:.3}, {beyond} of them beyond the colours")
                 });
-                let empty = (empty > 0 && scale.is_some()).then(|| format!("{empty} cells empty"));
+                let empty =
+                    (empty > 0 && scale.is_some()).then(|| format!("{empty} cells empty{}", self.early()));
                 beyond.into_iter().chain(empty).collect::<Vec<_>>().join("; ")
             }
         }
@@ -128,30 +150,33 @@ fn quantity(column: &str) -> String {
     }
 }
 
-/// What each cell shows, row by row from below; not a number where it is empty.
-fn values(asked: &Observe, axes: usize, found: &OverFound) -> Vec<f64> {
+/// What each cell shows, row by row from below, not a number where it is empty; and how its orbit
+/// ended after how many steps.
+fn values(asked: &Observe, axes: usize, found: &OverFound) -> (Vec<f64>, Vec<(String, i64)>) {
     let first = 1 + axes;
-    let Kept::Integer(steps) = &found.rows.values[first] else { unreachable!("steps are counted") };
-    let numbers = |column: usize| match &found.rows.values[first + column] {
-        Kept::F64(numbers) => numbers,
-        other => unreachable!("what is observed is a number, and not {other:?}"),
+    let [Kept::Text(ended), Kept::Integer(steps)] = &found.rows.values[first..first + 2] else {
+        unreachable!("how an orbit ended is a word and a count")
     };
-    let value = |(cell, steps): (usize, &i64)| {
-        let (own, leaves) = (numbers(1)[cell], *steps < asked.steps as i64);
-        match asked.of[0] {
-            // What is beyond all numbers is beyond a size.
-            Observable::Escape if own.is_nan() && leaves && !numbers(2)[cell].is_nan() => (steps + 1) as f64,
-            Observable::Escape => own,
-            _ if leaves => f64::NAN,
-            Observable::Drift => {
-                // Of each integral the greatest, and behind it the last.
-                let count = found.rows.values.len() - first - 1;
-                (1..=count).step_by(2).map(|k| numbers(k)[cell]).fold(0.0, f64::max)
-            }
-            _ => own,
+    let columns: Vec<&Vec<f64>> = found.rows.values[first + 2..]
+        .iter()
+        .map(|kept| match kept {
+            Kept::F64(numbers) => numbers,
+            other => unreachable!("what is observed is a number, and not {other:?}"),
+        })
+        .collect();
+    let value = |cell: usize| match asked.of[0] {
+        // What is beyond all numbers is beyond a size, unless there is no orbit.
+        Observable::Escape if ended[cell] == "range" && steps[cell] > 0 => (steps[cell] + 1) as f64,
+        Observable::Escape => columns[0][cell],
+        // Of each integral the greatest, and behind it the last.
+        Observable::Drift if ended[cell] == "complete" => {
+            columns.iter().step_by(2).map(|column| column[cell]).fold(0.0, f64::max)
         }
+        _ if ended[cell] == "complete" => columns[0][cell],
+        _ => f64::NAN,
     };
-    steps.iter().enumerate().map(value).collect()
+    let values = (0..steps.len()).map(value).collect();
+    (values, ended.iter().cloned().zip(steps.iter().copied()).collect())
 }
 
 /// A chart over one range or two.

@@ -4,6 +4,7 @@
 //! steps later, and how far each trajectory went; or the map of each. A trajectory has the same
 //! bits whatever stands beside it.
 
+use core::ops::ControlFlow;
 use core::slice;
 
 use kahan_algebra::arithmetic::Float64;
@@ -12,9 +13,9 @@ use smallvec::SmallVec;
 
 use super::{MachineFloat, MapAt};
 use crate::dimension::Argument;
-use crate::engine::Columns;
-use crate::follow::{advance_while_finite, is_finite};
-use crate::{DimensionError, Ended, Followed};
+use crate::engine::{Columns, ColumnsForm};
+use crate::follow::is_finite;
+use crate::{DimensionError, End, Follow, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
     /// Advances many trajectories: column c holds variable c of all of them, in one order.
@@ -51,17 +52,28 @@ impl<T: MachineFloat> MapAt<T> {
     ) -> Result<(), DimensionError> {
         let trajectories = self.check_columns(columns)?;
         self.check_constants(eps, parameters, trajectories)?;
+        self.advance_in(ColumnsForm::OF_ENSEMBLES, columns, eps, parameters, steps);
+        Ok(())
+    }
+
+    /// Advances columns that fit by a form of the step.
+    fn advance_in(
+        &self,
+        form: ColumnsForm,
+        columns: &mut [&mut [T]],
+        eps: &[T],
+        parameters: &[&[T]],
+        steps: u64,
+    ) {
         let (own, own_eps) = self.own();
         let eps = if eps.is_empty() { &[own_eps] } else { eps };
         let own: SmallVec<[&[T]; 8]> = own.iter().map(slice::from_ref).collect();
         let are_own = parameters.is_empty();
         let mut columns = Columns { columns, eps, parameters: if are_own { &own } else { parameters } };
-        let code = (self.instructions, &*self.columns);
-        self.engine().advance_columns(&mut columns, self.composition, steps, code);
+        self.engine().advance_columns(&mut columns, self.composition, steps, form, self.instructions);
         if !are_own && self.map.field().has_divisors() {
             self.forget_undefined(&mut columns);
         }
-        Ok(())
     }
 
     /// Where the field divides by zero at a trajectory's parameters there is no map; its code,
@@ -72,47 +84,128 @@ impl<T: MachineFloat> MapAt<T> {
             let values = parameters.iter().flat_map(|values| own(values, k));
             let values: Vec<f64> = values.map(Scalar::approximate).collect();
             if !self.map.field().derived().is_defined_at(&Float64, &values) {
-                columns.iter_mut().for_each(|column| column[k] = T::zero() / T::zero());
+                columns.iter_mut().for_each(|column| column[k] = nothing());
             }
         }
     }
 
-    /// Advances many trajectories as [`advance_columns`](Self::advance_columns) does, and tells how
-    /// far each went: one that leaves the range of the scalar stands at its last finite point.
+    /// Advances many trajectories, which are given as [`advance_columns`](Self::advance_columns)
+    /// takes them, and tells how each ended. One that ended early is not a number in the columns.
     ///
-    /// Bits are those of [`advance_columns`](Self::advance_columns), whose last digits may differ
-    /// from those of single orbits.
+    /// Bits, and how a trajectory ends, are those of single orbits.
     ///
-    /// Cost: a copy of the columns; and for each trajectory that leaves the range its steps again,
-    /// up to twice.
+    /// Cost: that of the steps, a look at the columns every thousand of them, and up to two thousand
+    /// steps more for each trajectory that leaves the range.
     ///
     /// # Errors
     /// [`DimensionError`] for what has another length.
+    ///
+    /// ```
+    /// use kahan_runtime::{End, Field};
+    ///
+    /// let map = Field::parse("xdot = x^2;").unwrap().map().unwrap().at(0.05);
+    /// let mut x = [1.0, -1.0];
+    /// let ends = map.follow_columns(&mut [&mut x], &[], &[], 11).unwrap();
+    /// assert_eq!(ends, [End::Range(9), End::Complete]);
+    /// assert!(x[0].is_nan() && x[1] < 0.0);
+    /// ```
     pub fn follow_columns(
         &self,
         columns: &mut [&mut [T]],
         eps: &[T],
         parameters: &[&[T]],
         steps: u64,
-    ) -> Result<Vec<Followed<()>>, DimensionError> {
-        let starts: Vec<Vec<T>> = columns.iter().map(|column| column.to_vec()).collect();
-        self.advance_columns(columns, eps, parameters, steps)?;
+    ) -> Result<Vec<End>, DimensionError> {
+        /// Steps between two looks.
+        const LOOK: u64 = 1024;
+
+        let trajectories = self.check_columns(columns)?;
+        self.check_constants(eps, parameters, trajectories)?;
+        let own_eps = [self.own().1];
+        let of_form = if eps.is_empty() { &own_eps } else { eps };
+        let Some(form) = self.engine().form_of_orbits(of_form, self.composition) else {
+            return self.follow_one_by_one(columns, eps, parameters, steps);
+        };
+        let is_lost =
+            |columns: &[&mut [T]], k: usize| !columns.iter().all(|column| is_finite(&column[k..=k]));
+        let start = |k| if is_lost(columns, k) { End::Range(0) } else { End::Complete };
+        let mut ends: Vec<End> = (0..trajectories).map(start).collect();
+        let mut before: Vec<Vec<T>> = vec![Vec::new(); columns.len()];
+        for made in (0..steps).step_by(LOOK as usize) {
+            let now = LOOK.min(steps - made);
+            for (before, column) in before.iter_mut().zip(&*columns) {
+                before.clear();
+                before.extend_from_slice(column);
+            }
+            self.advance_in(form, columns, eps, parameters, now);
+            let lost = |&k: &usize| ends[k] == End::Complete && is_lost(columns, k);
+            let lost: Vec<usize> = (0..trajectories).filter(lost).collect();
+            if lost.is_empty() {
+                continue;
+            }
+            let of = |values: &[T]| -> Vec<T> {
+                if values.len() > 1 { lost.iter().map(|&k| values[k]).collect() } else { values.to_vec() }
+            };
+            let own: Vec<Vec<T>> = parameters.iter().map(|values| of(values)).collect();
+            let own: Vec<&[T]> = own.iter().map(Vec::as_slice).collect();
+            let starts = before.iter().map(|column| lost.iter().map(|&k| column[k]).collect()).collect();
+            let finite = self.finite_steps(form, starts, &of(eps), &own, now);
+            lost.iter().zip(finite).for_each(|(&k, steps)| ends[k] = End::Range(made + steps));
+        }
+        for (k, end) in ends.iter().enumerate() {
+            if *end != End::Complete {
+                columns.iter_mut().for_each(|column| column[k] = nothing());
+            }
+        }
+        Ok(ends)
+    }
+
+    /// How many steps lead each trajectory to its last finite point, where it is known of all that
+    /// so many lead out of the range.
+    fn finite_steps(
+        &self,
+        form: ColumnsForm,
+        mut starts: Vec<Vec<T>>,
+        eps: &[T],
+        parameters: &[&[T]],
+        steps: u64,
+    ) -> Vec<u64> {
+        let mut taken = vec![0; starts.first().map_or(0, Vec::len)];
+        // What is not finite stays so: the steps that are left to take are a sum of powers of 2.
+        for power in (0..=steps.checked_ilog2().unwrap_or(0)).rev() {
+            let mut ahead = starts.clone();
+            let mut columns: Vec<&mut [T]> = ahead.iter_mut().map(Vec::as_mut_slice).collect();
+            self.advance_in(form, &mut columns, eps, parameters, 1 << power);
+            for (k, taken) in taken.iter_mut().enumerate() {
+                if ahead.iter().all(|column| is_finite(&column[k..=k])) {
+                    *taken += 1 << power;
+                    starts.iter_mut().zip(&ahead).for_each(|(own, ahead)| own[k] = ahead[k]);
+                }
+            }
+        }
+        taken
+    }
+
+    /// What [`follow_columns`](Self::follow_columns) does where trajectories take different forms of
+    /// the step, as some have an ε near zero.
+    fn follow_one_by_one(
+        &self,
+        columns: &mut [&mut [T]],
+        eps: &[T],
+        parameters: &[&[T]],
+        steps: u64,
+    ) -> Result<Vec<End>, DimensionError> {
+        let maps = self.each(eps, parameters)?;
         let trajectories = columns.first().map_or(0, |column| column.len());
         let follow = |k: usize| {
-            if columns.iter().all(|column| is_finite(&column[k..=k])) {
-                return Followed { report: (), steps, ended: Ended::Complete };
-            }
-            let eps = own(eps, k);
-            let parameters: SmallVec<[&[T]; 8]> = parameters.iter().map(|values| own(values, k)).collect();
-            let mut x: Vec<T> = starts.iter().map(|column| column[k]).collect();
-            let steps = advance_while_finite(&mut x, steps, |x, steps| {
-                let mut columns: SmallVec<[&mut [T]; 8]> = x.iter_mut().map(slice::from_mut).collect();
-                self.advance_columns(&mut columns, eps, &parameters, steps).expect("they have fitted");
-            });
+            let map = &maps[k.min(maps.len() - 1)];
+            let mut x: Vec<T> = columns.iter().map(|column| column[k]).collect();
+            let Followed { end, .. } = map.follow(&mut x, steps, |_| ControlFlow::Continue(()))?;
+            x.iter_mut().filter(|_| end != End::Complete).for_each(|x| *x = nothing());
             columns.iter_mut().zip(x).for_each(|(column, x)| column[k] = x);
-            Followed { report: (), steps, ended: Ended::Range }
+            Ok(end)
         };
-        Ok((0..trajectories).map(follow).collect())
+        (0..trajectories).map(follow).collect()
     }
 
     /// The maps of many trajectories, each at its own ε and parameters, which are given as
@@ -153,10 +246,7 @@ impl<T: MachineFloat> MapAt<T> {
             let named = field.parameters().iter().zip(values.clone().map(|value| value.approximate()));
             match field.with(named) {
                 Ok(map) => self.at_constants(map, values, eps),
-                Err(_) => {
-                    let nothing = T::zero() / T::zero();
-                    self.at_constants(self.map.clone(), own_parameters.iter().copied(), nothing)
-                }
+                Err(_) => self.at_constants(self.map.clone(), own_parameters.iter().copied(), nothing()),
             }
         };
         Ok((0..maps).map(map).collect())
@@ -197,6 +287,11 @@ impl<T: MachineFloat> MapAt<T> {
             None => Ok(()),
         }
     }
+}
+
+/// Not a number.
+fn nothing<T: MachineFloat>() -> T {
+    T::zero() / T::zero()
 }
 
 /// Of what is given once for all trajectories, or once each, or not at all, what a trajectory has.

@@ -14,8 +14,8 @@ use super::group::RuntimeGroup;
 use super::{MachineFloat, MapAt, RuntimePoint};
 use crate::dimension::Argument;
 use crate::engine::Abreast;
-use crate::follow::{is_finite, pause};
-use crate::{DimensionError, Ended, Followed};
+use crate::follow::{is_within, pause};
+use crate::{DimensionError, End, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
     /// Advances many orbits by so many steps, and shows each to the observers that `observers`
@@ -156,20 +156,28 @@ impl<T: MachineFloat> MapAt<T> {
 /// tell how it ended: what [`Follow::observe`](crate::Follow::observe) does for one orbit, for
 /// [`MapAt::observe_columns`].
 ///
-/// The start is seen as it is. Where the orbit leaves the range, or the observers are done, the
-/// columns go on, unseen.
+/// The start is seen as it is. Where the orbit ends, or the observers are done, the columns go on,
+/// unseen.
 #[derive(Clone, Debug)]
 pub struct WhileFinite<O> {
     observers: O,
-    steps: u64,
-    ended: Ended,
+    /// The size of a variable beyond which the orbit has escaped.
+    bound: f64,
+    end: End,
 }
 
 impl<O> WhileFinite<O> {
     /// The same observers, of points that are finite.
     #[must_use]
     pub fn new(observers: O) -> Self {
-        WhileFinite { observers, steps: 0, ended: Ended::Complete }
+        Self::within(f64::MAX, observers)
+    }
+
+    /// The same, up to the first point at which a variable is larger than `bound`: they see it, and
+    /// the orbit has [escaped](End::Escaped).
+    #[must_use]
+    pub fn within(bound: f64, observers: O) -> Self {
+        WhileFinite { observers, bound, end: End::Complete }
     }
 }
 
@@ -177,44 +185,48 @@ impl<T: Scalar, O: Observer<T>> Observer<T> for WhileFinite<O> {
     type Report = Followed<O::Report>;
 
     fn observe(&mut self, step: u64, x: &[T]) {
-        if self.ended != Ended::Complete {
+        if self.end != End::Complete {
             return;
         }
-        if step > 0 && !is_finite(x) {
-            self.ended = Ended::Range;
-            return;
+        let is_finite = is_within(x, f64::MAX);
+        if is_finite || step == 0 {
+            self.observers.observe(step, x);
         }
-        self.observers.observe(step, x);
-        self.steps = step;
-        if self.observers.is_done() {
-            self.ended = Ended::Done;
-        }
+        self.end = match is_finite {
+            false => End::Range(step.saturating_sub(1)),
+            true if !is_within(x, self.bound) => End::Escaped(step),
+            true if self.observers.is_done() => End::Stopped(step),
+            true => return,
+        };
     }
 
     fn is_done(&self) -> bool {
-        self.ended != Ended::Complete
+        self.end != End::Complete
     }
 
     fn report(self) -> Self::Report {
-        Followed { report: self.observers.report(), steps: self.steps, ended: self.ended }
+        Followed { report: self.observers.report(), end: self.end }
     }
 
     /// Side by side where all orbits go on: what is not finite stays so, and so the last points
-    /// tell of all.
+    /// tell of all; what has escaped may come back.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>)
     where
         T: EnsembleScalar,
     {
-        let Some((last, points)) = burst.steps().last() else { return };
+        let bound = group.iter().flatten().map(|own| own.bound).fold(f64::MAX, f64::min);
         // All lanes of a variable lie side by side.
-        let are_finite = points.as_ref().iter().all(|lanes| is_finite(lanes));
-        if O::MAY_END || !are_finite || !group.iter().flatten().all(|own| own.ended == Ended::Complete) {
+        let are_within = |points: &P| points.as_ref().iter().all(|lanes| is_within(lanes, bound));
+        let go_on = match burst.steps().last() {
+            Some((_, last)) if bound == f64::MAX => are_within(last),
+            _ => burst.steps().all(|(_, points)| are_within(points)),
+        };
+        if O::MAY_END || !go_on || !group.iter().flatten().all(|own| own.end == End::Complete) {
             for (lane, own) in group.iter_mut().flatten().enumerate() {
                 burst.show(lane, 0, |step, x| own.observe(step, x));
             }
             return;
         }
         O::observe_burst(&mut group.each_mut().map(|own| own.as_mut().map(|own| &mut own.observers)), burst);
-        group.iter_mut().flatten().for_each(|own| own.steps = last);
     }
 }

@@ -5,13 +5,11 @@
 //! filled up with copies of the last trajectory. However the columns are divided, each trajectory
 //! goes through the same operations.
 
-use std::sync::{Arc, OnceLock};
-
 use kahan_core::{Composition, Level};
 
 use crate::machine::{ColumnsCode, InstructionSet};
 
-use super::columns::Columns;
+use super::columns::{Columns, ColumnsForm};
 use super::scratch::{Scratches, with_scratch};
 use super::{Engine, distinct, in_turn};
 
@@ -31,9 +29,6 @@ pub(crate) struct Instructions {
     pub(super) set: Option<InstructionSet>,
     pub(crate) fuses: bool,
 }
-
-/// The code of columns, once it was asked for; `None` where there is none.
-pub(crate) type ColumnsOnce<T> = OnceLock<Option<Arc<ColumnsCode<T>>>>;
 
 impl Instructions {
     /// The bits of this build, as fast as this processor computes them.
@@ -56,13 +51,14 @@ impl Engine {
         columns: &mut Columns<'_, '_, T>,
         composition: Composition,
         steps: u64,
+        form: ColumnsForm,
         Instructions { set, fuses }: Instructions,
-        code: &ColumnsOnce<T>,
     ) -> bool {
-        let code = code.get_or_init(|| self.codes.columns(self, (set.or_else(InstructionSet::best)?, fuses)));
-        let Some(code) = code else { return false };
+        let Some(set) = set.or_else(InstructionSet::best) else { return false };
+        let Some(code) = self.codes.columns(self, form, (set, fuses)) else { return false };
         with_scratch(T::single(), |scratch| {
-            let mut prepared = Prepared { code, composition, constants: &mut scratch.given, length: 0 };
+            let mut prepared =
+                Prepared { code: &code, composition, constants: &mut scratch.given, length: 0 };
             let is_one = |values: &[T]| values.len() == 1;
             let are_shared = is_one(columns.eps) && columns.parameters.iter().all(|values| is_one(values));
             if are_shared {

@@ -1,15 +1,15 @@
 //! Many trajectories at once, a column a variable.
 //!
 //! In: columns, and ε and parameters, one for all trajectories or one each. Out: the columns some
-//! steps later. Trajectories go side by side through the form of the step that ensembles take; a
-//! step by elimination, which compares numbers, moves one after the other.
+//! steps later. Trajectories go side by side through the form of the step that ensembles or single
+//! orbits take; a step by elimination, which compares numbers, moves one after the other.
 
 use kahan_core::{Composition, Scalar};
 
 use super::lanes::{EightLanes, LANES};
 use super::scratch::{Local, Scratch, Scratches, with_scratch};
-use super::step::Step;
-use super::{ColumnsOnce, Engine, Instructions, distinct, in_turn};
+use super::step::{Step, Steps};
+use super::{Engine, Instructions, distinct, in_turn};
 
 /// What is to be advanced.
 #[derive(Debug)]
@@ -20,6 +20,20 @@ pub(crate) struct Columns<'a, 'b, T> {
     pub(crate) eps: &'a [T],
     /// For each parameter one value, or one a trajectory.
     pub(crate) parameters: &'a [&'a [T]],
+}
+
+/// The form of the step that columns take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct ColumnsForm {
+    /// Whether it is the one that serves every ε.
+    pub(crate) is_general: bool,
+    /// Whether increments are rounded before they are added.
+    pub(crate) rounds_increments: bool,
+}
+
+impl ColumnsForm {
+    /// The one that serves every ε.
+    pub(crate) const OF_ENSEMBLES: Self = ColumnsForm { is_general: true, rounds_increments: false };
 }
 
 /// Numbers of as many trajectories as go side by side.
@@ -67,24 +81,42 @@ impl Engine {
         columns: &mut Columns<'_, '_, T>,
         composition: Composition,
         steps: u64,
-        (instructions, code): (Instructions, &ColumnsOnce<T>),
+        form: ColumnsForm,
+        instructions: Instructions,
     ) {
-        if self.has_advanced_columns(columns, composition, steps, instructions, code) {
+        if self.has_advanced_columns(columns, composition, steps, form, instructions) {
             return;
         }
-        let step = self.steps().of_lanes();
-        if step.has_lanes() {
+        let step = (self.steps().form(form.is_general), form.rounds_increments);
+        if step.0.has_lanes() {
             advance(step, T::lanes(), columns, composition, steps);
         } else {
             advance(step, T::single(), columns, composition, steps);
         }
+    }
+
+    /// The form that single orbits take; `None` where several of these ε, or stages of the
+    /// composition, take different ones.
+    pub(crate) fn form_of_orbits<T: Scratches>(
+        &self,
+        eps: &[T],
+        composition: Composition,
+    ) -> Option<ColumnsForm> {
+        let each = |eps: &T| {
+            let eps = *eps;
+            distinct(&composition).map(move |coefficient| T::constant(coefficient) * eps)
+        };
+        let mut general = eps.iter().flat_map(each).map(|eps| self.steps().are_general(&eps));
+        let is_general = general.next().unwrap_or(true);
+        let form = ColumnsForm { is_general, rounds_increments: Steps::rounds::<T>(is_general) };
+        general.all(|other| other == is_general).then_some(form)
     }
 }
 
 /// Advances the trajectories in groups of as many as go side by side; where the last are fewer,
 /// copies of the last one fill the group.
 fn advance<T, V>(
-    step: &Step,
+    (step, rounds): (&Step, bool),
     local: Local<V>,
     Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>,
     composition: Composition,
@@ -114,7 +146,7 @@ fn advance<T, V>(
             given.chunks_exact(given.len() / stages).for_each(|given| step.open(given, registers));
             for _ in 0..steps {
                 in_turn(stages, |k| {
-                    step.advance(false, [state, &mut []], &mut registers[k * size..][..size], workspace);
+                    step.advance(rounds, [state, &mut []], &mut registers[k * size..][..size], workspace);
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {

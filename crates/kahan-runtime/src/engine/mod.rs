@@ -29,8 +29,8 @@ use step::Steps;
 
 pub(crate) use abreast::Abreast;
 pub(crate) use coded::CodedStages;
-pub(crate) use coded_columns::{ColumnsOnce, Instructions};
-pub(crate) use columns::Columns;
+pub(crate) use coded_columns::Instructions;
+pub(crate) use columns::{Columns, ColumnsForm};
 pub(crate) use couplings::{Factors, Tables};
 use scratch::Workspace;
 pub(crate) use scratch::{Scratch, Scratches, with_scratch};

@@ -54,11 +54,6 @@ impl Steps {
     pub(crate) fn of_duals(&self) -> &Step {
         self.form(self.divides_by_eps)
     }
-
-    /// The form of several trajectories side by side.
-    pub(crate) fn of_lanes(&self) -> &Step {
-        self.form(true)
-    }
 }
 
 /// One form of a step.

@@ -4,7 +4,7 @@ use kahan_core::{Precision, Scalar};
 use kahan_jit::Instruction::{Constant, State};
 use kahan_jit::Program;
 
-use crate::engine::{Engine, Object, Scratch, Step, into_matrix, jacobian_by_duals};
+use crate::engine::{ColumnsForm, Engine, Object, Scratch, Step, into_matrix, jacobian_by_duals};
 use crate::line::Line;
 
 use super::double_double::{self, Pair};
@@ -96,8 +96,8 @@ pub(super) fn object<T: Coded>(object: Object, engine: &Engine) -> Option<Progra
 }
 
 /// The program of the constants that the step of columns is prepared with.
-pub(super) fn prepared<T: Coded>(engine: &Engine) -> Option<Program> {
-    let [prepared, _] = engine.steps().of_lanes().lines()?;
+pub(super) fn prepared<T: Coded>(engine: &Engine, form: ColumnsForm) -> Option<Program> {
+    let [prepared, _] = engine.steps().form(form.is_general).lines()?;
     traced::program(|| Some(results(prepared, &constants::<T>(engine), &[])))
 }
 

@@ -22,14 +22,24 @@ pub struct Observing<'a> {
     pub steps: u64,
     /// Steps between two times that tangent vectors are made orthogonal, at least 1.
     pub every: u64,
-    /// The size of a variable beyond which an orbit has escaped.
-    pub escape: f64,
+    /// The size of a variable beyond which an orbit has escaped, and ends; `None` for no bound.
+    pub escape: Option<f64>,
+}
+
+impl Observing<'_> {
+    /// The size beyond which [`Observable::Escape`] looks where there is no bound.
+    pub const USUAL_SIZE: f64 = 1e6;
+
+    /// The size of a variable beyond which orbits end.
+    fn bound(&self) -> f64 {
+        self.escape.unwrap_or(f64::MAX)
+    }
 }
 
 /// A float of the machine whose orbits are observed.
 pub trait ObservedFloat: MachineFloat + PartialOrd {
-    /// What is seen of the orbit of `start`, which goes as far as its points are finite. `tell`
-    /// hears of steps, and may stop the orbit.
+    /// What is seen of the orbit of `start`, which goes as far as its points are finite and within
+    /// the bound. `tell` hears of steps, and may stop the orbit.
     ///
     /// # Errors
     /// [`DimensionError`] if the start has not an entry a variable.

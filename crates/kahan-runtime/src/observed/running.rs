@@ -13,7 +13,7 @@ use kahan_core::observe::{
 
 use super::Observing;
 use super::observable::{Observable, Seen};
-use crate::{DimensionError, Ended, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
+use crate::{DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
 
 /// The extremes of each variable, and of each rate of change.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
@@ -93,7 +93,7 @@ observers! {
         Seen::Turns(Vec::new())
     };
     Escape(Escape<B>) = {
-        let size = asked.escape;
+        let size = asked.escape.unwrap_or(Observing::USUAL_SIZE);
         Escape::when(move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size))
     }, one => Seen::Step(Observer::<T>::report(one));
 }
@@ -175,15 +175,20 @@ pub(super) fn alone<T: MachineFloat + PartialOrd>(
     asked: &Observing<'_>,
     tell: &dyn Fn(u64) -> ControlFlow<()>,
 ) -> Result<Followed<Vec<Seen>>, DimensionError> {
-    let first = at.observe(&mut start.to_vec(), asked.steps, all(at, asked), tell)?;
-    let Followed { report: (mut seen, middles), steps, ended } = first;
+    let bound = asked.bound();
+    let observers = WhileFinite::within(bound, all(at, asked));
+    let Followed { report: own, end } = at.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
+    let Followed { report: (mut seen, middles), end: seen_end } = own;
+    // A run that its observers end has the end that they saw.
+    let end = if seen_end == End::Complete { end } else { seen_end };
     if let Some(middles) = middles {
         // Who stopped the first run wants no second one.
-        let again = if ended == Ended::Stopped { 0 } else { steps };
+        let steps = end.steps(asked.steps);
+        let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
         let turns = at.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;
         put(&mut seen, Seen::Turns(turns.report));
     }
-    Ok(Followed { report: seen, steps, ended })
+    Ok(Followed { report: seen, end })
 }
 
 /// The same of many orbits, side by side where there is code for that: a map an orbit, and column c
@@ -194,13 +199,14 @@ pub(super) fn abreast<T: MachineFloat + PartialOrd>(
     asked: &Observing<'_>,
     tell: &dyn Fn(u64) -> ControlFlow<()>,
 ) -> Result<Vec<Followed<Vec<Seen>>>, DimensionError> {
-    let observers = |orbit: usize| WhileFinite::new(all(maps[orbit], asked));
+    let observers = |orbit: usize| WhileFinite::within(asked.bound(), all(maps[orbit], asked));
     let points = &mut starts.to_vec();
     let first = MapAt::observe_columns_while(maps, &mut slices(points), asked.steps, observers, tell)?;
     let turns = if asked.of.contains(&Observable::Rotation) {
         let observers = |orbit: usize| {
-            let Followed { report: (_, middles), steps, .. } = &first[orbit];
-            WhileFinite::new(maps[orbit].rotations(*steps, middles.as_ref().expect("rotation is asked for")))
+            let Followed { report: (_, middles), end } = &first[orbit];
+            let middles = middles.as_ref().expect("rotation is asked for");
+            WhileFinite::within(asked.bound(), maps[orbit].rotations(end.steps(asked.steps), middles))
         };
         let points = &mut starts.to_vec();
         let again = MapAt::observe_columns_while(maps, &mut slices(points), asked.steps, observers, tell)?;
@@ -208,11 +214,10 @@ pub(super) fn abreast<T: MachineFloat + PartialOrd>(
     } else {
         vec![None; first.len()]
     };
-    let seen =
-        first.into_iter().zip(turns).map(|(Followed { report: (mut seen, _), steps, ended }, turns)| {
-            turns.into_iter().for_each(|turns| put(&mut seen, Seen::Turns(turns)));
-            Followed { report: seen, steps, ended }
-        });
+    let seen = first.into_iter().zip(turns).map(|(Followed { report: (mut seen, _), end }, turns)| {
+        turns.into_iter().for_each(|turns| put(&mut seen, Seen::Turns(turns)));
+        Followed { report: seen, end }
+    });
     Ok(seen.collect())
 }
 

@@ -3,7 +3,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_core::observe::Visit;
 use kahan_discover::Watch;
-use kahan_runtime::{Ended, Follow};
+use kahan_runtime::{End, Follow};
 use serde::{Deserialize, Serialize};
 
 use crate::count::Count;
@@ -105,13 +105,12 @@ impl Diagram {
             let mut points = Vec::new();
             if let Some(at) = at {
                 let (mut x, mut take) = (start.clone(), |_, x: &[f64]| points.push(x[shown]));
-                let mut ended =
-                    at.follow(&mut x, self.transient, tell).expect("the start is of the field").ended;
-                if ended == Ended::Complete && x.iter().all(|x| x.is_finite()) {
+                let mut end = at.follow(&mut x, self.transient, tell).expect("the start is of the field").end;
+                if end == End::Complete && x.iter().all(|x| x.is_finite()) {
                     let followed = at.observe(&mut x, self.steps, Visit::by(&mut take), tell);
-                    ended = followed.expect("the point is of the field").ended;
+                    end = followed.expect("the point is of the field").end;
                 }
-                found.stopped = ended == Ended::Stopped;
+                found.stopped = matches!(end, End::Stopped(_));
             }
             found.ended += usize::from(points.len() as u64 <= self.steps);
             found.values.push(value);

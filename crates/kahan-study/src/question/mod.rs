@@ -27,12 +27,13 @@ use std::ops::Range;
 use std::time::Duration;
 
 use kahan_discover::Watch;
+use kahan_runtime::End;
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
 
 use crate::error::StudyError;
-use crate::rows::{End, Rows};
+use crate::rows::Rows;
 use crate::study::Study;
 use crate::trade::{Trade, Traded};
 
@@ -173,7 +174,7 @@ impl Study {
         watch: &dyn Watch,
     ) -> Result<End, StudyError> {
         match question {
-            Question::Orbit(asked) => Ok(asked.begin(&asked.study(self)?)?.rows(range, rows, watch)),
+            Question::Orbit(asked) => Ok(asked.begin(&asked.study(self)?)?.rows(range, rows, watch).end),
             Question::Over(asked) => asked.rows(self, range, rows, watch),
             Question::Section(asked) => Ok(asked.ask(self, watch)?.rows(range, rows)),
             other => Err(StudyError::NoRows(other.name())),

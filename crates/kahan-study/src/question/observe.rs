@@ -10,7 +10,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_core::Composition;
 use kahan_discover::Watch;
-use kahan_runtime::{Ended, Followed, MapAt, ObservedFloat, Observing};
+use kahan_runtime::{End, Followed, MapAt, ObservedFloat, Observing};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
@@ -46,9 +46,10 @@ pub struct Observe {
     /// Steps between two times that tangent vectors are made orthogonal.
     #[serde(default = "usual_every")]
     pub every: u64,
-    /// The size of a variable beyond which the orbit has escaped.
-    #[serde(default = "usual_escape")]
-    pub escape: f64,
+    /// The size of a variable beyond which the orbit has escaped, and ends; `None` for no bound.
+    /// Where there is none, [`Observable::Escape`] looks for a million, and the orbit goes on.
+    #[serde(default)]
+    pub escape: Option<f64>,
     /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
     #[serde(default = "usual", serialize_with = "names_of", deserialize_with = "of_names")]
     pub of: Vec<Observable>,
@@ -56,10 +57,6 @@ pub struct Observe {
 
 fn usual_every() -> u64 {
     10
-}
-
-fn usual_escape() -> f64 {
-    1e6
 }
 
 fn usual() -> Vec<Observable> {
@@ -87,11 +84,10 @@ pub struct Observed {
     pub variables: Vec<String>,
     /// The integrals that are claimed without `when`.
     pub integrals: Vec<String>,
-    /// The steps that were made: fewer than asked where numbers leave their range, or the watch
-    /// stopped the run.
+    /// The steps that were made: fewer than asked where the orbit ended before.
     pub steps: u64,
-    /// Whether numbers left the range of doubles.
-    pub left_range: bool,
+    /// How the orbit ended.
+    pub end: End,
     /// What was seen of all that was asked for, in that order.
     pub seen: Vec<(Observable, Seen)>,
 }
@@ -111,12 +107,11 @@ impl Observe {
         Observable::Escape,
     ];
 
-    /// Kahan's map, tangent vectors made orthogonal every ten steps, escape beyond a million, and
-    /// of that all that is usual.
+    /// Kahan's map, tangent vectors made orthogonal every ten steps, no bound, and of that all that
+    /// is usual.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
-        let (order, every, escape) = (usual_order(), usual_every(), usual_escape());
-        Observe { eps, at, steps, order, every, escape, of: usual() }
+        Observe { eps, at, steps, order: usual_order(), every: usual_every(), escape: None, of: usual() }
     }
 
     /// Follows the orbit of a system whose claims hold. Costs a run of the orbit with the tangent
@@ -133,15 +128,18 @@ impl Observe {
         let count = Count::new("steps", runs * self.steps, watch);
         let of = self.observables();
         let seen = f64::alone(&at, &start, &self.observing(&of), &|steps| count.tell(steps));
-        let Followed { report, steps, ended } = seen.expect(FITTING);
+        let Followed { report, end } = seen.expect(FITTING);
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
             system: study.name().to_owned(),
             variables: study.variables().to_vec(),
             integrals: integrals.collect(),
-            steps,
-            left_range: ended == Ended::Range,
-            seen: of.into_iter().zip(report).collect(),
+            steps: end.steps(self.steps),
+            end,
+            seen: of
+                .into_iter()
+                .zip(report.into_iter().map(|seen| after(end.steps(self.steps), seen)))
+                .collect(),
         })
     }
 
@@ -165,8 +163,8 @@ impl Observe {
         columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
 
-    /// What is seen of many orbits, side by side where there is code for that: the numbers of the
-    /// columns, as far as each orbit goes. `maps` has a map an orbit, and `starts` a column a
+    /// What is seen of many orbits, side by side where there is code for that: the
+    /// [numbers](Self::numbers) of the columns. `maps` has a map an orbit, and `starts` a column a
     /// variable; ε, order and first point of the question do not count. `tell` hears of steps, and
     /// may stop the work, whose result is of no use then.
     ///
@@ -178,12 +176,24 @@ impl Observe {
         starts: &[Vec<T>],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<f64>>> {
-        let numbers = |Followed { report, steps, ended }: Followed<Vec<Seen>>| {
-            let report = report.iter().flat_map(Seen::numbers).collect();
-            Followed { report, steps, ended }
-        };
+        let numbers = |found: Followed<Vec<Seen>>| Followed { report: Self::numbers(&found), end: found.end };
         let seen = T::abreast(maps, starts, &self.observing(&self.observables()), tell).expect(FITTING);
         seen.into_iter().map(numbers).collect()
+    }
+
+    /// What was seen of an orbit as numbers of a table's columns. Of an orbit that ended early only
+    /// the step of its escape is a number, as the others would not be of all steps.
+    #[must_use]
+    pub fn numbers(found: &Followed<Vec<Seen>>) -> Vec<f64> {
+        let numbers = |seen: &Seen| {
+            let numbers = seen.numbers();
+            match seen {
+                Seen::Step(_) => numbers,
+                _ if found.end.is_early() => vec![f64::NAN; numbers.len()],
+                _ => numbers,
+            }
+        };
+        found.report.iter().flat_map(numbers).collect()
     }
 
     /// The method of its order, if all else can be observed, too.
@@ -200,6 +210,14 @@ impl Observed {
     #[must_use]
     pub fn of(&self, observable: Observable) -> Option<&Seen> {
         self.seen.iter().find(|(own, _)| *own == observable).map(|(_, seen)| seen)
+    }
+}
+
+/// What was seen after so many steps: before the first one indicators say nothing of the orbit.
+fn after(steps: u64, seen: Seen) -> Seen {
+    match seen {
+        Seen::Number(_) if steps == 0 => Seen::Number(f64::NAN),
+        seen => seen,
     }
 }
 
@@ -226,7 +244,9 @@ fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
 
 impl Serialize for Observed {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = json!({"system": self.system, "steps": self.steps});
+        let mut object = json!({
+            "system": self.system, "steps": self.steps, "ended": self.end.name(), "ended_step": self.steps,
+        });
         for (observable, seen) in &self.seen {
             let name = match observable {
                 Observable::LogDet => "mean_log_det",

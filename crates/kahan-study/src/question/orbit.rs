@@ -16,13 +16,14 @@ use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
 use kahan_core::Composition;
 use kahan_discover::Watch;
+use kahan_runtime::End;
 use kahan_runtime::interpreted::UnsupportedDimension;
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, ScalarKind, exact};
-use crate::rows::{Column, End, MOST_CELLS, Rows, Table, free_name};
+use crate::rows::{Column, Ending, MOST_CELLS, Rows, Table, free_name};
 use crate::study::Study;
 
 use super::{one, usual_order};
@@ -203,13 +204,9 @@ pub struct Orbited {
     pub head: OrbitHead,
     /// The rows, a column a column of the head.
     pub rows: Table,
-    /// How it ended; in JSON why it ended early, or null.
-    #[serde(rename = "stopped", serialize_with = "why")]
-    pub end: End,
-}
-
-fn why<S: Serializer>(end: &End, serializer: S) -> Result<S::Ok, S::Error> {
-    end.last().map(|last| &last.why).serialize(serializer)
+    /// How it ended.
+    #[serde(flatten)]
+    pub ending: Ending,
 }
 
 /// An orbit at its first point.
@@ -219,12 +216,12 @@ pub struct Begun<'a> {
     go_on: GoOn<'a>,
 }
 
-type GoOn<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> End + 'a>;
+type GoOn<'a> = Box<dyn FnOnce(&[Column], Range<u64>, &mut dyn Rows, &dyn Watch) -> Ending + 'a>;
 
 impl Begun<'_> {
     /// Hands on rows by their numbers: row k is the point after k times `every` steps. Costs the
     /// steps to the last of them, from the first point on; integrals are computed in rows only.
-    pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> End {
+    pub fn rows(self, range: Range<u64>, rows: &mut dyn Rows, watch: &dyn Watch) -> Ending {
         (self.go_on)(&self.head.columns, range, rows, watch)
     }
 }
@@ -293,8 +290,8 @@ impl Orbit {
             return Err(StudyError::TooLong { cells });
         }
         let mut rows = Table::default();
-        let end = begun.rows(0..count, &mut rows, watch);
-        Ok(Orbited { head, rows, end })
+        let ending = begun.rows(0..count, &mut rows, watch);
+        Ok(Orbited { head, rows, ending })
     }
 
     fn begin_in<'a, A: Moving>(
@@ -353,8 +350,8 @@ impl Orbit {
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
             let course = Course { arithmetic, columns, eps, steps: self.steps, every: self.every };
             match course.hand_on(&mut *points, range, rows, watch) {
-                Ok(()) => End::Complete,
-                Err(Halt::Stopped) => End::Stopped,
+                Ok(()) => Ending { end: End::Complete, step: self.steps, why: None },
+                Err(Halt::Stopped(step)) => Ending { end: End::Stopped(step), step, why: None },
                 Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
             }
         };

@@ -7,14 +7,14 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_core::observe::{self, Crossing, Direction, Section as Crossings, Sectioned};
 use kahan_discover::Watch;
-use kahan_runtime::{Ended, Follow, Followed, MapAt, RuntimePoint};
+use kahan_runtime::{End, Follow, Followed, MapAt, RuntimePoint};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::count::Count;
 use crate::error::StudyError;
 use crate::formula::{Formula, formula_of};
 use crate::numbers::exact;
-use crate::rows::{Column, End, Rows, Values};
+use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
 use super::orbit::columns;
@@ -83,8 +83,8 @@ pub struct SectionFound {
     pub variables: Vec<String>,
     /// The steps that were made.
     pub steps: u64,
-    /// How the orbit ended; it is done where it has so many crossings as were asked for.
-    pub ended: Ended,
+    /// How the orbit ended; it is stopped where it has so many crossings as were asked for.
+    pub end: End,
     /// Where the orbit crosses, in order.
     pub crossings: Vec<Crossing<Vec<f64>, f64>>,
     /// How often the formula changes its sign in the directions that count, but has no zero: at a
@@ -190,13 +190,13 @@ impl Section {
         let crossings = Crossings::new(&at, plane.height(&at), direction, first);
         let count = Count::new("steps", self.steps, watch);
         let followed = at.observe(&mut x, self.steps, crossings, |steps| count.tell(steps));
-        let Followed { report, steps, ended } = followed.expect("the start is of the field");
+        let Followed { report, end } = followed.expect("the start is of the field");
         let Sectioned { points: crossings, jumps } = report;
         Ok(SectionFound {
             system: study.name().to_owned(),
             variables: study.variables().to_vec(),
-            steps,
-            ended,
+            steps: end.steps(self.steps),
+            end,
             crossings,
             jumps,
         })
@@ -210,7 +210,7 @@ impl SectionFound {
         columns(&self.variables, &[])
     }
 
-    /// Hands on crossings by their numbers, from 0 on.
+    /// Hands on crossings by their numbers, from 0 on; stopped, the number of the first.
     pub fn rows(&self, range: Range<u64>, rows: &mut dyn Rows) -> End {
         const BLOCK: usize = 1024;
 
@@ -227,7 +227,7 @@ impl SectionFound {
             let values: Vec<Values<'_>> =
                 values.chain(numbers.iter().map(|list| Values::F64(list))).collect();
             if rows.block(&columns, &values).is_break() {
-                return End::Stopped;
+                return End::Stopped(start as u64);
             }
         }
         End::Complete
@@ -240,6 +240,7 @@ struct Object<'a> {
     variables: &'a [String],
     steps: u64,
     ended: &'static str,
+    ended_step: u64,
     times: Vec<f64>,
     points: Vec<&'a [f64]>,
     jumps: u64,
@@ -251,12 +252,8 @@ impl Serialize for SectionFound {
             system: &self.system,
             variables: &self.variables,
             steps: self.steps,
-            ended: match self.ended {
-                Ended::Complete => "complete",
-                Ended::Done => "points",
-                Ended::Range => "range",
-                Ended::Stopped => "stopped",
-            },
+            ended: self.end.name(),
+            ended_step: self.steps,
             times: self.crossings.iter().map(|crossing| crossing.time).collect(),
             points: self.crossings.iter().map(|crossing| &crossing.point[..]).collect(),
             jumps: self.jumps,

@@ -247,7 +247,7 @@ fn orbit<'t>(table: &mut Table<'t>, study: Option<&Study>) -> Option<Asked<'t>> 
         scheme.push(axis(given, "bits", Through::List(bits)));
     }
     let every = table.whole("every", 1..=MANY).unwrap_or(10);
-    let escape = table.take("escape").map_or(Some(1e6), |given| Some(given.number()?.to_f64()));
+    let escape = table.take("escape").map_or(Some(None), |given| Some(Some(given.number()?.to_f64())));
     let known: Vec<_> = Observable::ALL.iter().map(|one| (one.name(), *one)).collect();
     let claims_none = study.is_some_and(|study| study.field().integrals().is_empty());
     let mut of = Vec::new();

@@ -3,7 +3,7 @@
 //! In: what is known before the first row, and who hands on the rows of each orbit. Out: the table,
 //! and an answer that says why orbits ended. What a step is, this module must not know.
 
-use kahan_study::End;
+use kahan_study::Ending;
 use serde_json::{Map, Value, json};
 
 use super::{Orbit, is_array};
@@ -15,7 +15,7 @@ impl Orbit {
         &self,
         head: Value,
         orbits: Vec<O>,
-        fill: impl FnMut(O, &mut Table, &Prompt) -> Result<End, Broken>,
+        fill: impl FnMut(O, &mut Table, &Prompt) -> Result<Ending, Broken>,
     ) -> Result<Answer, Refusal> {
         let Value::Object(mut head) = head else { unreachable!("a head is an object") };
         if orbits.len() > 1 {
@@ -35,7 +35,7 @@ impl Orbit {
         let answer = match file {
             Some(path) if self.json => {
                 head.insert("out".to_owned(), json!(path.display().to_string()));
-                head.insert("stopped".to_owned(), stopped(&stops));
+                head.extend(ended(&stops));
                 Answer::json(&Value::Object(head))
             }
             _ => Answer::text(String::new()),
@@ -43,14 +43,14 @@ impl Orbit {
         Ok(answer.but(complaint(&stops)))
     }
 
-    /// Why orbits ended early.
+    /// How orbits ended.
     fn write_into<O>(
         &self,
         sink: Sink,
         head: &Map<String, Value>,
         orbits: Vec<O>,
-        mut fill: impl FnMut(O, &mut Table, &Prompt) -> Result<End, Broken>,
-    ) -> Result<Vec<Option<String>>, Broken> {
+        mut fill: impl FnMut(O, &mut Table, &Prompt) -> Result<Ending, Broken>,
+    ) -> Result<Vec<Ending>, Broken> {
         let steps = self.steps.saturating_mul(orbits.len() as u64);
         let prompt = Prompt::beside_rows(!sink.is_standard(), steps);
         let format = if self.json && sink.is_standard() { Format::Json } else { Format::Csv };
@@ -59,33 +59,43 @@ impl Orbit {
         let are_several = orbits.len() > 1;
         for (index, orbit) in orbits.into_iter().enumerate() {
             table.begin_orbit(are_several.then_some(index));
-            let end = fill(orbit, &mut table, &prompt)?;
+            let mut ending = fill(orbit, &mut table, &prompt)?;
             table.written()?;
             prompt.done(self.steps);
-            stops.push(end.last().map(|last| last.why.replace("; try ", "; try --")));
+            ending.why = ending.why.map(|why| why.replace("; try ", "; try --"));
+            stops.push(ending);
         }
-        table.end(&stopped(&stops))?;
+        table.end(&ended(&stops))?;
         Ok(stops)
     }
 }
 
-/// Why orbits ended early, as it stands in an object: of one orbit a sentence or null, of several a
-/// list of these.
-fn stopped(stops: &[Option<String>]) -> Value {
-    match stops {
+/// How orbits ended, as it stands in an object: `ended`, `ended_step`, and under `stopped` why it
+/// ended early or null; of several orbits lists of these.
+fn ended(endings: &[Ending]) -> Map<String, Value> {
+    let of_all = |value: fn(&Ending) -> Value| match endings {
         [] => Value::Null,
-        [stop] => json!(stop),
-        stops => json!(stops),
-    }
+        [one] => value(one),
+        all => all.iter().map(value).collect(),
+    };
+    let entries = [
+        ("ended", of_all(|ending| json!(ending.end.name()))),
+        ("ended_step", of_all(|ending| json!(ending.step))),
+        ("stopped", of_all(|ending| json!(ending.why))),
+    ];
+    entries.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
 }
 
 /// The same for standard error: of several orbits, how many ended early, and why the first of them.
-fn complaint(stops: &[Option<String>]) -> Option<String> {
-    let mut early = stops.iter().enumerate().filter_map(|(orbit, why)| Some((orbit, why.as_ref()?)));
-    let (orbit, why) = early.next()?;
-    let (count, ended) = (stops.len(), 1 + early.count());
-    Some(match count {
+fn complaint(endings: &[Ending]) -> Option<String> {
+    let early = endings.iter().enumerate().filter_map(|(orbit, ending)| Some((orbit, ending.why.as_ref()?)));
+    let mut early = early.peekable();
+    let (orbit, why) = *early.peek()?;
+    Some(match endings.len() {
         1 => why.clone(),
-        _ => format!("{ended} of {count} orbits end early, the first of them is orbit {orbit}: {why}"),
+        count => format!(
+            "{} of {count} orbits end early, the first of them is orbit {orbit}: {why}",
+            early.count()
+        ),
     })
 }

@@ -8,13 +8,13 @@ use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::arithmetic::Float64;
 use kahan_discover::Watch;
-use kahan_runtime::{ChainAt, Follow, Lattice};
+use kahan_runtime::{ChainAt, End, Follow, Lattice};
 use serde::Serialize;
 
 use crate::count::Count;
 use crate::named::{Names, by_name};
 use crate::numbers::ScalarKind;
-use crate::rows::{Column, End, Last, Rows};
+use crate::rows::{Column, Ending, Rows};
 
 use super::points::{Course, Halt, Points, Why, moment};
 use super::{columns, names};
@@ -103,22 +103,23 @@ impl Chain {
         rows: &mut dyn Rows,
         see: &mut dyn FnMut(&[f64]) -> ControlFlow<()>,
         watch: &dyn Watch,
-    ) -> End {
+    ) -> Ending {
         let columns = &self.head(steps, every).columns;
         let course = Course { arithmetic: &Float64, columns, eps: self.eps, steps, every };
         let mut points = Seen { chain: self, see, flow: ControlFlow::Continue(()) };
         match course.hand_on(&mut points, range, rows, watch) {
-            Ok(()) => End::Complete,
-            Err(Halt::Stopped) => End::Stopped,
-            Err(Halt::Ended(step, _)) => End::Range(Last {
+            Ok(()) => Ending { end: End::Complete, step: steps, why: None },
+            Err(Halt::Stopped(step)) => Ending { end: End::Stopped(step), step, why: None },
+            Err(Halt::Ended(step, _)) => Ending {
+                end: End::Range(step),
                 step,
-                why: format!(
+                why: Some(format!(
                     "the orbit of {} leaves the range of f64 at step {}: at n = {step} det A = 0 nearly or the numbers are too \
                      large; the rows up to it are kept",
                     self.name,
                     step + 1
-                ),
-            }),
+                )),
+            },
         }
     }
 }
@@ -152,7 +153,7 @@ impl Points<Float64> for Seen<'_> {
 
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
         if steps > 0 && self.flow.is_break() {
-            return Err(Halt::Stopped);
+            return Err(Halt::Stopped(0));
         }
         let Chain { map, state, .. } = &mut *self.chain;
         let followed = map.follow(state, steps, |steps| progress.tell(steps));

@@ -195,10 +195,10 @@ impl Solution {
                         see(self, made);
                     }
                     if progress.tell(span).is_break() && made < steps {
-                        return Err(Halt::Stopped);
+                        return Err(Halt::Stopped(made));
                     }
                 }
-                Err(_) if progress.is_stopped() => return Err(Halt::Stopped),
+                Err(_) if progress.is_stopped() => return Err(Halt::Stopped(made)),
                 Err(_) if span > 1 => span /= 2,
                 Err(_) => return Err(Halt::Ended(made, Why::Escapes)),
             }

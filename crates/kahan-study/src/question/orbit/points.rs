@@ -8,11 +8,11 @@ use std::ops::{ControlFlow, Range};
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_core::SingularStep;
 use kahan_discover::Watch;
-use kahan_runtime::{Ended, Followed};
+use kahan_runtime::{End, Followed};
 
 use crate::count::Count;
-use crate::numbers::Number;
-use crate::rows::{Column, End, Last, Rows, Values};
+use crate::numbers::{Number, ScalarKind};
+use crate::rows::{Column, Ending, Rows, Values};
 use crate::study::Study;
 
 use super::Orbit;
@@ -20,8 +20,8 @@ use super::maps::Moving;
 
 /// Why points do not go on.
 pub(super) enum Halt {
-    /// The watch stopped them.
-    Stopped,
+    /// The watch stopped them, after so many steps.
+    Stopped(u64),
     /// There is no next point: after so many steps, and why.
     Ended(u64, Why),
 }
@@ -104,7 +104,7 @@ pub(super) fn in_parts(
         advance(now).map_err(|halt| halt.after(made))?;
         made += now;
         if progress.tell(now).is_break() && made < steps {
-            return Err(Halt::Stopped);
+            return Err(Halt::Stopped(made));
         }
     }
     Ok(())
@@ -113,16 +113,16 @@ pub(super) fn in_parts(
 impl Halt {
     /// Where an orbit was not followed to its end.
     pub(super) fn of<R>(followed: &Followed<R>, why: impl FnOnce() -> Why) -> Result<(), Self> {
-        match followed.ended {
-            Ended::Complete | Ended::Done => Ok(()),
-            Ended::Stopped => Err(Halt::Stopped),
-            Ended::Range => Err(Halt::Ended(followed.steps, why())),
+        match followed.end {
+            End::Complete => Ok(()),
+            End::Stopped(steps) | End::Time(steps) => Err(Halt::Stopped(steps)),
+            End::Range(steps) | End::Pole(steps) | End::Escaped(steps) => Err(Halt::Ended(steps, why())),
         }
     }
 
     pub(super) fn after(self, steps: u64) -> Self {
         match self {
-            Self::Stopped => Self::Stopped,
+            Self::Stopped(more) => Self::Stopped(steps + more),
             Self::Ended(more, why) => Self::Ended(steps + more, why),
         }
     }
@@ -162,18 +162,18 @@ impl<A: Moving> Course<'_, A> {
         loop {
             block.fill(self, next, &mut cells);
             next += block.counts.len() as u64;
+            let made = (next - 1) * every;
             if block.hand_on(self.columns, rows).is_break() {
-                return Err(Halt::Stopped);
+                return Err(Halt::Stopped(made));
             }
             gone?;
-            let made = (next - 1) * every;
             if next == end {
                 // The steps behind the last row may have no value.
                 let left = if end == count { steps - made } else { 0 };
                 return points.advance(left, &progress).map_err(|halt| halt.after(made));
             }
             if progress.is_stopped() {
-                return Err(Halt::Stopped);
+                return Err(Halt::Stopped(made));
             }
             let now = (end - next).min(points.at_once(every) as u64) as usize;
             gone = points.rows(every, now, &mut cells, &progress).map_err(|halt| halt.after(made));
@@ -219,7 +219,7 @@ impl<A: Moving> Block<A> {
 }
 
 /// How an orbit ended, after so many steps, at a point.
-pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number]) -> End {
+pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number]) -> Ending {
     let (name, next, scalar) = (study.name(), n + 1, asked.scalar.name());
     let place = study.place(at, &asked.eps);
     let kept = "the rows up to it are kept";
@@ -256,9 +256,11 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
              point is {place}; {kept}"
         ),
     };
-    let last = Last { step: n, why: format!("the orbit of {name} {why_ended}") };
-    match why {
-        Why::Pole { .. } | Why::StagePole | Why::NoLimit(_) => End::Pole(last),
-        Why::Range | Why::TooLarge | Why::Escapes => End::Range(last),
-    }
+    // Whether a float is 0 at a pole is a matter of rounding.
+    let end = match why {
+        Why::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
+        Why::NoLimit(_) => End::Pole(n),
+        _ => End::Range(n),
+    };
+    Ending { end, step: n, why: Some(format!("the orbit of {name} {why_ended}")) }
 }

@@ -15,12 +15,13 @@ use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::rational::Rational;
 use kahan_discover::Watch;
+use kahan_runtime::End;
 use serde::{Deserialize, Serialize};
 
 use super::{Question, one};
 use crate::error::StudyError;
 use crate::numbers::exact;
-use crate::rows::{Column, End, Kept, MOST_CELLS, Rows, Table};
+use crate::rows::{Column, Kept, MOST_CELLS, Rows, Table};
 use crate::study::Study;
 
 use cells::Cells;

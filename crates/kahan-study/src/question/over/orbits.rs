@@ -6,7 +6,7 @@
 use std::ops::ControlFlow;
 
 use kahan_core::Composition;
-use kahan_runtime::{Follow, Followed, MachineFloat, Map, MapAt, ObservedFloat};
+use kahan_runtime::{End, Follow, Followed, MachineFloat, Map, MapAt, ObservedFloat};
 
 use super::at_cell::column;
 use super::cells::{Cells, Entry, Place, Target};
@@ -19,6 +19,8 @@ use crate::study::Study;
 const LANES: u64 = 16;
 /// Steps of all orbits that are followed at once.
 const AT_ONCE: u64 = 1 << 24;
+
+const ENDED: &str = "how the orbit ended: complete, range (its next point is not finite) or escaped";
 
 /// The orbits of all cells.
 pub(super) struct Orbits<'a> {
@@ -50,16 +52,16 @@ impl<'a> Orbits<'a> {
             study.map()?;
         }
         let mut orbits = Orbits { study, cells, asked, numbers: 0 };
-        orbits.numbers = orbits.columns().len() - 1;
+        orbits.numbers = orbits.columns().len() - 2;
         Ok(orbits)
     }
 
     pub(super) fn columns(&self) -> Vec<(Column, Kept)> {
-        let steps =
-            column("steps", "steps that were made, fewer where numbers leave their range", Kept::Integer);
+        let ended = column("ended", ENDED, Kept::Text);
+        let steps = column("ended_step", "steps to the last point of the orbit", Kept::Integer);
         let seen = self.asked.columns(self.study).into_iter();
         let seen = seen.map(|column| (column, Kept::F64(Vec::new())));
-        [steps].into_iter().chain(seen).collect()
+        [ended, steps].into_iter().chain(seen).collect()
     }
 
     /// How many cells should be done at once, at least and at most: enough to fill registers, and
@@ -87,9 +89,12 @@ impl<'a> Orbits<'a> {
             }
             for (begun, found) in same.iter().zip(found) {
                 let mut row = self.cells.entries(begun.index, &begun.place, &begun.values);
-                let (steps, seen) = found.map_or((0, Vec::new()), |found| (found.steps, found.report));
-                row.push(Entry::Integer(steps as i64));
-                let numbers = seen.iter().flat_map(Seen::numbers).chain(std::iter::repeat(f64::NAN));
+                // Where the field is not defined no point follows the start.
+                let end = found.as_ref().map_or(End::Range(0), |found| found.end);
+                row.push(Entry::Text(end.name().to_owned()));
+                row.push(Entry::Integer(end.steps(self.asked.steps) as i64));
+                let numbers = found.as_ref().map_or_else(Vec::new, Observe::numbers).into_iter();
+                let numbers = numbers.chain(std::iter::repeat(f64::NAN));
                 row.extend(numbers.take(self.numbers).map(Entry::Float));
                 rows.push(row);
             }
@@ -136,7 +141,9 @@ impl<'a> Orbits<'a> {
         let asked = self.asked.observing(&of);
         let found = match own[..] {
             [] => Vec::new(),
-            _ if self.asked.of.iter().all(|one| *one == Observable::Last) => self.ends(&own, starts, tell),
+            _ if self.asked.escape.is_none() && self.asked.of.iter().all(|one| *one == Observable::Last) => {
+                self.ends(&own, starts, tell)
+            }
             [one] => {
                 let start: Vec<T> = starts.iter().map(|column| column[0]).collect();
                 vec![T::alone(one, &start, &asked, tell).expect(FITTING)]
@@ -148,11 +155,8 @@ impl<'a> Orbits<'a> {
         of_each.map(|map| map.and_then(|_| found.next())).collect()
     }
 
-    /// The last point of each orbit; nothing is looked at on the way.
-    ///
-    /// Where neighbours share a map these orbits go through its step for columns, which is faster,
-    /// and whose last digits differ from those of single steps; so the question chooses, and not
-    /// what happens to stand together.
+    /// The last point of each orbit; nothing is looked at on the way. Where neighbours share a map
+    /// these orbits go through its step for columns, which is faster.
     fn ends<T: MachineFloat>(
         &self,
         maps: &[&MapAt<T>],
@@ -173,14 +177,14 @@ impl<'a> Orbits<'a> {
             for orbit in orbits {
                 let mut x: Vec<T> = columns.iter().map(|column| column[orbit]).collect();
                 let followed = same[0].follow(&mut x, steps, tell);
-                found.push(followed.expect(FITTING));
+                found.push(followed.expect(FITTING).end);
                 columns.iter_mut().zip(x).for_each(|(column, x)| column[orbit] = x);
             }
         }
         let of = self.asked.observables();
-        let told = found.into_iter().enumerate().map(|(orbit, Followed { steps, ended, .. })| {
+        let told = found.into_iter().enumerate().map(|(orbit, end)| {
             let point = || Seen::Point(columns.iter().map(|column| column[orbit].approximate()).collect());
-            Followed { report: of.iter().map(|_| point()).collect(), steps, ended }
+            Followed { report: of.iter().map(|_| point()).collect(), end }
         });
         told.collect()
     }

@@ -6,10 +6,10 @@
 use std::ops::Range;
 
 use kahan_discover::Watch;
-use kahan_runtime::threads;
+use kahan_runtime::{End, threads};
 
 use crate::count::Count;
-use crate::rows::{End, Rows, Table};
+use crate::rows::{Rows, Table};
 
 /// Blocks that are made before their rows are handed on, for each thread.
 const WAVE: u64 = 64;
@@ -17,7 +17,7 @@ const WAVE: u64 = 64;
 /// Makes the rows of cells: it tells how many are done, and ends where that is answered by `false`.
 pub(super) type Make<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
 
-/// Hands on the rows of a range, up to the first that is missing. Threads have blocks of a number
+/// Hands on the rows of a range, up to the first that is missing: stopped, that one. Threads have blocks of a number
 /// between these two, and several each, so that none is left with much where others are done.
 pub(super) fn in_waves(
     range: Range<u64>,
@@ -45,7 +45,7 @@ pub(super) fn in_waves(
             let own = cells(place);
             let has_ended = table.count() > 0 && table.hand_to(rows).is_break();
             if has_ended || (table.count() as u64) < own.end - own.start {
-                return End::Stopped;
+                return End::Stopped(own.start + table.count() as u64);
             }
         }
     }

@@ -1,0 +1,126 @@
+//! One start, one end: how an orbit ends, and after how many steps, is the same whoever follows it.
+
+use kahan_algebra::rational::Rational;
+use kahan_study::{
+    Answer, End, Kept, Observable, Observe, Orbit, Over, Question, Section, Study, Subject, Systems,
+    Unwatched, Varied,
+};
+use serde_json::json;
+
+/// A field, a start, ε, steps, and the end.
+const ENDS: [(&str, &[&str], &str, u64, End); 6] = [
+    // 1/x falls by 2ε: the tenth step is at the pole of the map.
+    ("xdot = x^2;", &["1"], "1/20", 11, End::Range(9)),
+    ("xdot = x^2;", &["1"], "1/20", 9, End::Complete),
+    // The orbit jumps over the pole of the flow.
+    ("xdot = x^2 + 1;", &["0"], "1/20", 40, End::Complete),
+    ("xdot = x;", &["1"], "1/2", 1000, End::Range(646)),
+    ("xdot = y; ydot = -x;", &["1", "0"], "1/20", 50, End::Complete),
+    ("xdot = y; ydot = x^2;", &["1e200", "2"], "1/20", 50, End::Range(0)),
+];
+
+fn number(text: &str) -> Rational {
+    Rational::typed(text).expect("a number")
+}
+
+fn over(study: &Study, asked: Observe, starts: &[&Vec<Rational>]) -> Vec<(String, i64, f64)> {
+    let mut over = Over::new(Question::Observe(asked), Vec::<Varied>::new());
+    over.starts = starts.iter().map(|start| (*start).clone()).collect();
+    let Answer::Over(found) = study.ask(&Question::Over(over), &Unwatched).expect("cells") else {
+        unreachable!("the answer to this question")
+    };
+    let place = |name: &str| found.columns.iter().position(|column| column == name).expect(name);
+    let values = &found.rows.values;
+    let [Kept::Text(ended), Kept::Integer(steps), Kept::F64(last)] =
+        ["ended", "ended_step", "final_x"].map(|name| &values[place(name)])
+    else {
+        panic!("{values:?}")
+    };
+    ended.iter().cloned().zip(steps).zip(last).map(|((ended, step), last)| (ended, *step, *last)).collect()
+}
+
+#[test]
+fn an_orbit_ends_in_the_same_way_and_at_the_same_step_wherever_it_is_followed() {
+    for (text, at, eps, steps, end) in ENDS {
+        let study = Subject::text(text).study(&Systems).expect("a field");
+        let (at, eps): (Vec<Rational>, _) = (at.iter().map(|x| number(x)).collect(), number(eps));
+        let orbit = Orbit::new(eps.clone(), at.clone(), steps);
+        for every in [1, 4] {
+            let found = Orbit { every, ..orbit.clone() }.ask(&study, &Unwatched).expect("an orbit");
+            assert_eq!((found.ending.end, found.ending.step), (end, end.steps(steps)), "{text}");
+            assert_eq!(json!(found)["ended_step"], end.steps(steps));
+        }
+        let section = Section::new(eps.clone(), at.clone(), steps, "x - 1/3").ask(&study, &Unwatched);
+        let section = section.expect("a section");
+        assert_eq!((section.end, section.steps), (end, end.steps(steps)), "{text}");
+        assert_eq!(json!(section)["ended"], end.name());
+
+        let plain = Observe::new(eps.clone(), at.clone(), steps);
+        for of in [&Observe::USUAL[..], &[Observable::Last]] {
+            let asked = Observe { of: of.to_vec(), ..plain.clone() };
+            let observed = asked.ask(&study, &Unwatched).expect("observations");
+            assert_eq!((observed.end, observed.steps), (end, end.steps(steps)), "{text}");
+            assert_eq!(json!(observed)["ended"], end.name());
+        }
+        // Alone in a table, beside others, and where nothing but the last point is asked for.
+        for of in [vec![Observable::Last], vec![Observable::Last, Observable::Sali]] {
+            for count in [1, 3] {
+                let asked = Observe { of: of.clone(), ..plain.clone() };
+                for (ended, step, last) in over(&study, asked, &vec![&at; count]) {
+                    assert_eq!((&*ended, step as u64), (end.name(), end.steps(steps)), "{text}");
+                    assert_eq!(last.is_nan(), end != End::Complete, "{text}: {last}");
+                }
+            }
+        }
+        let map = study.map().expect("a map").at(eps.to_f64());
+        let mut columns: Vec<Vec<f64>> = at.iter().map(|x| vec![x.to_f64(); 3]).collect();
+        columns[0][1] = f64::NAN;
+        let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let ends = map.follow_columns(&mut columns, &[], &[], steps).expect("columns that fit");
+        assert_eq!(ends, [end, End::Range(0), end], "{text}");
+    }
+}
+
+/// Observers of a start that is not a number see nothing regular.
+#[test]
+fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
+    let study = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).expect("a field");
+    let map = study.map().expect("a map").at(0.05);
+    let of = vec![Observable::Sali, Observable::Fli, Observable::Extrema, Observable::Lyapunov];
+    let asked = Observe { of, ..Observe::new(Rational::zero(), Vec::new(), 50) };
+    let found = asked.of_orbits(&[&map, &map], &[vec![f64::NAN, 0.25], vec![0.0, 0.0]]);
+    assert_eq!(found[0].end, End::Range(0));
+    assert!(found[0].report.iter().all(|number| number.is_nan()), "{found:?}");
+    assert!(found[1].end == End::Complete && found[1].report.iter().all(|number| number.is_finite()));
+    // Nor are they after no step.
+    let pole = Subject::text("xdot = x^2;").study(&Systems).expect("a field");
+    let observed =
+        Observe::new(number("1/2"), vec![number("1")], 9).ask(&pole, &Unwatched).expect("observations");
+    assert_eq!(observed.end, End::Range(0));
+    let observed = json!(observed);
+    assert!(["sali", "fli", "megno"].iter().all(|name| observed[name].is_null()), "{observed}");
+}
+
+/// 3ⁿ > 10⁶ from n = 13 on.
+#[test]
+fn an_orbit_ends_where_it_escapes_from_a_bound_that_was_asked_for() {
+    let study = Subject::text("xdot = x;").study(&Systems).expect("a field");
+    let of = vec![Observable::Last, Observable::Escape];
+    let at = vec![number("1")];
+    let asked = Observe { of, ..Observe::new(number("1/2"), at.clone(), 100) };
+    let bound = Observe { escape: Some(1e6), ..asked.clone() };
+    assert_eq!(bound.ask(&study, &Unwatched).expect("observations").end, End::Escaped(13));
+    for (ended, step, last) in over(&study, bound, &[&at; 17]) {
+        assert!((&*ended, step) == ("escaped", 13) && last.is_nan());
+    }
+    let observed = asked.ask(&study, &Unwatched).expect("observations");
+    assert_eq!((observed.end, &json!(observed)["escaped"]), (End::Complete, &json!(13)));
+}
+
+#[test]
+fn exact_orbits_end_at_poles() {
+    let study = Subject::text("xdot = x^2;").study(&Systems).expect("a field");
+    let orbit = Orbit::new(number("1/20"), vec![number("1")], 11);
+    let orbit = Orbit { scalar: kahan_study::numbers::ScalarKind::Exact, ..orbit };
+    assert_eq!(orbit.ask(&study, &Unwatched).expect("an orbit").ending.end, End::Pole(9));
+}
