@@ -1,7 +1,7 @@
 //! The oracle's files: exact vectors of every object, orbits, and points on det A = 0.
 //!
-//! In: `data/SYSTEM.json`, which `data/generate.py` writes and describes. Out: typed access; a value
-//! that the oracle does not define at a point is `None`.
+//! In: `data/SYSTEM.json`, which `data/generate.py` writes and describes. Out: typed access; a
+//! value that the oracle does not define at a point is `None`.
 
 use serde_json::Value;
 

@@ -3,7 +3,7 @@
 //! `cargo test -p kahan-tests --test weakenings -- --ignored --nocapture every` tries all of them,
 //! which takes some twenty minutes; with KAHAN_WEAKENING=WORDS in the environment those alone whose
 //! names or files hold these words. With `change` in place of `every` it tries those whose file
-//! has changed since a commit, KAHAN_BASE or else the last one that is twelve hours older than HEAD,
+//! has changed since a commit, KAHAN_BASE or else the last that is twelve hours older than HEAD,
 //! and four others, which the hash of HEAD chooses. It begins none, and goes on with none, after
 //! [`MINUTES`], and says how many it has tried.
 //!

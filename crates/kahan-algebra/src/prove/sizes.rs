@@ -12,17 +12,17 @@
 //!
 //! So one draw passes wrongly with probability at most e = b/60 · 2⁻⁵⁴ + deg F · 2⁻⁶⁰.
 //!
-//! Where something divides by zero, another point is drawn, in two loops of r = 16 turns (`MOST_DRAWS`).
-//! A step is drawn up to r times until it has a value, so it passes wrongly with probability at most
-//! r·e. A claim that has no value at a step goes on to the next, and less than r steps are passed
-//! over in all. A false claim with k points is proved only if k of its first k + r − 1 steps pass
-//! wrongly. Steps are independent, and there are binomial(k + r − 1, k) ≤ rᵏ ways to choose the k,
-//! so that happens with probability at most (r²·e)ᵏ.
+//! Where something divides by zero, another point is drawn, in two loops of r = 16 turns
+//! (`MOST_DRAWS`). A step is drawn up to r times until it has a value, so it passes wrongly with
+//! probability at most r·e. A claim that has no value at a step goes on to the next, and less than
+//! r steps are passed over in all. A false claim with k points is proved only if k of its first k +
+//! r − 1 steps pass wrongly. Steps are independent, and there are binomial(k + r − 1, k) ≤ rᵏ ways
+//! to choose the k, so that happens with probability at most (r²·e)ᵏ.
 //!
-//! k is chosen such that (r²·e)ᵏ < 2⁻¹⁰⁰; it is never below 3. "Random" is
-//! SHAKE256 of the block's text, 256 bits of it: more than any such bound needs, builds are
-//! reproducible, and whoever writes a block cannot aim at its primes except by trial. deg F and b
-//! come from running the very same residuals in the arithmetic of sizes ([`Sizes`]).
+//! k is chosen such that (r²·e)ᵏ < 2⁻¹⁰⁰; it is never below 3. "Random" is SHAKE256 of the block's
+//! text, 256 bits of it: more than any such bound needs, builds are reproducible, and whoever
+//! writes a block cannot aim at its primes except by trial. deg F and b come from running the very
+//! same residuals in the arithmetic of sizes ([`Sizes`]).
 
 use crate::arithmetic::{Arithmetic, Size, Sizes};
 use crate::derived::Scheme;

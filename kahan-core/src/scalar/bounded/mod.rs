@@ -19,30 +19,31 @@
 //! A number of the last rungs knows how far it may be off, and m and k follow from that.
 //!
 //! # Slack
-//! Magnitudes are rounded themselves, k times at most, and errors are computed as k·u·m, not as γₖ·m.
-//! [`SLACK`] pays for both: what holds of a computed m is
+//! Magnitudes are rounded themselves, k times at most, and errors are computed as k·u·m, not as
+//! γₖ·m. [`SLACK`] pays for both: what holds of a computed m is
 //!
 //! > |v| ≤ M and |v̂ − v| ≤ γₖ·M, where M = m/(1−u)ᵏ,
 //!
 //! and γₖ·M ≤ 17/16·k·u·m as long as t = k·u is at most 1/25, since
 //!
-//! > γₖ/(1−u)ᵏ/t ≤ (eᵗ − 1)·eᵗ/t = Σ (2ⁿ − 1)·tⁿ⁻¹/n! = 1 + 3t/2 + 7t²/6 + … ≤ 1.0620 at t = 1/25;
+//! > γₖ/(1−u)ᵏ/t ≤ (eᵗ − 1)·eᵗ/t = 1 + 3t/2 + 7t²/6 + … ≤ 1.0620 at t = 1/25;
 //!
-//! what is left, up to 1.0625, pays for the last two roundings of an error. (At t = 1/24 it is 1.0646,
-//! more than the slack.) Sums and products keep the inequalities of M by the rules above, as m takes
-//! a rounding wherever k grows. Magnitudes of numbers wider than `f64` are rounded to 53 bits, of
-//! which all that a `u32` can count is less than 2⁻²⁰.
+//! what is left, up to 1.0625, pays for the last two roundings of an error. (At t = 1/24 it is
+//! 1.0646, more than the slack.) Sums and products keep the inequalities of M by the rules above,
+//! as m takes a rounding wherever k grows. Magnitudes of numbers wider than `f64` are rounded to 53
+//! bits, of which all that a `u32` can count is less than 2⁻²⁰.
 //!
-//! In quotients v̂ stands for v, too. Let q = â/b̂. The doubt in b̂ is at most |b̂|/64, so |v| ≤ 64/63·(|q|
-//! + γ_kₐ·Mₐ/|b̂|), and
+//! In quotients v̂ stands for v, too. Let q = â/b̂. The doubt in b̂ is at most |b̂|/64, so |v| ≤
+//! 64/63·(|q| + γ_kₐ·Mₐ/|b̂|), and
 //!
 //! > |q − v| ≤ (γ_kₐ·Mₐ + |v|·γ_k_b·M_b)/|b̂| ≤ 64/63·γ_max(kₐ, k_b)·(Mₐ + |q|·M_b)/|b̂|.
 //!
-//! So m is multiplied by the slack once more, which exceeds 64/63 and the roundings of m, and |v̂|/m
-//! ≤ (1 + γ_kₐ)/1.0625 < 1 for kₐ·u ≤ 1/25, so the quotient's own rounding is paid for. In a chain
-//! c/d/d′/… of n divisors off by ρᵢ ≤ 1/64 each, |v/q − 1| ≤ Π 1/(1−ρᵢ) − 1 ≤ 1.0625·Σ ρᵢ for n ≤ 6.
-//! Steps divide by one determinant a block, by eight at most. With the premises below a rounding adds
-//! 1 to w or to the bits of B, so t < 10⁻⁴; then the slack of errors is left, too, and n ≤ 14 will do.
+//! So m is multiplied by the slack once more, which exceeds 64/63 and the roundings of m, and
+//! |v̂|/m ≤ (1 + γ_kₐ)/1.0625 < 1 for kₐ·u ≤ 1/25, so the quotient's own rounding is paid for. In a
+//! chain c/d/d′/… of n divisors off by ρᵢ ≤ 1/64 each, |v/q − 1| ≤ Π 1/(1−ρᵢ) − 1 ≤ 1.0625·Σ ρᵢ for
+//! n ≤ 6. Steps divide by one determinant a block, by eight at most. With the premises below a
+//! rounding adds 1 to w or to the bits of B, so t < 10⁻⁴; then the slack of errors is left, too,
+//! and n ≤ 14 will do.
 //!
 //! # Underflow
 //! A product, a quotient or a literal that underflows is off by η at most, and m with it. With all

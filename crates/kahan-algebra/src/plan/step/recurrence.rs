@@ -16,8 +16,8 @@ impl StepPlan {
         self.recurrence().div_ceil(UNIT)
     }
 
-    /// Cycles a step in an orbit: the largest mean over dependency cycles of up to n steps, in units
-    /// of 1/60 cycle. The mean over a cycle of seven or more steps is rounded down to such a unit.
+    /// Cycles a step in an orbit: the largest mean over dependency cycles of up to n steps, in
+    /// units of 1/60 cycle. A mean over seven or more steps is rounded down to such a unit.
     pub(in crate::plan) fn recurrence(&self) -> u64 {
         let n = self.kernel.dimension();
         let mut longest = 0;
