@@ -10,6 +10,7 @@ const TANGENTS: &str = "-p kahan-tests --test main -- long_tangents";
 const REMOVABLE: &str = "-p kahan-tests --test removable_poles";
 const MAPS: &str = "-p kahan-core-tests -- ensemble::maps";
 const ANY: &str = "-p kahan-core-tests -- any_map";
+const JUMPS: &str = "-p kahan-core-tests -- observe::jumps";
 const EXPONENTS: &str = "-p kahan-core-tests -- exponents";
 const FOLLOWED: &str = "-p kahan-runtime --test slices --test side_by_side";
 
@@ -54,8 +55,14 @@ pub(crate) const ORBITS: &[Weakening] = &[
         "if <Self as Observer<T>>::MAY_END {",
         "if false {"),
     of(ANY, "a crossing whose time is that of its step", "kahan-core/src/observe/section.rs",
-        "let time = two * eps * (T::constant(&Constant::integer(step.cast_signed())) + part);",
-        "let time = two * eps * T::constant(&Constant::integer(step.cast_signed()));"),
+        "let steps = T::constant(&Constant::integer(step.cast_signed())) + part;",
+        "let steps = T::constant(&Constant::integer(step.cast_signed()));"),
+    of(JUMPS, "a jump that is taken for a zero", "kahan-core/src/observe/zero.rs",
+        "libm::exp2(-f64::from(T::SHORT_BITS))",
+        "libm::exp2(f64::from(T::SHORT_BITS))"),
+    of(JUMPS, "a zero at infinity", "kahan-core/src/observe/section.rs",
+        "(small * at > most && !(apart <= small * at))",
+        "(small * at > most && apart.is_nan())"),
     of(ANY, "a time that is told by the whole steps before it", "kahan-core/src/map/orbit/times.rs",
         "Some(self.part(time / dt - count(made)))",
         "Some(self.part(S::Scalar::zero()))"),
