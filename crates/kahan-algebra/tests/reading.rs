@@ -137,6 +137,23 @@ fn blocks_of_more_names_and_claims_than_are_read_are_refused() {
         ),
         (format!("{} xdot = 1;", constants(9_000)), format!("{} xdot = 1;", constants(70_000))),
         (format!("xdot = 0; {}", claims(500)), format!("xdot = 0; {}", claims(501))),
+        (
+            // Of many variables, or of many terms.
+            format!("{} integral H = x0;", listed(100, |k| format!("x{k}dot = 0*x{k};"), " ")),
+            format!("{} integral H = x0;", listed(1_000, |k| format!("x{k}dot = 0*x{k};"), " ")),
+        ),
+        (
+            format!(
+                "xdot = 0; ydot = {}; {}",
+                listed(2_000, |k| format!("y*a^{}*b^{}", k % 50, k / 50), " + "),
+                claims(10)
+            ),
+            format!(
+                "xdot = 0; ydot = {}; {}",
+                listed(20_000, |k| format!("y*a^{}*b^{}*c^{}", k % 50, k / 50 % 50, k / 2500), " + "),
+                claims(500)
+            ),
+        ),
         (format!("for i in open {{ {} }}", arrays(77)), format!("for i in open {{ {} }}", arrays(78))),
         (
             format!("for i in periodic {{ x[i]dot = {}; }}", parameters(9_997)),

@@ -76,8 +76,32 @@ fn are_equal(a: &[Condition], b: &[Condition]) -> bool {
     a.len() == b.len() && values(a) == values(b)
 }
 
-/// Reports the claims that do not hold.
+/// The most operations at a point that the claims of a block may take, see [`operations`].
+const MOST_OPERATIONS: usize = 1_500_000;
+
+/// What all claims take at a point, about: the operations of each, for each the terms of the field,
+/// and eliminations, whose operations modulo a prime are quick.
+fn operations(system: &System) -> usize {
+    let n = system.field.dimension();
+    let terms: usize = system.field.components.iter().map(|component| component.numerator.len()).sum();
+    let one = |claim: &Claim| claim.plan.operations.len() + terms + n.saturating_pow(3) / 16;
+    system.claims.iter().map(one).fold(0, usize::saturating_add)
+}
+
+/// Reports the claims that do not hold, or that they are too much to be proved.
 pub fn check_claims(system: &System, seed: [u8; 32], diagnostics: &mut Diagnostics) {
+    if let Some(claim) = system.claims.last()
+        && operations(system) > MOST_OPERATIONS
+    {
+        let count = system.claims.len();
+        diagnostics.report(
+            Kind::TooLarge,
+            claim.name.span,
+            format!("the claims of this block, {count} in all, take more than {MOST_OPERATIONS} operations at a point to prove"),
+            "claim less in one block, or shorter formulas; of many equations that are alike write a family",
+        );
+        return;
+    }
     for (claim, verdict) in system.claims.iter().zip(prove_all(system, seed)) {
         report(system, claim, &verdict, diagnostics);
     }
