@@ -1,7 +1,6 @@
 //! `kahan scan`: which values of parameters, and of ε, are special.
 
 use clap::Args;
-use kahan_algebra::rational::Rational;
 use kahan_discover::scan::{Proposal, Sight};
 use kahan_study::{Axis, Scan as Question, ScanFound, Study};
 

@@ -4,6 +4,7 @@ use std::fmt;
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
+use kahan_study::Study;
 
 use crate::printing::{Refusal, joined};
 use crate::reading::{is_number_file, point, points};
