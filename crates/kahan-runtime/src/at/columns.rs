@@ -128,8 +128,11 @@ impl<T: MachineFloat> MapAt<T> {
         };
         let is_lost =
             |columns: &[&mut [T]], k: usize| !columns.iter().all(|column| is_finite(&column[k..=k]));
-        let start = |k| if is_lost(columns, k) { End::Range(0) } else { End::Complete };
-        let mut ends: Vec<End> = (0..trajectories).map(start).collect();
+        let mut ends = vec![End::Complete; trajectories];
+        if steps == 0 {
+            // What is not finite stays so, and is found after steps.
+            (0..trajectories).filter(|&k| is_lost(columns, k)).for_each(|k| ends[k] = End::Range(0));
+        }
         let mut before: Vec<Vec<T>> = vec![Vec::new(); columns.len()];
         for made in (0..steps).step_by(LOOK as usize) {
             let now = LOOK.min(steps - made);
@@ -138,6 +141,9 @@ impl<T: MachineFloat> MapAt<T> {
                 before.extend_from_slice(column);
             }
             self.advance_in(form, columns, eps, parameters, now);
+            if columns.iter().all(|column| is_finite(column)) {
+                continue;
+            }
             let lost = |&k: &usize| ends[k] == End::Complete && is_lost(columns, k);
             let lost: Vec<usize> = (0..trajectories).filter(lost).collect();
             if lost.is_empty() {

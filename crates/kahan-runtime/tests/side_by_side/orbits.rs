@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use kahan_core::observe::{Escape, Extrema, Fli, Lyapunov, Megno, Observer, Sali};
 use kahan_core::{Composition, Level};
-use kahan_runtime::{End, Field, Follow, MachineFloat, MapAt, WhileFinite};
+use kahan_runtime::{Field, Follow, MachineFloat, MapAt, WhileFinite};
 
 use super::support::{FIELDS, STEPS, columns, maps};
 
