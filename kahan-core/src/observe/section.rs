@@ -222,7 +222,7 @@ fn is_beyond<T: FloatScalar>(ends: [&[T]; 2], [point, beside]: [&[T]; 2]) -> boo
     point.iter().zip(beside).enumerate().any(|(i, (at, beside))| {
         let [at, apart] = [*at, *at - *beside].map(|number| number.approximate().abs());
         let most = ends.map(|end| end[i].approximate().abs()).into_iter().fold(0.0, f64::max);
-        !at.is_finite() || (small * at > most && !(apart <= small * at))
+        !at.is_finite() || (small * at > most && (apart.is_nan() || apart > small * at))
     })
 }
 

@@ -58,7 +58,7 @@ fn describe(monomial: &Monomial, scope: &Scope) -> (String, String) {
     let (states, _) = monomial.split(|variable| scope.symbols.is_state(variable));
     let power = |name: &str, exponent: u32| Text.power(name, exponent.into());
     let powers = states.powers().iter().map(|&(variable, exponent)| (scope.symbols.name(variable), exponent));
-    let powers: Vec<(String, u32)> = powers.map(|(name, exponent)| (name, u32::from(exponent))).collect();
+    let powers: Vec<(String, u32)> = powers.collect();
     let square = powers.iter().find(|(_, exponent)| *exponent > 1).map(|(name, _)| power(name, 2));
     let names = || powers.iter().take(2).map(|(name, _)| name.clone()).collect::<Vec<_>>();
     let product = square.unwrap_or_else(|| Text.product(&names()));

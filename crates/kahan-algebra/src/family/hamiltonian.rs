@@ -145,7 +145,7 @@ pub(super) fn missing(
     // Terms of one extent cancel by themselves; shorter chains first.
     for (array, mut terms) in rows.into_iter().enumerate() {
         let order = |term: &RowTerm| (term.extent.sites(), term.extent.first);
-        terms.sort_by(|one, other| order(one).cmp(&order(other)));
+        terms.sort_by_key(order);
         for group in terms.chunk_by(|one, other| one.extent == other.extent && one.monomial == other.monomial)
         {
             if !equations.add(group.iter().map(|term| (term.unknown, &term.coefficient)), budget)? {

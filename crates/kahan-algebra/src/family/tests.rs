@@ -234,7 +234,7 @@ fn work(text: &str) -> u64 {
     let middle = Middle::of(&family);
     match (&family.hamiltonian, &*family.integrals) {
         (Some(energy), []) => {
-            assert!(missing(&middle, energy, &mut budget).expect("within").is_none(), "{text}")
+            assert!(missing(&middle, energy, &mut budget).expect("within").is_none(), "{text}");
         }
         (None, [sum]) => assert!(cancels(&middle, sum, &mut budget).expect("within"), "{text}"),
         _ => panic!("one claim"),

@@ -110,11 +110,11 @@ impl Table {
     /// early, or is null.
     pub(crate) fn end(mut self, behind: &Map<String, Value>) -> Result<(), Broken> {
         if self.format == Format::Json {
-            self.sink.write("\n  ]".to_owned())?;
+            self.sink.write("\n  ]")?;
             for (name, value) in behind {
                 self.sink.write(format!(",\n  \"{name}\": {value}"))?;
             }
-            self.sink.write("\n}\n".to_owned())?;
+            self.sink.write("\n}\n")?;
         }
         self.sink.finish()
     }

@@ -134,6 +134,7 @@ impl Plan {
             Question::Observe(Observe { steps, every, escape, of, .. }) => {
                 let of: Vec<&str> = of.iter().map(|one| one.name()).collect();
                 let of = of.join(", ");
+                let escape = escape.map_or("none".to_owned(), |bound| bound.to_string());
                 writeln!(
                     text,
                     "kind = orbit\nsteps = {steps}\nevery = {every}\nescape = {escape}\nobserve = [{of}]"
