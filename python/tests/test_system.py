@@ -232,8 +232,8 @@ def test_help_shows_what_is_for_users():
     undocumented = [name for name in public if not getattr(kahan.System, name).__doc__]
     assert not undocumented and not public & {"ask", "table", "points", "advance", "observed", "discovered"}
     tomllib = pytest.importorskip("tomllib")
-    cargo = tomllib.loads((Path(__file__).resolve().parents[1] / "Cargo.toml").read_text())
-    assert kahan.__version__ == cargo["package"]["version"]
+    cargo = tomllib.loads((Path(__file__).resolve().parents[2] / "Cargo.toml").read_text())
+    assert kahan.__version__ == cargo["workspace"]["package"]["version"]
 
 
 def test_the_catalog_knows_its_names():

@@ -1,5 +1,7 @@
 //! One start, one end: how an orbit ends, and after how many steps, is the same whoever follows it.
 
+use std::ops::ControlFlow;
+
 use kahan_algebra::rational::Rational;
 use kahan_study::{
     Answer, End, Kept, Observable, Observe, Orbit, Over, Question, Section, Study, Subject, Systems,
@@ -88,7 +90,8 @@ fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     let map = study.map().expect("a map").at(0.05);
     let of = vec![Observable::Sali, Observable::Fli, Observable::Extrema, Observable::Lyapunov];
     let asked = Observe { of, ..Observe::new(Rational::zero(), Vec::new(), 50) };
-    let found = asked.of_orbits(&[&map, &map], &[vec![f64::NAN, 0.25], vec![0.0, 0.0]]);
+    let found = asked
+        .of_orbits(&[&map, &map], &[vec![f64::NAN, 0.25], vec![0.0, 0.0]], &|_| ControlFlow::Continue(()));
     assert_eq!(found[0].end, End::Range(0));
     assert!(found[0].report.iter().all(|number| number.is_nan()), "{found:?}");
     assert!(found[1].end == End::Complete && found[1].report.iter().all(|number| number.is_finite()));
