@@ -467,7 +467,7 @@ class System(Field):
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
-        color: str = "sali", order: int = 2, escape: float | None = 1e6, threads: int | None = None, progress: bool = False,
+        color: str = "sali", order: int = 2, escape: float | None = None, threads: int | None = None, progress: bool = False,
     ) -> Chart:
         """What orbits do over parameters, eps or first values: an observable at every value of ``over``.
 
@@ -477,8 +477,8 @@ class System(Field):
         spectrum_2. Costs an orbit a cell, in lanes and on all threads.
 
         An exponent of an orbit that escapes is large, and no sign of chaos: an orbit ends where a variable
-        is beyond ``escape``, which is best some times the size of the region of interest, and its cell is
-        NaN. ``ended`` and ``ended_step`` say how and after how many steps the orbit of each cell ended.
+        is beyond ``escape``, if that is given, and its cell is NaN. Some times the size of the region of
+        interest is a good bound. ``ended`` and ``ended_step`` say how and after how many steps the orbit of each cell ended.
         """
         if not over:
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")

@@ -12,10 +12,11 @@ use kahan_draw::picture::{Chart as Shown, Look, chart};
 use kahan_study::{Axis, Observable, Observe, Over, Question, Study, StudyError};
 use serde_json::{Value, json};
 
+use super::dynamics::radius;
 use super::line::{Asking, Line};
 use super::look::{OutFile, SheetOptions, usual};
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{self, Start, number, observable, whole};
+use crate::reading::{self, Start, observable, whole};
 
 use rows::Rows;
 
@@ -25,10 +26,10 @@ use rows::Rows;
 /// else is as --at, --param and --eps say. At each value, or pair of values, an orbit begins, in
 /// doubles, for the same number of steps, and an observer says what it does: over one range a curve
 /// shows it, over two the colour of a cell around the values. The curve has a gap, and the cell
-/// stays empty, where the orbit leaves the range of doubles or escapes, and under `escape` where it
-/// does neither; the legend counts them. The numbers do not depend on the number of threads. The
-/// file is a picture, or a table with a row an orbit: the number, how the orbit ended, and after how
-/// many steps.
+/// stays empty, where the orbit leaves the range of doubles or is beyond --escape, and under
+/// `escape` where it does neither; the legend counts them. The numbers do not depend on the number
+/// of threads. The file is a picture, or a table with a row an orbit: the number, how the orbit
+/// ended, and after how many steps.
 ///
 /// SALI and drift are shown as logarithms to base 10. Chaotic are the orbits where SALI is small,
 /// down to -16, and those where FLI, MEGNO or the Lyapunov exponent are large: on regular orbits
@@ -79,9 +80,9 @@ pub(crate) struct Chart {
     #[arg(long, default_value = "sali", value_parser = observable(&COLOURS))]
     color: Observable,
 
-    /// The orbit ends, as escaped, where a variable is larger than R in size.
-    #[arg(long, value_name = "R", default_value = "1e6", allow_hyphen_values = true)]
-    escape: String,
+    /// End the orbit, as escaped, where a variable is larger than R in size.
+    #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = radius)]
+    escape: Option<f64>,
 
     /// The file, F.svg, F.png, F.pdf or F.csv, which appears when it is complete.
     #[arg(long, value_name = "F")]
@@ -118,9 +119,8 @@ impl Asking for Chart {
         let (study, at, eps) = self.start.study_over(&axes)?;
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
-        let escape = number(&self.escape, "--escape")?.to_f64();
         let of = vec![self.color];
-        let observe = Observe { escape: Some(escape), of, ..Observe::new(eps, at, self.steps) };
+        let observe = Observe { escape: self.escape, of, ..Observe::new(eps, at, self.steps) };
         // The first range of a chart runs fastest, and the last axis of a question.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))

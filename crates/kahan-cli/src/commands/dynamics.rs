@@ -68,7 +68,7 @@ pub(crate) struct Dynamics {
     json: bool,
 }
 
-fn radius(text: &str) -> Result<f64, String> {
+pub(super) fn radius(text: &str) -> Result<f64, String> {
     let radius = crate::reading::number(text, "--escape").map_err(|_| "not a number".to_owned())?.to_f64();
     if radius > 0.0 { Ok(radius) } else { Err("it is a size, as in 1e6".to_owned()) }
 }

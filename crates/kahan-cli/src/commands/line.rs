@@ -179,7 +179,7 @@ mod tests {
         let asked = Observe { of, escape: Some(12.5), eps: rational(1, 1), ..plain.clone() };
         let axes = ["x", "eps"].map(|name| through(name, "1:-1:+-1/40").into()).to_vec();
         let two = study::Over::new(Question::Observe(asked), axes.clone());
-        let plain = Observe { of: vec![Observable::Sali], escape: Some(1e6), ..plain };
+        let plain = Observe { of: vec![Observable::Sali], ..plain };
         reads_back::<Chart>([two, study::Over::new(Question::Observe(plain), axes[..1].to_vec())]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);

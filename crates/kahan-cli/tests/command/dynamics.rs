@@ -222,8 +222,7 @@ fn charts_show_what_each_orbit_does() {
         answer(&[&["chart"], &given[..], &over, &["--out", out], further].concat());
         std::fs::read_to_string(out).expect("the file")
     };
-    let table =
-        chart(&["r=-4:4:/4", "x=0:2:/3"], &["--color", "lyapunov", "--escape", "1e300"], &file("r.csv"));
+    let table = chart(&["r=-4:4:/4", "x=0:2:/3"], &["--color", "lyapunov"], &file("r.csv"));
     assert_eq!(table.lines().next(), Some("r,x,lyapunov,ended,ended_step"));
     let rows = cells(&table);
     assert_eq!(rows.len(), 12);
@@ -237,8 +236,7 @@ fn charts_show_what_each_orbit_does() {
         assert!((exponent - rate).abs() < 0.1, "{r}: {exponent} and {rate}");
     }
     // The same orbits are the same numbers, wherever they stand and on whichever thread.
-    let mirrored =
-        chart(&["x=0:2:/3", "r=-4:4:/4"], &["--color", "lyapunov", "--escape", "1e300"], &file("x.csv"));
+    let mirrored = chart(&["x=0:2:/3", "r=-4:4:/4"], &["--color", "lyapunov"], &file("x.csv"));
     let mut turned: Vec<_> = cells(&mirrored).into_iter().map(|[x, r, value]| [r, x, value]).collect();
     let mut rows = cells(&table);
     let order = |a: &[Option<f64>; 3], b: &[Option<f64>; 3]| a.partial_cmp(b).expect("numbers");
@@ -246,14 +244,14 @@ fn charts_show_what_each_orbit_does() {
     rows.sort_by(order);
     assert_eq!(rows, turned);
     // Over one range the same numbers stand in a column: x is 1, as --at says.
-    let column = chart(&["r=-4:4:/4"], &["--color", "lyapunov", "--escape", "1e300"], &file("c.csv"));
+    let column = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.csv"));
     let of_one: Vec<String> = rows
         .iter()
         .filter(|[_, x, _]| *x == Some(1.0))
         .map(|[r, _, value]| format!("{:?},{:?},complete,100\n", r.expect("r"), value.expect("an exponent")))
         .collect();
     assert_eq!(column, format!("r,lyapunov,ended,ended_step\n{}", of_one.concat()));
-    let curve = chart(&["r=-4:4:/4"], &["--color", "lyapunov", "--escape", "1e300"], &file("c.svg"));
+    let curve = chart(&["r=-4:4:/4"], &["--color", "lyapunov"], &file("c.svg"));
     assert!(curve.contains("per unit of t of field over r from -3 to 3, 100 steps each"), "{curve}");
     let points = |class: &str| {
         let shape = curve.split_once(&format!("class=\"{class}\" d=\"")).expect("a shape").1;

@@ -152,13 +152,13 @@ impl Subject<'_> {
             Axis { name: name.to_owned(), range }.into()
         });
         let observe = Observe::new(eps.clone(), start.clone(), 1000);
-        let observe = Question::Observe(Observe { of: vec![Observable::Fli], escape: Some(1e6), ..observe });
+        let observe = Question::Observe(Observe { of: vec![Observable::Fli], ..observe });
         let asked = Over::new(observe, axes.into());
         let found = asked.ask(&self.valued.study, &Prompt::new((cells * cells) as u64, "orbits"));
         let drawn = found.map(|found| {
             let words = html! {
                 "Each cell is an orbit of its own. The fast Lyapunov indicator grows like log n where motion is regular, and like n "
-                "where it is chaotic; a cell is empty where its orbit escapes or leaves the range of doubles."
+                "where it is chaotic; a cell is empty where its orbit leaves the range of doubles."
             };
             (chart(&Chart::of(&asked, &found), &Look::on(picture_sheet())).drawing, Vec::new(), words)
         });
