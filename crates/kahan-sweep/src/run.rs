@@ -4,7 +4,7 @@ use std::io;
 use std::ops::{ControlFlow, Range};
 use std::path::Path;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use kahan_runtime::threads::for_each;
@@ -122,7 +122,7 @@ impl Run<'_> {
     fn chunk(&self, indices: Range<u64>, work: &Mutex<Work>) {
         let mut next = indices.start;
         while next < indices.end && !self.stop.load(Ordering::Relaxed) {
-            let turn = Turn { stop: self.stop, begun: Instant::now() };
+            let turn = Turn { stop: self.stop, begun: Instant::now(), done: AtomicU64::new(0) };
             let made = self.plan.rows(next..indices.end, &turn);
             let count = made.count() as u64;
             if count == 0 {
@@ -144,12 +144,21 @@ impl Run<'_> {
 struct Turn<'a> {
     stop: &'a AtomicBool,
     begun: Instant,
+    /// How many rows were made when the work was looked at last.
+    done: AtomicU64,
 }
 
 impl Watch for Turn<'_> {
-    fn look(&self, _: &Progress<'_>) -> ControlFlow<()> {
-        let is_over = self.stop.load(Ordering::Relaxed) || self.begun.elapsed() > NOTED;
-        if is_over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    /// Ends the work where it is stopped, at once. A turn that has taken its time ends when rows are
+    /// made: those of the next block would be lost.
+    fn look(&self, progress: &Progress<'_>) -> ControlFlow<()> {
+        let are_made = self.done.swap(progress.done, Ordering::Relaxed) < progress.done;
+        let is_over = are_made && self.begun.elapsed() > NOTED;
+        if is_over || self.stop.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 }
 

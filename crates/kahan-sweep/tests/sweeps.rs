@@ -323,7 +323,7 @@ fn a_plan_has_one_form_in_its_own_words() {
     };
     assert_eq!(
         task(PLAN),
-        "3\nkind = orbit\nsteps = 50\nevery = 10\nescape = 1000000\nobserve = [final, drift, extrema, lyapunov, \
+        "3\nkind = orbit\nsteps = 50\nevery = 10\nescape = none\nobserve = [final, drift, extrema, lyapunov, \
          spectrum, log_det, fli, megno, sali, rotation, escape]"
     );
     let lv = "[system]\nname = \"lv\"\n[axes]\neps = 1\n";

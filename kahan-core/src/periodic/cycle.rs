@@ -194,9 +194,8 @@ impl Linearized {
 /// The product P of the derivatives Jₚ…J₁, and a bound on the norm of what is wrong with it, to
 /// first order in the unit u of rounding.
 ///
-/// Each Jₖ is known to some roundings, and its product with Jₖ₋₁…J₁ is rounded: an error of
-///
-///     (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖, times ‖Jₚ…Jₖ₊₁‖ for what comes behind.
+/// Each Jₖ is known to some roundings, and its product with Jₖ₋₁…J₁ is rounded. That is an error of
+/// (n + 16) u ‖Jₖ‖ ‖Jₖ₋₁…J₁‖, which the later factors multiply by ‖Jₚ…Jₖ₊₁‖ at most.
 ///
 /// The eigenvalues of P are those of a matrix that is 10 n u ‖P‖ away from it.
 fn product(factors: &[DMatrix<f64>]) -> (DMatrix<f64>, f64) {

@@ -104,7 +104,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// use kahan_runtime::{End, Field};
     ///
     /// let map = Field::parse("xdot = x^2;").unwrap().map().unwrap().at(0.05);
-    /// let mut x = [1.0, -1.0];
+    /// let mut x = [1.0, -1.0_f64];
     /// let ends = map.follow_columns(&mut [&mut x], &[], &[], 11).unwrap();
     /// assert_eq!(ends, [End::Range(9), End::Complete]);
     /// assert!(x[0].is_nan() && x[1] < 0.0);
@@ -227,7 +227,7 @@ impl<T: MachineFloat> MapAt<T> {
     ///
     /// ```
     /// use kahan_core::observe::Fli;
-    /// use kahan_runtime::{Field, MapAt, WhileFinite};
+    /// use kahan_runtime::{End, Field, MapAt, WhileFinite};
     ///
     /// let field = Field::parse("xdot = y; ydot = a*x^2 - x;").unwrap();
     /// let maps = field.with([("a", 1)]).unwrap().at(0.05).each(&[0.05, 0.1], &[&[1.0, 0.5]]).unwrap();
@@ -235,7 +235,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// let (mut x, mut y) = ([0.2, 0.4], [0.0, 0.0]);
     /// let observers = |orbit: usize| WhileFinite::new(Fli::new(maps[orbit]));
     /// let found = MapAt::observe_columns(&maps, &mut [&mut x, &mut y], 100, observers).unwrap();
-    /// assert!(found.iter().all(|followed| followed.steps == 100 && followed.report < 10.0));
+    /// assert!(found.iter().all(|followed| followed.end == End::Complete && followed.report < 10.0));
     /// ```
     pub fn each(&self, eps: &[T], parameters: &[&[T]]) -> Result<Vec<Self>, DimensionError> {
         let lengths = parameters.iter().map(|values| values.len()).chain([eps.len().max(1)]);

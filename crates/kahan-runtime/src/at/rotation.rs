@@ -62,7 +62,7 @@ impl<T: MachineFloat + PartialOrd> MapAt<T> {
     /// let start = [1.0, 0.0];
     /// let go_on = |_| ControlFlow::Continue(());
     /// let first = map.observe(&mut start.clone(), 1000, map.extremes(), go_on).unwrap();
-    /// let rotations = map.rotations(first.steps, &first.report);
+    /// let rotations = map.rotations(first.end.steps(1000), &first.report);
     /// let turns = map.observe(&mut start.clone(), 1000, rotations, go_on).unwrap().report;
     /// // Clockwise in the plane of x and its rate.
     /// assert!((turns[0].value + 0.05_f64.atan() / std::f64::consts::PI).abs() < 1e-9);
