@@ -32,7 +32,7 @@ impl End {
         }
     }
 
-    /// The steps to the last point, of so many that were asked for.
+    /// Returns the number of steps to the last point, where `asked` steps were asked for.
     #[must_use]
     pub fn steps(self, asked: u64) -> u64 {
         match self {
@@ -45,7 +45,7 @@ impl End {
         }
     }
 
-    /// The same of an orbit that made so many steps before.
+    /// Returns the end of the whole orbit, where `before` steps were made before this part of it.
     #[must_use]
     pub fn after(self, before: u64) -> Self {
         match self {

@@ -108,7 +108,7 @@ fn without_middle(text: &str, longest: usize, first: usize, last: usize) -> Stri
     format!("{head}…{tail}")
 }
 
-/// The most mistakes that are kept: who corrects so many asks again.
+/// The most mistakes that are kept; more than these are told after the first are corrected.
 const MOST_MISTAKES: usize = 200;
 
 /// The mistakes found so far. Dropping a collector without [`Diagnostics::finish`] is a bug and
@@ -125,7 +125,7 @@ impl Default for Diagnostics {
 }
 
 impl Diagnostics {
-    /// Adds a mistake; the same message at the same place is kept once, and so many in all.
+    /// Adds a mistake, unless the same message stands at the same place, or the list is full.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         if let Some(list) = &mut self.list
             && list.len() < MOST_MISTAKES
@@ -146,7 +146,7 @@ impl Diagnostics {
         self.list.as_ref().is_none_or(Vec::is_empty)
     }
 
-    /// Whether so many were found that no more are kept.
+    /// Returns whether the list is full, so that no more mistakes are kept.
     #[must_use]
     pub fn is_full(&self) -> bool {
         self.len() >= MOST_MISTAKES

@@ -114,7 +114,7 @@ impl PeriodicPoint {
     /// large.
     #[must_use]
     pub fn is_blurred(&self) -> bool {
-        /// What digits do not show.
+        /// A distance from 1 that printed digits do not show.
         const SHOWN: f64 = 1e-5;
 
         let off = |(one, margin): (&Complex<f64>, &f64)| {

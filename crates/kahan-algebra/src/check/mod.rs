@@ -132,7 +132,7 @@ fn report_size(block: &Block, diagnostics: &mut Diagnostics) -> bool {
     report_names(block.equations.len() + parameters + block.constants.len(), block, diagnostics)
 }
 
-/// Reports so many names, if they are too many; `true` if they are.
+/// Reports a count of names above the limit; returns whether it is above.
 fn report_names(count: usize, block: &Block, diagnostics: &mut Diagnostics) -> bool {
     if count <= MOST_NAMES {
         return false;

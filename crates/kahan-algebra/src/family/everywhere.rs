@@ -22,7 +22,7 @@ const MOST_TERMS: usize = 100_000;
 /// See [`MOST_TERMS`].
 pub const MOST_WORK: u64 = 300_000;
 
-/// What a proof about a claim may cost.
+/// Returns a fresh budget for one proof about one claim.
 pub(super) fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
@@ -105,7 +105,7 @@ impl<'a> Middle<'a> {
         sites.fold(place, |extent, site| extent.with(Extent { first: site, last: site }))
     }
 
-    /// The same extent so many sites further.
+    /// Moves an extent by a number of sites; in a ring it stays.
     pub(super) fn moved(&self, extent: Extent, by: i64) -> Extent {
         let by = if self.family.boundary == Boundary::Open { by } else { 0 };
         let [first, last] = [extent.first, extent.last].map(|site| (site as i64 + by) as usize);
@@ -118,7 +118,7 @@ impl<'a> Middle<'a> {
         variables.filter_map(|(variable, _)| self.site_of(*variable)).min().unwrap_or(self.site)
     }
 
-    /// The same monomial so many sites further.
+    /// Moves every site of a monomial by `by` sites.
     pub(super) fn shifted(&self, monomial: &Monomial, by: i64) -> Monomial {
         let shift = |variable: Variable| {
             let step = match self.symbols.symbol(variable) {
@@ -131,7 +131,7 @@ impl<'a> Middle<'a> {
         monomial.powers().iter().map(|&(variable, exponent)| (shift(variable), exponent)).collect()
     }
 
-    /// The same polynomial so many sites further.
+    /// Moves every site of a polynomial by `by` sites.
     pub(super) fn shifted_polynomial(&self, polynomial: &Polynomial, by: i64) -> Polynomial {
         let terms = polynomial.terms();
         Polynomial::from_terms(terms.map(|(monomial, value)| (self.shifted(monomial, by), value.clone())))

@@ -98,7 +98,7 @@ impl Chart {
         counts.into_iter().filter(|(_, count)| *count > 0).collect()
     }
 
-    /// The same in words, behind a number of cells.
+    /// Names the ends of orbits in words, each behind its number of cells.
     fn early(&self) -> String {
         let words = |(name, count): &(&str, usize)| match *name {
             "escaped" => format!("{count} escaped"),
@@ -165,7 +165,7 @@ fn values(asked: &Observe, axes: usize, found: &OverFound) -> (Vec<f64>, Vec<(St
         })
         .collect();
     let value = |cell: usize| match asked.of[0] {
-        // What is beyond all numbers is beyond a size, unless there is no orbit.
+        // An orbit that leaves the range is beyond any size; without a step there is no orbit.
         Observable::Escape if ended[cell] == "range" && steps[cell] > 0 => (steps[cell] + 1) as f64,
         Observable::Escape => columns[0][cell],
         // Of each integral the greatest, and behind it the last.

@@ -48,8 +48,9 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_columns_while(maps, columns, steps, observers, &|_| ControlFlow::Continue(()))
     }
 
-    /// The same, of which `tell` hears how many more steps were made in all, after some thousands
-    /// of each orbit. It may stop the work: then the reports are of the points that were seen.
+    /// Like [`observe_columns`](Self::observe_columns), but tells `tell` after some thousand steps of
+    /// each orbit how many more were made in all. Where `tell` breaks, the work stops, and the
+    /// reports cover the points that were seen.
     ///
     /// # Errors
     /// As [`observe_columns`](Self::observe_columns).
@@ -167,14 +168,14 @@ pub struct WhileFinite<O> {
 }
 
 impl<O> WhileFinite<O> {
-    /// The same observers, of points that are finite.
+    /// Shows these observers the points that are finite.
     #[must_use]
     pub fn new(observers: O) -> Self {
         Self::within(f64::MAX, observers)
     }
 
-    /// The same, up to the first point at which a variable is larger than `bound`: they see it, and
-    /// the orbit has [escaped](End::Escaped).
+    /// Shows these observers the points that are finite, up to and including the first at which a
+    /// variable is larger than `bound`: there the orbit has [escaped](End::Escaped).
     #[must_use]
     pub fn within(bound: f64, observers: O) -> Self {
         WhileFinite { observers, bound, end: End::Complete }

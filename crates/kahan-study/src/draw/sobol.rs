@@ -19,7 +19,7 @@ pub(crate) struct Sobol {
 }
 
 impl Sobol {
-    /// The dimension with this index, for so many points; why not, beyond [`DIMENSIONS`] or
+    /// Returns the dimension with this index for a number of points; says why not, beyond [`DIMENSIONS`] or
     /// [`LENGTH`].
     pub(crate) fn dimension(index: usize, points: u64) -> Result<Self, String> {
         if points > LENGTH {

@@ -47,7 +47,7 @@ pub struct Observe {
     #[serde(default = "usual_every")]
     pub every: u64,
     /// The size of a variable beyond which the orbit has escaped, and ends; `None` for no bound.
-    /// Where there is none, [`Observable::Escape`] looks for a million, and the orbit goes on.
+    /// Without a bound, [`Observable::Escape`] looks for a million, and the orbit goes on.
     #[serde(default)]
     pub escape: Option<f64>,
     /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
@@ -181,8 +181,8 @@ impl Observe {
         seen.into_iter().map(numbers).collect()
     }
 
-    /// What was seen of an orbit as numbers of a table's columns. Of an orbit that ended early only
-    /// the step of its escape is a number, as the others would not be of all steps.
+    /// Returns the observations of an orbit as numbers of a table's columns. Where an orbit ended
+    /// early, only the step of its escape is a number, as the others would not cover all steps.
     #[must_use]
     pub fn numbers(found: &Followed<Vec<Seen>>) -> Vec<f64> {
         let numbers = |seen: &Seen| {
@@ -213,7 +213,7 @@ impl Observed {
     }
 }
 
-/// What was seen after so many steps: before the first one indicators say nothing of the orbit.
+/// Replaces indicators by NaN where no step was made, as they say nothing of the orbit then.
 fn after(steps: u64, seen: Seen) -> Seen {
     match seen {
         Seen::Number(_) if steps == 0 => Seen::Number(f64::NAN),

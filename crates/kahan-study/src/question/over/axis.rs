@@ -115,7 +115,7 @@ pub(super) enum Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// Those of the axis at a place among others, of so many draws by the seed of their question.
+    /// Returns the values of the axis at `place`; drawn axes have `draws` values, by the seed.
     pub(super) fn of(axes: &'a [Varied], place: usize, draws: u64, seed: u64) -> Result<Self, String> {
         let is_sobol = |axis: &&Varied| matches!(axis.through, Through::Drawn { source: Source::Sobol, .. });
         match &axes[place].through {
