@@ -192,8 +192,8 @@ impl<T: MachineFloat> MapAt<T> {
         taken
     }
 
-    /// Follows trajectories one at a time, as [`follow_columns`](Self::follow_columns) does where they
-    /// take different forms of the step, because some have an ε near zero.
+    /// Follows trajectories one at a time, as [`follow_columns`](Self::follow_columns) does where
+    /// they take different forms of the step, because some have an ε near zero.
     fn follow_one_by_one(
         &self,
         columns: &mut [&mut [T]],

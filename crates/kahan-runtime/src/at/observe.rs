@@ -48,8 +48,8 @@ impl<T: MachineFloat> MapAt<T> {
         Self::observe_columns_while(maps, columns, steps, observers, &|_| ControlFlow::Continue(()))
     }
 
-    /// Like [`observe_columns`](Self::observe_columns), but tells `tell` after some thousand steps of
-    /// each orbit how many more were made in all. Where `tell` breaks, the work stops, and the
+    /// Like [`observe_columns`](Self::observe_columns), but tells `tell` after some thousand steps
+    /// of each orbit how many more were made in all. Where `tell` breaks, the work stops, and the
     /// reports cover the points that were seen.
     ///
     /// # Errors

@@ -19,8 +19,8 @@ pub(crate) struct Sobol {
 }
 
 impl Sobol {
-    /// Returns the dimension with this index for a number of points; says why not, beyond [`DIMENSIONS`] or
-    /// [`LENGTH`].
+    /// Returns the dimension with this index for a number of points; says why not, beyond
+    /// [`DIMENSIONS`] or [`LENGTH`].
     pub(crate) fn dimension(index: usize, points: u64) -> Result<Self, String> {
         if points > LENGTH {
             return Err(format!(

@@ -17,8 +17,9 @@ const WAVE: u64 = 64;
 /// Makes the rows of cells: it tells how many are done, and ends where that is answered by `false`.
 pub(super) type Make<'a> = dyn Fn(Range<u64>, &dyn Fn(u64) -> bool) -> Table + Sync + 'a;
 
-/// Hands on the rows of a range, up to the first that is missing, whose number [`End::Stopped`] has.
-/// Threads have blocks of a number between these two, and several each, so that none is left with much where others are done.
+/// Hands on the rows of a range, up to the first that is missing, whose number is that of
+/// [`End::Stopped`]. Threads have blocks of a number between these two, and several each, so that
+/// none is left with much where others are done.
 pub(super) fn in_waves(
     range: Range<u64>,
     [least, most]: [u64; 2],
