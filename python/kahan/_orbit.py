@@ -216,7 +216,7 @@ class Ensemble(Table):
         start = {f"start_{name}": values for name, values in self.system._columns(self.start).items()}
         given = {name: np.broadcast_to(values, len(self.x)) for name, values in self.given.items()}
         ends = {"ended": self.ended, "ended_step": self.steps}
-        seen = {}
+        seen: dict[str, Array] = {}
         for name, values in self.observed.items():
             columns = [(name, values)] if values.ndim == 1 else ((f"{name}_{k}", row) for k, row in enumerate(values.T, 1))
             seen.update(columns)

@@ -86,7 +86,7 @@ def test_everything_in_the_catalog_can_be_looked_at():
 
 def test_an_end_is_said():
     crossings = E6.section([1, 2, 3], 0.01, 10**5, "x - y", direction="both", points=5)
-    assert len(crossings) == 5 and crossings.ended == "points" and "no more after step" in repr(crossings)
+    assert len(crossings) == 5 and crossings.ended == "stopped" and "stopped after step" in repr(crossings)
     assert E6.section([1, 2, 3], 0.01, 10, "x - y").ended == "complete"
     beyond = kahan.System("xdot = x^2 + 1; ydot = 1;").section([0.1, 0], 0.05, 60, "x", direction="both")
     assert (len(beyond), beyond.jumps, crossings.jumps) == (1, 2, 0) and "1 crossings, 2 jumps>" in repr(beyond)
