@@ -2,7 +2,7 @@
 //!
 //! A statement about every number of sites is one about finitely many terms. Each term is seen from
 //! one site, in the middle of a chain so long that nothing in it meets itself, and has an
-//! [`Extent`]: the sites between which a chain must reach to hold it. In a chain that ends at two
+//! extent: the sites between which a chain must reach to hold it. In a chain that ends at two
 //! given sites stand the terms whose extents lie between them. So a sum vanishes in all chains where
 //! the terms of each extent cancel by themselves: take from a chain those that are one site shorter
 //! at either end, and add the one that is shorter at both; what is left are the terms that need both
@@ -16,10 +16,9 @@ use crate::symbols::{Symbol, Symbols};
 
 use super::Family;
 
-/// The terms of one polynomial that may be multiplied with others, and the products of terms that a
-/// proof about a claim of a family may take.
+/// The most terms of a polynomial that is multiplied with others.
 const MOST_TERMS: usize = 100_000;
-/// See [`MOST_TERMS`].
+/// The most products of terms that the proof of one claim of a family takes.
 pub const MOST_WORK: u64 = 300_000;
 
 /// Returns a fresh budget for one proof about one claim.
