@@ -182,9 +182,7 @@ impl Linearized {
             let distance = |(own, _): &&(Complex<f64>, f64)| size(&(own - multiplier));
             let nearest = conditions.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             let condition = nearest.map_or(f64::INFINITY, |(_, condition)| *condition);
-            // What rounding leaves of a derivative is in proportion to it, and has its root in a
-            // double eigenvalue.
-            (CIRCLE * scale.sqrt()).max(condition * error)
+            CIRCLE.max(condition * error)
         };
         let margins = multipliers.iter().map(margin).collect();
         Linearized { multipliers, family, margins }

@@ -89,7 +89,7 @@ pub(crate) const ORBITS: &[Weakening] = &[
         "filter(|value| **value < CIRCLE * scale)",
         "filter(|value| **value < 0.0 * scale)"),
     of(PROOFS, "multipliers of 1 that rounding takes from the circle", "kahan-core/src/periodic/cycle.rs",
-        "CIRCLE * scale.sqrt()",
+        "CIRCLE.max(condition * error)",
         "CIRCLE"),
     of(PROOFS, "multipliers of 1 that what is left open takes from the circle", "kahan-core/src/periodic/branch.rs",
         "Some(if is_nearer { nearer } else { next })",
