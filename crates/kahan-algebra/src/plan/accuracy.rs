@@ -20,12 +20,10 @@ use std::cell::OnceCell;
 use crate::field::Field;
 use crate::prime_field::SplitMix64;
 
-use super::{Plan, StepPlan};
+use super::{LARGEST_SIZE, Plan, StepPlan};
 use program::{Program, short};
 use trial::{Elimination, Trial};
 
-/// The largest ‖εf′‖∞ that is looked at.
-pub const LARGEST_SIZE: u32 = 1000;
 /// All sizes ‖εf′‖∞ that are looked at.
 const SIZES: [u32; 4] = [1, 10, 100, LARGEST_SIZE];
 /// The points of each size at first.

@@ -9,8 +9,8 @@ use crate::poly::{Monomial, Polynomial};
 
 use crate::plan::Node;
 use crate::plan::forms::candidate::Candidate;
-use crate::plan::forms::factors::{Factored, factored};
 use crate::plan::writing::draft::Signed;
+use crate::plan::writing::factors::{Factored, factored};
 use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::numerators::{Power, Products};
 use crate::plan::writing::writer::Writer;

@@ -11,10 +11,8 @@
 
 use kahan_syntax::rational::Rational;
 
-use crate::arithmetic::Arithmetic;
 use crate::poly::{Monomial, Polynomial, Variable};
 
-use crate::plan::StepPlan;
 use crate::plan::forms::candidate::Candidate;
 use crate::plan::forms::factored_map::FactoredMap;
 use crate::plan::step::recurrence::least_recurrence;
@@ -29,7 +27,7 @@ const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
     /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them
-    /// is rounded twice and their [recurrence](StepPlan::recurrence) may be below this one.
+    /// is rounded twice and their [recurrence](crate::plan::StepPlan::recurrence) may be below this one.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
             // Constants are one product there, whatever is divided.
@@ -124,19 +122,5 @@ impl FactoredMap<'_> {
         let content = divided.content().abs();
         let parts = content.recip().filter(|_| is_power_of_two(&content));
         parts.map_or((divided.clone(), two.clone()), |inverse| (divided.scale(&inverse), &two * &inverse))
-    }
-}
-
-impl StepPlan {
-    /// The plan that serves this arithmetic at this ε.
-    #[must_use]
-    pub fn at<A: Arithmetic>(&self, arithmetic: &A, eps: &A::Value) -> &Self {
-        if arithmetic.has_inverse_step(eps) { self } else { self.for_any_step() }
-    }
-
-    /// The plan that serves every scalar and every ε.
-    #[must_use]
-    pub fn for_any_step(&self) -> &Self {
-        self.general.as_deref().filter(|_| self.has_inverse_step).unwrap_or(self)
     }
 }

@@ -6,8 +6,8 @@ use kahan_syntax::rational::Rational;
 use crate::poly::{Monomial, Polynomial, Variable};
 
 use crate::plan::Node;
-use crate::plan::forms::factors::Factored;
 use crate::plan::writing::draft::Signed;
+use crate::plan::writing::factors::Factored;
 use crate::plan::writing::nesting::Goal;
 use crate::plan::writing::scaling::over_eps;
 use crate::plan::writing::writer::Writer;

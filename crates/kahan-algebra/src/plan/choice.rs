@@ -1,0 +1,104 @@
+//! Which form of a step is taken: the cheapest, the one that an orbit waits least for, or a steady
+//! one where the cheapest loses digits.
+
+use std::iter::once;
+
+use crate::field::Field;
+use crate::kahan::RationalMap;
+use crate::kept::Kept;
+
+use crate::plan::StepPlan;
+use crate::plan::accuracy::Accuracy;
+use crate::plan::forms::candidate::Candidate;
+use crate::plan::forms::candidates;
+
+impl StepPlan {
+    /// The plan of a field's step; `None` where the field is too large for straight lines, and is
+    /// stepped by elimination.
+    #[must_use]
+    pub fn of(field: &Field) -> Option<Self> {
+        Self::of_map(field, None, RationalMap::of(field).as_ref())
+    }
+
+    /// The same from what is known: the products of sums that are kept of the field, and its map,
+    /// unless that is beyond the budget.
+    #[must_use]
+    pub(crate) fn of_map(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Self> {
+        let is_reduced = |map: &RationalMap| map.reduced.common_factor.as_constant().is_none();
+        let kept = kept.filter(|kept| kept.needs_sums(&field.symbols) && !map.is_some_and(is_reduced));
+        let plan = |form: &Candidate| Self::new(&form.builder, field, &form.numerators, &form.reciprocals);
+        let forms = candidates::forms(field, kept, map)?;
+        let accuracy = Accuracy::of(field);
+        // The cheapest form serves lanes, and one orbit unless another form lets it wait less.
+        let cheapest = plan(&forms.best);
+        let recurrence = cheapest.recurrence();
+        let one_orbit = forms.of_one_orbit(recurrence);
+        let one_orbit: Vec<StepPlan> = once(cheapest.clone()).chain(one_orbit.iter().map(plan)).collect();
+        let single: Vec<StepPlan> = one_orbit.iter().filter_map(Self::with_single_divisions).collect();
+        let others = one_orbit.into_iter().skip(1).chain(single);
+        let shortest = others.min_by_key(|plan| (plan.recurrence(), plan.operations()));
+        let shortest = shortest.filter(|shortest| shortest.recurrence() < recurrence);
+        // Where the cheapest form loses digits in long steps, a steadier one takes its place.
+        let mut loss = accuracy.loss(&cheapest);
+        let mut general = cheapest;
+        if loss.is_refused() {
+            let steady = match kept {
+                Some(_) => Vec::new(),
+                None => candidates::steady_forms(field, map, &forms.best),
+            };
+            if let Some(steady) = steady.iter().map(plan).find(|form| accuracy.is_kept(form)) {
+                loss = accuracy.loss(&steady);
+                general = steady;
+            }
+        }
+        general.holds_to = loss.holds_to();
+        let shortest = shortest
+            .map(|shortest| (accuracy.loss(&shortest), shortest))
+            .filter(|(own, _)| !own.is_refused() || loss.is_refused());
+        Some(match shortest {
+            Some((own, shortest)) => {
+                StepPlan { holds_to: own.holds_to(), general: Some(Box::new(general)), ..shortest }
+            }
+            None => general,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The forms of one orbit below the cheapest form's recurrence, of those that are made up to
+    /// `recurrence`, and how many those are.
+    fn shorter(field: &Field, map: &RationalMap, recurrence: impl Fn(u64) -> u64) -> (Vec<StepPlan>, usize) {
+        let plan =
+            |form: &Candidate| StepPlan::new(&form.builder, field, &form.numerators, &form.reciprocals);
+        let forms = candidates::forms(field, None, Some(map)).expect("the field is small");
+        let limit = plan(&forms.best).recurrence();
+        let made: Vec<StepPlan> = forms.of_one_orbit(recurrence(limit)).iter().map(plan).collect();
+        let single = made.iter().filter_map(StepPlan::with_single_divisions);
+        let shorter = made.iter().cloned().chain(single).filter(|plan| plan.recurrence() < limit);
+        (shorter.collect(), made.len())
+    }
+
+    #[test]
+    fn no_form_that_an_orbit_waits_less_for_is_given_up() {
+        let mut given_up = 0;
+        for text in [
+            "xdot = -x^2; ydot = -x*y; zdot = 2*y^2 + x*z;",
+            "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;",
+            "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);",
+            "xdot = x*(1 - y); ydot = y*(x - 1);",
+            "struct P { a, b } xdot = a*x*y; ydot = b*y^2 - x;",
+            "struct P { a, b, c, d, k } xdot = a*x*(1 - x/k) - b*x*y; ydot = c*x*y - d*y - b*y*z; zdot = b*y*z - a*z;",
+        ] {
+            let field = crate::read(&kahan_syntax::lexer::lex(text).tokens).system().expect("a system").field;
+            let map = RationalMap::of(&field).expect("the field is small");
+            let (all, made) = shorter(&field, &map, |_| u64::MAX);
+            let (some, fewer) = shorter(&field, &map, |limit| limit);
+            assert_eq!(all, some, "{text}");
+            given_up += made - fewer;
+        }
+        assert!(given_up > 0, "no form is given up");
+    }
+}
