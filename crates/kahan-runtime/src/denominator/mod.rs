@@ -13,7 +13,7 @@ use kahan_algebra::symbols::Symbols;
 
 /// Below this size a factor counts as unknown, between it and its opposite: then no product of the
 /// others underflows.
-const TINY: f64 = 1.0 / (1_u128 << 100) as f64;
+const TINY: f64 = 1.0 / (1_u128 << 110) as f64;
 
 /// d(x, ε·t) as a polynomial in the states and t.
 #[derive(Clone, Debug)]

@@ -48,8 +48,8 @@ fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
     // De Casteljau: the diagonal is the form on the left half, what stays that on the right one.
     let mut left = [0.0; MOST];
     let left = &mut left[..form.len()];
-    for k in 0..form.len() {
-        left[k] = form[0];
+    for (k, value) in left.iter_mut().enumerate() {
+        *value = form[0];
         for j in 1..form.len() - k {
             form[j - 1] = (form[j - 1] + form[j]) / 2.0;
         }
