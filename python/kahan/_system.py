@@ -332,7 +332,8 @@ class System(Field):
         or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
         else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
         of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum),
-        fli, megno, sali, rotation, escape; see ``observe``. Tangent vectors are made orthogonal every ``every``
+        fli, megno, sali, rotation, escape, passed_poles (steps over a pole, a lower bound where
+        ``passed_poles_lower_bound`` is 1); see ``observe``. Tangent vectors are made orthogonal every ``every``
         steps. With observers, an orbit ends as ``"escaped"`` at the step after which a variable is beyond
         ``escape``, if that is given. The column ``escaped`` is that step, or else the first one beyond 1e6, and
         NaN where there is none.
@@ -421,10 +422,10 @@ class System(Field):
         return Answer({name: value if name == "variables" else arrays(value) for name, value in found.items()})
 
     def observe(
-        self, x: Any, eps: Number, steps: int, *, order: int = 2, every: int = 10, escape: float | None = None,
-        progress: bool = False,
+        self, x: Any, eps: Number, steps: int, *, observe: Sequence[str] | None = None, order: int = 2, every: int = 10,
+        escape: float | None = None, progress: bool = False,
     ) -> Answer:
-        """What the orbit of a point does.
+        """What the orbit of a point does; ``observe`` names what is seen, as in ``ensemble``, and nothing else is computed.
 
         Exponents are per unit of time: ``lyapunov`` is the largest, ``spectrum`` has all in descending order,
         of shape (variables,), and ``mean_log_det`` is their sum. ``lyapunov_error`` and
@@ -440,10 +441,19 @@ class System(Field):
         variable is beyond ``escape``, if that is given; what is observed is then of the steps before.
         ``escaped`` is the step after which a variable is beyond ``escape``, or else beyond 1e6, and ``None``
         where there is none.
+
+        Unless ``observe`` names them, all are computed but ``final``, the last point, and ``passed_poles``, the number
+        of steps over a pole of the map: those whose reduced denominator, at the point where the step begins, has a root
+        between 0 and ``eps``, ``eps`` included; of a composition that of one of its stages. Where the map has too many
+        terms to be written out, a negative ``det_A`` counts, and ``passed_poles_lower_bound`` is true.
         """
+        if isinstance(observe, str):
+            observe = (observe,)
+        of = None if observe is None else [choice(name, "observable") for name in observe]
         found = self._ask("observe", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
-                          order=whole(order, "order"), every=whole(every, "every"), escape=escape)
-        spectrum = {name: np.array(found[name], dtype=float) for name in ("spectrum", "spectrum_errors")}
+                          order=whole(order, "order"), every=whole(every, "every"), escape=escape, of=of)
+        names = [name for name in ("spectrum", "spectrum_errors") if name in found]
+        spectrum = {name: np.array(found[name], dtype=float) for name in names}
         return Answer(found | spectrum)
 
     def section(
@@ -473,7 +483,7 @@ class System(Field):
 
         ``over`` has for each name (low, high, count), text as "0:1:/20", or an array of values; what
         it does not name is that of the field, ``x`` and ``eps``. ``color`` is an observable with one
-        number: sali, fli, megno, lyapunov, escape, or a column of another one, as drift_H or
+        number: sali, fli, megno, lyapunov, escape, passed_poles, or a column of another one, as drift_H or
         spectrum_2. Costs an orbit a cell, in lanes and on all threads.
 
         An exponent of an orbit that escapes is large, and no sign of chaos: an orbit ends where a variable
@@ -696,7 +706,7 @@ def _right(claim: dict[str, Any]) -> str:
     return text.partition(" when ")[0]
 
 
-_SINGLE = ("sali", "fli", "megno", "lyapunov", "lyapunov_error", "mean_log_det", "escape")
+_SINGLE = ("sali", "fli", "megno", "lyapunov", "lyapunov_error", "mean_log_det", "escape", "passed_poles")
 """The colors of charts that a field has whatever its names are."""
 
 _COLUMNS = {"escape": "escaped", "log_det": "mean_log_det"}

@@ -49,6 +49,18 @@ def test_an_orbit_escapes_where_a_bound_is_asked_for():
     assert (one.ended, one.ended_step, one.escaped) == ("escaped", 13, 13)
 
 
+def test_steps_over_poles_are_counted_where_they_are_asked_for():
+    s = kahan.System("xdot = x^2;")
+    # 1/x falls by 0.14 a step: the eighth goes over the pole; of the last orbit it is the second.
+    many = s.ensemble([[1.0], [-1.0], [1 / 0.21]], 0.07, 8, observe=["passed_poles"])
+    assert many.passed_poles.tolist() == [1, 0, 1] and many.passed_poles_lower_bound.tolist() == [0, 0, 0]
+    one = s.observe([1], 0.07, 8, observe="passed_poles")
+    assert (one.passed_poles, one.passed_poles_lower_bound, one.ended, "sali" in one) == (1, False, "complete", False)
+    assert "passed_poles" not in s.observe([1], 0.07, 8)
+    assert s.chart({"eps": [0.05, 0.07]}, [1], steps=8, color="passed_poles").values.tolist() == [0, 1]
+    assert s.observe([1], 0.07, 8, observe=["spectrum"]).spectrum.shape == (1,)
+
+
 def test_exact_orbits_end_at_poles():
     orbit = kahan.System("xdot = x^2;").orbit([1], "1/20", 11, scalar="exact")
     assert (orbit.ended, orbit.ended_step, orbit.x[-1, 0]) == ("pole", 9, 10)

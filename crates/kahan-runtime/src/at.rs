@@ -5,11 +5,13 @@ mod drift;
 mod group;
 mod objects;
 mod observe;
+mod passed_poles;
 mod rotation;
 mod tangent;
 
 pub use drift::IntegralDrift;
 pub use observe::WhileFinite;
+pub use passed_poles::{Passed, PassedPoles};
 
 use std::sync::{Arc, OnceLock};
 
@@ -56,6 +58,8 @@ pub struct MapAt<T> {
     coded: Option<CodedStages<T>>,
     /// The map of the variational field, which carries tangent vectors, once one is carried.
     variational: Arc<OnceLock<MapAt<T>>>,
+    /// Where its stages have poles, once steps over them are counted.
+    poles: Arc<OnceLock<Vec<passed_poles::StagePoles<T>>>>,
 }
 
 impl<T: MachineFloat> MapAt<T> {
@@ -72,6 +76,7 @@ impl<T: MachineFloat> MapAt<T> {
             stages: Arc::default(),
             coded: None,
             variational: Arc::default(),
+            poles: Arc::default(),
         }
         .composed(composition)
     }
@@ -90,7 +95,8 @@ impl<T: MachineFloat> MapAt<T> {
         let kind = StepKind::of::<T>(self.instructions.fuses);
         let coded = engine.coded_stages(kind, &stage_constants(constants, composition), |number| [number]);
         let of_integrals = integral_constants(constants, composition).into();
-        MapAt { of_integrals, composition, stages, coded, variational: Arc::default(), ..self.clone() }
+        let (variational, poles) = Default::default();
+        MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
 
     /// The same map with the bits of a level of ensembles, whose larger ones fuse multiply-adds,

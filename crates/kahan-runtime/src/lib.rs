@@ -36,6 +36,7 @@
 
 mod at;
 mod claim;
+mod denominator;
 mod diagnostics;
 mod dimension;
 mod end;
@@ -58,7 +59,7 @@ mod periodic;
 mod text;
 pub mod threads;
 
-pub use at::{IntegralDrift, MachineFloat, MapAt, RuntimePoint, WhileFinite};
+pub use at::{IntegralDrift, MachineFloat, MapAt, Passed, PassedPoles, RuntimePoint, WhileFinite};
 pub use claim::ClaimError;
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;

@@ -33,6 +33,7 @@ fn mixed() -> (Study, Over) {
         "question": {
             "ask": "observe", "eps": 0, "at": [0, 0], "steps": 40, "of": [
                 "final", "drift", "extrema", "lyapunov", "spectrum", "log_det", "fli", "megno", "sali", "rotation", "escape",
+                "passed_poles",
             ],
         },
     }));

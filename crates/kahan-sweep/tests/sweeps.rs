@@ -31,7 +31,7 @@ kind = "orbit"
 steps = 50
 order = [2, 4]
 scalar = ["f64", "f32"]
-observe = ["final", "drift", "extrema", "lyapunov", "spectrum", "log_det", "fli", "megno", "sali", "rotation", "escape"]
+observe = ["final", "drift", "extrema", "lyapunov", "spectrum", "log_det", "fli", "megno", "sali", "rotation", "escape", "passed_poles"]
 
 [output]
 rows_per_part = 97
@@ -324,7 +324,7 @@ fn a_plan_has_one_form_in_its_own_words() {
     assert_eq!(
         task(PLAN),
         "3\nkind = orbit\nsteps = 50\nevery = 10\nescape = none\nobserve = [final, drift, extrema, lyapunov, \
-         spectrum, log_det, fli, megno, sali, rotation, escape]"
+         spectrum, log_det, fli, megno, sali, rotation, escape, passed_poles]"
     );
     let lv = "[system]\nname = \"lv\"\n[axes]\neps = 1\n";
     assert_eq!(

@@ -116,6 +116,11 @@ impl Couplings<'_> {
         !is_refused
     }
 
+    /// The reciprocals of the pivots, where `values` are factors: their product is 1/det A.
+    pub fn pivots<'a, T>(&'a self, values: &'a [T]) -> impl Iterator<Item = &'a T> {
+        self.rows.iter().map(|row| &values[row.diagonal as usize])
+    }
+
     /// Replaces b by the solution of A·x = b, both in the order of elimination; `values` are
     /// factors.
     pub fn solve<T: Scalar>(&self, values: &[T], b: &mut [T]) {

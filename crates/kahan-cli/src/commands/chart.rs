@@ -97,13 +97,14 @@ pub(crate) struct Chart {
 }
 
 /// What a cell can show.
-const COLOURS: [Observable; 6] = [
+const COLOURS: [Observable; 7] = [
     Observable::Sali,
     Observable::Fli,
     Observable::Megno,
     Observable::Lyapunov,
     Observable::Drift,
     Observable::Escape,
+    Observable::PassedPoles,
 ];
 
 /// What orbits need, and rows have in themselves.

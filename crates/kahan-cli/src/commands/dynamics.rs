@@ -28,7 +28,14 @@ use crate::reading::{Start, observable, order, whole};
 ///
 /// A rotation number counts turns a step of a variable about the middle of its extremes, in the
 /// plane of the variable and its rate, modulo 1, with an estimate of its error. Drift is relative
-/// to the first value. Steps are those of `kahan orbit` in f64. Where numbers leave the range of
+/// to the first value.
+///
+/// Passed poles, which are counted where they are asked for, are the steps over a pole of the map:
+/// the reduced denominator, at the point where the step begins, has a root between 0 and eps, eps
+/// included, and of a composition that of one of its stages does. Where the map has too many terms
+/// to be written out, a negative det A counts, and the count is a lower bound.
+///
+/// Steps are those of `kahan orbit` in f64. Where numbers leave the range of
 /// f64, or the orbit escapes, the answer covers the steps before, and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = "\
@@ -97,6 +104,10 @@ fn text(observed: &Observed) -> String {
     if let Some(Seen::Step(escaped)) = observed.of(Observable::Escape) {
         let escaped = escaped.map_or("no".to_owned(), |step| format!("at step {step}"));
         last.push(vec!["escaped".to_owned(), escaped]);
+    }
+    if let Some(Seen::Passed(passed)) = observed.of(Observable::PassedPoles) {
+        let at_least = if passed.is_lower_bound { "at least " } else { "" };
+        last.push(vec!["passed poles".to_owned(), format!("{at_least}{}", passed.steps)]);
     }
     let tables = answer::observed(observed).into_iter().map(|table| table.rows).chain([last]);
     let tables = tables.map(|rows| table(&rows, 1));

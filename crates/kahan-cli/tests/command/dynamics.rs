@@ -105,6 +105,43 @@ fn tables_name_what_they_show() {
     assert!(table.lines().all(|line| line.chars().count() <= 80));
 }
 
+/// 1/x falls by 2ε a step, from 1 over 0. A field in which each variable acts on each is not written
+/// out.
+#[test]
+fn steps_over_poles_are_counted_where_they_are_asked_for() {
+    let dense = |n: usize| -> String {
+        let sum = (0..n).map(|j| format!("{}*x{j}*x{}", j + 1, (j + 1) % n)).collect::<Vec<_>>().join(" + ");
+        (0..n).map(|i| format!("x{i}dot = ({sum}) + x{i}*(x0 + {i}*x{}); ", (i + 2) % n)).collect()
+    };
+    let (beyond, far) = (dense(7), "3,-2,1,4,-1,2,5");
+    for (text, at, steps, is_lower_bound) in
+        [("xdot = x^2;", "1", "8", false), ("xdot = x^2;", "1", "7", false), (&*beyond, far, "9", true)]
+    {
+        let asked = [
+            "dynamics",
+            "--field",
+            text,
+            "--eps",
+            "0.07",
+            "--at",
+            at,
+            "--steps",
+            steps,
+            "--observe",
+            "passed_poles",
+        ];
+        let found = object(&[&asked[..], &["--json"]].concat());
+        let keys: Vec<&str> = found.as_object().expect("an object").keys().map(String::as_str).collect();
+        let wanted = ["system", "steps", "ended", "ended_step", "passed_poles", "passed_poles_lower_bound"];
+        assert_eq!(keys, wanted);
+        assert_eq!(found["passed_poles_lower_bound"], is_lower_bound);
+        let (count, printed) = (found["passed_poles"].as_u64().expect("a count"), answer(&asked));
+        let bound = if is_lower_bound { "at least " } else { "" };
+        assert!(printed.ends_with(&format!("passed poles  {bound}{count}\n")), "{printed}");
+        assert_eq!(count > 0, steps != "7", "{printed}");
+    }
+}
+
 #[test]
 fn exponents_have_the_digits_that_are_known() {
     let of_lorenz = ["dynamics", "lorenz", "--param", "s=10", "--param", "b=8/3", "--param"];
@@ -272,6 +309,10 @@ fn charts_show_what_each_orbit_does() {
         assert_eq!((exponent.is_none(), line.contains(",escaped,")), (escapes, escapes), "{line}");
     }
     assert!(bound("b.svg").contains("4 cells empty: 4 escaped"));
+    // d = 1 − ε²r, with a root below ε = 1/10 where r > 100.
+    let poles = cells(&chart(&["r=0:200:/4", "x=1:2:/2"], &["--color", "passed_poles"], &file("s.csv")));
+    let count = |r: &Option<f64>| Some(if *r > Some(100.0) { 100.0 } else { 0.0 });
+    assert!(poles.iter().all(|[r, _, found]| *found == count(r)), "{poles:?}");
     let drifts = cells(&chart(&["r=-4:0:/2", "x=1:2:/2"], &["--color", "drift"], &file("d.csv")));
     assert!(drifts.iter().all(|[_, _, drift]| drift.is_some_and(|drift| drift < -12.0)), "{drifts:?}");
     let picture = chart(&["x=-1:1:/8", "y=-1:1:/8"], &["--color", "fli", "--param", "r=1"], &file("p.svg"));

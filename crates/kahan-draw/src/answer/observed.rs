@@ -59,7 +59,7 @@ pub fn observed(observed: &Observed) -> Vec<Table> {
                     turns.iter().map(|turns| vec![known(turns.value, turns.error), short(turns.error)]);
                 of_variables(&["turns a step", "error"], turns.collect());
             }
-            Seen::Step(_) => {}
+            Seen::Step(_) | Seen::Passed(_) => {}
         }
     }
     let tables = [

@@ -19,6 +19,8 @@ pub struct Chart {
     pub column: String,
     /// Whether they are logarithms of it, to base 10.
     pub is_logarithm: bool,
+    /// Whether the numbers of some cells are lower bounds.
+    pub is_lower_bound: bool,
     /// How each orbit ended, and after how many steps, cell by cell; of a file's rows nothing.
     pub ended: Vec<(String, i64)>,
     /// How many steps each orbit takes, where that is known.
@@ -48,8 +50,13 @@ impl Chart {
         let column = observe.of[0].name();
         let (values, ended) = values(observe, axes.len(), found);
         let values = values.into_iter().map(Self::scale(column)).collect();
+        let bounds = found.columns.iter().position(|name| name == "passed_poles_lower_bound");
+        let is_lower_bound = match bounds.map(|place| &found.rows.values[place]) {
+            Some(Kept::F64(bounds)) => bounds.contains(&1.0),
+            _ => false,
+        };
         let chart = Chart::of_column(found.system.clone(), axes, column.to_owned(), values);
-        Chart { ended, steps: Some(observe.steps), ..chart }
+        Chart { is_lower_bound, ended, steps: Some(observe.steps), ..chart }
     }
 
     /// Whether the numbers of a column have so many powers of ten that their logarithms are shown.
@@ -68,14 +75,20 @@ impl Chart {
     #[must_use]
     pub fn of_column(name: String, axes: Vec<Axis>, column: String, values: Vec<f64>) -> Self {
         let is_logarithm = Self::is_logarithmic(&column);
-        Chart { axes, values, name, column, is_logarithm, ended: Vec::new(), steps: None }
+        let (is_lower_bound, ended) = (false, Vec::new());
+        Chart { axes, values, name, column, is_logarithm, is_lower_bound, ended, steps: None }
     }
 
     /// What the numbers are, in words.
     #[must_use]
     pub fn label(&self) -> String {
-        let quantity = quantity(&self.column);
+        let quantity = self.quantity();
         if self.is_logarithm { format!("log₁₀ of {quantity}") } else { quantity }
+    }
+
+    fn quantity(&self) -> String {
+        let quantity = quantity(&self.column);
+        if self.is_lower_bound { format!("{quantity}, at least") } else { quantity }
     }
 
     /// What is shown, in words: the values of a curve, the cells of a grid.
@@ -146,6 +159,7 @@ fn quantity(column: &str) -> String {
         "lyapunov" => "largest exponent per unit of t".to_owned(),
         "drift" => "greatest relative drift".to_owned(),
         "escape" | "escaped" => "step of the escape".to_owned(),
+        "passed_poles" => "steps over a pole".to_owned(),
         other => symbol(other),
     }
 }
@@ -184,7 +198,7 @@ fn values(asked: &Observe, axes: usize, found: &OverFound) -> (Vec<f64>, Vec<(St
 pub fn chart(shown: &Chart, look: &Look) -> Picture {
     let (description, sheet) = (shown.description(), look.sheet);
     let marks = if shown.is_logarithm { Marks::Powers } else { Marks::Round };
-    let quantity = quantity(&shown.column);
+    let quantity = shown.quantity();
     let picture = if let [axis] = &shown.axes[..] {
         let places = axis.range.values().map(|value| value.to_f64());
         let points: Vec<(f64, f64)> = places.zip(shown.values.iter().copied()).collect();

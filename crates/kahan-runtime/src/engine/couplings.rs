@@ -59,6 +59,11 @@ impl Tables {
         couplings.factor(values, row)
     }
 
+    /// Whether det A is negative.
+    pub(super) fn has_negative_determinant(&self, factors: &Factors<f64>) -> bool {
+        self.couplings().pivots(&factors.values).filter(|pivot| **pivot < 0.0).count() % 2 == 1
+    }
+
     /// Replaces b by A⁻¹b. Of a matrix, row by row, its column; of a vector, the only one.
     pub(crate) fn solve<V: Scalar>(
         &self,

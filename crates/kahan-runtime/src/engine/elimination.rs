@@ -2,6 +2,7 @@
 //! variables.
 
 use kahan_core::Scalar;
+use kahan_core::num_traits::Zero;
 
 use crate::line::has_value;
 
@@ -13,9 +14,7 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
     let width = b.len() / n;
     let mut is_singular = false;
     for k in 0..n {
-        let better =
-            |best: usize, i: usize| if a[i * n + k].is_better_pivot(&a[best * n + k]) { i } else { best };
-        let row = (k + 1..n).fold(k, better);
+        let row = pivot_row(a, n, k);
         swap_rows(a, n, k, row);
         swap_rows(b, width, k, row);
         is_singular |= a[k * n + k].is_zero();
@@ -38,6 +37,32 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
         }
     }
     is_singular
+}
+
+/// Whether the determinant of an n×n matrix, row by row, is negative; the matrix is used up.
+pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
+    let mut is_negative = false;
+    for k in 0..n {
+        let row = pivot_row(a, n, k);
+        swap_rows(a, n, k, row);
+        let pivot = a[k * n + k];
+        if pivot.is_zero() {
+            return false;
+        }
+        is_negative ^= (row != k) != (pivot < 0.0);
+        for i in k + 1..n {
+            let factor = a[i * n + k] / pivot;
+            subtract_row(a, n, [i, k], k + 1, factor);
+        }
+    }
+    is_negative
+}
+
+/// The row from k on that has the best pivot in column k.
+fn pivot_row<V: Scalar>(a: &[V], n: usize, k: usize) -> usize {
+    let better =
+        |best: usize, i: usize| if a[i * n + k].is_better_pivot(&a[best * n + k]) { i } else { best };
+    (k + 1..n).fold(k, better)
 }
 
 fn swap_rows<V>(matrix: &mut [V], width: usize, k: usize, row: usize) {

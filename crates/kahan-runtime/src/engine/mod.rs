@@ -24,7 +24,7 @@ use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 use crate::line::Line;
 use crate::machine::Codes;
 
-use elimination::solve;
+use elimination::{has_negative_determinant, solve};
 use step::Steps;
 
 pub(crate) use abreast::Abreast;
@@ -274,6 +274,16 @@ impl Engine {
                 solve(&mut matrix, out, state.len());
             }
         }
+    }
+
+    /// Whether det A(x,ε) is negative, by elimination; `constants` are the parameters and ε.
+    pub(crate) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> bool {
+        let along_couplings = self.steps().form(false).has_negative_determinant(constants, state);
+        along_couplings.unwrap_or_else(|| {
+            let mut matrix = vec![0.0; state.len().pow(2)];
+            self.evaluate(Object::Matrix, constants, state, &mut matrix);
+            has_negative_determinant(&mut matrix, state.len())
+        })
     }
 
     /// ∂x̃/∂c of a step, c being one of the constants, which are the parameters and ε.

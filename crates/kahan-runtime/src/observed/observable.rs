@@ -5,6 +5,8 @@
 
 use kahan_core::observe::{Drifted, Exponent, Extremes, Turns};
 
+use crate::Passed;
+
 macro_rules! observables {
     ($($name:ident, called $text:literal, $meaning:literal, $of:ident: $($column:literal = $what:literal),*;)*) => {
         /// What can be observed of an orbit.
@@ -77,6 +79,9 @@ observables! {
         "rotation_{}" = "turns a step, modulo 1", "rotation_{}_error" = "turns a step that may be wrong";
     Escape, called "escape", "The step after which a variable is beyond a size.", Orbit:
         "escaped" = "step after which a variable is beyond `escape`; not a number where none is";
+    PassedPoles, called "passed_poles", "The number of steps over a pole of the map.", Orbit:
+        "passed_poles" = "steps over a pole: the reduced denominator has a root in (0, ε]",
+        "passed_poles_lower_bound" = "1 where that is a lower bound, by the sign of det A, else 0";
 }
 
 /// What was seen.
@@ -98,6 +103,8 @@ pub enum Seen {
     Turns(Vec<Turns>),
     /// The step of the escape.
     Step(Option<u64>),
+    /// The steps over poles.
+    Passed(Passed),
 }
 
 impl Observable {
@@ -137,6 +144,9 @@ impl Seen {
             Self::Number(number) => vec![*number],
             Self::Turns(turns) => turns.iter().flat_map(|turns| [turns.value, turns.error]).collect(),
             Self::Step(step) => vec![step.map_or(f64::NAN, |step| step as f64)],
+            Self::Passed(Passed { steps, is_lower_bound }) => {
+                vec![*steps as f64, f64::from(u8::from(*is_lower_bound))]
+            }
         }
     }
 }

@@ -13,7 +13,9 @@ use kahan_core::observe::{
 
 use super::Observing;
 use super::observable::{Observable, Seen};
-use crate::{DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, WhileFinite};
+use crate::{
+    DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
+};
 
 /// The extremes of each variable, and of each rate of change.
 type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
@@ -96,6 +98,7 @@ observers! {
         let size = asked.escape.unwrap_or(Observing::USUAL_SIZE);
         Escape::when(move |x: &[T]| !x.iter().all(|x| x.approximate().abs() <= size))
     }, one => Seen::Step(Observer::<T>::report(one));
+    PassedPoles(PassedPoles<'a, T>) = PassedPoles::of(at), one => Seen::Passed(one.report());
 }
 
 fn in_doubles<T: MachineFloat>(of: Extremes<T>) -> Extremes<f64> {

@@ -18,7 +18,7 @@ pub(crate) fn dense(n: usize) -> String {
 }
 
 /// A chain of n variables, each of which acts on its neighbours: Lotka and Volterra's.
-fn chain(n: usize) -> String {
+pub(crate) fn chain(n: usize) -> String {
     let neighbour = |i: usize| if i < n { format!("x{i}") } else { "0".to_owned() };
     let equation =
         |i: usize| format!("x{i}dot = x{i}*({} - {});", neighbour(i + 1), neighbour(i.wrapping_sub(1)));

@@ -6,6 +6,7 @@ mod couplings;
 mod errors;
 mod follow;
 mod large;
+mod passed_poles;
 mod random;
 mod support;
 mod threads;

@@ -93,7 +93,7 @@ pub struct Observed {
 }
 
 impl Observe {
-    /// What is observed unless told: all but the last point.
+    /// What is observed unless told: all but the last point and the steps over poles.
     pub const USUAL: [Observable; 10] = [
         Observable::Lyapunov,
         Observable::Spectrum,
@@ -239,6 +239,7 @@ fn json_of(seen: &Seen, variables: &[String], integrals: &[String]) -> Value {
             named(variables, turns, |turns| json!({"value": turns.value, "error": turns.error}))
         }
         Seen::Step(step) => json!(step),
+        Seen::Passed(passed) => json!(passed.steps),
     }
 }
 
@@ -259,6 +260,7 @@ impl Serialize for Observed {
                 Seen::Spectrum(all) => {
                     object["spectrum_errors"] = all.iter().map(|one| one.error).collect();
                 }
+                Seen::Passed(passed) => object["passed_poles_lower_bound"] = json!(passed.is_lower_bound),
                 _ => {}
             }
         }

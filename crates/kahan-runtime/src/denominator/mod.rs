@@ -1,0 +1,126 @@
+//! The reduced denominator of a map between 0 and ε.
+//!
+//! In: the denominator d(x, ε′) as a polynomial, parameters, ε, and points x. Out: whether d(x, ·)
+//! has a root in (0, ε], or for ε < 0 in [ε, 0), as it is in exact arithmetic on these numbers.
+//! Floats decide where the bound on their errors allows that, which is nearly everywhere; exact
+//! numbers decide the rest, such as double roots.
+
+mod roots;
+
+use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbols;
+
+/// Below this size a factor counts as unknown, between it and its opposite: then no product of the
+/// others underflows.
+const TINY: f64 = 1.0 / (1_u128 << 110) as f64;
+
+/// d(x, ε·t) as a polynomial in the states and t.
+#[derive(Clone, Debug)]
+pub(crate) struct Denominator {
+    states: Vec<Variable>,
+    t: Variable,
+    exact: Polynomial,
+    terms: Vec<Term>,
+    /// In t.
+    degree: usize,
+}
+
+/// A term in floats.
+#[derive(Clone, Debug)]
+struct Term {
+    /// The exponent of t.
+    power: usize,
+    coefficient: f64,
+    /// The states that it is a product of, each as often as its exponent says.
+    factors: Vec<usize>,
+}
+
+impl Denominator {
+    /// The denominator at these parameters and ε; `None` where one of them is not finite.
+    pub(crate) fn of(
+        symbols: &Symbols,
+        denominator: &Polynomial,
+        parameters: &[f64],
+        eps: f64,
+    ) -> Option<Self> {
+        let mut at = denominator.clone();
+        for (k, value) in parameters.iter().enumerate() {
+            at = at.substitute(symbols.parameter(k), &Rational::from_f64(*value)?);
+        }
+        let (eps, t) = (Rational::from_f64(eps)?, symbols.epsilon());
+        let exponent =
+            |exponent: u32| i32::try_from(exponent).expect("it is at most the number of variables");
+        let scaled = at.terms().map(|(monomial, coefficient)| {
+            let power = eps.pow(exponent(monomial.exponent(t))).expect("the exponent is not negative");
+            (monomial.clone(), coefficient * &power)
+        });
+        let exact = Polynomial::from_terms(scaled);
+        let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
+        let terms = exact.terms().map(|(monomial, coefficient)| {
+            let factors = states
+                .iter()
+                .enumerate()
+                .flat_map(|(i, state)| std::iter::repeat_n(i, monomial.exponent(*state) as usize));
+            Term {
+                power: monomial.exponent(t) as usize,
+                coefficient: coefficient.to_f64(),
+                factors: factors.collect(),
+            }
+        });
+        let (terms, degree) = (terms.collect(), exact.degree_in(t) as usize);
+        Some(Denominator { states, t, exact, terms, degree })
+    }
+
+    /// Whether there is a root on the way to ε, the end included; there is none for a point that is
+    /// not finite.
+    pub(crate) fn has_root(&self, x: &[f64]) -> bool {
+        self.has_root_in_floats(x).unwrap_or_else(|| self.has_root_exactly(x))
+    }
+
+    /// The same, where floats tell.
+    fn has_root_in_floats(&self, x: &[f64]) -> Option<bool> {
+        let mut coefficients = [0.0; roots::MOST];
+        let coefficients = coefficients.get_mut(..=self.degree)?;
+        let (mut sizes, mut unknown) = (0.0, 0.0);
+        for Term { power, coefficient, factors } in &self.terms {
+            let (mut value, mut size) = (*coefficient, coefficient.abs().max(TINY));
+            let mut is_unknown = coefficient.abs() < TINY;
+            for factor in factors.iter().map(|i| x[*i]) {
+                if factor == 0.0 {
+                    (value, size) = (0.0, 0.0);
+                    break;
+                }
+                value *= factor;
+                size *= factor.abs().max(TINY);
+                is_unknown |= factor.abs() < TINY;
+            }
+            if is_unknown {
+                unknown += size;
+            } else {
+                coefficients[*power] += value;
+                sizes += size;
+            }
+        }
+        // A term is off by as many roundings as it has factors, at most nine, and a sum by as many
+        // as it has terms; the form of Bernstein and its halves take some two hundred more. Twice
+        // that, since half of an `EPSILON` is a rounding.
+        let error = (self.terms.len() + 256) as f64 * f64::EPSILON * sizes + unknown;
+        if sizes < TINY {
+            return None;
+        }
+        roots::in_floats(coefficients, error)
+    }
+
+    fn has_root_exactly(&self, x: &[f64]) -> bool {
+        let put = |at: Polynomial, (state, value): (&Variable, &f64)| {
+            Some(at.substitute(*state, &Rational::from_f64(*value)?))
+        };
+        let Some(at) = self.states.iter().zip(x).try_fold(self.exact.clone(), put) else { return false };
+        let mut coefficients = vec![Rational::ZERO; at.degree_in(self.t) as usize + 1];
+        for (monomial, coefficient) in at.terms() {
+            coefficients[monomial.exponent(self.t) as usize] = coefficient.clone();
+        }
+        roots::exactly(coefficients)
+    }
+}
