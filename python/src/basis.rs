@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arrays::doubles;
-use crate::beside::{Listener, apart};
+use crate::beside::{Listener, apart, beside};
 use crate::errors::of_study;
 use crate::field::{Field, question};
 
@@ -75,20 +75,26 @@ impl Relation {
         let (numbers, width) = (orbits.as_slice()?, self.0.monomials.len());
         let mut values = Vec::with_capacity(count * width);
         let mut conditions = Vec::with_capacity(count);
-        for orbit in numbers.chunks_exact((points * variables).max(1)) {
-            let orbit: Vec<Vec<f64>> = orbit.chunks_exact(variables.max(1)).map(<[f64]>::to_vec).collect();
-            match self.0.evaluate(&orbit) {
-                Ok(found) => {
-                    values.extend(found.coefficients);
-                    conditions.push(found.condition);
+        let solved = beside(py, Some(1), &Listener(None), |caller| {
+            let orbits = numbers.chunks_exact((points * variables).max(1));
+            for orbit in orbits.take_while(|_| !caller.wants_no_more()) {
+                let orbit: Vec<Vec<f64>> =
+                    orbit.chunks_exact(variables.max(1)).map(<[f64]>::to_vec).collect();
+                match self.0.evaluate(&orbit) {
+                    Ok(found) => {
+                        values.extend(found.coefficients);
+                        conditions.push(found.condition);
+                    }
+                    Err(BasisError::NotFinite | BasisError::Undetermined) => {
+                        values.extend(std::iter::repeat_n(f64::NAN, width));
+                        conditions.push(f64::INFINITY);
+                    }
+                    Err(error) => return Err(error),
                 }
-                Err(BasisError::NotFinite | BasisError::Undetermined) => {
-                    values.extend(std::iter::repeat_n(f64::NAN, width));
-                    conditions.push(f64::INFINITY);
-                }
-                Err(error) => return Err(refused(&error)),
             }
-        }
+            Ok(())
+        })?;
+        solved.map_err(|error| refused(&error))?;
         let values = PyArray1::from_vec(py, values).reshape([conditions.len(), width])?;
         Ok((values.into_any(), PyArray1::from_vec(py, conditions)))
     }

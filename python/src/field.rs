@@ -155,11 +155,11 @@ impl Field {
         let parameters = parameters.into_iter().map(exactly).collect::<PyResult<Vec<_>>>()?;
         let subject =
             parameters.into_iter().fold(subject, |subject, (name, value)| subject.with(name, value));
-        let study = py.detach(|| {
+        let study = apart(py, Some(1), &Listener(None), move |_| {
             let study = subject.study(&Systems)?;
             study.proved()?;
             Ok(study)
-        });
+        })?;
         Ok(Field { study: study.map_err(|error| of_study(py, &error))?, last: Mutex::default() })
     }
 

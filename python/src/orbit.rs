@@ -14,8 +14,8 @@ use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, singular_step};
 use crate::field::{Field, Float};
 
-/// Points that are stepped at once without a look at signals.
-const MOMENT: usize = 4096;
+/// The most numbers that are stepped without a look at signals.
+const MOMENT: usize = 1 << 14;
 
 #[pymethods]
 impl Field {
@@ -156,10 +156,13 @@ impl Field {
         if x.shape().last() != Some(&n) {
             return Err(wrong_shape("x", &format!("(…, {n})"), x.shape()));
         }
-        let step = |next: &mut [T]| {
+        let step = |next: &mut [T], is_stopped: &dyn Fn() -> bool| {
             for (place, (x, next)) in
                 points.chunks_exact(n.max(1)).zip(next.chunks_exact_mut(n.max(1))).enumerate()
             {
+                if place % MOMENT == 0 && is_stopped() {
+                    break;
+                }
                 if !checked {
                     at.step(x, next).expect("a point has an entry a variable");
                     continue;
@@ -170,7 +173,11 @@ impl Field {
             Ok(())
         };
         let run = |next: &mut [T]| {
-            let stepped = if points.len() > MOMENT { py.detach(|| step(next)) } else { step(next) };
+            let stepped = if points.len() > MOMENT {
+                beside(py, Some(1), &Listener(None), |caller| step(next, &|| caller.wants_no_more()))?
+            } else {
+                step(next, &|| false)
+            };
             stepped.map_err(|why| match why {
                 NoStep::Dimension(error) => of_dimension(&error),
                 NoStep::Singular(_, why) if x.ndim() == 1 => singular_step(py, &why.to_string()),

@@ -20,6 +20,7 @@ mod root;
 #[cfg(test)]
 mod tests;
 
+use std::convert::Infallible;
 use std::fmt;
 
 pub use budget::{Budget, OverBudget};
@@ -68,18 +69,23 @@ impl Polynomial {
 
     /// The sum of the given terms, in any order, repeated monomials added up. Costs a sort.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Rational)>) -> Self {
-        Self::from_unsorted(terms.into_iter().collect())
+        let Ok(sum) = Self::collected(terms.into_iter().collect(), |a, b| Ok::<_, Infallible>(a + b));
+        sum
     }
 
-    fn from_unsorted(mut unsorted: Vec<Term>) -> Self {
+    /// The sum of the terms, repeated monomials added up by `add`.
+    fn collected<E>(
+        mut unsorted: Vec<Term>,
+        mut add: impl FnMut(&Rational, &Rational) -> Result<Rational, E>,
+    ) -> Result<Self, E> {
         if is_decreasing(&unsorted) && unsorted.iter().all(|term| !term.1.is_zero()) {
-            return Self { terms: unsorted };
+            return Ok(Self { terms: unsorted });
         }
         unsorted.sort_by(|left, right| right.0.cmp(&left.0));
         let mut terms: Vec<Term> = Vec::with_capacity(unsorted.len());
         for (monomial, coefficient) in unsorted {
             match terms.last_mut() {
-                Some(last) if last.0 == monomial => last.1 = &last.1 + &coefficient,
+                Some(last) if last.0 == monomial => last.1 = add(&last.1, &coefficient)?,
                 _ => {
                     drop_if_zero(&mut terms);
                     terms.push((monomial, coefficient));
@@ -87,7 +93,7 @@ impl Polynomial {
             }
         }
         drop_if_zero(&mut terms);
-        Self { terms }
+        Ok(Self { terms })
     }
 
     /// Takes terms that are already strictly decreasing and without zeros.

@@ -73,5 +73,5 @@ pub use lattice::{ChainAt, Lattice, LatticeError};
 pub use map::Map;
 pub use observed::{Observable, ObservedFloat, Observing, Seen};
 pub use parameters::{ParameterError, ParameterValue};
-pub use periodic::{ParametricAt, RationalCycle};
+pub use periodic::{MOST_DIGITS as MOST_DIGITS_OF_CYCLES, ParametricAt, RationalCycle};
 pub use text::FieldText;

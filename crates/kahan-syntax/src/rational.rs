@@ -19,6 +19,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 
+pub(crate) use text::LARGEST_EXPONENT;
+
 /// An exact rational number p/q in lowest terms, q > 0.
 ///
 /// Arithmetic on small values costs a few machine operations and never allocates; beyond 63 bits it

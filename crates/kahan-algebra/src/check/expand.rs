@@ -27,6 +27,8 @@ use super::names::{Meaning, Scope};
 const MOST_TERMS: usize = 100_000;
 /// The largest number of products of terms in one expansion.
 const MOST_WORK: u64 = 300_000;
+/// The most products of terms in all expansions of a block.
+const MOST_WORK_OF_BLOCK: u64 = 2_000_000;
 /// A sum of more terms has them in no order.
 const MOST_IN_ORDER: usize = 64;
 /// The largest degree in the states that a power of a sum may have, whatever cancels it later.
@@ -73,8 +75,8 @@ impl Expansion {
 
 /// Expands `expr`, whose names all mean something; what is kept of it becomes `values`.
 pub(super) fn expand(expr: &Expr, scope: &Scope, values: &mut Values) -> Result<Expansion, Diagnostic> {
-    let budget = Budget::new(MOST_TERMS, MOST_WORK);
-    lower(expr, &mut Fractions { scope, inverts: false, reduces: true, values, budget })
+    let (inverts, reduces) = (false, true);
+    Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
 /// The same, of which nothing is kept.
@@ -85,16 +87,34 @@ pub(super) fn expand_unkept(expr: &Expr, scope: &Scope) -> Result<Expansion, Dia
 /// The sides of a relation behind `when`: exponents may be negative, nothing is kept, and what is
 /// divided by stays, as the relation must exist where it holds.
 pub(super) fn expand_as_written(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
-    let values = &mut Values::of(&scope.symbols);
-    let budget = Budget::new(MOST_TERMS, MOST_WORK);
-    lower(expr, &mut Fractions { scope, inverts: true, reduces: false, values, budget })
+    let (inverts, reduces, values) = (true, false, &mut Values::of(&scope.symbols));
+    Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
 /// A claim in lowest terms: exponents may be negative, and nothing is kept.
 pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, Diagnostic> {
-    let values = &mut Values::of(&scope.symbols);
-    let budget = Budget::new(MOST_TERMS, MOST_WORK);
-    lower(expr, &mut Fractions { scope, inverts: true, reduces: true, values, budget })
+    let (inverts, reduces, values) = (true, true, &mut Values::of(&scope.symbols));
+    Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
+}
+
+/// What one expansion may take of what the block has left.
+fn budget(scope: &Scope) -> Budget {
+    Budget::new(MOST_TERMS, MOST_WORK.min(MOST_WORK_OF_BLOCK.saturating_sub(scope.products.get())))
+}
+
+/// The mistake of a block whose expansions have taken all that they may; `span` is where it stands.
+pub(super) fn spent(scope: &Scope, span: Span) -> Option<Diagnostic> {
+    let is_spent = scope.products.get() >= MOST_WORK_OF_BLOCK;
+    is_spent.then(|| {
+        Diagnostic::new(
+            Kind::TooLarge,
+            span,
+            format!(
+                "the expressions of this block take more than {MOST_WORK_OF_BLOCK} products of terms to expand"
+            ),
+            "give powers and products of long sums names of their own: parameters, or states with an equation",
+        )
+    })
 }
 
 struct Fractions<'a> {
@@ -133,7 +153,7 @@ impl Target for Fractions<'_> {
         if terms.iter().map(|(_, term)| term.numerator.len()).sum::<usize>() > 4 * MOST_TERMS {
             return Err(too_large(span));
         }
-        let (kept, order) = self.kept_sum(&terms);
+        let (kept, order) = self.kept_sum(&terms, span)?;
         let extents = kept.iter().flat_map(|_| terms.iter().map(|(_, term)| self.extent(term)));
         let extents: Vec<(Vec<Variable>, u32)> = extents.collect();
         let mut groups: Vec<(Polynomial, Vec<(bool, Polynomial)>)> = Vec::new();
@@ -145,10 +165,7 @@ impl Target for Fractions<'_> {
         }
         let mut total: Option<(Polynomial, Polynomial)> = None;
         for (denominator, numerators) in groups {
-            let numerator = Polynomial::sum_of(numerators.iter().map(|(negative, of)| (*negative, of)));
-            if numerator.len() > MOST_TERMS {
-                return Err(too_large(span));
-            }
+            let numerator = self.sum_of(&numerators, span)?;
             total = Some(match total {
                 None => (numerator, denominator),
                 Some((above, below)) => {
@@ -232,6 +249,8 @@ impl Target for Fractions<'_> {
                     "rescale the variables or the time",
                 );
             }
+            let exponent = i32::try_from(exponent).expect("it is no more than the bits");
+            return Ok(self.number(&value.pow(exponent).expect("the exponent is not negative")));
         }
         let reached = u64::from(degree).saturating_mul(exponent);
         if base.numerator.len() > 1 && reached > HIGHEST_DEGREE {
@@ -264,6 +283,19 @@ impl Target for Fractions<'_> {
 }
 
 impl Fractions<'_> {
+    /// Expands an expression, and charges it to the block.
+    fn expanded(mut self, expr: &Expr) -> Result<Expansion, Diagnostic> {
+        let before = self.budget.work_left();
+        let expansion = lower(expr, &mut self);
+        self.scope.products.set(self.scope.products.get() + before - self.budget.work_left());
+        expansion
+    }
+
+    fn sum_of(&mut self, terms: &[(bool, Polynomial)], span: Span) -> Result<Polynomial, Diagnostic> {
+        let terms = terms.iter().map(|(negative, of)| (*negative, of));
+        Polynomial::sum_within(terms, &mut self.budget).map_err(|_| too_large(span))
+    }
+
     /// The mistake of a power of states that is too high.
     fn power_too_high(&self, base: &Expansion, span: Span, degree: u64) -> Diagnostic {
         let symbols = &self.scope.symbols;
@@ -284,21 +316,26 @@ impl Fractions<'_> {
 
     /// The sum as it was written, where that is not the sum of the numerators, and the order of its
     /// terms. A sum among them, which stands in parentheses, is a value.
-    fn kept_sum(&mut self, terms: &[(bool, Expansion)]) -> (Option<Polynomial>, Vec<Polynomial>) {
+    fn kept_sum(
+        &mut self,
+        terms: &[(bool, Expansion)],
+        span: Span,
+    ) -> Result<(Option<Polynomial>, Vec<Polynomial>), Diagnostic> {
         let is_whole = |(_, term): &(bool, Expansion)| term.kept.is_none() && term.kept().len() < 2;
         let is_plain = terms.len() < 2 || terms.iter().all(is_whole);
         if is_plain && terms.len() > MOST_IN_ORDER {
-            return (None, Vec::new());
+            return Ok((None, Vec::new()));
         }
-        let mut written: Vec<Polynomial> = Vec::with_capacity(terms.len());
+        let mut written: Vec<(bool, Polynomial)> = Vec::with_capacity(terms.len());
         for (negative, term) in terms {
             let factor = if terms.len() < 2 { term.kept().clone() } else { self.factor(term) };
-            written.push(if *negative { -&factor } else { factor });
+            written.push((false, if *negative { -&factor } else { factor }));
         }
         let is_kept = !is_plain || terms.iter().any(|(_, term)| term.kept.is_some());
-        let kept = is_kept.then(|| Polynomial::sum_of(written.iter().map(|term| (false, term))));
+        let kept = if is_kept { Some(self.sum_of(&written, span)?) } else { None };
         let has_order = (3..=MOST_IN_ORDER).contains(&written.len());
-        (kept, if has_order { written } else { Vec::new() })
+        let order = if has_order { written } else { Vec::new() };
+        Ok((kept, order.into_iter().map(|(_, term)| term).collect()))
     }
 
     /// What is kept of something as a factor of a product. The terms of a sum are added in the
@@ -402,7 +439,9 @@ fn too_large(span: Span) -> Diagnostic {
     Diagnostic::new(
         Kind::TooLarge,
         span,
-        format!("the expansion has more than {MOST_TERMS} terms"),
-        "write the field in fewer terms",
+        format!(
+            "the expansion has more than {MOST_TERMS} terms, or takes more than {MOST_WORK} products of terms"
+        ),
+        "write the field in fewer terms, with shorter numbers",
     )
 }

@@ -2,6 +2,8 @@
 
 mod declared;
 
+use std::cell::Cell;
+
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
@@ -38,6 +40,8 @@ pub(super) struct Scope {
     all_claims: FxHashSet<String>,
     /// Left-hand sides without `dot`, as written.
     misspelt_states: Vec<String>,
+    /// The products of terms that its expansions took so far.
+    pub(super) products: Cell<u64>,
 }
 
 /// Whether `name` is the half time step.

@@ -14,6 +14,8 @@ use super::{Node, Operation, Plan};
 #[derive(Clone, Debug, Default)]
 pub struct PlanBuilder {
     operations: Numbered<Operation>,
+    /// How many terms of polynomials were looked at to nest them.
+    pub(super) looked_at: usize,
 }
 
 impl PlanBuilder {

@@ -1,15 +1,26 @@
 //! Polynomials in nested (Horner) form, whatever it costs: for all plans but steps.
+//!
+//! Which variable is taken out next depends on what is left, so a polynomial is looked at as often
+//! as it has variables. A budget bounds the terms that are looked at in one plan: beyond it, all
+//! variables of a polynomial are taken out at once.
+
+use std::cmp::Reverse;
 
 use kahan_syntax::rational::Rational;
+use kahan_syntax::table::sorted_by_key;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 
 use super::{Node, PlanBuilder};
 
+/// The most terms that are looked at to choose one variable at a time.
+pub(super) const MOST_LOOKED_AT: usize = 1_000_000;
+
 impl PlanBuilder {
     /// A polynomial in nested form: content and common monomial first, then v·q + r in the variable
-    /// v of most terms.
+    /// v of most terms; where that takes too long, Σ vᵢ·qᵢ + r in all variables.
     pub fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
+        self.looked_at += polynomial.len();
         if let Some(value) = polynomial.as_constant() {
             return self.constant(&value);
         }
@@ -26,6 +37,9 @@ impl PlanBuilder {
         let Some(variable) = most_frequent_variable(polynomial) else {
             return self.sum_of_terms(polynomial);
         };
+        if self.looked_at > MOST_LOOKED_AT {
+            return self.sum_of_products(polynomial);
+        }
         let (quotient, rest) = polynomial.split_at(variable);
         let quotient = self.polynomial(&quotient);
         let input = self.input(variable);
@@ -54,6 +68,17 @@ impl PlanBuilder {
         product.map_or(inner, |product| self.multiply(inner, product))
     }
 
+    fn sum_of_products(&mut self, polynomial: &Polynomial) -> Node {
+        let (products, rest) = by_frequency(polynomial, |_| true);
+        let rest = self.polynomial(&rest);
+        products.into_iter().rev().fold(rest, |sum, (variable, quotient)| {
+            let quotient = self.polynomial(&quotient);
+            let input = self.input(variable);
+            let product = self.multiply(input, quotient);
+            self.add(sum, product)
+        })
+    }
+
     fn sum_of_terms(&mut self, polynomial: &Polynomial) -> Node {
         let mut sum: Option<Node> = None;
         for (monomial, coefficient) in polynomial.terms() {
@@ -70,16 +95,59 @@ impl PlanBuilder {
 /// The variable that most terms contain, the later one of equals; none where no variable is in two
 /// terms.
 fn most_frequent_variable(polynomial: &Polynomial) -> Option<Variable> {
-    let mut counts: Vec<(Variable, usize)> = Vec::new();
-    for (variable, _) in polynomial.terms().flat_map(|(monomial, _)| monomial.powers().iter().copied()) {
-        match counts.iter_mut().find(|(known, _)| *known == variable) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((variable, 1)),
-        }
-    }
-    counts
+    polynomial
+        .frequencies()
         .into_iter()
         .filter(|&(_, count)| count > 1)
         .max_by_key(|&(variable, count)| (count, variable))
         .map(|(v, _)| v)
+}
+
+/// Returns Σ v·q and r: each term in the product with that of its variables that most terms of the
+/// polynomial have, of those that may be taken out; the most frequent variable first.
+pub(super) fn by_frequency(
+    polynomial: &Polynomial,
+    may_be_out: impl Fn(Variable) -> bool,
+) -> (Vec<(Variable, Polynomial)>, Polynomial) {
+    let counts = polynomial.frequencies().into_iter();
+    let counts = counts.filter(|&(variable, count)| count > 1 && may_be_out(variable));
+    let counts = sorted_by_key(counts, |&(variable, count)| Reverse((count, variable)));
+    let variables: Vec<Variable> = counts.into_iter().map(|(variable, _)| variable).collect();
+    let (quotients, rest) = polynomial.split_among(&variables);
+    let products = variables.into_iter().zip(quotients).filter(|(_, quotient)| !quotient.is_zero());
+    (products.collect(), rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arithmetic::Exact;
+
+    /// 20 000 products of two of 3000 variables, each with a coefficient of its own.
+    fn long() -> Polynomial {
+        let product =
+            |k: u16| Monomial::variable(Variable(k % 3000)).mul(&Monomial::variable(Variable(k / 7)));
+        Polynomial::from_terms((0..20_000).map(|k| (product(k), Rational::from(i64::from(k) + 1))))
+    }
+
+    /// One variable at a time, 3000 polynomials of 10 000 terms would be looked at.
+    #[test]
+    fn a_long_polynomial_is_nested_within_the_budget_and_has_its_values() {
+        let polynomial = long();
+        let mut builder = PlanBuilder::default();
+        let node = builder.polynomial(&polynomial);
+        assert!(builder.looked_at > MOST_LOOKED_AT, "{}", builder.looked_at);
+        assert!(builder.looked_at <= MOST_LOOKED_AT + 5 * polynomial.len(), "{}", builder.looked_at);
+
+        let plan = builder.finish(&[node]);
+        assert!(plan.operations.len() <= 4 * polynomial.len(), "{}", plan.operations.len());
+        let at = |variable: Variable| Rational::from(i64::from(variable.0 % 11) - 5);
+        let value = polynomial.terms().fold(Rational::zero(), |sum, (monomial, coefficient)| {
+            let powers = monomial.powers().iter();
+            let factors =
+                powers.flat_map(|&(variable, power)| std::iter::repeat_n(at(variable), power as usize));
+            &sum + &factors.fold(coefficient.clone(), |product, factor| &product * &factor)
+        });
+        assert_eq!(plan.evaluate(&Exact, at), [Some(value)]);
+    }
 }

@@ -6,6 +6,7 @@
 //! hash or a tree.
 
 use std::cmp::Ordering;
+use std::convert::Infallible;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use kahan_syntax::rational::Rational;
@@ -15,11 +16,20 @@ use super::{Monomial, Polynomial, Term};
 impl Polynomial {
     /// The sum of all, each with whether it is subtracted. Costs a sort.
     pub fn sum_of<'a>(summands: impl IntoIterator<Item = (bool, &'a Self)>) -> Self {
+        let Ok(sum) = Self::sum_with(summands, |a, b| Ok::<_, Infallible>(a + b));
+        sum
+    }
+
+    /// The sum of all, where coefficients are added by `add`.
+    pub(super) fn sum_with<'a, E>(
+        summands: impl IntoIterator<Item = (bool, &'a Self)>,
+        add: impl FnMut(&Rational, &Rational) -> Result<Rational, E>,
+    ) -> Result<Self, E> {
         let terms = summands.into_iter().flat_map(|(negative, summand)| {
             let signed = move |value: &Rational| if negative { -value } else { value.clone() };
             summand.terms().map(move |(monomial, value)| (monomial.clone(), signed(value)))
         });
-        Self::from_terms(terms)
+        Self::collected(terms.collect(), add)
     }
 
     /// The product with a rational.

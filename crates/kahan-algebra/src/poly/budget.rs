@@ -78,6 +78,22 @@ impl Polynomial {
         Ok(sum)
     }
 
+    /// The sum of all, each with whether it is subtracted, if the budget allows for it. Costs a
+    /// sort; coefficients that are added are charged with the square of their length in words
+    /// beyond the first.
+    pub fn sum_within<'a>(
+        summands: impl IntoIterator<Item = (bool, &'a Self)>,
+        budget: &mut Budget,
+    ) -> Result<Self, OverBudget> {
+        let sum = Self::sum_with(summands, |a, b| {
+            let words = a.bits() / 64 + b.bits() / 64;
+            budget.charge(words.saturating_mul(words))?;
+            Ok(a + b)
+        })?;
+        budget.admit(sum.len())?;
+        Ok(sum)
+    }
+
     /// The product, if the budget allows for it.
     pub fn mul_within(&self, other: &Self, budget: &mut Budget) -> Result<Self, OverBudget> {
         if u64::from(self.degree()) + u64::from(other.degree()) > MAX_DEGREE {

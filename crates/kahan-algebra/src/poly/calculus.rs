@@ -1,7 +1,7 @@
 //! Derivatives, substitution, renaming, and a polynomial seen as one in a single variable.
 
 use kahan_syntax::rational::Rational;
-use kahan_syntax::table::Table;
+use kahan_syntax::table::{Table, sorted_by_key};
 
 use super::{Budget, Monomial, OverBudget, Polynomial, Term, Variable};
 
@@ -80,6 +80,41 @@ impl Polynomial {
             }
         }
         (Self::from_sorted(quotient), Self::from_sorted(rest))
+    }
+
+    /// Returns q₁ … q_k and r of self = v₁·q₁ + … + v_k·q_k + r, each term with the first of these
+    /// variables that it has, and r free of all of them. Looks at each term once.
+    pub fn split_among(&self, variables: &[Variable]) -> (Vec<Self>, Self) {
+        let ranks =
+            sorted_by_key(variables.iter().copied().zip(0..variables.len()), |(variable, _)| *variable);
+        let rank = |variable: &Variable| {
+            let place = ranks.binary_search_by_key(variable, |(known, _)| *known).ok()?;
+            Some(ranks[place].1)
+        };
+        let (mut quotients, mut rest) = (vec![Vec::new(); variables.len()], Vec::new());
+        for (monomial, coefficient) in &self.terms {
+            let first = monomial.powers().iter().filter_map(|(variable, _)| rank(variable)).min();
+            // Dividing by the variable keeps the order of the terms that have it.
+            match first.and_then(|first| Some((first, monomial.lowered(variables[first])?))) {
+                Some((first, lowered)) => quotients[first].push((lowered, coefficient.clone())),
+                None => rest.push((monomial.clone(), coefficient.clone())),
+            }
+        }
+        (quotients.into_iter().map(Self::from_sorted).collect(), Self::from_sorted(rest))
+    }
+
+    /// How many terms have each variable, in the order of the variables.
+    pub fn frequencies(&self) -> Vec<(Variable, usize)> {
+        let mut counts: Vec<(Variable, usize)> = Vec::new();
+        for (monomial, _) in &self.terms {
+            for (variable, _) in monomial.powers() {
+                match counts.binary_search_by_key(variable, |(known, _)| *known) {
+                    Ok(place) => counts[place].1 += 1,
+                    Err(place) => counts.insert(place, (*variable, 1)),
+                }
+            }
+        }
+        counts
     }
 
     /// The coefficients cₖ of Σ cₖ `variable`^k, by exponent; none is zero and none contains the

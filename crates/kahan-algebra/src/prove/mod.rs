@@ -17,6 +17,7 @@ pub mod sizes;
 pub use modular::Proof;
 pub use normal_form::prove_by_normal_form;
 pub use refute::Refutation;
+use sizes::HIGHEST_DEGREE;
 pub use sizes::{ERROR_EXPONENT, points_needed};
 
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
@@ -137,7 +138,7 @@ fn report(system: &System, claim: &Claim, verdict: &Verdict, diagnostics: &mut D
         ),
         Verdict::TooLarge => (
             Kind::TooLarge,
-            "has too high a degree to be proved".to_owned(),
+            format!("has too high a degree to be proved: with its map put in, more than {HIGHEST_DEGREE}"),
             "write the claim with smaller powers",
         ),
     };

@@ -36,7 +36,7 @@ pub const ERROR_EXPONENT: u32 = 100;
 
 /// Beyond this degree the exact point alone, with its numbers of millions of digits, would take too
 /// long.
-const HIGHEST_DEGREE: u64 = 1 << 20;
+pub(super) const HIGHEST_DEGREE: u64 = 1 << 20;
 
 /// The number of points that proves a claim; `None` if no reasonable number does.
 pub(super) fn points_for(scheme: &Scheme, claim: &Claim) -> Option<u32> {

@@ -73,7 +73,7 @@ pub(crate) struct Chart {
     over: Vec<String>,
 
     /// The number of steps of each orbit.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, 1_u64 << 40), default_value = "1000")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS), default_value = "1000")]
     steps: u64,
 
     /// What is shown; chaotic is where sali is small, and where fli, megno or lyapunov are large.
@@ -110,6 +110,9 @@ const COLOURS: [Observable; 7] = [
 /// What orbits need, and rows have in themselves.
 const OF_ORBITS: [&str; 9] =
     ["system", "field", "file", "sites", "parameters", "eps", "at", "steps", "escape"];
+
+/// The most steps of each orbit.
+const MOST_STEPS: u64 = 1 << 40;
 
 impl Asking for Chart {
     type Question = Over;

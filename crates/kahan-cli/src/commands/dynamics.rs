@@ -8,7 +8,7 @@ use kahan_study::{Observable, Observe, Observed, Seen, Study};
 use super::line::Asking;
 use crate::printing::layout::{paragraphs, screen_width, table};
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{Start, observable, order, whole};
+use crate::reading::{MOST_OBSERVED, Start, observable, order, whole};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///
@@ -49,7 +49,7 @@ pub(crate) struct Dynamics {
     start: Start,
 
     /// The number of steps; rotation numbers need a hundred turns or so.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, 1_u64 << 53))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_OBSERVED))]
     steps: u64,
 
     /// The order of the method: 2 is Kahan's map, the others compose steps of it.

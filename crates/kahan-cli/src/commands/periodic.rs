@@ -41,7 +41,7 @@ pub(crate) struct Periodic {
     start: Start,
 
     /// A multiple of the period; the smallest period is told.
-    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, 200_usize))]
+    #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, LONGEST_PERIOD))]
     period: usize,
 
     /// What changes, a parameter or eps: NAME=FROM:TO:COUNT, or :+STEP.
@@ -61,6 +61,9 @@ pub(crate) struct Periodic {
     #[arg(long)]
     json: bool,
 }
+
+/// The longest period that is looked for.
+const LONGEST_PERIOD: usize = 200;
 
 impl Asking for Periodic {
     type Question = Question;

@@ -57,7 +57,7 @@ pub(crate) struct Picture {
     /// So many first points for each --at: along its line, or random ones around it.
     ///
     /// Random ones are at most --radius away in each coordinate, and follow --seed.
-    #[arg(long, value_name = "K", value_parser = whole(1, 100_000_usize))]
+    #[arg(long, value_name = "K", value_parser = whole(1, MOST_STARTS))]
     starts: Option<usize>,
 
     /// How far a random start is from --at, in each coordinate.
@@ -128,6 +128,9 @@ enum Kind {
     /// What orbits tend to, over a parameter or eps.
     OrbitsOver,
 }
+
+/// The most first points for each of those that are given.
+const MOST_STARTS: usize = 100_000;
 
 impl Picture {
     /// What is drawn, and of which field.

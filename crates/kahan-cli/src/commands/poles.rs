@@ -38,7 +38,7 @@ pub(crate) struct Poles {
     eps: Option<String>,
 
     /// How many steps each curve is followed.
-    #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = whole(1, 100_usize))]
+    #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = whole(1, LONGEST))]
     steps: usize,
 
     /// The time that the search may take; what is not finished then is undecided.
@@ -49,6 +49,9 @@ pub(crate) struct Poles {
     #[arg(long)]
     json: bool,
 }
+
+/// The most steps that a curve is followed.
+const LONGEST: usize = 100;
 
 impl Asking for Poles {
     type Question = Question;

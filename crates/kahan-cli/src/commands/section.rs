@@ -9,7 +9,7 @@ use serde_json::{Map, json};
 
 use super::line::Asking;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
-use crate::reading::{Start, one_of, whole};
+use crate::reading::{MOST_OBSERVED, Start, one_of, whole};
 
 /// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
 ///
@@ -32,7 +32,7 @@ pub(crate) struct Section {
     start: Start,
 
     /// The most steps of the orbit.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, 1_u64 << 53))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_OBSERVED))]
     steps: u64,
 
     /// What vanishes on the section: z - 27, or x^2 + y^2 - 1.
@@ -44,7 +44,7 @@ pub(crate) struct Section {
     side: Side,
 
     /// Stop after K crossings.
-    #[arg(long, value_name = "K", default_value = "100000", allow_hyphen_values = true, value_parser = whole(1, 1_usize << 26))]
+    #[arg(long, value_name = "K", default_value = "100000", allow_hyphen_values = true, value_parser = whole(1, MOST_CROSSINGS))]
     points: usize,
 
     /// Write the table to this file, which appears when it is complete.
@@ -55,6 +55,9 @@ pub(crate) struct Section {
     #[arg(long)]
     json: bool,
 }
+
+/// The most crossings that are kept.
+const MOST_CROSSINGS: usize = 1 << 26;
 
 impl Asking for Section {
     type Question = Question;

@@ -19,7 +19,7 @@ use crate::reading::{Block, Source};
 /// The map is x~ = x + 2 eps n/d in lowest terms, where eps is half the time step; a prime marks
 /// the second argument of the bilinear form Q(x,x'). For a field whose map is beyond the budget of
 /// terms, det A is shown as a determinant. With --plan: what the generated code computes, in
-/// straight lines, and what that costs.
+/// straight lines, and what that costs. Of more than 500 variables only the block is shown.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:

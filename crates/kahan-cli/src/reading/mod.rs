@@ -17,3 +17,6 @@ pub(crate) use points::{is_number_file, point, points};
 pub(crate) use results::{columns, not_started, sweeper};
 pub(crate) use source::{ONE_WORD, Source, Start};
 pub(crate) use values::{axis, named, number, observable, one_of, order, over, scalar, seconds, whole};
+
+/// The most steps of an orbit that is observed: doubles count them.
+pub(crate) const MOST_OBSERVED: u64 = 1 << 53;

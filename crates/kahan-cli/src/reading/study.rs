@@ -90,6 +90,9 @@ impl From<StudyError> for Refusal {
                 "--sites {sites}: the command writes a chain out, up to {MOST_VARIABLES} variables; longer ones are stepped by \
                  `kahan orbit --start …`, and by `kahan!` in a program, for any number of sites"
             ),
+            StudyError::LargeMatrices { .. } => {
+                format!("{error}").replace("ask for the block alone", "--macro shows the block alone")
+            }
             StudyError::UnknownParameter { .. } => format!("--param: {error}"),
             StudyError::ParameterTwice { name } => format!("--param: `{name}` is given twice"),
             StudyError::MissingParameters { system, names } => {
@@ -119,6 +122,11 @@ impl From<StudyError> for Refusal {
             }
             StudyError::Degree { .. } => {
                 format!("--degree: {error}").replace("ask for none", "leave --degree out")
+            }
+            StudyError::Trade { .. } => {
+                let said = error.to_string().replace("more `seconds`", "more --seconds");
+                said.replace("the need `integrals`", "--need integrals")
+                    .replace("the need `trajectory`", "--need trajectory")
             }
             other => other.to_string(),
         })

@@ -20,6 +20,10 @@ pub(crate) fn solve_projectively(mut rows: Vec<Vec<IBig>>) -> Vec<IBig> {
         for (i, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
             let factor = std::mem::take(&mut row[k]);
             for (entry, above) in row.iter_mut().zip(&pivot_row).skip(k + 1) {
+                // Most entries of a field with many variables are 0, and stay it.
+                if entry.is_zero() && (factor.is_zero() || above.is_zero()) {
+                    continue;
+                }
                 *entry = (&*entry * pivot - &factor * above) / &last_pivot;
             }
             // Above the diagonal the entries of earlier columns are this pivot now.

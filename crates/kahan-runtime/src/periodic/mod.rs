@@ -15,7 +15,7 @@ use kahan_core::{Room, Step, Stopped};
 
 use crate::MapAt;
 
-pub use rational::RationalCycle;
+pub use rational::{MOST_DIGITS, RationalCycle};
 
 impl Differentiable for MapAt<f64> {
     /// # Panics

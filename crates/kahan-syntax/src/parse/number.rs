@@ -5,13 +5,13 @@ use num_bigint::BigInt;
 use num_traits::Num;
 
 use crate::diagnostics::Kind;
-use crate::rational::Rational;
+use crate::rational::{LARGEST_EXPONENT, Rational};
 use crate::token::Span;
 
 use super::{Parsed, error};
 
-/// The largest size of a decimal exponent, and the largest number of digits of a literal.
-const LARGEST_EXPONENT: i64 = 4096;
+/// The most digits of a literal.
+const MOST_DIGITS: i64 = 2 * LARGEST_EXPONENT;
 
 /// A literal split where its parts meet.
 struct Literal<'a> {
@@ -45,11 +45,13 @@ pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
     }
     let exponent = parts.exponent.replace('_', "").parse::<i64>().unwrap_or(i64::MAX);
     let digits = [parts.whole, parts.fraction].concat().bytes().filter(u8::is_ascii_digit).count();
-    if !(-LARGEST_EXPONENT..=LARGEST_EXPONENT).contains(&exponent) || digits as i64 > 2 * LARGEST_EXPONENT {
+    if !(-LARGEST_EXPONENT..=LARGEST_EXPONENT).contains(&exponent) || digits as i64 > MOST_DIGITS {
         return error(
             Kind::TooLarge,
             span,
-            format!("this literal is too large: decimal exponents go to {LARGEST_EXPONENT}"),
+            format!(
+                "this literal is too large: decimal exponents go to {LARGEST_EXPONENT}, and it has at most {MOST_DIGITS} digits"
+            ),
             "rescale the variables or the time",
         );
     }

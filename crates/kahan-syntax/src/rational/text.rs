@@ -9,8 +9,9 @@ use num_bigint::BigInt;
 
 use super::{Rational, Repr};
 
-/// Larger decimal exponents are refused, so that no short text makes a long number.
-const MAX_DECIMAL_EXPONENT: i64 = 4096;
+/// The largest size of a decimal exponent: larger ones are refused, so that no short text makes a
+/// long number.
+pub(crate) const LARGEST_EXPONENT: i64 = 4096;
 
 impl Rational {
     /// Reads `p`, `p/q` or a decimal such as `0.25`, `1e-3`, `-1.5E3`, with an optional sign in
@@ -60,7 +61,7 @@ fn decimal(text: &str) -> Option<Rational> {
 
 fn decimal_exponent(text: &str) -> Option<i64> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
-    let size = natural(digits)?.as_i64().filter(|size| *size <= MAX_DECIMAL_EXPONENT)?;
+    let size = natural(digits)?.as_i64().filter(|size| *size <= LARGEST_EXPONENT)?;
     Some(if text.starts_with('-') { -size } else { size })
 }
 

@@ -1,6 +1,9 @@
 //! A plan in the making that knows when each of its values is ready, so that sums and products can
 //! be grouped with what arrives last at the end.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::sorted_by_key;
 
@@ -171,19 +174,20 @@ impl Draft {
 
     /// The same, its sign beside it.
     pub(in crate::plan) fn signed_sum(&mut self, terms: &[Signed]) -> Signed {
-        let mut terms = self.sorted(terms.to_vec(), |term| term.node);
-        terms.reverse();
-        while let [.., b, a] = terms[..] {
-            let sum = self.pair(a, b);
-            terms.truncate(terms.len() - 2);
+        self.settle();
+        // Of equal ones the sum that was made last comes first, then terms as they stand.
+        let waiting = terms.iter().zip(0_i64..);
+        let mut waiting: BinaryHeap<_> =
+            waiting.map(|(&term, place)| Reverse((self.order(term.node), place, term))).collect();
+        let mut made = 0;
+        while let Some(Reverse((_, _, first))) = waiting.pop() {
+            let Some(Reverse((_, _, second))) = waiting.pop() else { return first };
+            let sum = self.pair(first, second);
             self.settle();
-            let mut place = terms.len();
-            while place > 0 && self.order(terms[place - 1].node) < self.order(sum.node) {
-                place -= 1;
-            }
-            terms.insert(place, sum);
+            made -= 1;
+            waiting.push(Reverse((self.order(sum.node), made, sum)));
         }
-        terms.pop().unwrap_or_else(|| Signed::plus(self.zero()))
+        Signed::plus(self.zero())
     }
 
     fn pair(&mut self, a: Signed, b: Signed) -> Signed {
@@ -208,7 +212,7 @@ impl Draft {
 }
 
 /// A summand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::plan) struct Signed {
     pub(in crate::plan) node: Node,
     pub(in crate::plan) negative: bool,

@@ -2,9 +2,10 @@
 //!
 //! A polynomial is a sum of terms and of products v·q; every choice of v gives another form. The
 //! estimate of a form counts its operations and the cycle in which its value is ready, no operation
-//! being shared; the cheapest form is kept.
+//! being shared; the cheapest form is kept. A budget bounds the terms that are looked at to compare
+//! forms: beyond it, all variables of a polynomial are taken out at once.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
 use std::rc::Rc;
 
@@ -14,12 +15,16 @@ use kahan_syntax::table::sorted_by_key;
 use crate::poly::{Monomial, Polynomial, Variable};
 
 use crate::plan::cost::{DERIVED, MULTIPLY, gathered, multiplied};
+use crate::plan::horner::by_frequency;
 use crate::plan::numbered::Numbered;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
 /// The most terms for which all forms are compared; longer polynomials are nested by their most
 /// frequent variable.
 const COMPARED: usize = 12;
+
+/// The most terms that are looked at to compare forms.
+const MOST_LOOKED_AT: usize = 1_000_000;
 
 /// What a form should be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,6 +70,8 @@ enum Form {
     Flat,
     /// A product, and a rest in the form of its estimate.
     Nested(Summand, Option<(Rc<Polynomial>, Rc<Estimate>)>),
+    /// Products and terms.
+    Grouped(Vec<Summand>),
 }
 
 /// Polynomials with their estimates.
@@ -80,11 +87,13 @@ pub(in crate::plan) struct Nesting {
     goal: Goal,
     scaling: Scaling,
     known: RefCell<Known>,
+    /// How many terms were looked at.
+    looked_at: Cell<usize>,
 }
 
 impl Nesting {
     pub(in crate::plan) fn new(goal: Goal, scaling: Scaling) -> Self {
-        Nesting { goal, scaling, known: RefCell::default() }
+        Nesting { goal, scaling, known: RefCell::default(), looked_at: Cell::new(0) }
     }
 
     /// The cheapest form found.
@@ -97,10 +106,12 @@ impl Nesting {
                     summands.push(product.clone());
                     rest.clone()
                 }
+                Form::Grouped(own) => {
+                    summands.extend_from_slice(own);
+                    None
+                }
                 Form::Flat => {
-                    for (monomial, coefficient) in polynomial.terms() {
-                        summands.push(Summand::Term(monomial.clone(), coefficient.clone()));
-                    }
+                    summands.extend(terms_of(&polynomial));
                     None
                 }
             };
@@ -126,6 +137,10 @@ impl Nesting {
     }
 
     fn compare(&self, polynomial: &Polynomial) -> Estimate {
+        self.looked_at.set(self.looked_at.get() + polynomial.len());
+        if self.looked_at.get() > MOST_LOOKED_AT {
+            return self.grouped(polynomial);
+        }
         let candidates = self.candidates(polynomial);
         let mut best = if candidates.is_empty() || polynomial.len() <= COMPARED {
             Some(self.flat(polynomial))
@@ -147,23 +162,18 @@ impl Nesting {
 
     /// Variables in at least two terms; for long polynomials only the most frequent one.
     fn candidates(&self, polynomial: &Polynomial) -> Vec<Variable> {
-        let mut counts: Vec<(usize, Variable)> = Vec::new();
-        for (monomial, _) in polynomial.terms() {
-            for &(variable, _) in monomial.powers() {
-                match counts.iter_mut().find(|(_, known)| known.0 == variable.0) {
-                    Some((count, _)) => *count += 1,
-                    None => counts.push((1, variable)),
-                }
-            }
-        }
-        counts.retain(|&(count, variable)| {
-            count > 1 && (variable == INVERSE_STEP || self.scaling.ready(variable).is_some())
-        });
-        let mut counts = sorted_by_key(counts, |&(count, variable)| (Reverse(count), variable));
+        let counts = polynomial.frequencies().into_iter();
+        let counts = counts.filter(|&(variable, count)| count > 1 && self.may_be_out(variable));
+        let mut counts = sorted_by_key(counts, |&(variable, count)| (Reverse(count), variable));
         if polynomial.len() > COMPARED {
             counts.truncate(1);
         }
-        counts.into_iter().map(|(_, variable)| variable).collect()
+        counts.into_iter().map(|(variable, _)| variable).collect()
+    }
+
+    /// Whether a variable may be taken out of terms: what depends on no state is prepared instead.
+    fn may_be_out(&self, variable: Variable) -> bool {
+        variable == INVERSE_STEP || self.scaling.ready(variable).is_some()
     }
 
     /// Every term on its own; what depends on no state is one prepared summand.
@@ -210,6 +220,35 @@ impl Nesting {
 
     fn nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
         let (quotient, rest) = polynomial.split_at(variable);
+        let (product, mut operations, ready) = self.product(variable, quotient);
+        let mut summands = vec![ready];
+        if rest.is_zero() {
+            return Estimate { operations, summands, form: Form::Nested(product, None) };
+        }
+        let rest = Rc::new(rest);
+        let own = self.estimate(&rest);
+        operations += own.operations + 1;
+        summands.extend_from_slice(&own.summands);
+        Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
+    }
+
+    /// All variables taken out at once, each term by that of its variables that most terms have.
+    fn grouped(&self, polynomial: &Polynomial) -> Estimate {
+        let (products, rest) = by_frequency(polynomial, |variable| self.may_be_out(variable));
+        let flat = self.flat(&rest);
+        let mut own: Vec<Summand> = terms_of(&rest).collect();
+        let Estimate { mut operations, mut summands, .. } = flat;
+        for (variable, quotient) in products {
+            let (product, count, ready) = self.product(variable, quotient);
+            own.push(product);
+            operations += count + 1;
+            summands.push(ready);
+        }
+        Estimate { operations, summands, form: Form::Grouped(own) }
+    }
+
+    /// variable · quotient as a summand, its operations, and when it is ready.
+    fn product(&self, variable: Variable, quotient: Polynomial) -> (Summand, usize, u32) {
         let mut monomial = quotient.monomial_content();
         let inner = if monomial.is_one() {
             quotient
@@ -221,19 +260,47 @@ impl Nesting {
         let (content, inner) =
             if content.is_one() { (content, inner) } else { (content, inner.primitive_part()) };
         let inner = Rc::new(inner);
-        let (mut operations, factor_ready) = self.term(&monomial, &content);
+        let (operations, factor_ready) = self.term(&monomial, &content);
         let quotient = self.estimate(&inner);
-        operations += quotient.operations + 1;
         let ready = factor_ready.max(gathered(&quotient.summands)) + MULTIPLY;
-        let product = Summand::Product(monomial, content, inner);
-        let mut summands = vec![ready];
-        if rest.is_zero() {
-            return Estimate { operations, summands, form: Form::Nested(product, None) };
-        }
-        let rest = Rc::new(rest);
-        let own = self.estimate(&rest);
-        operations += own.operations + 1;
-        summands.extend_from_slice(&own.summands);
-        Estimate { operations, summands, form: Form::Nested(product, Some((rest, own))) }
+        (Summand::Product(monomial, content, inner), operations + quotient.operations + 1, ready)
+    }
+}
+
+/// The terms of a polynomial as summands.
+fn terms_of(polynomial: &Polynomial) -> impl Iterator<Item = Summand> {
+    polynomial.terms().map(|(monomial, coefficient)| Summand::Term(monomial.clone(), coefficient.clone()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::writing::scaling::scalings;
+
+    /// Σ of all products of 200 states: one state at a time, 200 polynomials of 10 000 terms each
+    /// would be looked at.
+    #[test]
+    fn forms_of_a_long_polynomial_are_compared_within_the_budget() {
+        let state = |k: usize| Monomial::variable(Variable(k as u16));
+        let pairs = (0..200).flat_map(|i| (i..200).map(move |j| (i, j)));
+        let terms = pairs.map(|(i, j)| (state(i).mul(&state(j)), Rational::from((200 * i + j + 1) as i64)));
+        let polynomial = Rc::new(Polynomial::from_terms(terms));
+        let text: String = (0..200).map(|k| format!("x{k}dot = x{k};")).collect();
+        let field = crate::read(&crate::lexer::lex(&text).tokens).system().expect("a system").field;
+        let scaling = scalings(&field).swap_remove(0);
+
+        let nesting = Nesting::new(Goal::Few, scaling);
+        let summands = nesting.best(&polynomial);
+        let looked_at = nesting.looked_at.get();
+        assert!(looked_at > MOST_LOOKED_AT, "{looked_at}");
+        assert!(looked_at <= MOST_LOOKED_AT + 5 * polynomial.len(), "{looked_at}");
+        let sum = summands.iter().fold(Polynomial::zero(), |sum, summand| {
+            let (monomial, coefficient, inner) = match summand {
+                Summand::Term(monomial, coefficient) => (monomial, coefficient, Rc::new(Polynomial::one())),
+                Summand::Product(monomial, coefficient, inner) => (monomial, coefficient, Rc::clone(inner)),
+            };
+            &sum + &(&Polynomial::term(monomial.clone(), coefficient.clone()) * &inner)
+        });
+        assert_eq!(sum, *polynomial);
     }
 }

@@ -19,8 +19,8 @@ pub(super) struct Rows<'a> {
     pub(super) chosen: &'a [String],
 }
 
-/// The most cells of a chart.
-const MOST_CELLS: usize = 1 << 26;
+/// The most cells of a chart of rows.
+const MOST_DRAWN: usize = 1 << 26;
 
 impl<'a> Rows<'a> {
     /// The cells, and the mean of what their rows show, row by row from below; not a number where
@@ -59,10 +59,10 @@ impl<'a> Rows<'a> {
         let ranges: Vec<Axis> = axes.clone().map(range).collect::<Result<_, _>>()?;
         let counts: Vec<usize> = ranges.iter().map(|axis| axis.range.count()).collect();
         let count = counts.iter().try_fold(1_usize, |count, own| count.checked_mul(*own));
-        let count = count.filter(|count| *count <= MOST_CELLS).ok_or_else(|| {
+        let count = count.filter(|count| *count <= MOST_DRAWN).ok_or_else(|| {
             let counts = joined(&counts, " times ");
             Refusal::new(format!(
-                "--over: {counts} cells are too many; give fewer, as in --over {}=-1:1:/600",
+                "--over: {counts} cells are too many, and at most {MOST_DRAWN} are drawn; give fewer, as in --over {}=-1:1:/600",
                 names[0]
             ))
         })?;

@@ -8,6 +8,10 @@ use crate::poly::{Monomial, Polynomial, Variable};
 use super::Writer;
 use crate::plan::writing::draft::Signed;
 
+/// The most sums of constants that are coefficients: each new one is compared with all, and has a
+/// variable of its own.
+const MOST_GATHERED: usize = 1024;
+
 impl Writer {
     /// The polynomial with each sum of constants that multiplies one product of states as one
     /// coefficient; of products of constants only where they may be rounded twice. `None` where
@@ -21,7 +25,8 @@ impl Writer {
         let is_sum = |states: &Monomial, coefficient: &Polynomial| {
             coefficient.len() > 1 && !states.is_one() && (folds || coefficient.degree() < 2)
         };
-        if !groups.iter().any(|(states, coefficient)| is_sum(states, coefficient)) {
+        let sums = groups.iter().filter(|(states, coefficient)| is_sum(states, coefficient)).count();
+        if sums == 0 || self.coefficients.len() + sums > MOST_GATHERED {
             return None;
         }
         let mut terms = Vec::new();

@@ -1,0 +1,153 @@
+//! The table of limits in the language reference and the constants of the code are one: each limit
+//! is read from the table, and a block at it is taken, one beyond it refused.
+
+use kahan_algebra::diagnostics::{Diagnostic, Kind};
+use kahan_algebra::elimination::too_many_couplings;
+use kahan_algebra::lexer::lex;
+use kahan_algebra::token::Span;
+use kahan_algebra::{read, read_unproved};
+
+const REFERENCE: &str = include_str!("../../../kahan-core/docs/language.md");
+
+/// The rows of the table under `heading`: what is limited, and the limit.
+fn table(heading: &str) -> Vec<(&'static str, usize)> {
+    let (_, section) = REFERENCE.split_once(heading).expect("the section");
+    let rows = section.lines().skip_while(|line| !line.starts_with("|---")).skip(1);
+    let rows = rows.take_while(|line| line.starts_with('|')).map(|row| {
+        let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
+        let [what, limit] = cells[..] else { panic!("two cells: {row}") };
+        (what, limit.replace(' ', "").parse().expect("a number"))
+    });
+    rows.collect()
+}
+
+fn mistakes(text: &str) -> Vec<Diagnostic> {
+    read(&lex(text).tokens).diagnostics().to_vec()
+}
+
+/// So many of what is listed.
+fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String {
+    (0..count).map(one).collect::<Vec<_>>().join(between)
+}
+
+/// How a limit is told from outside.
+enum Tied {
+    /// By a block at the limit, which has no mistake, and one beyond it.
+    AtTheLimit(fn(usize) -> String),
+    /// By the message of a block far beyond, which says the number.
+    InWords(String),
+}
+use Tied::{AtTheLimit, InWords};
+
+/// A field of so many variables with so many couplings.
+fn coupled(variables: usize, couplings: usize) -> String {
+    let row = |k: usize| {
+        let own = couplings.saturating_sub(k * variables).min(variables);
+        format!("x{k}dot = 0{};", listed(own, |j| format!(" + x{j}"), ""))
+    };
+    listed(variables, row, " ")
+}
+
+fn compiles(text: &str) -> bool {
+    let system = read_unproved(&lex(text).tokens).system().expect("a system");
+    too_many_couplings(&system.field, Span::token(0)).is_none()
+}
+
+#[test]
+fn every_limit_of_the_language_is_that_of_its_table() {
+    let neighbours = |sign: &str| listed(64, |k| format!("x[i{sign}{}]", k + 1), " + ");
+    let wide = format!("({} + {})", neighbours("+"), neighbours("-"));
+    let limits: [(&str, Tied); 14] = [
+        ("equations of a block", AtTheLimit(|n| listed(n, |k| format!("x{k}dot = 0;"), " "))),
+        ("names", AtTheLimit(|n| format!("xdot = 0{};", listed(n - 1, |k| format!(" + a{k}"), "")))),
+        (
+            "claims",
+            AtTheLimit(|n| format!("xdot = 0; {}", listed(n, |k| format!("integral I{k} = x;"), " "))),
+        ),
+        ("offsets of neighbours", AtTheLimit(|n| format!("for i in open {{ x[i]dot = x[i+{n}]; }}"))),
+        ("levels of parentheses", AtTheLimit(|n| format!("xdot = {}x{};", "(".repeat(n), ")".repeat(n)))),
+        (
+            "exponents of parameters, and in claims",
+            AtTheLimit(|n| format!("xdot = a^{n}; ydot = a^{n}; integral I = (x - y)^{n};")),
+        ),
+        ("decimal exponents", AtTheLimit(|n| format!("xdot = 1e{n}*x;"))),
+        ("digits of a number", AtTheLimit(|n| format!("xdot = {}*x;", "1".repeat(n)))),
+        // 3 has two bits, and the bits of a power are those of its base times the exponent.
+        ("bits of the power of a number", AtTheLimit(|n| format!("xdot = 3^{}*x;", n.div_ceil(2)))),
+        (
+            "terms of an expansion",
+            AtTheLimit(|n| format!("xdot = {};", listed(n, |k| format!("a{}*b{}", k % 317, k / 317), " + "))),
+        ),
+        (
+            "products of terms in an expansion",
+            AtTheLimit(|n| format!("xdot = {};", vec!["a*a"; n].join(" + "))),
+        ),
+        (
+            "products of terms in all expansions of a block",
+            InWords(listed(500, |k| format!("x{k}dot = (1 + a + b + c)^30*x{k};"), " ")),
+        ),
+        (
+            "products of terms to prove a claim of a family",
+            InWords(format!("for i in periodic {{ x[i]dot = {wide}^2; }} hamiltonian H = sum({wide}^2);")),
+        ),
+        (
+            "operations at a point to prove the claims of a block",
+            InWords(format!(
+                "{} {}",
+                listed(200, |k| format!("x{k}dot = 0;"), " "),
+                listed(4, |k| format!("integral I{k} = x0;"), " ")
+            )),
+        ),
+    ];
+    let mut rows = table("\n## Limits\n");
+    let mut limit = |what: &str| {
+        let is_it = |row: &(&str, usize)| row.0.split([':', ',']).next() == what.split([':', ',']).next();
+        rows.remove(rows.iter().position(is_it).unwrap_or_else(|| panic!("no row `{what}`"))).1
+    };
+    for (what, tied) in limits {
+        let limit = limit(what);
+        match tied {
+            AtTheLimit(block) => {
+                assert_eq!(mistakes(&block(limit)), [], "{what}: {limit}");
+                let beyond = mistakes(&block(limit + 1));
+                assert!(!beyond.is_empty(), "{what}: {limit}");
+                let kinds = [Kind::TooLarge, Kind::Exponent, Kind::Syntax];
+                assert!(beyond.iter().all(|mistake| kinds.contains(&mistake.kind)), "{what}: {beyond:?}");
+            }
+            InWords(block) => {
+                let [mistake] = &mistakes(&block)[..] else { panic!("{what}: one mistake") };
+                assert_eq!(mistake.kind, Kind::TooLarge, "{what}");
+                assert!(mistake.message.contains(&format!(" {limit} ")), "{what}: {}", mistake.message);
+            }
+        }
+    }
+
+    let variables = limit("variables of a block that is compiled");
+    assert!(compiles(&coupled(variables, variables)) && !compiles(&coupled(variables + 1, variables)));
+    let couplings = limit("couplings of a block that is compiled");
+    assert!(compiles(&coupled(100, couplings)) && !compiles(&coupled(100, couplings + 1)));
+    let degree = limit("degree of a claim with its map put in");
+    let beyond = mistakes("xdot = x^2; integral I = (((x^64)^64)^64)^64;");
+    assert!(beyond[0].message.ends_with(&format!(" {degree}")), "{beyond:?}");
+    let told = limit("mistakes that are told");
+    assert_eq!(mistakes(&listed(told + 50, |k| format!("x{k}dot = ;"), " ")).len(), told);
+    assert_eq!(rows, [], "these rows have no test");
+}
+
+/// One budget holds for all expressions of a block, and counts long numbers by their length.
+#[test]
+fn many_large_expansions_are_one_mistake() {
+    let only = |text: &str| {
+        let mistakes = mistakes(text);
+        assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+        mistakes[0].kind
+    };
+    let constants = listed(3_000, |k| format!("const c{} = 3/7*c{k} + 1/{};", k + 1, k + 2), " ");
+    assert_eq!(only(&format!("const c0 = 5; {constants} xdot = c3000*x;")), Kind::TooLarge);
+    // The 28 860 bits of the least common multiple of 1 to 20 000 would take seconds to come by.
+    let sum = |count: usize| listed(count, |k| format!("x/{}", k + 1), " + ");
+    assert_eq!(mistakes(&format!("xdot = {};", sum(500))), []);
+    assert_eq!(only(&format!("xdot = {};", sum(20_000))), Kind::TooLarge);
+    let numbers = listed(20_000, |k| format!("1/{}", k + 1), " + ");
+    assert_eq!(only(&format!("xdot = x*({numbers});")), Kind::TooLarge);
+}
