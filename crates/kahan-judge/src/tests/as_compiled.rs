@@ -1,6 +1,6 @@
 //! Random fields of odd tempers as a user compiles them, each step judged by exact arithmetic.
 //!
-//! `cargo test --release -p kahan-study --test compiled_extremes -- --ignored --nocapture` writes
+//! `cargo test --release -p kahan-judge --lib as_compiled -- --ignored --nocapture` writes
 //! a crate into the target folder, with `kahan-core` as its one dependency: forty fields of 1 to 8
 //! variables, twelve of 9 to 40, and eight chains. It builds it, has it try each step
 //! on seeded points in `f32`, `f64` and `Dd`, and judges what it returned: points and results pass
@@ -19,8 +19,11 @@ use kahan_algebra::check::Checked;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::read_unproved;
 use kahan_runtime::threads::for_each;
-use kahan_study::extremes::{Broken, Cell, Compiled, Number, Tally};
-use kahan_study::random_fields::{OddField, odd, odd_chain, odd_of_many};
+
+use super::compiled::{Compiled, Number};
+use super::drawn::{Drawn, odd, odd_chain, odd_of_many};
+use crate::random_fields::odd::OddField;
+use crate::tally::{Broken, Cell, Tally};
 
 const SEED: u64 = 1;
 /// So many fields are compiled in one crate.
@@ -30,19 +33,20 @@ const NUMBERS: [(Number, &str, usize); 3] =
 
 /// A field, what judges it, and the trials that it has of each number.
 struct Tried {
-    field: OddField,
+    field: Drawn,
     judged: Compiled,
     trials: u64,
 }
 
 impl Tried {
-    fn of(field: OddField, trials: u64) -> Self {
-        let judged = match (read_unproved(&lex(&field.block()).tokens), field.sites) {
-            (Checked::Family(family), Some(sites)) => Compiled::of_chain(&field.name, &family, sites),
-            (Checked::System(system), None) => Compiled::new(&field.name, &system),
-            _ => panic!("{}", field.block()),
+    fn of(drawn: Drawn, trials: u64) -> Self {
+        let (name, block) = (&drawn.field.name, drawn.field.block());
+        let judged = match (read_unproved(&lex(&block).tokens), drawn.sites) {
+            (Checked::Family(family), Some(sites)) => Compiled::of_chain(name, &family, sites),
+            (Checked::System(system), None) => Compiled::new(name, &system),
+            _ => panic!("{block}"),
         };
-        Self { field, judged, trials }
+        Self { field: drawn, judged, trials }
     }
 
     fn count(&self) -> u64 {
@@ -56,7 +60,8 @@ impl Tried {
 
     /// The module of the crate: its block, and a function that tries every step.
     fn module(&self) -> String {
-        let OddField { name, parameters, site_parameters, sites, variables, .. } = &self.field;
+        let Drawn { field: OddField { name, parameters, .. }, of_sites, sites, variables } = &self.field;
+        let (parameters, site_parameters) = parameters.split_at(parameters.len() - of_sites);
         let mut given: Vec<String> =
             parameters.iter().enumerate().map(|(k, name)| format!("{name}: p[{k}]")).collect();
         let sites_own = site_parameters.iter().enumerate().map(|(k, name)| {
@@ -96,7 +101,7 @@ impl Tried {
                  }}
              }} }}\n",
             module = name.to_lowercase(),
-            block = self.field.block(),
+            block = self.field.field.block(),
             count = self.count(),
         )
     }
@@ -167,7 +172,8 @@ fn program(fields: &[Tried]) -> String {
     let mut arms = String::new();
     for tried in fields {
         text += &tried.module();
-        let (name, module) = (&tried.field.name, tried.field.name.to_lowercase());
+        let name = &tried.field.field.name;
+        let module = name.to_lowercase();
         let calls = NUMBERS.map(|(_, number, _)| format!("{module}::tries::<{number}>(from, to);"));
         writeln!(arms, "        {name:?} => {{ {} }}", calls.concat()).expect("a text takes more");
     }
@@ -229,11 +235,11 @@ impl Tried {
 
     /// Has the program try the steps of this field, and judges them.
     fn tally(&self, program: &Path) -> Tally {
-        let name = &self.field.name;
+        let name = &self.field.field.name;
         let [from, to] = ["inputs", "results"].map(|end| program.with_file_name(format!("{name}.{end}")));
         fs::write(&from, self.inputs()).expect("a file can be written");
         let status = Command::new(program).arg(name).args([&from, &to]).status().expect("the program runs");
-        assert!(status.success(), "a step that promises panics: {}", self.field.block());
+        assert!(status.success(), "a step that promises panics: {}", self.field.field.block());
         let results = fs::read(&to).expect("the program wrote its results");
         [from, to].into_iter().for_each(|file| fs::remove_file(file).expect("what was written can go"));
         let word = |bytes: &[u8]| u64::from_le_bytes(bytes.try_into().expect("eight bytes"));
@@ -245,7 +251,7 @@ fn try_all(fields: &[Tried]) -> Tally {
     let program = build(fields);
     let all = Mutex::new(Tally::default());
     for_each(fields.len(), None, &|k| {
-        let (field, tally) = (&fields[k].field, fields[k].tally(&program));
+        let (field, tally) = (&fields[k].field.field, fields[k].tally(&program));
         println!("{} is judged", field.name);
         for Broken { silently_wrong, unjustified, first, .. } in tally.broken.values() {
             println!(
@@ -271,7 +277,7 @@ fn compiled_fields_of_odd_tempers_keep_their_promise() {
     let fields = fields.chain((0..chains).map(|k| odd_chain(SEED, k)));
     let own = |k| if k % 20 == 19 { 10 * trials } else { trials };
     let named = env::var("KAHAN_ODD_NAMED").ok();
-    let is_asked = |field: &OddField| named.as_ref().is_none_or(|name| field.name == *name);
+    let is_asked = |drawn: &Drawn| named.as_ref().is_none_or(|name| drawn.field.name == *name);
     let fields = fields.enumerate().filter(|(_, field)| is_asked(field));
     let fields: Vec<Tried> = fields.map(|(k, field)| Tried::of(field, own(k))).collect();
     assert!(!fields.is_empty(), "no field is asked for");

@@ -8,23 +8,25 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::system::System;
 
-use super::Zeros;
 use super::fraction::Fraction;
-use crate::extremes::dyadic::Dyadic;
-use crate::extremes::elimination::largest;
-use crate::extremes::polynomial::{Powers, Terms, Univariate, common_denominator, greatest_power};
+use super::{Exact, Judge, Zeros};
+use crate::dyadic::Dyadic;
+use crate::elimination::largest;
+use crate::equation::Equation;
+use crate::polynomial::{Powers, Terms, Univariate, common_denominator, greatest_power};
 
 /// The reduced map of a system.
 #[derive(Debug)]
 pub(super) struct Reduced {
+    equation: Equation,
     /// N₁ … N_n and d, over one integer.
     numerators: Vec<Terms>,
     denominator: Terms,
     /// Their derivatives by each state and by ε: of every N, then of d.
     slopes: Vec<Slopes>,
     /// d, and the factor that was divided out, in each of their variables.
-    pub(super) poles: Vec<Univariate>,
-    pub(super) removable_poles: Vec<Univariate>,
+    poles: Vec<Univariate>,
+    removable_poles: Vec<Univariate>,
     degree: usize,
 }
 
@@ -58,6 +60,7 @@ impl Reduced {
             all.into_iter().filter(|one| !is_parameter(one.variable)).collect()
         };
         Some(Self {
+            equation: Equation::of(system),
             slopes: slopes.collect(),
             poles: univariates(&map.denominator),
             removable_poles: univariates(&map.common_factor),
@@ -68,39 +71,50 @@ impl Reduced {
     }
 
     /// The exact step; `None` at a pole.
-    pub(super) fn step(&self, point: &[Dyadic]) -> Option<Fraction> {
+    pub(super) fn fraction(&self, point: &[Dyadic]) -> Option<Fraction> {
         let point = Powers::of(point, self.degree);
         let denominator = self.denominator.at(&point);
-        if denominator.is_zero() {
-            return None;
-        }
-        Some(Fraction::of(self.numerators.iter().map(|n| n.at(&point)).collect(), denominator))
+        let numerators = || self.numerators.iter().map(|n| n.at(&point)).collect();
+        (!denominator.is_zero()).then(|| Fraction::of(numerators(), denominator))
+    }
+}
+
+impl Judge for Reduced {
+    fn equation(&self) -> &Equation {
+        &self.equation
     }
 
-    /// The condition number of the step in (x, ε): max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞;
-    /// infinite where x̃ is 0.
-    pub(super) fn condition(&self, point: &[Dyadic], exact: &Fraction) -> f64 {
-        let Fraction { numerators, denominator, size } = exact;
+    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>> {
+        Some(Box::new(self.fraction(point)?))
+    }
+
+    /// max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞; infinite where x̃ is 0, and at a pole.
+    fn condition(&self, point: &[Dyadic]) -> f64 {
+        let Some(Fraction { numerators, denominator, size }) = self.fraction(point) else {
+            return f64::INFINITY;
+        };
         let point = Powers::of(point, self.degree);
         let mut sums = vec![Dyadic::zero(); numerators.len()];
         for slopes in &self.slopes {
             // ∂(N/d) = (∂N·d − N·∂d)/d²
             let slope = slopes.denominator.at(&point);
-            for ((sum, terms), n) in sums.iter_mut().zip(&slopes.numerators).zip(numerators) {
-                let change = &(&terms.at(&point) * denominator) - &(n * &slope);
+            for ((sum, terms), n) in sums.iter_mut().zip(&slopes.numerators).zip(&numerators) {
+                let change = &(&terms.at(&point) * &denominator) - &(n * &slope);
                 *sum = &*sum + &(&change * point.coordinate(slopes.variable)).abs();
             }
         }
-        largest(sums.into_iter()).ratio(&(denominator * size))
+        largest(sums.into_iter()).ratio(&(&denominator * &size))
     }
 
-    /// One of the denominator's variables, or of what was divided out.
-    pub(super) fn zeros(
-        &self,
-        is_removable: bool,
-        point: &[Dyadic],
-        random: &mut SplitMix64,
-    ) -> Option<Zeros> {
+    fn has_removable_poles(&self) -> bool {
+        !self.removable_poles.is_empty()
+    }
+
+    fn has_poles(&self) -> bool {
+        !self.poles.is_empty()
+    }
+
+    fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
         let choices = if is_removable { &self.removable_poles } else { &self.poles };
         let count = choices.len() as u64;
         let one = &choices[(count > 0).then(|| random.below(count))? as usize];

@@ -1,6 +1,6 @@
 //! Fields of odd tempers: what breaks bounds that were thought of at ordinary numbers.
 //!
-//! In: seeds. Out: the text of fields of 1 to 8 variables, of 9 to 40, and of chains. Literals lie
+//! In: seeds. Out: the text of fields of 1 to 8 variables, and of more for tests. Literals lie
 //! anywhere from 2^-1070 to 2^1020, with few bits or with all; coefficients nearly cancel;
 //! parameters and their differences are divisors. Nothing here knows how a step is judged.
 
@@ -10,65 +10,30 @@ use super::header;
 
 /// A field as text.
 #[derive(Clone, Debug)]
-pub struct OddField {
+pub(crate) struct OddField {
     /// The type's name.
-    pub name: String,
-    /// What is special about it.
-    pub kind: &'static str,
-    /// Its equations, one after the other; of a chain those of one site, in `for i in … { … }`.
-    pub equations: String,
+    pub(crate) name: String,
+    /// Its equations, one after the other.
+    pub(crate) equations: String,
     /// The parameters that the field has.
-    pub parameters: Vec<String>,
-    /// Those that each site has.
-    pub site_parameters: Vec<String>,
-    /// The number of variables, or of arrays.
-    pub variables: usize,
-    /// The number of sites of a chain.
-    pub sites: Option<usize>,
+    pub(crate) parameters: Vec<String>,
 }
 
 impl OddField {
     /// The block in the language of `kahan!`.
-    #[must_use]
-    pub fn block(&self) -> String {
-        let site = self.site_parameters.iter();
-        let parameters: Vec<&str> = self.parameters.iter().chain(site).map(String::as_str).collect();
+    pub(crate) fn block(&self) -> String {
+        let parameters: Vec<&str> = self.parameters.iter().map(String::as_str).collect();
         format!("{} {}", header(&self.name, &parameters), self.equations)
     }
 }
 
 /// The field of a seed with this number, of 1 to 8 variables in turn.
-#[must_use]
-pub fn odd(seed: u64, number: usize) -> OddField {
+pub(crate) fn odd(seed: u64, number: usize) -> OddField {
     plain(seed, number, "Odd", 1 + number % 8)
 }
 
-/// The field of a seed with this number, of 9 to 40 variables in turn.
-#[must_use]
-pub fn odd_of_many(seed: u64, number: usize) -> OddField {
-    plain(seed, number, "Many", 9 + number * 5 % 32)
-}
-
-/// The chain of a seed with this number: periodic and open ones in turn, of one to three arrays.
-#[must_use]
-pub fn odd_chain(seed: u64, number: usize) -> OddField {
-    let mut draw = Draw::new(seed, "Chain", number);
-    let (arrays, reach) = (1 + number % 3, 1 + draw.below(2) as i64);
-    // Long enough to be cut into parts, now and then.
-    let sites = if number % 25 == 24 { 520 + draw.below(300) } else { 1 + draw.below(36 / arrays) };
-    draw.states = (0..arrays).map(|k| ["x", "y", "z"][k].to_owned()).collect();
-    draw.offsets = reach;
-    draw.take_parameters();
-    // The first is one of the chain, the others each site has.
-    draw.parameters.iter_mut().skip(1).for_each(|name| name.push_str("[i]"));
-    let names = draw.states.clone();
-    let equations: Vec<String> = names.iter().map(|name| format!("{name}[i]dot = {};", draw.sum())).collect();
-    let boundary = if (number / 3).is_multiple_of(2) { "periodic" } else { "open" };
-    let equations = format!("for i in {boundary} {{ {} }}", equations.join(" "));
-    draw.finish(format!("Chain{number}"), equations, arrays, Some(sites))
-}
-
-fn plain(seed: u64, number: usize, title: &str, variables: usize) -> OddField {
+/// The field of a seed and a title with this number, of so many variables.
+pub(crate) fn plain(seed: u64, number: usize, title: &str, variables: usize) -> OddField {
     let mut draw = Draw::new(seed, title, number);
     draw.states = (1..=variables).map(|k| format!("x{k}")).collect();
     draw.take_parameters();
@@ -77,7 +42,7 @@ fn plain(seed: u64, number: usize, title: &str, variables: usize) -> OddField {
     let equations: Vec<String> = (0..variables)
         .map(|k| format!("x{}dot = {};", k + 1, if is_dense { draw.dense() } else { draw.sum() }))
         .collect();
-    draw.finish(format!("{title}{number}"), equations.join(" "), variables, None)
+    draw.finish(format!("{title}{number}"), equations.join(" "))
 }
 
 /// What the field of a number is about.
@@ -89,20 +54,20 @@ enum Kind {
     All,
 }
 
-struct Draw {
+pub(crate) struct Draw {
     random: SplitMix64,
     kind: Kind,
-    states: Vec<String>,
-    parameters: Vec<String>,
+    pub(crate) states: Vec<String>,
+    pub(crate) parameters: Vec<String>,
     divisors: Vec<String>,
     /// The largest offset of a neighbour, of a chain.
-    offsets: i64,
+    pub(crate) offsets: i64,
     /// The coefficient that the next one may nearly be: an integer and the exponent of its unit.
     last: (u64, i64),
 }
 
 impl Draw {
-    fn new(seed: u64, title: &str, number: usize) -> Self {
+    pub(crate) fn new(seed: u64, title: &str, number: usize) -> Self {
         let random = SplitMix64::from_bytes(format!("{title} {seed} {number}").as_bytes());
         // Eight numbers of variables in turn, so that every kind comes with each.
         let kind = [Kind::Literals, Kind::Cancelling, Kind::Divisors, Kind::All][number / 8 % 4];
@@ -110,7 +75,7 @@ impl Draw {
         Self { random, kind, states, parameters, divisors, offsets: 0, last: (3, 0) }
     }
 
-    fn below(&mut self, bound: usize) -> usize {
+    pub(crate) fn below(&mut self, bound: usize) -> usize {
         self.random.below(bound as u64) as usize
     }
 
@@ -118,7 +83,7 @@ impl Draw {
         low + self.random.below((high - low + 1) as u64) as i64
     }
 
-    fn take_parameters(&mut self) {
+    pub(crate) fn take_parameters(&mut self) {
         let names: &[&str] = match self.kind {
             Kind::Literals | Kind::Cancelling => &[],
             Kind::Divisors => &["p", "q", "r"],
@@ -250,7 +215,7 @@ impl Draw {
     }
 
     /// One to three terms.
-    fn sum(&mut self) -> String {
+    pub(crate) fn sum(&mut self) -> String {
         let terms: Vec<String> = (0..=self.below(3)).map(|_| self.term()).collect();
         self.joined(&terms)
     }
@@ -282,21 +247,9 @@ impl Draw {
     }
 
     /// The field, whose parameters are those that its equations use.
-    fn finish(self, name: String, equations: String, variables: usize, sites: Option<usize>) -> OddField {
-        let is_part = |c: char| c.is_ascii_alphanumeric();
-        let words: Vec<&str> = equations.split(|c| !is_part(c)).collect();
-        let named = |is_of_site: bool| -> Vec<String> {
-            let own = self.parameters.iter().filter(|name| name.ends_with("[i]") == is_of_site);
-            let names = own.map(|name| name.trim_end_matches("[i]")).filter(|name| words.contains(name));
-            names.map(str::to_owned).collect()
-        };
-        let (parameters, site_parameters) = (named(false), named(true));
-        let kind = match self.kind {
-            Kind::Literals => "literals of any size",
-            Kind::Cancelling => "coefficients that nearly cancel",
-            Kind::Divisors => "parameters as divisors",
-            Kind::All => "literals, near cancellation and divisors",
-        };
-        OddField { name, kind, equations, parameters, site_parameters, variables, sites }
+    fn finish(mut self, name: String, equations: String) -> OddField {
+        let words: Vec<&str> = equations.split(|c: char| !c.is_ascii_alphanumeric()).collect();
+        self.parameters.retain(|name| words.contains(&&**name));
+        OddField { name, parameters: self.parameters, equations }
     }
 }

@@ -7,34 +7,51 @@ use std::cmp::Ordering;
 
 use kahan_algebra::prime_field::SplitMix64;
 
-use super::balls::fit;
-use super::{Verdict, Zeros};
-use crate::extremes::dyadic::Dyadic;
-use crate::extremes::elimination::{self, Eliminated, determinant, precisions};
-use crate::extremes::equation::{AtPoint, Equation};
-use crate::extremes::float::Float;
+use crate::ball::Ball;
+use crate::dyadic::Dyadic;
+use crate::elimination::{self, Eliminated, Matrix, precisions};
+use crate::equation::{AtPoint, Curvature, Equation};
+use crate::float::Format;
+use crate::judge::balls::fit;
+use crate::judge::{Exact, Judge, Verdict, Zeros};
 
 /// Which row's entries k counts.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::extremes) enum Rows {
+pub(super) enum Rows {
     /// Those of the widest row: the promise of a field of many variables.
     Widest,
     /// Those of the row itself: the promise of a chain.
     Own,
 }
 
+/// What judges the steps of an equation.
+#[derive(Debug)]
+pub(super) struct ByResidual(pub(super) Equation, pub(super) Rows);
+
+impl Judge for ByResidual {
+    fn equation(&self) -> &Equation {
+        &self.0
+    }
+
+    /// Where the field divides by zero, there is no step.
+    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>> {
+        let equation = self.0.at(point);
+        if equation.is_defined() { Some(Box::new(Residual { equation, counted: self.1 })) } else { None }
+    }
+
+    fn zeros(&self, _is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
+        zeros(&self.0, point, random)
+    }
+}
+
 /// A step from a point.
-pub(in crate::extremes) struct Residual {
+struct Residual {
     equation: AtPoint,
     counted: Rows,
 }
 
-impl Residual {
-    pub(super) fn of(equation: AtPoint, counted: Rows) -> Self {
-        Self { equation, counted }
-    }
-
-    pub(super) fn judge<T: Float>(&self, result: &[Dyadic]) -> Verdict {
+impl Exact for Residual {
+    fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict {
         let Self { equation, counted } = self;
         let rows: Vec<Vec<(usize, Dyadic)>> = (0..equation.x.len()).map(|i| equation.row(i)).collect();
         let widest = rows.iter().map(Vec::len).max().expect("a field has equations");
@@ -50,11 +67,11 @@ impl Residual {
                 Rows::Widest => widest,
                 Rows::Own => row.len(),
             };
-            let promise = Dyadic::new(entries as u64 + 8, -T::PRECISION);
+            let promise = Dyadic::new(entries as u64 + 8, -format.precision);
             let error = (&left - &right).abs();
             let size = &size + &right.abs();
             if !error.is_zero() {
-                verdict.error_u = verdict.error_u.max(error.clone().scaled(T::PRECISION).ratio(&size));
+                verdict.error_u = verdict.error_u.max(error.clone().scaled(format.precision).ratio(&size));
             }
             verdict.keeps_promise &= error.compare(&(&size * &promise)) != Ordering::Greater;
             verdict.is_rough &= (&error * &Dyadic::new(1000, 0)).compare(&size) != Ordering::Greater;
@@ -64,13 +81,13 @@ impl Residual {
 
     /// Whether x̃ exists and the format holds it; where no precision tells det A from 0, or a
     /// component from 0, that is no.
-    pub(super) fn fits<T: Float>(&self) -> bool {
+    fn fits(&self, format: &Format) -> bool {
         for bits in precisions() {
             match elimination::next(&self.equation, bits) {
                 Eliminated::Singular => return false,
                 Eliminated::Unknown => {}
                 Eliminated::Solved(next) => {
-                    if let Some(fits) = fit::<T>(&next) {
+                    if let Some(fits) = fit(format, &next) {
                         return fits;
                     }
                 }
@@ -81,13 +98,15 @@ impl Residual {
 }
 
 /// det A along a state that few rows depend on: it is linear in each row.
-pub(super) fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
+fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
     const MOST_ROWS: usize = 3;
     /// Elimination of many variables takes its time.
     const MOST_VARIABLES: usize = 64;
     const BITS: u64 = 256;
     let variable = random.below(equation.dimension() as u64) as usize;
-    let rows = equation.rows_with(variable);
+    let depends =
+        |(i, row): (usize, Vec<Curvature>)| row.iter().any(|entry| entry.second == variable).then_some(i);
+    let rows: Vec<usize> = (0..).zip(equation.curvature(point)).filter_map(depends).collect();
     if rows.is_empty() || rows.len() > MOST_ROWS || equation.dimension() > MOST_VARIABLES {
         return None;
     }
@@ -115,4 +134,19 @@ pub(super) fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix
         *place = &*place + &determinant(&zero, &replaced, BITS);
     }
     Some(Zeros { variable, coefficients })
+}
+
+/// det A, about, for a matrix some of whose rows are replaced.
+pub(crate) fn determinant(equation: &AtPoint, replaced: &[(usize, &[(usize, Dyadic)])], bits: u64) -> Dyadic {
+    let mut matrix = Matrix::of(equation, bits, |_| Vec::new());
+    for (i, entries) in replaced {
+        matrix.rows[*i].iter_mut().for_each(|entry| *entry = Ball::exactly(Dyadic::zero()));
+        for (j, entry) in *entries {
+            matrix.rows[*i][*j] = Ball::exactly(entry.clone()).rounded(bits);
+        }
+    }
+    match matrix.solve() {
+        Eliminated::Solved((_, determinant)) => determinant.middle().clone(),
+        Eliminated::Singular | Eliminated::Unknown => Dyadic::zero(),
+    }
 }

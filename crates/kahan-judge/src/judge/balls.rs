@@ -8,15 +8,15 @@ use std::cmp::Ordering;
 use kahan_algebra::prime_field::SplitMix64;
 
 use super::fraction::{Fraction, PROMISE, greatest};
-use super::{Exact, Verdict, Zeros};
-use crate::extremes::ball::Ball;
-use crate::extremes::dyadic::Dyadic;
-use crate::extremes::elimination::{self, Eliminated, largest, precisions};
-use crate::extremes::equation::{AtPoint, Equation};
-use crate::extremes::float::Float;
+use super::{Exact, Judge, Verdict, Zeros};
+use crate::ball::Ball;
+use crate::dyadic::Dyadic;
+use crate::elimination::{self, Eliminated, largest, precisions};
+use crate::equation::{AtPoint, Equation};
+use crate::float::Format;
 
 /// A step from a point at which det A is not 0.
-pub(in crate::extremes) struct Balls {
+struct Balls {
     equation: AtPoint,
     /// The first precision that tells so, and x̃ in it.
     bits: u64,
@@ -25,16 +25,15 @@ pub(in crate::extremes) struct Balls {
 
 impl Balls {
     /// `None` at a pole, which is where det A is 0.
-    pub(super) fn of(equation: AtPoint) -> Option<Exact> {
+    fn of(equation: AtPoint) -> Option<Box<dyn Exact>> {
         for bits in precisions() {
             match elimination::next(&equation, bits) {
-                Eliminated::Solved(next) => return Some(Exact::Balls(Self { equation, bits, next })),
+                Eliminated::Solved(next) => return Some(Box::new(Self { equation, bits, next })),
                 Eliminated::Singular => return None,
                 Eliminated::Unknown => {}
             }
         }
-        let (numerators, denominator) = elimination::fraction(&equation)?;
-        Some(Exact::Fraction(Fraction::of(numerators, denominator)))
+        Some(Box::new(Fraction::of_equation(&equation)?))
     }
 
     /// The answer of balls, or where no precision tells, of exact quotients.
@@ -53,12 +52,12 @@ impl Balls {
                 return answer;
             }
         }
-        let (numerators, denominator) =
-            elimination::fraction(&self.equation).expect("a ball without 0 holds det A");
-        exactly(&Fraction::of(numerators, denominator))
+        exactly(&Fraction::of_equation(&self.equation).expect("a ball without 0 holds det A"))
     }
+}
 
-    pub(super) fn judge<T: Float>(&self, result: &[Dyadic]) -> Verdict {
+impl Exact for Balls {
+    fn judge(&self, format: &Format, result: &[Dyadic]) -> Verdict {
         let of_balls = |next: &[Ball], bits: u64| {
             let error = |(y, x): (&Dyadic, &Ball)| Ball::exactly(y.clone()).minus(x, bits);
             let errors: Vec<Ball> = result.iter().zip(next).map(error).collect();
@@ -75,16 +74,35 @@ impl Balls {
             };
             let is_rough = thousandth((&most, &size));
             Some(Verdict {
-                keeps_promise: is_within(&Dyadic::new(PROMISE, -T::PRECISION))?,
+                keeps_promise: is_within(&Dyadic::new(PROMISE, -format.precision))?,
                 is_rough: (is_rough || !thousandth((&least, &size_at_most))).then_some(is_rough)?,
-                error_u: if most.is_zero() { 0.0 } else { most.clone().scaled(T::PRECISION).ratio(&size) },
+                error_u: if most.is_zero() {
+                    0.0
+                } else {
+                    most.clone().scaled(format.precision).ratio(&size)
+                },
             })
         };
-        self.answer(of_balls, |fraction| fraction.judge::<T>(result))
+        self.answer(of_balls, |fraction| fraction.judge(format, result))
     }
 
-    pub(super) fn fits<T: Float>(&self) -> bool {
-        self.answer(|next, _| fit::<T>(next), Fraction::fits::<T>)
+    fn fits(&self, format: &Format) -> bool {
+        self.answer(|next, _| fit(format, next), |fraction| fraction.fits(format))
+    }
+}
+
+/// By elimination in balls.
+impl Judge for Equation {
+    fn equation(&self) -> &Equation {
+        self
+    }
+
+    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>> {
+        Balls::of(self.at(point))
+    }
+
+    fn zeros(&self, _is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
+        Some(zeros(self, point, random))
     }
 }
 
@@ -94,8 +112,8 @@ fn range(balls: &[Ball]) -> (Dyadic, Dyadic) {
 }
 
 /// Whether the format holds every component with all of its bits; `None` where that is not known.
-pub(super) fn fit<T: Float>(next: &[Ball]) -> Option<bool> {
-    let (least, greatest) = (Dyadic::new(1, T::LEAST_BINADE), greatest::<T>());
+pub(crate) fn fit(format: &Format, next: &[Ball]) -> Option<bool> {
+    let (least, greatest) = (Dyadic::new(1, format.least_binade), greatest(format));
     let verdict = |ball: &Ball| {
         let (low, high) = (ball.least(), ball.most());
         let is_below = ball.is_not_zero() && high.compare(&least) == Ordering::Less;
@@ -120,7 +138,7 @@ pub(super) fn condition(equation: &Equation, point: &[Dyadic]) -> f64 {
 
 /// det A along one of the states or ε, by minors: rows are added one by one, and every set of
 /// columns has its minor, a polynomial.
-pub(super) fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zeros {
+fn zeros(equation: &Equation, point: &[Dyadic], random: &mut SplitMix64) -> Zeros {
     /// Enough for a root to the bits of the longest scalar, where not very much cancels.
     const BITS: u64 = 320;
     let n = equation.dimension();

@@ -12,10 +12,13 @@ use kahan_algebra::read_unproved;
 use kahan_algebra::system::System;
 use kahan_core::prelude::*;
 use kahan_runtime::threads::available;
-use kahan_study::extremes::{Cell, Compiled, Number, Place, Regime, Tally};
-use kahan_study::random_fields::{OddField, odd, odd_chain, odd_of_many};
-use kahan_study::{Extremes, Progress, Study, Subject, Systems, Watch};
+use kahan_study::{Progress, Study, Subject, Systems, Unwatched, Watch};
 use kahan_systems::E2;
+use serde_json::json;
+
+use super::compiled::{Compiled, Number};
+use super::drawn::{Drawn, odd, odd_chain, odd_of_many};
+use crate::{Cell, Extremes, Place, Regime, Tally, usual_subjects};
 
 const TRIALS: u64 = 2000;
 
@@ -34,11 +37,12 @@ fn studies(subjects: impl IntoIterator<Item = Subject>) -> Vec<Study> {
 
 fn judged(trials: u64, seed: u64) -> Tally {
     let asked = Extremes { trials, seed, ..Extremes::default() };
-    asked.of(&studies(Systems::at_the_extremes()), &Threads(available())).expect("an answer").tally
+    asked.of(&studies(usual_subjects()), &Threads(available())).expect("an answer").tally
 }
 
-fn drawn(field: &OddField) -> System {
-    read_unproved(&lex(&field.block()).tokens).system().unwrap_or_else(|_| panic!("{}", field.block()))
+fn system(drawn: &Drawn) -> System {
+    let block = drawn.field.block();
+    read_unproved(&lex(&block).tokens).system().unwrap_or_else(|_| panic!("{block}"))
 }
 
 fn sum(tally: &Tally, belongs: impl Fn(&Place) -> bool, of: impl Fn(&Cell) -> u64) -> u64 {
@@ -115,9 +119,9 @@ fn the_number_of_threads_changes_nothing() {
 fn fields_of_odd_tempers_are_in_the_language() {
     for seed in 1..=3 {
         for number in (0..64).chain([244, 279, 314, 349, 384]) {
-            drawn(&odd(seed, number));
+            system(&odd(seed, number));
         }
-        (0..12).for_each(|number| drop(drawn(&odd_of_many(seed, number))));
+        (0..12).for_each(|number| drop(system(&odd_of_many(seed, number))));
     }
 }
 
@@ -145,12 +149,12 @@ fn who_stops_the_trials_has_those_that_were_made() {
 #[test]
 fn fields_of_many_variables_and_chains_can_be_drawn_and_judged() {
     let of_chain = |number| {
-        let field = odd_chain(1, number);
+        let Drawn { field, sites, .. } = odd_chain(1, number);
         let family = read_unproved(&lex(&field.block()).tokens).family();
         let family = family.unwrap_or_else(|_| panic!("{}", field.block()));
-        Compiled::of_chain(&field.name, &family.expect("a chain"), field.sites.expect("a chain"))
+        Compiled::of_chain(&field.name, &family.expect("a chain"), sites.expect("a chain"))
     };
-    let of_many = |number| Compiled::new("Many", &drawn(&odd_of_many(1, number)));
+    let of_many = |number| Compiled::new("Many", &system(&odd_of_many(1, number)));
     for field in (0..6).map(of_chain).chain((0..3).map(of_many)) {
         let mut tally = Tally::default();
         for (number, words) in [(Number::F32, 1), (Number::F64, 1), (Number::Dd, 2)] {
@@ -163,4 +167,17 @@ fn fields_of_many_variables_and_chains_can_be_drawn_and_judged() {
         }
         assert_eq!(sum(&tally, |_| true, |cell| cell.flagged), 3 * Compiled::count(8));
     }
+}
+
+#[test]
+fn verdicts_have_the_names_of_json() {
+    let asked = Extremes { trials: 8, seed: 3, ..Extremes::default() };
+    let judged = json!(asked.of(&studies([Subject::named("e1")]), &Unwatched).expect("an answer"));
+    let names: Vec<&str> = judged.as_object().expect("an object").keys().map(String::as_str).collect();
+    let of_question = ["system", "systems", "random_fields", "odd_fields", "trials", "seed", "seconds"];
+    assert_eq!(names, [&of_question[..], &["cells", "broken", "failures"]].concat());
+    let cell = judged["cells"][0].as_object().expect("an object");
+    let of_cell = ["regime", "tier", "scalar", "trials", "max_error_u", "flagged", "unjustified_flags"];
+    assert!(cell.keys().eq(of_cell.iter().chain(&["silently_wrong"])), "{cell:?}");
+    assert_eq!(json!([judged["system"], judged["broken"]]), json!(["e1", []]));
 }

@@ -81,19 +81,19 @@ impl Radius {
 
 /// All numbers within the radius of the middle.
 #[derive(Clone, Debug)]
-pub(super) struct Ball {
+pub(crate) struct Ball {
     middle: Dyadic,
     radius: Radius,
 }
 
 impl Ball {
     /// The ball of one number.
-    pub(super) fn exactly(middle: Dyadic) -> Self {
+    pub(crate) fn exactly(middle: Dyadic) -> Self {
         Self { middle, radius: Radius::ZERO }
     }
 
     /// One with a middle of `bits` bits that contains this one.
-    pub(super) fn rounded(self, bits: u64) -> Self {
+    pub(crate) fn rounded(self, bits: u64) -> Self {
         let Self { middle, radius } = self;
         match middle.cut(bits) {
             None => Self { middle, radius },
@@ -101,31 +101,31 @@ impl Ball {
         }
     }
 
-    pub(super) fn middle(&self) -> &Dyadic {
+    pub(crate) fn middle(&self) -> &Dyadic {
         &self.middle
     }
 
     /// Whether it is 0 and nothing else.
-    pub(super) fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.middle.is_zero() && self.radius.is_zero()
     }
 
     /// Whether 0 is not in it.
-    pub(super) fn is_not_zero(&self) -> bool {
+    pub(crate) fn is_not_zero(&self) -> bool {
         !self.middle.is_zero() && !self.least().is_negative() && !self.least().is_zero()
     }
 
     /// |v| is at least this for every v in it, where that is not negative.
-    pub(super) fn least(&self) -> Dyadic {
+    pub(crate) fn least(&self) -> Dyadic {
         &self.middle.clone().abs() - &self.radius.value()
     }
 
     /// |v| is at most this for every v in it.
-    pub(super) fn most(&self) -> Dyadic {
+    pub(crate) fn most(&self) -> Dyadic {
         &self.middle.clone().abs() + &self.radius.value()
     }
 
-    pub(super) fn plus(&self, other: &Self, bits: u64) -> Self {
+    pub(crate) fn plus(&self, other: &Self, bits: u64) -> Self {
         let radius = self.radius.plus(other.radius);
         let (high, low) =
             if self.middle.binade() >= other.middle.binade() { (self, other) } else { (other, self) };
@@ -139,11 +139,11 @@ impl Ball {
         }
     }
 
-    pub(super) fn minus(&self, other: &Self, bits: u64) -> Self {
+    pub(crate) fn minus(&self, other: &Self, bits: u64) -> Self {
         self.plus(&Self { middle: &Dyadic::zero() - &other.middle, radius: other.radius }, bits)
     }
 
-    pub(super) fn times(&self, other: &Self, bits: u64) -> Self {
+    pub(crate) fn times(&self, other: &Self, bits: u64) -> Self {
         if self.is_zero() || other.is_zero() {
             return Self::exactly(Dyadic::zero());
         }
@@ -153,7 +153,7 @@ impl Ball {
     }
 
     /// self/divisor, for a divisor that [is not zero](Self::is_not_zero).
-    pub(super) fn over(&self, divisor: &Self, bits: u64) -> Self {
+    pub(crate) fn over(&self, divisor: &Self, bits: u64) -> Self {
         if self.is_zero() {
             return self.clone();
         }
@@ -164,7 +164,7 @@ impl Ball {
         Self { middle, radius: radius.plus(Radius::new(1, unit)) }
     }
 
-    pub(super) fn absolute(self) -> Self {
+    pub(crate) fn absolute(self) -> Self {
         // 0 may be inside: then the magnitudes lie between −radius and the most.
         Self { middle: self.middle.abs(), radius: self.radius }
     }
@@ -183,13 +183,13 @@ mod tests {
         let middle = Dyadic::new(integer, random.below(40) as i64 - 20);
         let radius = Radius::new(random.next_u64() >> random.below(64), random.below(30) as i64 - 70);
         let share = Dyadic::new(random.below(257) as i64 - 128, -7);
-        let inside = (&middle + &(&share * &radius.value())).rational();
+        let inside = (&middle + &(&share * &radius.value())).rational().to_big();
         (Ball { middle, radius }, inside)
     }
 
     fn contains(ball: &Ball, value: &BigRational) -> bool {
-        let difference = ball.middle.rational() - value;
-        let radius = ball.radius.value().rational();
+        let [middle, radius] = [&ball.middle, &ball.radius.value()].map(|of| of.rational().to_big());
+        let difference = middle - value;
         -radius.clone() <= difference && difference <= radius
     }
 

@@ -1,25 +1,4 @@
-//! Steps at the extremes, judged by exact arithmetic.
-//!
-//! In: systems, a number of trials, a seed. Out: for every regime, tier and scalar how large the
-//! errors are, how many trials are flagged, and how many are silently wrong. The judge knows the
-//! reduced map as polynomials and takes the floats as they are given, so no tolerance is between a
-//! step and its verdict. What a trial draws depends on the seed and its index only: the result is
-//! the same for every number of threads.
-
-mod ball;
-mod compiled;
-mod dyadic;
-mod elimination;
-mod equation;
-mod float;
-mod judge;
-mod points;
-mod polynomial;
-mod regime;
-mod roots;
-mod steps;
-mod tally;
-mod trial;
+//! Trials of many systems: who is tried, how often, and on how many threads.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -31,32 +10,31 @@ use kahan_runtime::interpreted::{LARGEST_DIMENSION, UnsupportedDimension};
 use kahan_runtime::threads::for_each;
 use kahan_runtime::{Field, FieldText, Map};
 
-use crate::count::Count;
-use crate::random_fields::odd;
-use judge::Judge;
-use trial::Ready;
+use kahan_study::Count;
+use kahan_study::trade::CannotRun;
 
-pub use crate::map::CannotRun;
-pub use compiled::{Compiled, Number};
-pub use regime::Regime;
-pub use tally::{Broken, Cell, Failure, Place, Tally};
+use super::float::Float;
+use super::judge::{self, Judge};
+use super::random_fields::odd::odd;
+use super::tally::Tally;
+use super::trial::{Ready, with_special_inputs};
 
 /// A system whose steps are judged.
 #[derive(Debug)]
 pub(crate) struct Tried {
-    target: Target,
-    map: Map,
+    pub(crate) target: Target,
+    pub(crate) map: Map,
 }
 
 /// A system as points are drawn for it and results are judged.
 #[derive(Debug)]
-struct Target {
-    name: String,
+pub(crate) struct Target {
+    pub(crate) name: String,
     /// The values of parameters that are given; the others are drawn.
-    parameters: Vec<Option<Rational>>,
+    pub(crate) parameters: Vec<Option<Rational>>,
     /// Whether they are drawn from the whole range.
-    is_odd: bool,
-    judge: Judge,
+    pub(crate) is_odd: bool,
+    pub(crate) judge: Box<dyn Judge>,
 }
 
 impl Tried {
@@ -73,7 +51,8 @@ impl Tried {
         let names = &system.field.symbols.parameters;
         let values = (1..).zip(&parameters).map(value_or_any);
         let map = Field::of(system).with(names.iter().zip(values)).map_err(CannotRun::Parameters)?;
-        Ok(Self { target: Target::new(name, parameters, Judge::of(system)), map })
+        let judge = judge::of(system);
+        Ok(Self { target: Target { name: name.to_owned(), parameters, is_odd: false, judge }, map })
     }
 
     /// A field that was drawn, all of its parameters to be drawn for each trial.
@@ -89,21 +68,6 @@ impl Tried {
     pub(crate) fn of_odd_temper(mut self) -> Self {
         self.target.is_odd = true;
         self
-    }
-
-    pub(crate) fn name(&self) -> &str {
-        &self.target.name
-    }
-
-    /// Whether det A vanishes somewhere that the reduced map has a value.
-    pub(crate) fn has_removable_poles(&self) -> bool {
-        self.target.judge.has_removable_poles()
-    }
-}
-
-impl Target {
-    fn new(name: &str, parameters: Vec<Option<Rational>>, judge: Judge) -> Self {
-        Self { name: name.to_owned(), parameters, is_odd: false, judge }
     }
 }
 
@@ -135,7 +99,7 @@ fn on_threads(tried: &[Tried], trials: u64, seed: u64, threads: usize, count: &C
 
 /// The number of trials that [`survey`] makes in all.
 pub(crate) fn total(trials: u64) -> u64 {
-    3 * trial::with_special_inputs(trials)
+    3 * with_special_inputs(trials)
 }
 
 /// So many trials of `f32`, `f64` and `Dd` of each of `fields` fields of odd tempers alone, with
@@ -164,7 +128,7 @@ pub(crate) fn total_of_odd(fields: usize, trials: u64) -> u64 {
 }
 
 /// All trials of one scalar, in blocks that threads take as they come free.
-fn of_scalar<T: float::Float>(ready: &Ready<'_, T>, threads: usize, count: &Count<'_>) -> Tally {
+fn of_scalar<T: Float>(ready: &Ready<'_, T>, threads: usize, count: &Count<'_>) -> Tally {
     const BLOCK: usize = 64;
     let trials = usize::try_from(ready.count()).expect("no more trials than a machine makes");
     let all = Mutex::new(Tally::default());

@@ -4,8 +4,8 @@ use kahan_algebra::prime_field::SplitMix64;
 
 use super::tree::{Tree, literal, negated, quotient};
 
-/// The largest dimension.
-pub(super) const DIMENSIONS: usize = 6;
+/// The most variables that a random field has.
+pub const DIMENSIONS: usize = 6;
 
 /// Names of states.
 pub(super) const PLAIN: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
@@ -13,13 +13,18 @@ pub(super) const PLAIN: [&str; DIMENSIONS] = ["x", "y", "z", "u", "v", "w"];
 pub(super) const AWKWARD: [&str; DIMENSIONS] = ["T", "h", "x_", "in", "N", "Vec"];
 
 /// A source of small choices.
-pub(super) struct Draw {
-    pub(super) random: SplitMix64,
-}
+#[derive(Debug)]
+pub struct Draw(SplitMix64);
 
 impl Draw {
+    /// The source that a text seeds.
+    #[must_use]
+    pub fn seeded(text: &str) -> Self {
+        Draw(SplitMix64::from_bytes(text.as_bytes()))
+    }
+
     pub(super) fn below(&mut self, bound: usize) -> usize {
-        self.random.below(bound as u64) as usize
+        self.0.below(bound as u64) as usize
     }
 
     pub(super) fn one<'a, V>(&mut self, choices: &'a [V]) -> &'a V {

@@ -8,11 +8,11 @@ use super::judge::Exact;
 use super::points::{Inputs, Points};
 use super::regime::Regime;
 use super::steps::{Steps, steps};
+use super::survey::{Target, Tried};
 use super::tally::{Cell, Failure, Tally};
-use super::{Target, Tried};
 
 /// The trials of one scalar, ready to be drawn in any order.
-pub(super) struct Trials<'a, T> {
+pub(crate) struct Trials<'a, T> {
     targets: Vec<&'a Target>,
     /// The parameters that are given, of each.
     fixed: Vec<Vec<Option<T>>>,
@@ -24,13 +24,13 @@ pub(super) struct Trials<'a, T> {
 }
 
 /// The trials of one scalar with the steps that they try.
-pub(super) struct Ready<'a, T> {
+pub(crate) struct Ready<'a, T> {
     trials: Trials<'a, T>,
     steps: Vec<Box<dyn Steps<T>>>,
 }
 
 /// What a step is given, and what the exact map says of it.
-pub(super) struct Trial<'a, T> {
+pub(crate) struct Trial<'a, T> {
     index: u64,
     target: &'a Target,
     /// The place of the target.
@@ -43,11 +43,11 @@ pub(super) struct Trial<'a, T> {
 /// Finite inputs and the exact step, which is `None` at a pole.
 struct Known {
     point: Vec<Dyadic>,
-    exact: Option<Exact>,
+    exact: Option<Box<dyn Exact>>,
 }
 
 /// The trials of one scalar, those with special inputs included.
-pub(super) fn with_special_inputs(trials: u64) -> u64 {
+pub(crate) fn with_special_inputs(trials: u64) -> u64 {
     trials + 3 * special(trials)
 }
 
@@ -58,7 +58,7 @@ fn special(trials: u64) -> u64 {
 }
 
 impl<'a, T: Float> Ready<'a, T> {
-    pub(super) fn new(tried: &'a [Tried], trials: u64, seed: u64) -> Self {
+    pub(crate) fn new(tried: &'a [Tried], trials: u64, seed: u64) -> Self {
         let steps = |tried: &Tried| steps(&tried.map).expect("what is tried has no more variables");
         Self {
             steps: tried.iter().map(steps).collect(),
@@ -67,12 +67,12 @@ impl<'a, T: Float> Ready<'a, T> {
     }
 
     /// How many trials there are.
-    pub(super) fn count(&self) -> u64 {
+    pub(crate) fn count(&self) -> u64 {
         with_special_inputs(self.trials.strata)
     }
 
     /// The trial with this index.
-    pub(super) fn run(&self, index: u64, tally: &mut Tally) {
+    pub(crate) fn run(&self, index: u64, tally: &mut Tally) {
         let trial = self.trials.draw(index);
         let steps = &self.steps[trial.place];
         let Inputs { parameters, x, eps, regime } = &trial.inputs;
@@ -93,7 +93,7 @@ impl<'a, T: Float> Ready<'a, T> {
 }
 
 impl<'a, T: Float> Trials<'a, T> {
-    pub(super) fn new(targets: Vec<&'a Target>, trials: u64, seed: u64) -> Self {
+    pub(crate) fn new(targets: Vec<&'a Target>, trials: u64, seed: u64) -> Self {
         let indices =
             |has: fn(&Target) -> bool| (0..targets.len()).filter(|&i| has(targets[i])).collect::<Vec<_>>();
         let fixed = |target: &&Target| {
@@ -110,7 +110,7 @@ impl<'a, T: Float> Trials<'a, T> {
     }
 
     /// The trial with this index, and what the exact map says of it.
-    pub(super) fn draw(&self, index: u64) -> Trial<'a, T> {
+    pub(crate) fn draw(&self, index: u64) -> Trial<'a, T> {
         let (place, inputs) = self.inputs(index);
         let target = self.targets[place];
         let known = inputs.exact().map(|point| Known { exact: target.judge.step(&point), point });
@@ -118,12 +118,12 @@ impl<'a, T: Float> Trials<'a, T> {
     }
 
     /// The place of the target of a trial, and what its step is given.
-    pub(super) fn inputs(&self, index: u64) -> (usize, Inputs<T>) {
+    pub(crate) fn inputs(&self, index: u64) -> (usize, Inputs<T>) {
         let (regime, place) = self.stratum(index);
         // Neighbouring seeds give streams that have nothing in common.
         let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
         let (random, Target { judge, is_odd, .. }) = (SplitMix64::new(seed), self.targets[place]);
-        (place, Points { judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime))
+        (place, Points { judge: &**judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime))
     }
 
     /// The regime and the target of a trial: regimes in turn, and within each the targets that it
@@ -159,7 +159,7 @@ impl<T: Float> Trial<'_, T> {
         match (exact_values(next), &self.known) {
             (None, _) => cell.flagged += 1,
             (Some(next), Some(Known { exact: Some(exact), .. })) => {
-                let verdict = exact.judge::<T>(&next);
+                let verdict = exact.judge(&T::FORMAT, &next);
                 cell.note_error(Some(verdict.error_u));
                 cell.silently_wrong += u64::from(!verdict.is_rough);
             }
@@ -168,7 +168,7 @@ impl<T: Float> Trial<'_, T> {
     }
 
     /// `try_step`: wrong is an `Ok` outside the promise, or where there is no value.
-    pub(super) fn count_stable(&self, next: Option<Vec<T>>, tally: &mut Tally) {
+    pub(crate) fn count_stable(&self, next: Option<Vec<T>>, tally: &mut Tally) {
         let Self { inputs, known, target, .. } = self;
         let mut complaint = None;
         let cell = tally.cell((inputs.regime, "stable", T::NAME));
@@ -183,7 +183,7 @@ impl<T: Float> Trial<'_, T> {
             }
             Some(next) => match (exact_values(&next), known) {
                 (Some(next), Some(Known { exact: Some(exact), .. })) => {
-                    let verdict = exact.judge::<T>(&next);
+                    let verdict = exact.judge(&T::FORMAT, &next);
                     cell.note_error(Some(verdict.error_u));
                     if !verdict.keeps_promise {
                         cell.silently_wrong += 1;
@@ -211,10 +211,15 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// The condition number at which a flag breaks the promise; `None` where a flag is right.
+    /// The condition number at which a flag breaks the promise: where the field has a value, x̃ is a
+    /// number that the format holds, and the condition number is below the bound.
     fn forbidden_flag(&self) -> Option<f64> {
-        let Known { point, exact } = self.known.as_ref()?;
-        self.target.judge.forbidden_flag::<T>(point, exact.as_ref()?, T::FLAG_CONDITION?)
+        let (Known { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
+        let limit = T::FLAG_CONDITION?;
+        if !exact.as_ref()?.fits(&T::FORMAT) || !judge.equation().at(point).is_defined() {
+            return None;
+        }
+        Some(judge.condition(point)).filter(|condition| *condition < limit)
     }
 }
 

@@ -14,7 +14,7 @@ use super::dyadic::Dyadic;
 ///
 /// A root has about the size |c_i/c_j|^(1/(j−i)) of some pair of terms that balance there; signs
 /// are taken at powers of two around these sizes.
-pub(super) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
+pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
     let mut binades: Vec<i64> = balances(coefficients).flat_map(|b| b - 3..=b + 3).collect();
     binades.sort_unstable();
     binades.dedup();

@@ -1,17 +1,53 @@
 //! How far floats can be trusted: steps at the extremes, judged by exact arithmetic.
+//!
+//! In: systems, a number of trials, a seed ([`Extremes`]). Out: for every regime, tier and scalar
+//! how large the errors are, how many trials are flagged, and how many are silently wrong
+//! ([`Judged`]). The judge knows the reduced map as polynomials and takes the floats as they are
+//! given, so no tolerance is between a step and its verdict. What a trial draws depends on the seed
+//! and its index only: the result is the same for every number of threads.
+//!
+//! It must not know terminals, files, flags or HTML; fronts ask and show.
 
-use std::slice;
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-use kahan_discover::Watch;
+mod ball;
+mod dyadic;
+mod elimination;
+mod equation;
+mod float;
+mod judge;
+mod points;
+mod polynomial;
+pub mod random_fields;
+mod regime;
+mod roots;
+mod steps;
+mod survey;
+mod tally;
+#[cfg(test)]
+mod tests;
+mod trial;
+
+use std::fmt;
+
+use kahan_study::trade::CannotRun;
+use kahan_study::{Count, Study, Subject, Watch};
+use kahan_systems::{registry, volterra};
 use serde::{Deserialize, Serialize};
 
-use crate::count::Count;
-use crate::error::StudyError;
-use crate::extremes::{Cell, Tally, Tried, survey, survey_odd, total, total_of_odd};
-use crate::random_fields::{RandomField, numbered, odd};
-use crate::study::Study;
+use random_fields::odd::odd;
+use random_fields::{RandomField, numbered};
+use survey::{Tried, survey, survey_odd, total, total_of_odd};
 
-use super::seconds_since;
+pub use regime::Regime;
+pub use tally::{Broken, Cell, Failure, Place, Tally};
+
+/// The systems that are tried where no other is named: the paper's, and the lattice of three sites,
+/// whose det A cancels in long steps.
+pub fn usual_subjects() -> impl Iterator<Item = Subject> {
+    let entries = registry::SYSTEMS.iter().chain([&volterra::ENTRY]);
+    entries.map(|entry| Subject::named(entry.command))
+}
 
 /// Asks what steps make of points near poles, of mixed magnitudes, with subnormal and infinite
 /// numbers. Parameters that are not given are drawn for each trial.
@@ -65,25 +101,17 @@ pub struct Judged {
 }
 
 impl Extremes {
-    /// Tries the steps of one field. The claims of the field are not looked at.
+    /// Tries the steps of some fields, of which there is at least one, in turn, on the watch's
+    /// threads. The claims of the fields are not looked at.
     ///
     /// # Errors
-    /// [`StudyError::Judge`].
-    pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Judged, StudyError> {
-        self.of(slice::from_ref(study), watch)
-    }
-
-    /// Tries the steps of several fields, of which there is at least one, in turn, on the watch's
-    /// threads.
-    ///
-    /// # Errors
-    /// [`StudyError::Judge`].
-    pub fn of(&self, studies: &[Study], watch: &dyn Watch) -> Result<Judged, StudyError> {
+    /// [`CannotJudge`] where a field has too many variables, or is not defined at its parameters.
+    pub fn of(&self, studies: &[Study], watch: &dyn Watch) -> Result<Judged, CannotJudge> {
         let begun = watch.now();
         let of_study = |study: &Study| {
             let name = study.name();
             Tried::new(name, study.system(), study.given().to_vec())
-                .map_err(|why| StudyError::Judge { system: name.to_owned(), why })
+                .map_err(|why| CannotJudge { system: name.to_owned(), why })
         };
         let mut tried = studies.iter().map(of_study).collect::<Result<Vec<_>, _>>()?;
         let fields: Vec<RandomField> =
@@ -101,18 +129,19 @@ impl Extremes {
             broken.text = drawn.map(|(_, text)| text).unwrap_or_default();
         }
         let names = |is_meant: fn(&Tried) -> bool| {
-            tried.iter().filter(|one| is_meant(one)).map(|one| one.name().to_owned()).collect::<Vec<_>>()
+            tried.iter().filter(|one| is_meant(one)).map(|one| one.target.name.clone()).collect::<Vec<_>>()
         };
+        let systems = names(|_| true);
         Ok(Judged {
-            system: if let [one] = tried.as_slice() { one.name().to_owned() } else { "catalog".to_owned() },
-            systems: names(|_| true),
+            system: if let [one] = &systems[..] { one.clone() } else { "catalog".to_owned() },
+            systems,
             random_fields,
             odd_fields: self.odd_fields,
             trials: self.trials,
             seed: self.seed,
-            seconds: seconds_since(begun, watch),
+            seconds: watch.now().zip(begun).map(|(now, begun)| now.saturating_sub(begun).as_secs_f64()),
             tally,
-            removable: names(Tried::has_removable_poles),
+            removable: names(|one| one.target.judge.has_removable_poles()),
         })
     }
 
@@ -135,3 +164,20 @@ impl Judged {
         [count(|cell| cell.silently_wrong), count(|cell| cell.unjustified)]
     }
 }
+
+/// Why the steps of a field cannot be tried.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CannotJudge {
+    /// The field.
+    pub system: String,
+    /// Why.
+    pub why: CannotRun,
+}
+
+impl fmt::Display for CannotJudge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} cannot be judged: {}", self.system, self.why)
+    }
+}
+
+impl std::error::Error for CannotJudge {}

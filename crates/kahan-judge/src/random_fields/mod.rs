@@ -2,27 +2,20 @@
 //! that the tests' back ends read.
 //!
 //! In: seeds. Out: sparse fields, fields with linear and constant terms, with parameters and
-//! divisors of them, with parameters before unit terms, in awkward spellings, and dense ones; as
-//! text, and as values computed from the tree (a third opinion, which knows neither parser nor
-//! polynomials).
+//! divisors of them, with parameters before unit terms, in awkward spellings, and dense ones, as
+//! trees and as text.
 
 mod draw;
-mod odd;
+pub(crate) mod odd;
 mod tree;
 
-use kahan_algebra::prime_field::SplitMix64;
-use kahan_core::num_rational::BigRational;
-
 use Tree::{Name, Product, Sum};
-use draw::{AWKWARD, DIMENSIONS, Draw, PLAIN};
-pub use odd::{OddField, odd, odd_chain, odd_of_many};
+use draw::{AWKWARD, PLAIN};
+pub use draw::{DIMENSIONS, Draw};
 pub use tree::Tree;
 use tree::{literal, negated, power, quotient};
 
-/// A parameter p/d, a dyadic rational so that every float scalar has it exactly.
-type Parameter = (&'static str, i64, i64);
-
-const PARAMETERS: [Parameter; 3] = [("a", 3, 2), ("b", -3, 8), ("k", 9, 4)];
+const PARAMETERS: [&str; 3] = ["a", "b", "k"];
 
 /// A field with its names.
 #[derive(Clone, Debug)]
@@ -33,29 +26,14 @@ pub struct RandomField {
     pub kind: &'static str,
     /// The states in order.
     pub states: Vec<&'static str>,
-    /// The parameters with their values.
-    pub parameters: Vec<Parameter>,
+    /// The parameters.
+    pub parameters: Vec<&'static str>,
     /// One right-hand side a state.
     pub equations: Vec<Tree>,
 }
 
-/// A fixed set: every kind but the coupled one, in every dimension.
-#[must_use]
-pub fn every_field() -> Vec<RandomField> {
-    let mut fields = Vec::new();
-    for n in 1..=DIMENSIONS {
-        for (kind, make) in KINDS {
-            let mut draw = Draw { random: SplitMix64::from_bytes(format!("{kind} {n}").as_bytes()) };
-            fields.push(make(n, &mut draw));
-        }
-    }
-    fields
-}
-
-type Maker = fn(usize, &mut Draw) -> RandomField;
-
-const KINDS: [(&str, Maker); 5] =
-    [("sparse", sparse), ("affine", affine), ("scaled", scaled), ("spelled", spelled), ("dense", dense)];
+/// Draws a field of so many variables, [`DIMENSIONS`] at most.
+pub type Maker = fn(usize, &mut Draw) -> RandomField;
 
 /// The kinds of [`numbered`]. Unit terms come twice, with other draws.
 const ALL_KINDS: [Maker; 7] = [sparse, coupled, affine, scaled, spelled, coupled, dense];
@@ -68,8 +46,7 @@ const ALL_KINDS: [Maker; 7] = [sparse, coupled, affine, scaled, spelled, coupled
 pub fn numbered(seed: u64, number: usize) -> RandomField {
     let n = 2 + number % (DIMENSIONS - 1);
     let make = ALL_KINDS[number / (DIMENSIONS - 1) % ALL_KINDS.len()];
-    let mut draw = Draw { random: SplitMix64::from_bytes(format!("{seed} {number}").as_bytes()) };
-    let field = make(n, &mut draw);
+    let field = make(n, &mut Draw::seeded(&format!("{seed} {number}")));
     RandomField { name: format!("{}_{number}", field.name), ..field }
 }
 
@@ -78,13 +55,14 @@ fn field(
     kind: &'static str,
     states: &[&'static str],
     equations: Vec<Tree>,
-    parameters: &[Parameter],
+    parameters: &[&'static str],
 ) -> RandomField {
     let name = format!("{title}{}", states.len());
     RandomField { name, kind, states: states.to_vec(), parameters: parameters.to_vec(), equations }
 }
 
-fn sparse(n: usize, draw: &mut Draw) -> RandomField {
+/// One or two quadratic terms an equation.
+pub fn sparse(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let equation = |draw: &mut Draw| {
         let terms = draw.below(2) + 1;
@@ -96,7 +74,8 @@ fn sparse(n: usize, draw: &mut Draw) -> RandomField {
     field("Sparse", "one or two quadratic terms an equation", states, equations, &[])
 }
 
-fn affine(n: usize, draw: &mut Draw) -> RandomField {
+/// Constant, linear and quadratic terms.
+pub fn affine(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let equation = |draw: &mut Draw| {
         Sum(vec![
@@ -110,7 +89,8 @@ fn affine(n: usize, draw: &mut Draw) -> RandomField {
     field("Affine", "constant, linear and quadratic terms", states, equations, &[])
 }
 
-fn scaled(n: usize, draw: &mut Draw) -> RandomField {
+/// Parameters, and divisors of them.
+pub fn scaled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let (a, b, k) = (|| Name("a"), || Name("b"), || Name("k"));
     let factors = [
@@ -142,7 +122,7 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let sign = |draw: &mut Draw, term: Tree| if draw.below(2) == 0 { term } else { negated(term) };
     let mut equation = |i: usize| {
-        let own = Product(vec![Name(PARAMETERS[draw.below(2)].0), draw.state(states)]);
+        let own = Product(vec![Name(PARAMETERS[draw.below(2)]), draw.state(states)]);
         let square = Product(vec![draw.state(states), draw.state(states)]);
         let mut terms = vec![sign(draw, own), sign(draw, Name(states[i])), sign(draw, square)];
         // One term an equation, so that the closed form of many variables is short.
@@ -160,7 +140,8 @@ fn coupled(n: usize, draw: &mut Draw) -> RandomField {
     field("Coupled", "parameters before unit terms", states, equations, &PARAMETERS[..2])
 }
 
-fn spelled(n: usize, draw: &mut Draw) -> RandomField {
+/// Awkward spellings, and cubic terms that cancel.
+pub fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     let states = &AWKWARD[..n];
     let start = draw.below(n);
     let equation = |i: usize| {
@@ -191,7 +172,8 @@ fn spelled(n: usize, draw: &mut Draw) -> RandomField {
     field("Spelled", "awkward spellings, and cubic terms that cancel", states, equations, &[])
 }
 
-fn dense(n: usize, draw: &mut Draw) -> RandomField {
+/// Every monomial in every equation.
+pub fn dense(n: usize, draw: &mut Draw) -> RandomField {
     let states = &PLAIN[..n];
     let mut equation = || {
         let mut terms = vec![draw.coefficient()];
@@ -218,27 +200,11 @@ impl RandomField {
     /// The block in the language of `kahan!`.
     #[must_use]
     pub fn block(&self) -> String {
-        let parameters: Vec<&str> = self.parameters.iter().map(|(name, ..)| *name).collect();
-        let header = header(&self.name, &parameters);
+        let header = header(&self.name, &self.parameters);
         let documentation = format!("/// Of dimension {}: {}.\n", self.states.len(), self.kind);
         let equations = self.states.iter().zip(&self.equations);
         let equations: String = equations.map(|(state, value)| format!("{state}dot = {value};\n")).collect();
         format!("{documentation}{header}\n{equations}")
-    }
-
-    /// The values of the parameters.
-    #[must_use]
-    pub fn parameter_values(&self) -> Vec<BigRational> {
-        self.parameters.iter().map(|&(_, p, d)| ratio(p, d)).collect()
-    }
-
-    /// f(x), from the trees.
-    #[must_use]
-    pub fn value(&self, x: &[BigRational]) -> Vec<BigRational> {
-        let parameters = self.parameters.iter().map(|&(name, p, d)| (name, ratio(p, d)));
-        let names: Vec<(&str, BigRational)> =
-            self.states.iter().copied().zip(x.iter().cloned()).chain(parameters).collect();
-        self.equations.iter().map(|equation| equation.value(&names)).collect()
     }
 }
 
@@ -248,9 +214,4 @@ fn header(name: &str, parameters: &[&str]) -> String {
         [] => format!("pub struct {name};"),
         parameters => format!("pub struct {name} {{ {} }}", parameters.join(", ")),
     }
-}
-
-/// p/d
-fn ratio(p: i64, d: i64) -> BigRational {
-    BigRational::new(p.into(), d.into())
 }

@@ -42,7 +42,7 @@ impl<T: Float> Inputs<T> {
 
 /// A source of inputs for one system; `fixed` are the parameters that are given.
 pub(crate) struct Points<'a, T> {
-    pub(crate) judge: &'a Judge,
+    pub(crate) judge: &'a dyn Judge,
     pub(crate) fixed: &'a [Option<T>],
     /// Whether parameters are drawn from the whole range, and steps often fit the field.
     pub(crate) is_odd: bool,
@@ -58,7 +58,7 @@ impl<T: Float> Points<'_, T> {
             Regime::NearPole => self.beside(false, regime),
             Regime::NearRemovablePole => self.beside(true, regime),
             Regime::Subnormal => self.altered(regime, |points| {
-                let binade = points.between(T::LEAST_BINADE - T::BITS + 1, T::LEAST_BINADE - 1);
+                let binade = points.between(T::FORMAT.least_binade - T::BITS + 1, T::FORMAT.least_binade - 1);
                 points.float(binade)
             }),
             Regime::LargeSteps => {
@@ -78,7 +78,7 @@ impl<T: Float> Points<'_, T> {
     fn with_size(&mut self, mut inputs: Inputs<T>, low: i64, high: i64) -> Inputs<T> {
         let binade = self.between(low, high);
         let size: T = self.float(binade);
-        let slope = inputs.exact().map_or(0.0, |point| self.judge.equation.at(&point).slope());
+        let slope = inputs.exact().map_or(0.0, |point| self.judge.equation().at(&point).slope());
         let eps = size.exact().map_or(0.0, |size| size.near_f64()) / slope;
         inputs.eps = Dyadic::of(eps).map_or(size, |eps| T::near(&eps));
         inputs
@@ -88,13 +88,13 @@ impl<T: Float> Points<'_, T> {
     /// homogeneous field.
     fn scaled(&mut self, binade: i64) -> Inputs<T> {
         let sizes: Vec<i64> =
-            (0..self.judge.equation.dimension()).map(|_| binade + self.between(-5, 1)).collect();
+            (0..self.judge.equation().dimension()).map(|_| binade + self.between(-5, 1)).collect();
         let eps = self.between(-10, -1) - binade;
         self.inputs(Regime::Ordinary, &sizes, eps)
     }
 
     fn mixed(&mut self) -> Inputs<T> {
-        let n = self.judge.equation.dimension();
+        let n = self.judge.equation().dimension();
         let limit = T::STATE_BINADES;
         let kind = self.random.below(4);
         if kind == 0 {
@@ -131,7 +131,7 @@ impl<T: Float> Points<'_, T> {
             let Some(zeros) = self.judge.zeros(is_removable, &point, &mut self.random) else { continue };
             let Zeros { variable, coefficients } = zeros;
             let Some(zero) = root(&coefficients, T::BITS, &mut self.random) else { continue };
-            let is_eps = variable == self.judge.equation.epsilon();
+            let is_eps = variable == self.judge.equation().epsilon();
             let limit = if is_eps { T::EPS_BINADES } else { T::STATE_BINADES };
             if zero.binade().is_none_or(|binade| binade.abs() > limit) {
                 continue;
@@ -150,7 +150,7 @@ impl<T: Float> Points<'_, T> {
     /// that are not given.
     fn altered(&mut self, regime: Regime, mut value: impl FnMut(&mut Self) -> T) -> Inputs<T> {
         let mut inputs = Inputs { regime, ..self.ordinary() };
-        let (n, epsilon) = (self.judge.equation.dimension(), self.judge.equation.epsilon());
+        let (n, epsilon) = (self.judge.equation().dimension(), self.judge.equation().epsilon());
         let drawn = (n..epsilon).filter(|variable| self.fixed[variable - n].is_none());
         let choices: Vec<usize> = (0..n).chain([epsilon]).chain(drawn).collect();
         for _ in 0..=self.random.below(2) {
@@ -204,7 +204,8 @@ impl<T: Float> Points<'_, T> {
                     self.float(binade)
                 }
                 _ => {
-                    let binade = self.between(T::LEAST_BINADE - 48.min(T::BITS - 2), T::GREATEST_BINADE - 3);
+                    let binade = self
+                        .between(T::FORMAT.least_binade - 48.min(T::BITS - 2), T::FORMAT.greatest_binade - 3);
                     self.float(binade)
                 }
             });

@@ -16,7 +16,7 @@ use kahan_runtime::interpreted::{Interpreted, UnsupportedDimension};
 use super::float::Float;
 
 /// The steps of one map over one scalar. A step has as many components as x.
-pub(super) trait Steps<T>: Debug + Send + Sync {
+pub(crate) trait Steps<T>: Debug + Send + Sync {
     /// x̃ by `step`, whatever it is.
     fn step(&self, parameters: &[T], x: &[T], eps: T) -> Vec<T>;
 
@@ -35,7 +35,7 @@ pub(super) trait Steps<T>: Debug + Send + Sync {
 ///
 /// # Errors
 /// Where it has more variables than there are types for.
-pub(super) fn steps<T: Float>(map: &Map) -> Result<Box<dyn Steps<T>>, UnsupportedDimension> {
+pub(crate) fn steps<T: Float>(map: &Map) -> Result<Box<dyn Steps<T>>, UnsupportedDimension> {
     match map.field().variables().len() {
         1..=4 => Ok(among::<T, 4>(map)),
         5..=8 => Ok(among::<T, 8>(map)),

@@ -6,6 +6,17 @@ use kahan_core::{Dd, KahanMap, Lift, Pivot, ThroughF64};
 
 use super::dyadic::Dyadic;
 
+/// What verdicts ask of a format.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Format {
+    /// The unit u of the promise is 2^−precision.
+    pub(crate) precision: i64,
+    /// The binade of the least number that has all of its bits.
+    pub(crate) least_binade: i64,
+    /// The binade of the largest number.
+    pub(crate) greatest_binade: i64,
+}
+
 /// A float that can be judged.
 pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     /// Its name in tables.
@@ -15,16 +26,10 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     /// The tier of the step that is computed in a wider format and rounded once, where there is
     /// one.
     const WIDER_TIER: Option<&'static str> = None;
-    /// The unit u of the promise is 2^−PRECISION.
-    const PRECISION: i64;
-    /// The floats that a number is made of.
-    const WORDS: usize = 1;
+    /// What its numbers are judged by.
+    const FORMAT: Format;
     /// How many bits are drawn: all that a number can have.
     const BITS: i64;
-    /// The binade of the least number that has all of its bits.
-    const LEAST_BINADE: i64;
-    /// The binade of the largest number.
-    const GREATEST_BINADE: i64;
     /// ε is drawn from ±2^±EPS_BINADES, 1e±300 for `f64`.
     const EPS_BINADES: i64;
     /// ‖x‖ is drawn from 2^±STATE_BINADES, 1e±150 for `f64`.
@@ -35,12 +40,6 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
 
     /// The nearest number.
     fn of(value: f64) -> Self;
-
-    /// Its bits, a word for each float that it is made of.
-    fn bits(self) -> Vec<u64>;
-
-    /// The number with these bits.
-    fn of_bits(bits: &[u64]) -> Self;
 
     /// The exact value; `None` if it is not finite.
     fn exact(self) -> Option<Dyadic> {
@@ -70,10 +69,8 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
 impl Float for f64 {
     const NAME: &'static str = "f64";
     const STEP_TIER: &'static str = "fast";
-    const PRECISION: i64 = 53;
+    const FORMAT: Format = Format { precision: 53, least_binade: -1022, greatest_binade: 1023 };
     const BITS: i64 = 53;
-    const LEAST_BINADE: i64 = -1022;
-    const GREATEST_BINADE: i64 = 1023;
     const EPS_BINADES: i64 = 996;
     const STATE_BINADES: i64 = 498;
     const FLAG_CONDITION: Option<f64> = Some(1e12);
@@ -81,38 +78,20 @@ impl Float for f64 {
     fn of(value: f64) -> Self {
         value
     }
-
-    fn bits(self) -> Vec<u64> {
-        vec![self.to_bits()]
-    }
-
-    fn of_bits(bits: &[u64]) -> Self {
-        Self::from_bits(bits[0])
-    }
 }
 
 impl Float for f32 {
     const NAME: &'static str = "f32";
     const STEP_TIER: &'static str = "fast";
     const WIDER_TIER: Option<&'static str> = Some("fast through f64");
-    const PRECISION: i64 = 24;
+    const FORMAT: Format = Format { precision: 24, least_binade: -126, greatest_binade: 127 };
     const BITS: i64 = 24;
-    const LEAST_BINADE: i64 = -126;
-    const GREATEST_BINADE: i64 = 127;
     const EPS_BINADES: i64 = 125;
     const STATE_BINADES: i64 = 62;
     const FLAG_CONDITION: Option<f64> = Some(1e4);
 
     fn of(value: f64) -> Self {
         value as Self
-    }
-
-    fn bits(self) -> Vec<u64> {
-        vec![self.to_bits().into()]
-    }
-
-    fn of_bits(bits: &[u64]) -> Self {
-        Self::from_bits(bits[0] as u32)
     }
 
     fn wider_step<M, const N: usize>(map: M, x: &SVector<Self, N>, eps: Self) -> Option<SVector<Self, N>>
@@ -126,27 +105,16 @@ impl Float for f32 {
 impl Float for Dd {
     const NAME: &'static str = "dd";
     const STEP_TIER: &'static str = "accurate";
-    const WORDS: usize = 2;
-    /// That of the promise; an operation is within it.
-    const PRECISION: i64 = 102;
+    /// The precision is that of the promise, and an operation is within it; below the least binade
+    /// the low part loses bits.
+    const FORMAT: Format = Format { precision: 102, least_binade: -969, greatest_binade: 1023 };
     const BITS: i64 = 106;
-    /// Below it the low part loses bits.
-    const LEAST_BINADE: i64 = -969;
-    const GREATEST_BINADE: i64 = 1023;
     const EPS_BINADES: i64 = 996;
     const STATE_BINADES: i64 = 498;
     const FLAG_CONDITION: Option<f64> = None;
 
     fn of(value: f64) -> Self {
         value.into()
-    }
-
-    fn bits(self) -> Vec<u64> {
-        vec![self.high().to_bits(), self.low().to_bits()]
-    }
-
-    fn of_bits(bits: &[u64]) -> Self {
-        Self::new(f64::from_bits(bits[0]), f64::from_bits(bits[1]))
     }
 
     fn near(value: &Dyadic) -> Self {

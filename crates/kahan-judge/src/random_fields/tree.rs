@@ -1,14 +1,9 @@
-//! Expressions as trees, with their text and their value.
+//! Expressions as trees, with their text.
 //!
 //! In: what a random field is made of. Out: text with the parentheses that the usual precedence
-//! needs and no others, and the value at named numbers. The value of a literal is that of its
-//! digits, read here and not by the front end.
+//! needs and no others.
 
 use std::fmt;
-
-use kahan_core::num_rational::BigRational;
-
-use super::ratio;
 
 /// An expression.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,39 +58,6 @@ impl Tree {
             Tree::Power(..) => Level::Power,
         }
     }
-
-    /// The value, where the names have these values.
-    ///
-    /// # Panics
-    /// At an unknown name.
-    #[must_use]
-    pub fn value(&self, names: &[(&str, BigRational)]) -> BigRational {
-        match self {
-            Tree::Literal(digits) => decimal(digits),
-            Tree::Name(name) => {
-                let known = names.iter().find(|(known, _)| known == name);
-                known.unwrap_or_else(|| panic!("no value for {name}")).1.clone()
-            }
-            Tree::Negated(a) => -a.value(names),
-            Tree::Sum(terms) => terms.iter().fold(ratio(0, 1), |sum, term| sum + term.value(names)),
-            Tree::Product(factors) => factors.iter().fold(ratio(1, 1), |product, f| product * f.value(names)),
-            Tree::Quotient(a, b) => a.value(names) / b.value(names),
-            Tree::Power(base, exponent) => {
-                let base = base.value(names);
-                (0..*exponent).fold(ratio(1, 1), |power, _| power * &base)
-            }
-        }
-    }
-}
-
-/// The number that digits with a point, an exponent or underscores stand for.
-fn decimal(text: &str) -> BigRational {
-    let digits = text.replace('_', "");
-    let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let exponent: i32 = exponent.parse().expect("an exponent");
-    let number = format!("{whole}{fraction}").parse().expect("digits");
-    BigRational::from_integer(number) * ratio(10, 1).pow(exponent - fraction.len() as i32)
 }
 
 impl fmt::Display for Tree {
@@ -167,13 +129,5 @@ mod tests {
         for (tree, text) in texts {
             assert_eq!(tree.to_string(), text);
         }
-    }
-
-    #[test]
-    fn digits_mean_what_they_say() {
-        assert_eq!(decimal("0.1"), ratio(1, 10));
-        assert_eq!(decimal("1.5e-3"), ratio(3, 2000));
-        assert_eq!(decimal("1_000"), ratio(1000, 1));
-        assert_eq!(decimal("1e2"), ratio(100, 1));
     }
 }

@@ -13,7 +13,7 @@ use super::polynomial::{Powers, Terms, common_denominator, greatest_power};
 
 /// ẋᵢ = pᵢ/qᵢ, row by row.
 #[derive(Debug)]
-pub(super) struct Equation {
+pub(crate) struct Equation {
     rows: Vec<Row>,
     degree: usize,
     states: usize,
@@ -32,30 +32,30 @@ struct Row {
 
 /// An entry ∂²p/∂xⱼ∂xₖ of a row.
 #[derive(Debug)]
-pub(super) struct Curvature {
-    pub(super) first: usize,
-    pub(super) second: usize,
-    pub(super) value: Dyadic,
+pub(crate) struct Curvature {
+    pub(crate) first: usize,
+    pub(crate) second: usize,
+    pub(crate) value: Dyadic,
 }
 
 /// The equation at a point.
 #[derive(Debug)]
-pub(super) struct AtPoint {
-    pub(super) x: Vec<Dyadic>,
-    pub(super) eps: Dyadic,
-    pub(super) rows: Vec<RowAtPoint>,
+pub(crate) struct AtPoint {
+    pub(crate) x: Vec<Dyadic>,
+    pub(crate) eps: Dyadic,
+    pub(crate) rows: Vec<RowAtPoint>,
 }
 
 /// p, q and the entries of ∂p/∂x.
 #[derive(Debug)]
-pub(super) struct RowAtPoint {
-    pub(super) field: Dyadic,
-    pub(super) denominator: Dyadic,
-    pub(super) slopes: Vec<(usize, Dyadic)>,
+pub(crate) struct RowAtPoint {
+    pub(crate) field: Dyadic,
+    pub(crate) denominator: Dyadic,
+    pub(crate) slopes: Vec<(usize, Dyadic)>,
 }
 
 impl Equation {
-    pub(super) fn of(system: &System) -> Self {
+    pub(crate) fn of(system: &System) -> Self {
         let symbols = &system.field.symbols;
         let row = |Component { numerator, denominator }: &Component| {
             let scale = common_denominator([numerator, denominator]);
@@ -85,23 +85,17 @@ impl Equation {
         }
     }
 
-    pub(super) fn dimension(&self) -> usize {
+    pub(crate) fn dimension(&self) -> usize {
         self.states
     }
 
     /// The index of ε among the variables: states, parameters, ε.
-    pub(super) fn epsilon(&self) -> usize {
+    pub(crate) fn epsilon(&self) -> usize {
         self.states + self.parameters
     }
 
-    /// The rows in which f′ depends on a state.
-    pub(super) fn rows_with(&self, state: usize) -> Vec<usize> {
-        let depends = |row: &Row| row.curvature.iter().any(|(_, second, _)| *second == state);
-        (0..self.rows.len()).filter(|&i| depends(&self.rows[i])).collect()
-    }
-
     /// The equation at states, parameters and ε.
-    pub(super) fn at(&self, point: &[Dyadic]) -> AtPoint {
+    pub(crate) fn at(&self, point: &[Dyadic]) -> AtPoint {
         let powers = Powers::of(point, self.degree);
         let row = |row: &Row| RowAtPoint {
             field: row.field.at(&powers),
@@ -114,11 +108,9 @@ impl Equation {
             eps: point[self.epsilon()].clone(),
         }
     }
-}
 
-impl Equation {
     /// ∂²p/∂x² at a point, row by row.
-    pub(super) fn curvature(&self, point: &[Dyadic]) -> Vec<Vec<Curvature>> {
+    pub(crate) fn curvature(&self, point: &[Dyadic]) -> Vec<Vec<Curvature>> {
         let powers = Powers::of(point, self.degree);
         let row = |row: &Row| {
             let entries = row.curvature.iter();
@@ -132,12 +124,12 @@ impl Equation {
 
 impl AtPoint {
     /// Whether no component divides by zero.
-    pub(super) fn is_defined(&self) -> bool {
+    pub(crate) fn is_defined(&self) -> bool {
         self.rows.iter().all(|row| !row.denominator.is_zero())
     }
 
     /// The entries of qᵢ·A(x,ε) in row i, the diagonal first.
-    pub(super) fn row(&self, i: usize) -> Vec<(usize, Dyadic)> {
+    pub(crate) fn row(&self, i: usize) -> Vec<(usize, Dyadic)> {
         let row = &self.rows[i];
         let mut entries = vec![(i, row.denominator.clone())];
         for (j, slope) in &row.slopes {
@@ -152,12 +144,12 @@ impl AtPoint {
     }
 
     /// 2εpᵢ
-    pub(super) fn increment(&self, i: usize) -> Dyadic {
+    pub(crate) fn increment(&self, i: usize) -> Dyadic {
         (&self.rows[i].field * &self.eps).scaled(1)
     }
 
     /// ‖f′(x)‖∞, about.
-    pub(super) fn slope(&self) -> f64 {
+    pub(crate) fn slope(&self) -> f64 {
         let sum = |row: &RowAtPoint| {
             row.slopes.iter().fold(Dyadic::zero(), |sum, (_, slope)| &sum + &slope.clone().abs())
         };

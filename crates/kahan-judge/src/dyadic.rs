@@ -1,10 +1,13 @@
 //! Exact numbers n·2^k: what floats are, and what sums and products of floats are.
 //!
-//! No division and no greatest common divisor: quotients are compared by multiplying across.
+//! No greatest common divisor: quotients are compared by multiplying across.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
 
+use kahan_algebra::rational::Rational;
+use kahan_core::num_rational::BigRational;
+use kahan_core::num_traits::Float;
 use num_bigint::{BigInt, Sign};
 
 /// integer·2^exponent; not normalised, so equality is a question of [`compare`](Dyadic::compare).
@@ -22,18 +25,11 @@ impl Dyadic {
 
     /// The value of a float; `None` if it is not finite.
     pub(crate) fn of(x: f64) -> Option<Self> {
-        if !x.is_finite() {
-            return None;
-        }
-        let bits = x.to_bits();
-        let (fraction, field) = (bits & ((1 << 52) - 1), (bits >> 52 & 0x7ff) as i64);
-        let (significand, exponent) =
-            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
+        let (significand, exponent, sign) = Float::integer_decode(x);
         // Few bits stay few: products of small integers are small integers.
-        let zeros = if significand == 0 { 0 } else { significand.trailing_zeros() };
-        let integer = (significand >> zeros) as i64;
-        let exponent = if significand == 0 { 0 } else { exponent + i64::from(zeros) };
-        Some(Self::new(if x < 0.0 { -integer } else { integer }, exponent))
+        let zeros = significand.trailing_zeros() % u64::BITS;
+        let integer = i64::from(sign) * (significand >> zeros) as i64;
+        x.is_finite().then(|| Self::new(integer, i64::from(exponent) + i64::from(zeros)))
     }
 
     pub(crate) fn zero() -> Self {
@@ -70,10 +66,14 @@ impl Dyadic {
     }
 
     /// The same number as a fraction.
-    #[cfg(test)]
-    pub(crate) fn rational(&self) -> kahan_core::num_rational::BigRational {
-        let power = kahan_core::num_traits::pow(BigInt::from(2), self.exponent.unsigned_abs() as usize);
-        if self.exponent < 0 { (self.integer.clone(), power).into() } else { (&self.integer * power).into() }
+    pub(crate) fn rational(&self) -> Rational {
+        let power = |exponent: i64| BigInt::from(1) << exponent.max(0);
+        BigRational::new(&self.integer * power(self.exponent), power(-self.exponent)).into()
+    }
+
+    /// A fraction whose denominator is a power of two.
+    pub(crate) fn of_rational(value: &Rational) -> Self {
+        Self::new(value.numerator(), 1 - value.denominator().bits() as i64)
     }
 
     /// The leading `bits` bits, and the exponent of a unit that the rest is less than; `None` where
@@ -95,17 +95,6 @@ impl Dyadic {
         let shift = (bits + divisor.integer.bits()).saturating_sub(self.integer.bits()) + 1;
         let exponent = self.exponent - divisor.exponent - shift as i64;
         (Self { integer: (&self.integer << shift) / &divisor.integer, exponent }, exponent)
-    }
-
-    /// self/divisor, where that is n·2^k.
-    pub(crate) fn exact_quotient(&self, divisor: &Self) -> Self {
-        let zeros = divisor.integer.trailing_zeros().unwrap_or(0);
-        let odd = &divisor.integer >> zeros;
-        let quotient = &self.integer / odd;
-        let exponent = self.exponent - divisor.exponent - zeros as i64;
-        // Few bits stay few.
-        let zeros = quotient.trailing_zeros().unwrap_or(0);
-        Self { integer: quotient >> zeros, exponent: exponent + zeros as i64 }
     }
 
     /// A float near self and its binade: self = significand·2^binade with 1 ≤ |significand| < 2,

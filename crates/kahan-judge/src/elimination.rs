@@ -1,8 +1,8 @@
-//! The equation of a step solved in balls of growing precision, and without a rounding.
+//! The equation of a step solved in balls of growing precision.
 //!
-//! In: the equation at a point, where no reduced map is at hand. Out: x̃ as balls, or as quotients,
-//! and the condition number of the step. A pivot that may be zero is no pivot: then the same is
-//! done with twice as many bits, up to some thousand.
+//! In: the equation at a point, where no reduced map is at hand. Out: x̃ as balls, and the
+//! condition number of the step. A pivot that may be zero is no pivot: then the same is done with
+//! twice as many bits, up to some thousand.
 
 use std::cmp::Ordering;
 use std::iter::successors;
@@ -12,7 +12,7 @@ use super::dyadic::Dyadic;
 use super::equation::{AtPoint, Curvature};
 
 /// The precisions that are tried, one after the other.
-pub(super) fn precisions() -> impl Iterator<Item = u64> {
+pub(crate) fn precisions() -> impl Iterator<Item = u64> {
     const LEAST_BITS: u64 = 128;
     const MOST_BITS: u64 = 4096;
     successors(Some(LEAST_BITS), |bits| Some(2 * bits)).take_while(|bits| *bits <= MOST_BITS)
@@ -20,7 +20,7 @@ pub(super) fn precisions() -> impl Iterator<Item = u64> {
 
 /// What elimination says of a matrix.
 #[derive(Debug)]
-pub(super) enum Eliminated<R> {
+pub(crate) enum Eliminated<R> {
     Solved(R),
     /// The determinant is zero.
     Singular,
@@ -29,14 +29,14 @@ pub(super) enum Eliminated<R> {
 }
 
 /// A(x,ε) over balls, right-hand sides behind it, row by row; dense, with many zeros.
-struct Matrix {
-    rows: Vec<Vec<Ball>>,
+pub(crate) struct Matrix {
+    pub(crate) rows: Vec<Vec<Ball>>,
     bits: u64,
 }
 
 impl Matrix {
     /// Every row has its right-hand sides from `right`.
-    fn of(equation: &AtPoint, bits: u64, right: impl Fn(usize) -> Vec<Ball>) -> Self {
+    pub(crate) fn of(equation: &AtPoint, bits: u64, right: impl Fn(usize) -> Vec<Ball>) -> Self {
         let n = equation.x.len();
         let row = |i: usize| {
             let mut row = vec![Ball::exactly(Dyadic::zero()); n];
@@ -50,7 +50,7 @@ impl Matrix {
     }
 
     /// Replaces the right-hand sides by the solutions; tells det A.
-    fn solve(mut self) -> Eliminated<(Vec<Vec<Ball>>, Ball)> {
+    pub(crate) fn solve(mut self) -> Eliminated<(Vec<Vec<Ball>>, Ball)> {
         let (n, bits) = (self.rows.len(), self.bits);
         let size = |row: &Vec<Ball>| row[..n].iter().filter_map(|entry| entry.middle().binade()).max();
         let mut sizes: Vec<i64> = self.rows.iter().map(|row| size(row).unwrap_or(0)).collect();
@@ -100,7 +100,7 @@ impl Matrix {
 }
 
 /// x̃ in balls of this precision.
-pub(super) fn next(equation: &AtPoint, bits: u64) -> Eliminated<Vec<Ball>> {
+pub(crate) fn next(equation: &AtPoint, bits: u64) -> Eliminated<Vec<Ball>> {
     let right = |i: usize| vec![Ball::exactly(equation.increment(i)).rounded(bits)];
     match Matrix::of(equation, bits, right).solve() {
         Eliminated::Solved((solutions, _)) => {
@@ -113,27 +113,12 @@ pub(super) fn next(equation: &AtPoint, bits: u64) -> Eliminated<Vec<Ball>> {
     }
 }
 
-/// det A, about, for a matrix some of whose rows are replaced.
-pub(super) fn determinant(equation: &AtPoint, replaced: &[(usize, &[(usize, Dyadic)])], bits: u64) -> Dyadic {
-    let mut matrix = Matrix::of(equation, bits, |_| Vec::new());
-    for (i, entries) in replaced {
-        matrix.rows[*i].iter_mut().for_each(|entry| *entry = Ball::exactly(Dyadic::zero()));
-        for (j, entry) in *entries {
-            matrix.rows[*i][*j] = Ball::exactly(entry.clone()).rounded(bits);
-        }
-    }
-    match matrix.solve() {
-        Eliminated::Solved((_, determinant)) => determinant.middle().clone(),
-        Eliminated::Singular | Eliminated::Unknown => Dyadic::zero(),
-    }
-}
-
 /// The condition number of the step in (x, ε), max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞, to
 /// a relative 2⁻²⁰; infinite where x̃ is 0, `None` where so many bits do not tell it.
 ///
 /// Column j of ∂x̃/∂x = A(x,ε)⁻¹·A(x̃,−ε) and ∂x̃/∂ε = A(x,ε)⁻¹(2f(x) + f′(x)(x̃ − x)) are solved
 /// for together.
-pub(super) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: u64) -> Option<f64> {
+pub(crate) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: u64) -> Option<f64> {
     let Eliminated::Solved(next) = next(equation, bits) else { return None };
     let n = next.len();
     let exactly = |value: &Dyadic| Ball::exactly(value.clone()).rounded(bits);
@@ -179,40 +164,11 @@ pub(super) fn condition(equation: &AtPoint, curvature: &[Vec<Curvature>], bits: 
 }
 
 /// The largest of some numbers, at least 0.
-pub(super) fn largest(values: impl Iterator<Item = Dyadic>) -> Dyadic {
+pub(crate) fn largest(values: impl Iterator<Item = Dyadic>) -> Dyadic {
     values.fold(
         Dyadic::zero(),
         |largest, value| {
             if value.compare(&largest) == Ordering::Greater { value } else { largest }
         },
     )
-}
-
-/// x̃ as quotients over one denominator, without a rounding; `None` where det A is zero.
-///
-/// Fraction-free elimination below and above the diagonal: every entry is a minor of the matrix.
-pub(super) fn fraction(equation: &AtPoint) -> Option<(Vec<Dyadic>, Dyadic)> {
-    let n = equation.x.len();
-    let row = |i: usize| {
-        let mut row = vec![Dyadic::zero(); n + 1];
-        equation.row(i).into_iter().for_each(|(j, entry)| row[j] = entry);
-        row[n] = equation.increment(i);
-        row
-    };
-    let mut rows: Vec<Vec<Dyadic>> = (0..n).map(row).collect();
-    let mut before = Dyadic::new(1, 0);
-    for k in 0..n {
-        let pivot = (k..n).find(|&i| !rows[i][k].is_zero())?;
-        rows.swap(k, pivot);
-        let pivoted = rows[k].clone();
-        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
-            let own = row[k].clone();
-            for (entry, other) in row.iter_mut().zip(&pivoted) {
-                *entry = (&(&*entry * &pivoted[k]) - &(&own * other)).exact_quotient(&before);
-            }
-        }
-        before = pivoted[k].clone();
-    }
-    let numerator = |(x, row): (&Dyadic, &Vec<Dyadic>)| &(x * &before) + &row[n];
-    Some((equation.x.iter().zip(&rows).map(numerator).collect(), before))
 }
