@@ -30,7 +30,7 @@ pub(super) fn binding(names: &mut ValueNames, node: Node, operation: &Operation)
 mod tests {
     use quote::quote;
 
-    use crate::rust::expand;
+    use crate::expand;
 
     /// Numbers of this size make a plan with −2 among its constants, which is used twice.
     #[test]

@@ -9,10 +9,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
+use kahan_emit::{expand, text};
+use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
-
-use crate::rust::{expand, formatted, text};
 
 /// The blocks, each with the functions that it is there to show, where these are not all.
 const BLOCKS: [(&str, &[&str]); 7] = [
@@ -42,7 +42,7 @@ impl Shown {
         let tokens = expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens;
         if let Ok(mut value) = syn::parse2::<Block>(tokens.clone()) {
             self.take(&mut value, functions);
-            return formatted(&value.into_token_stream());
+            return formatted(&quote!(fn scope() { let value = #value; }));
         }
         let mut items: Block = syn::parse2(quote!({ #tokens })).expect("what the macro expands to is Rust");
         self.take(&mut items, functions);
@@ -90,6 +90,11 @@ impl Shown {
     }
 }
 
+/// Rust as a file.
+fn formatted(tokens: &TokenStream) -> String {
+    prettyplease::unparse(&syn::parse2(tokens.clone()).expect("what the macro expands to is Rust"))
+}
+
 /// The text with n for the dimension in the types of vectors and matrices.
 fn without_dimension(text: &str) -> String {
     (1..10).fold(text.to_owned(), |text, n| {
@@ -100,7 +105,7 @@ fn without_dimension(text: &str) -> String {
 
 #[test]
 fn systems_expand_as_written_down() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/golden");
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("golden");
     let overwrites = std::env::var("KAHAN_GOLDEN").is_ok_and(|mode| mode == "overwrite");
     let mut shown = Shown::default();
     for (name, functions) in BLOCKS {
@@ -123,7 +128,7 @@ fn systems_expand_as_written_down() {
 
 #[test]
 fn the_first_expansion_is_shown_whole() {
-    let block = include_str!("e3.kahan");
+    let block = include_str!("../golden/e3.kahan");
     assert_eq!(Shown::default().rest(block, &[]), text(&quote!(::kahan_core), block).expect("Rust tokens"));
 }
 

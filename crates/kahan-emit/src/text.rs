@@ -15,7 +15,7 @@ pub fn text(core: &TokenStream, block: &str) -> Result<String, LexError> {
 }
 
 /// Items as a file; a value stands in a function.
-pub(crate) fn formatted(tokens: &TokenStream) -> String {
+fn formatted(tokens: &TokenStream) -> String {
     let file = syn::parse2(tokens.clone())
         .or_else(|_| syn::parse2(quote! { fn scope() { let value = #tokens; } }))
         .expect("what the macro expands to is Rust");
