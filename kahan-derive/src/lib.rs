@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use kahan_emit::rust::Expansion;
+use kahan_emit::Expansion;
 use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// Expands a block. The first token is `[path]`, the path of the crate that holds `__private`;
@@ -17,7 +17,7 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 pub fn kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     timed(|| {
         let (core, block) = split_path(input.into());
-        kahan_emit::rust::expand(&core, block)
+        kahan_emit::expand(&core, block)
     })
 }
 
@@ -39,7 +39,7 @@ pub fn include_kahan(input: proc_macro::TokenStream) -> proc_macro::TokenStream 
         let (core, file) = split_path(input.into());
         let literal = file.clone().into_iter().next();
         let beside = literal.and_then(|literal| literal.span().unwrap().local_file());
-        kahan_emit::rust::include(&core, file, beside.as_deref())
+        kahan_emit::include(&core, file, beside.as_deref())
     })
 }
 

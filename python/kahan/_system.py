@@ -589,7 +589,8 @@ class System(Field):
 
         Steps are judged by exact arithmetic; ``trials`` of each scalar.
         """
-        return Answer(self._ask("extremes", progress, trials=whole(trials, "trials"), seed=whole(seed, "seed")))
+        judged = self._judged(whole(trials, "trials"), whole(seed, "seed"), listener=_listener(progress))
+        return Answer(answer(judged))
 
 
 class Family:

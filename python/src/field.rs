@@ -3,6 +3,7 @@
 use std::sync::Mutex;
 
 use kahan_algebra::rational::Rational;
+use kahan_judge::Extremes;
 use kahan_runtime::{Map, MapAt};
 use kahan_study::numbers::number;
 use kahan_study::{Question, Study, Subject, Systems};
@@ -204,5 +205,20 @@ impl Field {
             Ok(serde_json::to_string(&answer).expect("answers are JSON"))
         })?;
         answer.map_err(|error| of_study(py, &error))
+    }
+
+    /// What steps at the extremes are worth, as JSON.
+    #[pyo3(name = "_judged", signature = (trials, seed, *, listener = None))]
+    fn judged(
+        &self,
+        py: Python<'_>,
+        trials: u64,
+        seed: u64,
+        listener: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<String> {
+        let (asked, study) = (Extremes { trials, seed, ..Extremes::default() }, self.study.clone());
+        let judged = apart(py, None, &Listener(listener), move |caller| asked.of(&[study], caller))?;
+        let judged = judged.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok(serde_json::to_string(&judged).expect("answers are JSON"))
     }
 }

@@ -5,7 +5,72 @@
 //! every dimension. The file is written anew by `KAHAN_GOLDEN=overwrite cargo test -p kahan-tests
 //! back_ends`.
 
-pub use kahan_study::random_fields::{RandomField, every_field};
+pub use kahan_judge::random_fields::RandomField;
+use kahan_judge::random_fields::{DIMENSIONS, Draw, Maker, Tree, affine, dense, scaled, sparse, spelled};
+use num_rational::BigRational;
+
+use crate::exact::q;
+
+/// A value p/d for each parameter, a dyadic rational so that every float scalar has it exactly.
+const PARAMETERS: [(&str, i64, i64); 3] = [("a", 3, 2), ("b", -3, 8), ("k", 9, 4)];
+
+const KINDS: [(&str, Maker); 5] =
+    [("sparse", sparse), ("affine", affine), ("scaled", scaled), ("spelled", spelled), ("dense", dense)];
+
+/// A fixed set: each of the kinds in every dimension.
+fn every_field() -> Vec<RandomField> {
+    let of = |n: usize| {
+        KINDS.into_iter().map(move |(kind, make)| make(n, &mut Draw::seeded(&format!("{kind} {n}"))))
+    };
+    (1..=DIMENSIONS).flat_map(of).collect()
+}
+
+/// The values of the parameters of a field.
+#[must_use]
+pub fn parameter_values(field: &RandomField) -> Vec<BigRational> {
+    values(field).map(|(_, p, d)| q(p, d)).collect()
+}
+
+fn values(field: &RandomField) -> impl Iterator<Item = (&'static str, i64, i64)> {
+    PARAMETERS.into_iter().filter(|(name, ..)| field.parameters.contains(name))
+}
+
+/// f(x), from the trees.
+#[must_use]
+pub fn value_of(field: &RandomField, x: &[BigRational]) -> Vec<BigRational> {
+    let parameters = values(field).map(|(name, p, d)| (name, q(p, d)));
+    let names: Vec<(&str, BigRational)> =
+        field.states.iter().copied().zip(x.iter().cloned()).chain(parameters).collect();
+    field.equations.iter().map(|equation| value(equation, &names)).collect()
+}
+
+/// The value of a tree, where the names have these values. The value of a literal is that of its
+/// digits, read here and not by the front end.
+fn value(tree: &Tree, names: &[(&str, BigRational)]) -> BigRational {
+    let values = |trees: &[Tree]| trees.iter().map(|tree| value(tree, names)).collect::<Vec<_>>().into_iter();
+    match tree {
+        Tree::Literal(digits) => decimal(digits),
+        Tree::Name(name) => {
+            let known = names.iter().find(|(known, _)| known == name);
+            known.unwrap_or_else(|| panic!("no value for {name}")).1.clone()
+        }
+        Tree::Negated(a) => -value(a, names),
+        Tree::Sum(terms) => values(terms).sum(),
+        Tree::Product(factors) => values(factors).product(),
+        Tree::Quotient(a, b) => value(a, names) / value(b, names),
+        Tree::Power(base, exponent) => value(base, names).pow(*exponent as i32),
+    }
+}
+
+/// The number that digits with a point, an exponent or underscores stand for.
+fn decimal(text: &str) -> BigRational {
+    let digits = text.replace('_', "");
+    let (mantissa, exponent) = digits.split_once('e').unwrap_or((&digits, "0"));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let exponent: i32 = exponent.parse().expect("an exponent");
+    let number = format!("{whole}{fraction}").parse().expect("digits");
+    BigRational::from_integer(number) * q(10, 1).pow(exponent - fraction.len() as i32)
+}
 
 /// The fields that are compiled over floats, too, by name: of those in six variables, `Sparse6` has
 /// a closed form within the budget of terms, and `Dense6` is eliminated in a loop.
@@ -55,8 +120,7 @@ pub fn written_file() -> String {
 /// A line for each field.
 fn listed(fields: &[RandomField]) -> String {
     let line = |field: &RandomField| {
-        let values = field.parameters.iter().map(|(name, p, d)| format!("{name} = {p} / {d}"));
-        let values: Vec<String> = values.collect();
+        let values: Vec<String> = values(field).map(|(name, p, d)| format!("{name} = {p} / {d}")).collect();
         let line = format!("{}: {} {{ {} }}", field.name, field.states.len(), values.join(", "));
         format!("                {},\n", line.replace("{  }", "{}"))
     };

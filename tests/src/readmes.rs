@@ -54,6 +54,9 @@ struct Paper;
 #[doc = include_str!("../../crates/kahan-study/README.md")]
 struct Measure;
 
+#[doc = include_str!("../../crates/kahan-judge/README.md")]
+struct Judge;
+
 #[doc = include_str!("../../crates/kahan-draw/README.md")]
 struct Draw;
 

@@ -15,7 +15,7 @@ use crate::back_end::{BackEnd, Generated, Interpreted, Read};
 use crate::exact::{Q, Rationals, Vector, q, shown};
 use crate::expression::read_unproved;
 use crate::maps;
-use crate::random_fields::in_order;
+use crate::random_fields::{in_order, parameter_values};
 
 /// One system with its parameters, in both back ends.
 #[allow(missing_debug_implementations)]
@@ -98,7 +98,7 @@ pub fn random() -> Vec<Subject> {
     assert_eq!(fields.len(), maps.len(), "the written file is of another set of fields");
     let fields = RANDOM.iter().zip(&fields).zip(maps);
     let subjects = fields.map(|((read, field), map)| {
-        Subject::new(read, field.parameter_values(), Generated::new(read.system.name(), map))
+        Subject::new(read, parameter_values(field), Generated::new(read.system.name(), map))
     });
     subjects.collect()
 }

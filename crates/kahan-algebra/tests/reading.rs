@@ -247,3 +247,31 @@ fn claims_take_powers_of_numbers_as_equations_do() {
         assert!(claim(text).iter().any(|wrong| wrong.kind == Kind::Exponent), "{text}");
     }
 }
+
+#[test]
+fn families_refuse_the_names_that_systems_refuse() {
+    for (names, factor) in [
+        ("struct S { fn }", "fn"),
+        ("struct fn;", "2"),
+        ("struct S { eps }", "2"),
+        ("struct S { k, k }", "k"),
+        ("struct S { k } const k = 2;", "k"),
+        ("", "fn"),
+        ("", "ϵ"),
+    ] {
+        let messages = |text: String| -> Vec<String> {
+            reading(&text).diagnostics().iter().map(|mistake| mistake.message.clone()).collect()
+        };
+        let of_system = messages(format!("{names} xdot = {factor}*x;"));
+        let of_family = messages(format!("{names} for i in periodic {{ x[i]dot = {factor}*x[i]; }}"));
+        assert!(!of_system.is_empty(), "{names} {factor}");
+        assert_eq!(of_system, of_family, "{names} {factor}");
+    }
+    for text in [
+        "for i in periodic { eps[i]dot = eps[i+1]; }",
+        "struct S { fn } for i in periodic { x[i]dot = fn[i]*x[i]; }",
+        "for i in periodic { x[i]dot = fn[i]*x[i+1]; }",
+    ] {
+        assert_eq!(reading(text).diagnostics().len(), 1, "{text}: {:?}", reading(text).diagnostics());
+    }
+}

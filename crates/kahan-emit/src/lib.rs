@@ -1,12 +1,270 @@
 //! Kahan's map of a system as Rust.
 //!
-//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the map as tokens
-//! (`rust`), which is what the macro expands to, or as formatted text. It must not know
-//! mathematics: it decides nothing that a plan has not decided.
+//! In: a block of the language of `kahan!`, read by `kahan-algebra`. Out: the map as tokens, which
+//! is what the macro expands to, or as formatted text. It must not know mathematics: it decides
+//! nothing that a plan has not decided.
+//!
+//! With a header it expands to
+//!
+//! ```text
+//! #[derive(Clone, Copy, Debug, PartialEq)] pub struct E7<T> { pub xi: T }
+//! const _: () = {
+//!     use kahan_core::__private as __kahan;
+//!     impl<T> E7<T> { pub const VARIABLES: … }            // items
+//!     impl<T: Scalar> QuadraticField<T, 3> for E7<T> { … }  // field
+//!     pub struct __Step; impl Kernel<3, 2> for __Step { … } // step: what a state runs through
+//!     impl<T: Scalar> KahanMap<T, 3> for E7<T> { … }        // map
+//!     impl<T: Scalar> E7<T> { fn integrals … }              // claims
+//! };
+//! ```
+//!
+//! and without one to `{ …the same with an anonymous type…; Field { mu: mu.clone() } }`. Mistakes
+//! become `compile_error!` beside a type that stands in, so that code which uses it stays quiet.
+//!
+//! Names: everything of ours is reached through `__kahan`, and bindings begin with `__` (a state
+//! `x` is `__s_x`, a parameter `mu` is `__p_mu`): a constant or a unit struct of the user's in
+//! scope would capture a pattern of its name. Only arguments, which rustdoc shows, have names for
+//! reading; a function of each name is imported, which hides the user's, and a pattern may have the
+//! name of a function.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-#[cfg(test)]
-mod golden;
-#[cfg(feature = "rust")]
-pub mod rust;
+mod claims;
+mod coupled;
+mod docs;
+mod family;
+mod field;
+mod formulas;
+mod header;
+mod inputs;
+mod items;
+mod map;
+mod names;
+mod number;
+mod plan;
+mod step;
+#[cfg(feature = "text")]
+mod text;
+mod tokens;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use kahan_algebra::check::{Broken, Checked, StandIn};
+use kahan_algebra::diagnostics::Diagnostic;
+use kahan_algebra::elimination::too_many_couplings;
+use kahan_algebra::render::report;
+use kahan_algebra::syntax::Header;
+use kahan_algebra::system::System;
+use kahan_algebra::token::Span;
+use kahan_algebra::{Derived, derive};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+use syn::LitStr;
+
+use tokens::{Flat, Source};
+
+use claims::EmittedClaims;
+use items::Type;
+#[cfg(feature = "text")]
+pub use text::text;
+
+/// What every part of the emitter reads.
+struct Context<'a> {
+    system: &'a System,
+    /// The plans of what is emitted.
+    derived: &'a Derived,
+    this: Type<'a>,
+    /// The dimension as a literal.
+    dimension: Literal,
+    /// Whether the claims are proved; if not, this stands in for a block with mistakes.
+    is_proved: bool,
+}
+
+/// A block in Rust.
+#[derive(Debug)]
+pub struct Expansion {
+    /// The system's name.
+    pub name: String,
+    /// What the block expands to.
+    pub tokens: TokenStream,
+}
+
+/// Expands a block, the compiler's tokens between the brackets of `kahan!`; `core` is the path of
+/// the crate that holds `__private`.
+///
+/// Mistakes become `compile_error!` at the places of the tokens.
+#[must_use]
+pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
+    let input = tokens::flatten(block);
+    let checked = kahan_algebra::read(&input.tokens);
+    Expansion { name: name(checked.header()), tokens: emit(core, checked, &input) }
+}
+
+/// Expands the block in a file, as `include_kahan!("FILE")` does: `file` is the literal, and
+/// `beside` the file that it stands in. The compiler reads the block anew when the file changes.
+///
+/// Mistakes become one `compile_error!` at the literal, with a caret under each place in the file.
+#[must_use]
+pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> Expansion {
+    let refused =
+        |error: &syn::Error| Expansion { name: "nothing".to_owned(), tokens: error.to_compile_error() };
+    let literal: LitStr = match syn::parse2(file) {
+        Ok(literal) => literal,
+        Err(error) => {
+            let message =
+                "the path of a file is wanted\nhelp: write a literal, `include_kahan!(\"toda.kahan\")`";
+            return refused(&syn::Error::new(error.span(), message));
+        }
+    };
+    let (origin, span) = (literal.value(), literal.span());
+    let path =
+        beside.and_then(Path::parent).map_or_else(|| PathBuf::from(&origin), |folder| folder.join(&origin));
+    #[expect(clippy::disallowed_methods, reason = "the compiler's user names the file")]
+    let read = fs::canonicalize(&path).and_then(|path| Ok((fs::read_to_string(&path)?, path)));
+    let (text, path) = match read {
+        Ok(read) => read,
+        Err(error) => {
+            let help = "a path is relative to the file that `include_kahan!` stands in";
+            let message = format!("`{}` cannot be read: {error}\nhelp: {help}", path.display());
+            return refused(&syn::Error::new(span, message));
+        }
+    };
+    let input = tokens::of_text(text, origin, span);
+    let checked = kahan_algebra::read(&input.tokens);
+    let path = path.to_string_lossy();
+    let watched = quote!(
+        const _: &[::core::primitive::u8] = ::core::include_bytes!(#path);
+    );
+    let (name, is_item) = (name(checked.header()), checked.header().is_some());
+    let emitted = emit(core, checked, &input);
+    let tokens = if is_item { quote!(#watched #emitted) } else { quote!({ #watched #emitted }) };
+    Expansion { name, tokens }
+}
+
+fn name(header: Option<&Header>) -> String {
+    header.map_or("field", |header| header.name.text.as_str()).to_owned()
+}
+
+/// Emits a block: what the front end read, and the tokens that it read.
+fn emit(core: &TokenStream, checked: Checked, input: &Flat) -> TokenStream {
+    match checked {
+        Checked::System(system) => {
+            let place = system.header.as_ref().map_or(Span::token(0), |header| header.name.span);
+            match too_many_couplings(&system.field, place) {
+                Some(mistake) => {
+                    let stand_in = StandIn::of_type(system.header);
+                    emit_broken(core, &Broken { diagnostics: vec![mistake], stand_in }, input)
+                }
+                None => emit_system(core, &derive(&system), input, true),
+            }
+        }
+        Checked::Family(family) => family::emit_family(core, &family, input),
+        Checked::Broken(broken) => emit_broken(core, &broken, input),
+    }
+}
+
+/// The errors of a block, and what rustc needs to report nothing else: where states were found, the
+/// type with methods that are 0; where there is a header, the type alone; else nothing.
+fn emit_broken(core: &TokenStream, broken: &Broken, input: &Flat) -> TokenStream {
+    let Broken { diagnostics, stand_in } = broken;
+    let errors = emit_errors(diagnostics, input);
+    let StandIn { header, symbols, site_parameters, .. } = stand_in;
+    if symbols.dimension() > 0 {
+        let emitted = emit_system(core, &derive(&stand_in.system()), input, false);
+        return if header.is_some() {
+            quote! { #errors #emitted }
+        } else {
+            quote! { { #errors #emitted } }
+        };
+    }
+    if header.is_none() {
+        // A single `compile_error!` is right as an item and as an expression; there is no telling
+        // which is wanted.
+        return if diagnostics.len() <= 1 {
+            errors
+        } else {
+            quote! { { #errors } }
+        };
+    }
+    let this = Type::of(header.as_ref(), &symbols.parameters, site_parameters, input);
+    let definition = this.emit_definition(docs::stand_in);
+    quote! { #errors #definition }
+}
+
+/// The type of a system, its implementations, and for a block without a header its value.
+fn emit_system(core: &TokenStream, derived: &Derived, input: &Flat, is_proved: bool) -> TokenStream {
+    let system = &derived.system;
+    let this = Type::of(system.header.as_ref(), &system.field.symbols.parameters, &[], input);
+    let dimension = Literal::usize_unsuffixed(system.field.dimension());
+    let context = Context { system, derived, this, dimension, is_proved };
+    let definition = context.this.emit_definition(|follows| docs::system(&context, follows));
+    let implementations = emit_implementations(core, &context);
+    context.this.emit_with(&quote! { #definition #implementations }, input)
+}
+
+fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStream {
+    let (named, names) = items::emit_names(context);
+    let places = context.system.header.as_ref().map(|_| items::emit_places(context));
+    let field = field::emit_field(context);
+    let map = map::emit_map(context);
+    let EmittedClaims { constants, methods, implementations } = claims::emit_claims(context);
+    let (this, scalar) = (context.this.path(), &context.this.scalar);
+    let inherent = if context.this.has_parameters() {
+        let methods =
+            (!methods.is_empty()).then(|| quote! { impl<#scalar: __kahan::Scalar> #this { #methods } });
+        quote! { impl<#scalar> #this { #names #constants } #methods }
+    } else {
+        quote! { impl #this { #names #constants #methods } }
+    };
+    quote! {
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
+        #[allow(non_snake_case, non_upper_case_globals, unused, missing_docs)]
+        const _: () = {
+            use #core::__private::{self as __kahan, arguments::*, Clone as _};
+            #inherent
+            #places
+            #named
+            #field
+            #map
+            #implementations
+        };
+    }
+}
+
+/// One `compile_error!` a mistake, over its tokens; for all mistakes of a text one.
+fn emit_errors(diagnostics: &[Diagnostic], input: &Flat) -> TokenStream {
+    let spans = &input.spans;
+    if let (Some(Source { text, ranges, origin }), false) = (&input.source, diagnostics.is_empty()) {
+        let reports = diagnostics.iter().map(|diagnostic| report(diagnostic, text, ranges, origin));
+        let reports = format!("in the file that is included:\n\n{}", reports.collect::<Vec<_>>().join("\n"));
+        let place = spans.first().copied().unwrap_or_else(proc_macro2::Span::call_site);
+        return syn::Error::new(place, reports.trim_end()).to_compile_error();
+    }
+    let at = |index: usize| {
+        spans.get(index).or(spans.last()).copied().unwrap_or_else(proc_macro2::Span::call_site)
+    };
+    diagnostics
+        .iter()
+        .map(|diagnostic| {
+            // Two tokens carry the first and the last place; syn spans the error over both.
+            let first = Ident::new("first", at(diagnostic.span.first));
+            let last = Ident::new("last", at(diagnostic.span.last));
+            syn::Error::new_spanned(quote! { #first #last }, diagnostic).to_compile_error()
+        })
+        .collect()
+}
+
+impl Context<'_> {
+    /// `__kahan::SVector<T, 3>`
+    fn vector(&self) -> TokenStream {
+        let (scalar, n) = (&self.this.scalar, &self.dimension);
+        quote!(__kahan::SVector<#scalar, #n>)
+    }
+
+    /// `__kahan::SMatrix<T, 3, 3>`
+    fn matrix(&self) -> TokenStream {
+        let (scalar, n) = (&self.this.scalar, &self.dimension);
+        quote!(__kahan::SMatrix<#scalar, #n, #n>)
+    }
+}

@@ -117,7 +117,7 @@ pub fn expand(bytes: &[u8]) {
     }
     // Text that Rust has no tokens for never comes to the macro.
     let core: TokenStream = "::kahan_core".parse().expect("a path");
-    if let Ok(rust) = kahan_emit::rust::text(&core, &text) {
+    if let Ok(rust) = kahan_emit::text(&core, &text) {
         assert!(rust.is_empty() == text.trim().is_empty(), "{rust}");
     }
 }

@@ -1,21 +1,12 @@
 //! The catalog of `kahan-systems` as one of studies.
 
-use kahan_systems::{lattices, registry, volterra};
+use kahan_systems::{lattices, registry};
 
-use crate::subject::{Catalog, Named, Subject};
+use crate::subject::{Catalog, Named};
 
 /// The systems and families of `kahan-systems`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Systems;
-
-impl Systems {
-    /// The systems whose steps at the extremes are judged where no other is named: the paper's, and
-    /// the lattice of three sites, whose det A cancels in long steps.
-    pub fn at_the_extremes() -> impl Iterator<Item = Subject> {
-        let entries = registry::SYSTEMS.iter().chain([&volterra::ENTRY]);
-        entries.map(|entry| Subject::named(entry.command))
-    }
-}
 
 impl Catalog for Systems {
     fn names(&self) -> Vec<[&'static str; 2]> {

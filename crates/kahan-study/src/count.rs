@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use kahan_discover::{Progress, Watch};
 
-/// What is done, counted from all threads.
-pub(crate) struct Count<'a> {
+/// What is done, counted from all threads; its watch hears of it.
+pub struct Count<'a> {
     what: &'static str,
     of: u64,
     watch: &'a dyn Watch,
@@ -16,12 +16,12 @@ pub(crate) struct Count<'a> {
 
 impl<'a> Count<'a> {
     /// So many of these are to be done.
-    pub(crate) fn new(what: &'static str, of: u64, watch: &'a dyn Watch) -> Self {
+    pub fn new(what: &'static str, of: u64, watch: &'a dyn Watch) -> Self {
         Count { what, of, watch, done: AtomicU64::new(0), is_stopped: AtomicBool::new(false) }
     }
 
     /// So many more are done.
-    pub(crate) fn add(&self, more: u64) {
+    pub fn add(&self, more: u64) {
         let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
         let progress = Progress { what: self.what, done, of: Some(self.of) };
         if !self.is_stopped() && self.watch.look(&progress).is_break() {
@@ -30,18 +30,18 @@ impl<'a> Count<'a> {
     }
 
     /// Adds work that is done, and answers `Break` once the watch has ended the work.
-    pub(crate) fn tell(&self, more: u64) -> ControlFlow<()> {
+    pub fn tell(&self, more: u64) -> ControlFlow<()> {
         self.add(more);
         if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Whether the watch ended the work. It hears no more then.
-    pub(crate) fn is_stopped(&self) -> bool {
+    pub fn is_stopped(&self) -> bool {
         self.is_stopped.load(Ordering::Relaxed)
     }
 
     /// How many threads the work may use.
-    pub(crate) fn threads(&self) -> usize {
+    pub fn threads(&self) -> usize {
         self.watch.threads()
     }
 }

@@ -13,7 +13,6 @@ use kahan_discover::hilbert::MOST_MONOMIALS_AT_ALL;
 use kahan_runtime::Diagnostics;
 
 use crate::formula::NoFormula;
-use crate::map::CannotRun;
 use crate::numbers::ScalarKind;
 use crate::question::NoOrbit;
 use crate::rows::MOST_CELLS;
@@ -202,13 +201,6 @@ pub enum StudyError {
     },
     /// The question measures times, and the watch has no clock.
     NoClock,
-    /// The steps of a field cannot be tried.
-    Judge {
-        /// The field.
-        system: String,
-        /// Why.
-        why: CannotRun,
-    },
     /// There is nothing to measure.
     Trade {
         /// The field.
@@ -324,7 +316,6 @@ impl fmt::Display for StudyError {
                  or show a family of the same equations at fewer sites"
             ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
-            Self::Judge { system, why } => write!(f, "{system} cannot be judged: {why}"),
             Self::Trade { system, why } => write!(f, "{system}: {why}"),
             Self::UndefinedField { system, parameters } => write!(
                 f,

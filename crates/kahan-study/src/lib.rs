@@ -4,8 +4,8 @@
 //! with a type of its own for each question, which serializes under the names of the command's
 //! JSON. A [`Study`] is a subject that was read: planned once, asked often, from any thread. Beside
 //! the questions stands what they measure with: a trajectory of the flow that two independent
-//! methods agree on ([`mod@reference`]), the price and the error of every setting of the integrator
-//! ([`trade`]), and verdicts on single steps near poles and with extreme numbers ([`extremes`]).
+//! methods agree on ([`mod@reference`]), and the price and the error of every setting of the
+//! integrator ([`trade`]).
 //!
 //! It must not know terminals, files, flags or HTML; fronts ask and show.
 //!
@@ -25,7 +25,6 @@ mod catalog;
 mod count;
 mod draw;
 mod error;
-pub mod extremes;
 pub mod formula;
 #[cfg(feature = "toml")]
 mod from_toml;
@@ -36,7 +35,6 @@ mod named;
 pub mod number_file;
 pub mod numbers;
 mod question;
-pub mod random_fields;
 mod range;
 pub mod reference;
 mod rows;
@@ -48,6 +46,7 @@ pub mod trade;
 
 #[cfg(feature = "catalog")]
 pub use catalog::Systems;
+pub use count::Count;
 pub use error::StudyError;
 #[cfg(feature = "toml")]
 pub use from_toml::from_toml;

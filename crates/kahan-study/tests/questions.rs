@@ -67,7 +67,6 @@ fn a_question_writes_itself_as_it_was_read() {
         }),
         json!({"ask": "trade", "at": ["1", "1/2"], "horizon": "50", "need": "integrals", "tolerance": "1/1000", "seconds": 1.0}),
         json!({"ask": "verify", "mutate": true}),
-        json!({"ask": "extremes", "trials": 9, "random_fields": 1, "odd_fields": 2, "odd_trials": 3, "seed": 4}),
     ] {
         let read = question(object.clone()).expect("a question");
         assert_eq!(json!(read), object);
@@ -562,16 +561,4 @@ fn a_claim_that_is_changed_fails() {
     assert_eq!(mutated["survived"], 0);
     assert_eq!(mutated["mutations"][0]["id"], "field.H");
     assert!(matches!(mutate.ask(&swing("integral H = x;"), &Unwatched), Err(StudyError::Field(_))));
-}
-
-#[test]
-fn verdicts_at_the_extremes() {
-    let judged = answer(&study(Subject::named("e1")), json!({"ask": "extremes", "trials": 8, "seed": 3}));
-    let names: Vec<&str> = judged.as_object().expect("an object").keys().map(String::as_str).collect();
-    let of_question = ["system", "systems", "random_fields", "odd_fields", "trials", "seed", "seconds"];
-    assert_eq!(names, [&of_question[..], &["cells", "broken", "failures"]].concat());
-    let cell = judged["cells"][0].as_object().expect("an object");
-    let of_cell = ["regime", "tier", "scalar", "trials", "max_error_u", "flagged", "unjustified_flags"];
-    assert!(cell.keys().eq(of_cell.iter().chain(&["silently_wrong"])), "{cell:?}");
-    assert_eq!(json!([judged["system"], judged["broken"]]), json!(["e1", []]));
 }

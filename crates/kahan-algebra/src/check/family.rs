@@ -4,7 +4,6 @@ use rustc_hash::FxHashSet;
 
 use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_syntax::syntax::{Block, Boundary, Claim, ClaimBody, ClaimKind, Expr, FamilyHead, Reference};
-use kahan_syntax::token::Span;
 
 use crate::family::{Family, SiteSum};
 use crate::field::Component;
@@ -13,7 +12,7 @@ use crate::symbols::Symbols;
 use super::constants;
 use super::equations;
 use super::expand::expand_in_claim;
-use super::names::{Scope, is_epsilon, is_never_free};
+use super::names::{Scope, references};
 use super::outside::values_beyond_the_ends;
 use super::stand_in::StandIn;
 use super::sums::summand;
@@ -33,16 +32,14 @@ pub(crate) fn check_family(
     report_strangers(block, head, diagnostics);
     let equations = block.equations[head.equations_before..head.equations_until].to_vec();
     let block = &Block { equations, ..block.clone() };
-    let names = Names::of(block, diagnostics);
+    let declared = Scope::new(block, diagnostics);
+    let names = Names::of(block, &declared.symbols);
     if report_names(names.seen() + block.constants.len(), block, diagnostics) {
         return (StandIn::of_type(block.header.clone()), None);
     }
-    let mut scope = Scope::of(names.symbols());
+    let mut scope = declared.with(names.symbols());
     names.report_plain_arrays(block, &mut scope, diagnostics);
     let constants = constants::evaluate(block, &mut scope, diagnostics);
-    for name in &names.site_parameters {
-        scope.mark_used(name);
-    }
     let (components, kept) = equations::expand_all(block, &mut scope, diagnostics);
     let sums = |claims: &[Claim], scope: &mut Scope, diagnostics: &mut Diagnostics| -> Vec<SiteSum> {
         claims.iter().filter_map(|claim| sum(claim, &names.arrays, scope, diagnostics)).collect()
@@ -55,7 +52,7 @@ pub(crate) fn check_family(
         let help = "write one";
         diagnostics.report(Kind::Claim, second.name.span, "a family has one Hamiltonian", help);
     }
-    scope.report_unused(&with_names_of_sites(block, &names), diagnostics);
+    scope.report_unused(block, diagnostics);
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols.parameters.clone_from(&names.parameters);
     stand_in.site_parameters.clone_from(&names.site_parameters);
@@ -78,16 +75,6 @@ pub(crate) fn check_family(
         values_beyond_the_ends(&family, block, diagnostics);
     }
     (stand_in, diagnostics.is_empty().then_some(family))
-}
-
-/// The header's parameters of sites are used as `c[i]`, never as `c`.
-fn with_names_of_sites(block: &Block, names: &Names) -> Block {
-    let mut block = block.clone();
-    if let Some(header) = &mut block.header {
-        let of_sites: FxHashSet<&String> = names.site_parameters.iter().collect();
-        header.parameters.retain(|name| !of_sites.contains(&name.text));
-    }
-    block
 }
 
 /// What stands beside a family and cannot.
@@ -129,67 +116,19 @@ struct Names {
 }
 
 impl Names {
-    fn of(block: &Block, diagnostics: &mut Diagnostics) -> Self {
-        let mut arrays = Distinct::default();
-        for equation in &block.equations {
-            let array = &equation.state;
-            if !arrays.push(&array.text) {
-                let message = format!("`{}[i]dot` is given twice", array.text);
-                let help = "remove one of the equations, or rename its array";
-                diagnostics.report(Kind::Name, array.span, message, help);
-            }
-        }
-        let mut reach = 1;
-        let (mut at_sites, mut plain) = (Distinct::default(), Distinct::default());
+    /// Parameters that the block writes with an index are those of sites.
+    fn of(block: &Block, declared: &Symbols) -> Self {
+        let (mut reach, mut at_sites) = (1, FxHashSet::default());
         for (reference, _) in references(block) {
-            match reference {
-                Reference::Site { array, offset } => {
-                    reach = reach.max(offset.unsigned_abs() as usize);
-                    at_sites.push(array);
-                }
-                Reference::Name(name) => {
-                    plain.push(name);
-                }
+            if let Reference::Site { array, offset } = reference {
+                reach = reach.max(offset.unsigned_abs() as usize);
+                at_sites.insert(array);
             }
         }
-        let constants: FxHashSet<&str> =
-            block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
-        let is_array = |name: &str| arrays.has(name);
-        let is_known = |name: &str| {
-            is_array(name) || constants.contains(name) || is_epsilon(name) || is_never_free(name, is_array)
-        };
-        let (mut parameters, mut site_parameters) = (Distinct::default(), Distinct::default());
-        match &block.header {
-            Some(header) => {
-                for name in &header.parameters {
-                    let text = &name.text;
-                    let message = if arrays.has(text) {
-                        format!("`{text}` is an array (`{text}[i]dot` is given), so it cannot be a parameter")
-                    } else if parameters.has(text) || site_parameters.has(text) {
-                        format!("the parameter `{text}` is declared twice")
-                    } else {
-                        let list = if at_sites.has(text) { &mut site_parameters } else { &mut parameters };
-                        list.push(text);
-                        continue;
-                    };
-                    diagnostics.report(Kind::Name, name.span, message, "rename one of them, or remove one");
-                }
-            }
-            None => {
-                for name in at_sites.names.iter().filter(|name| !is_known(name)) {
-                    site_parameters.push(name);
-                }
-                for name in plain.names.iter().filter(|name| !is_known(name) && !site_parameters.has(name)) {
-                    parameters.push(name);
-                }
-            }
-        }
-        Names {
-            arrays: arrays.names,
-            parameters: parameters.names,
-            site_parameters: site_parameters.names,
-            reach,
-        }
+        let Symbols { states, parameters } = declared.clone();
+        let (site_parameters, parameters) =
+            parameters.into_iter().partition(|name| at_sites.contains(name.as_str()));
+        Names { arrays: states, parameters, site_parameters, reach }
     }
 
     /// How many values a site sees.
@@ -223,42 +162,6 @@ impl Names {
             }
         }
     }
-}
-
-/// Names in the order in which they came, each once.
-#[derive(Default)]
-struct Distinct {
-    names: Vec<String>,
-    known: FxHashSet<String>,
-}
-
-impl Distinct {
-    /// Adds a name; `false` if it is there already.
-    fn push(&mut self, name: &str) -> bool {
-        let is_new = self.known.insert(name.to_owned());
-        if is_new {
-            self.names.push(name.to_owned());
-        }
-        is_new
-    }
-
-    fn has(&self, name: &str) -> bool {
-        self.known.contains(name)
-    }
-}
-
-/// What all equations and claims name, with its places.
-fn references(block: &Block) -> Vec<(Reference<'_>, Span)> {
-    let mut references = Vec::new();
-    let equations = block.equations.iter().filter_map(|equation| equation.value.as_ref());
-    let claims = block.claims.iter().chain(&block.hamiltonians).filter_map(|claim| match &claim.body {
-        Some(ClaimBody::Function(expr)) => Some(expr),
-        _ => None,
-    });
-    for expr in equations.chain(claims) {
-        expr.visit_names(&mut |reference, span| references.push((reference, span)));
-    }
-    references
 }
 
 /// A claimed sum; `None` where a mistake in it was reported.

@@ -2,6 +2,8 @@
 
 mod declared;
 
+pub(super) use declared::references;
+
 use std::cell::Cell;
 
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -97,7 +99,8 @@ impl Scope {
         for (reference, span) in references {
             let name = reference.to_string();
             self.used.insert(name.clone());
-            if self.is_poisoned(&name) {
+            let (Reference::Name(base) | Reference::Site { array: base, .. }) = reference;
+            if self.is_poisoned(&name) || self.is_poisoned(base) {
                 sound = false;
             } else if is_epsilon(&name) && !in_claim {
                 sound = false;

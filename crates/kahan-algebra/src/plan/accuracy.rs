@@ -17,6 +17,8 @@ mod trial;
 
 use std::cell::OnceCell;
 
+use kahan_syntax::table::sorted_by;
+
 use crate::field::Field;
 use crate::prime_field::SplitMix64;
 
@@ -177,8 +179,8 @@ fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
     if trials.len() < FEW {
         return Ratio { measured: 0.0, largest: 0.0 };
     }
-    let own = sorted(trials.iter().map(error));
-    let others = sorted(trials.iter().map(|trial| trial.elimination));
+    let own = sorted_by(trials.iter().map(error), f64::total_cmp);
+    let others = sorted_by(trials.iter().map(|trial| trial.elimination), f64::total_cmp);
     let band = BAND / (trials.len() as f64).sqrt();
     // The step read off at `shift` from a quantile, elimination as far on the other side.
     let ratio = |shift: f64| {
@@ -189,22 +191,6 @@ fn ratio(trials: &[Trial], error: impl Fn(&Trial) -> f64) -> Ratio {
         if tail <= SMALL_TAIL { of_medians } else { of_medians.max(of_tails) }
     };
     Ratio { measured: ratio(0.0), largest: ratio(band) }
-}
-
-/// Errors in order, each inserted among those before it: there are few, and the sorts of the
-/// standard library would run unoptimised.
-fn sorted(errors: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut all: Vec<f64> = errors.collect();
-    let errors: &mut [f64] = &mut all;
-    for end in 1..errors.len() {
-        let (error, mut place) = (errors[end], end);
-        while place > 0 && errors[place - 1].total_cmp(&error).is_gt() {
-            errors[place] = errors[place - 1];
-            place -= 1;
-        }
-        errors[place] = error;
-    }
-    all
 }
 
 /// The value that this share of sorted values is below.

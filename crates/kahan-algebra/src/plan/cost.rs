@@ -5,6 +5,10 @@
 //! one or two, which changes no choice between plans by much. They serve to compare plans, and
 //! never enter a promise.
 
+use std::cmp::Reverse;
+
+use kahan_syntax::table::sorted_by_key;
+
 use super::{Node, Operation, Plan};
 
 /// Cycles until the result of an addition or subtraction can be used.
@@ -106,25 +110,13 @@ pub(super) fn multiplied(ready: Vec<u32>) -> u32 {
 }
 
 /// When one value is left of these, two becoming one after so many cycles.
-fn combined(mut all: Vec<u32>, latency: u32) -> u32 {
-    let ready: &mut [u32] = &mut all;
-    for end in 1..ready.len() {
-        put_in_order(ready, end, ready[end]);
-    }
-    let mut count = ready.len();
-    while count > 1 {
-        // The earliest two stand last.
-        count -= 1;
-        put_in_order(ready, count - 1, ready[count - 1] + latency);
+fn combined(all: Vec<u32>, latency: u32) -> u32 {
+    let mut ready = sorted_by_key(all, |at| Reverse(*at));
+    // The earliest two stand last.
+    while let [.., later, _] = ready[..] {
+        ready.truncate(ready.len() - 2);
+        let at = later + latency;
+        ready.insert(ready.partition_point(|other| *other >= at), at);
     }
     ready.first().copied().unwrap_or(0)
-}
-
-/// Puts a value among those before a free place, the latest first.
-fn put_in_order(ready: &mut [u32], mut place: usize, at: u32) {
-    while place > 0 && ready[place - 1] < at {
-        ready[place] = ready[place - 1];
-        place -= 1;
-    }
-    ready[place] = at;
 }

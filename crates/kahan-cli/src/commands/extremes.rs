@@ -1,10 +1,9 @@
 //! `kahan extremes`: how far floats can be trusted, judged by exact arithmetic.
 
 use clap::Args;
-use kahan_study::extremes::{Broken, Cell, Place};
-use kahan_study::{Extremes as Question, Judged, Study, Systems};
+use kahan_judge::{Broken, Cell, Extremes as Question, Judged, Place, usual_subjects};
+use kahan_study::{Study, Systems};
 
-use super::line::Asking;
 use crate::printing::layout::{headed, labelled, paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, joined};
 use crate::reading::{Source, whole};
@@ -93,24 +92,14 @@ pub(crate) struct Extremes {
     json: bool,
 }
 
-impl Asking for Extremes {
-    type Question = Question;
-
-    fn asked(&self) -> Result<(Study, Question), Refusal> {
-        Ok((self.source.study()?, self.question()))
-    }
-
-    /// The table of all cells; a complaint if the stable tier breaks its promise.
-    fn run(&self) -> Result<Answer, Refusal> {
-        let judged = self.question().of(&self.studies()?, &Prompt::of("trials"))?;
-        Ok(Answer::of(&judged, self.json, text).but(complaint(&judged)))
-    }
-}
-
 impl Extremes {
-    fn question(&self) -> Question {
+    /// The table of all cells; a complaint if the stable tier breaks its promise.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let Extremes { trials, random_fields, odd_fields, odd_trials, seed, .. } = *self;
-        Question { trials, random_fields, odd_fields, odd_trials, seed }
+        let asked = Question { trials, random_fields, odd_fields, odd_trials, seed };
+        let judged = asked.of(&self.studies()?, &Prompt::of("trials"));
+        let judged = judged.map_err(|why| Refusal::new(why.to_string()))?;
+        Ok(Answer::of(&judged, self.json, text).but(complaint(&judged)))
     }
 
     fn studies(&self) -> Result<Vec<Study>, Refusal> {
@@ -119,9 +108,7 @@ impl Extremes {
             (false, true) => Err(Refusal::new(
                 "--param: of which system? name one before its parameters, as in e9 --param xi=1/2",
             )),
-            (false, false) => {
-                Systems::at_the_extremes().map(|subject| Ok(subject.study(&Systems)?)).collect()
-            }
+            (false, false) => usual_subjects().map(|subject| Ok(subject.study(&Systems)?)).collect(),
         }
     }
 }

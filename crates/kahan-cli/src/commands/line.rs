@@ -120,9 +120,9 @@ mod tests {
     use crate::commands::picture::shown::{Shown, What};
     use crate::commands::picture::starts::{At, Spread};
     use crate::commands::{
-        chart::Chart, discover::Discover, dynamics::Dynamics, eval::Eval, extremes::Extremes,
-        heights::Heights, orbit::Orbit, periodic::Periodic, picture::Picture, poles::Poles, scan::Scan,
-        section::Section, show::Show, trade::Trade, verify::Verify,
+        chart::Chart, discover::Discover, dynamics::Dynamics, eval::Eval, heights::Heights, orbit::Orbit,
+        periodic::Periodic, picture::Picture, poles::Poles, scan::Scan, section::Section, show::Show,
+        trade::Trade, verify::Verify,
     };
     use kahan_algebra::rational::Rational;
     use kahan_core::Need;
@@ -184,8 +184,6 @@ mod tests {
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
         reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);
         reads_back::<Verify>([false, true].map(|mutate| study::Verify { mutate }));
-        let other = study::Extremes { trials: 9, random_fields: 2, odd_fields: 3, odd_trials: 8, seed: 0 };
-        reads_back::<Extremes>([other, study::Extremes::default()]);
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);
         reads_back::<Heights>([study::Heights { max_digits: 99, seconds: 0.5, ..plain.clone() }, plain]);
         let other = study::Poles { eps: Some(eps.clone()), steps: 6, seconds: 5.0 };

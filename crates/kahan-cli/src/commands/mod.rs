@@ -76,7 +76,7 @@ commands! { |whole|
         picture::Picture asking Diagram by picture::shown::Shown::of_diagram, sweep::Sweep;
     "What is preserved": discover::Discover asking Discover, scan::Scan asking Scan,
         poles::Poles asking Poles, heights::Heights asking Heights;
-    "Accuracy": trade::Trade asking Trade, extremes::Extremes asking Extremes;
+    "Accuracy": trade::Trade asking Trade, extremes::Extremes;
     "Pages": page::Page;
     "The paper": verify::Verify asking Verify, atlas::Atlas;
     "The shell": completions::Completions with whole();

@@ -6,7 +6,6 @@ mod sheet;
 
 use clap::Args;
 use kahan_algebra::render::macro_block;
-use kahan_emit::rust;
 use kahan_study::{Form, Show as Question, Shown, Study};
 use serde_json::json;
 
@@ -121,7 +120,7 @@ impl Show {
         } else {
             Block::of_text(macro_block(&study.specialised()?), "--macro".to_owned()).text().to_owned()
         };
-        let expansion = rust::text(&core, &block).map_err(|why| {
+        let expansion = kahan_emit::text(&core, &block).map_err(|why| {
             Refusal::new(format!(
                 "--expand: the text is not made of Rust's tokens, so no macro can read it: {why}"
             ))

@@ -1,7 +1,7 @@
 //! `kahan show --latex`: names, fractions, lines that fit a page, and LaTeX that is whole.
 
+use kahan_judge::random_fields::numbered;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
-use kahan_study::random_fields::numbered;
 use kahan_systems::registry::all;
 
 use crate::running::answer;

@@ -37,7 +37,7 @@ fn the_factor_that_was_divided_out_is_named() {
 
 /// A file of the emitter's golden expansions.
 fn golden(file: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../kahan-emit/src/golden").join(file)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../kahan-emit/golden").join(file)
 }
 
 #[test]

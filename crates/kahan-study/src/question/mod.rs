@@ -10,7 +10,6 @@
 mod diagram;
 mod discover;
 mod evaluate;
-mod extremes;
 mod heights;
 mod observe;
 mod orbit;
@@ -42,7 +41,6 @@ use over::AtCell;
 pub use diagram::{Diagram, DiagramFound};
 pub use discover::{Discover, Discovered};
 pub use evaluate::{Evaluate, Evaluated};
-pub use extremes::{Extremes, Judged};
 pub use heights::{Heights, HeightsFound, fifteen_digits};
 pub use observe::{Observable, Observe, Observed, Seen};
 pub use orbit::{Begun, Chain, ChainHead, Method, NoOrbit, Orbit, OrbitHead, Orbited};
@@ -146,8 +144,6 @@ questions! {
     Scan, asked as "scan", answered by ScanFound;
     /// Speed against accuracy on a scene.
     Trade, asked as "trade", answered by Traded;
-    /// Steps at the extremes.
-    Extremes, asked as "extremes", answered by Judged;
     /// Whether claims hold.
     Verify, asked as "verify", answered by Verified, with "paper";
 }

@@ -26,7 +26,8 @@ use kahan_discover::{Progress, Watch};
 use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
-use crate::map::{CannotRun, rate};
+pub use crate::map::CannotRun;
+use crate::map::rate;
 use crate::named::Names;
 use crate::numbers::{DoubleDouble, Printable, exact};
 use crate::reference::{Certificate, Limits, NoReference, PART_OF_TOLERANCE, Reference, Trajectory};

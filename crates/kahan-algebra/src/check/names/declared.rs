@@ -4,18 +4,19 @@ use rustc_hash::FxHashSet;
 
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::spelling::is_keyword;
-use kahan_syntax::syntax::{Block, Name};
+use kahan_syntax::syntax::{Block, ClaimBody, Name, Reference};
+use kahan_syntax::token::Span;
 
 use crate::symbols::{Symbol, Symbols};
 
 use super::{Scope, is_epsilon, is_never_free, report_reserved};
 
 impl Scope {
-    /// A scope with these names alone.
-    pub(in crate::check) fn of(symbols: Symbols) -> Self {
+    /// The same with these states and parameters in place of its own.
+    pub(in crate::check) fn with(self, symbols: Symbols) -> Self {
         let states = symbols.states.iter().cloned().zip((0..).map(Symbol::State));
         let parameters = symbols.parameters.iter().cloned().zip((0..).map(Symbol::Parameter));
-        Scope { places: states.chain(parameters).collect(), symbols, ..Scope::default() }
+        Scope { places: states.chain(parameters).collect(), symbols, ..self }
     }
 
     fn add_state(&mut self, name: &str) {
@@ -28,12 +29,13 @@ impl Scope {
         self.symbols.parameters.push(name.to_owned());
     }
 
-    /// The scope of a block with its states and parameters, and no constant or claim yet.
+    /// The scope of a block with its states and parameters, and no constant or claim yet. The states
+    /// of a family are its arrays, and parameters are those of the chain and of its sites.
     pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),
             misspelt_states: block.misspelt_states.iter().map(|name| name.text.clone()).collect(),
-            ..Scope::of(Symbols::default())
+            ..Scope::default()
         };
         scope.collect_states(block, diagnostics);
         if let Some(header) = &block.header
@@ -55,6 +57,7 @@ impl Scope {
     }
 
     fn collect_states(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
+        let written = written_in(block);
         for equation in &block.equations {
             let state = &equation.state;
             if self.is_state_name(&state.text) && self.misspelt_states.contains(&state.text) {
@@ -64,7 +67,7 @@ impl Scope {
                 diagnostics.report(
                     Kind::Name,
                     state.span,
-                    format!("`{0}dot` is given twice", state.text),
+                    format!("`{}dot` is given twice", written(&state.text)),
                     "remove one of the equations, or rename its state",
                 );
             } else {
@@ -79,13 +82,16 @@ impl Scope {
     fn collect_parameters(&mut self, parameters: &[Name], block: &Block, diagnostics: &mut Diagnostics) {
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
+        let (written, what) =
+            (written_in(block), if block.family.is_some() { "an array" } else { "a state variable" });
         for name in parameters {
             let text = &name.text;
             let (message, help) = if self.is_parameter_name(text) {
                 (format!("the parameter `{text}` is declared twice"), "remove one".to_owned())
             } else if self.is_state_name(text) {
                 let given = format!(
-                    "`{text}` is a state variable (`{text}dot` is given), so it cannot be a parameter"
+                    "`{text}` is {what} (`{}dot` is given), so it cannot be a parameter",
+                    written(text)
                 );
                 (given, "rename one of them".to_owned())
             } else if is_keyword(text) {
@@ -110,35 +116,53 @@ impl Scope {
     fn collect_free_names(&mut self, block: &Block, diagnostics: &mut Diagnostics) {
         let constants: FxHashSet<&str> =
             block.constants.iter().map(|constant| constant.name.text.as_str()).collect();
-        let mut names = Vec::new();
-        for value in block.equations.iter().filter_map(|equation| equation.value.as_ref()) {
-            value.visit_names(&mut |name, span| names.push((name.to_string(), span)));
-        }
-        for (text, span) in names {
-            let known = self.is_state_name(&text)
-                || self.is_parameter_name(&text)
-                || self.poisoned.contains(&text)
-                || constants.contains(text.as_str())
-                || is_epsilon(&text)
+        for (reference, span) in references(block) {
+            let (Reference::Name(text) | Reference::Site { array: text, .. }) = reference;
+            let known = self.is_state_name(text)
+                || self.is_parameter_name(text)
+                || self.poisoned.contains(text)
+                || constants.contains(text)
+                || is_epsilon(text)
                 || text == "ϵ";
             if known {
                 continue;
             }
-            if is_never_free(&text, |name| self.is_state_name(name)) {
+            if is_never_free(text, |name| self.is_state_name(name)) {
                 // Whoever looks it up finds that nothing declares it.
                 continue;
             }
-            if is_keyword(&text) {
+            if is_keyword(text) {
                 diagnostics.report(
                     Kind::Name,
                     span,
                     format!("`{text}` is a keyword of Rust and names no value"),
                     "bind the value first: `let mu = …;`, then write `mu`",
                 );
-                self.poisoned.insert(text);
+                self.poison(text);
             } else {
-                self.add_parameter(&text);
+                self.add_parameter(text);
             }
         }
     }
+}
+
+/// A state as it is written: in a family with the index of its site.
+fn written_in(block: &Block) -> impl Fn(&str) -> String {
+    let index = if block.family.is_some() { "[i]" } else { "" };
+    move |state| format!("{state}{index}")
+}
+
+/// What the equations of a block name, and the claims of a family, with its places.
+pub(in crate::check) fn references(block: &Block) -> Vec<(Reference<'_>, Span)> {
+    let mut references = Vec::new();
+    let equations = block.equations.iter().filter_map(|equation| equation.value.as_ref());
+    let claims = block.claims.iter().chain(&block.hamiltonians).filter(|_| block.family.is_some());
+    let claims = claims.filter_map(|claim| match &claim.body {
+        Some(ClaimBody::Function(expr)) => Some(expr),
+        _ => None,
+    });
+    for expr in equations.chain(claims) {
+        expr.visit_names(&mut |reference, span| references.push((reference, span)));
+    }
+    references
 }

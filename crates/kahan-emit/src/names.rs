@@ -1,0 +1,42 @@
+//! Names for the steps of a plan as Rust's.
+
+use kahan_algebra::derived::{ValueName, ValueNames};
+use kahan_algebra::plan::{Node, Operation};
+use proc_macro2::{Ident, Span};
+
+/// `__t_eps_x` for ε·x, `__c_3` for a constant, `__reciprocal_1`, `__sum_1` for what has no short
+/// description.
+pub(super) fn binding(names: &mut ValueNames, node: Node, operation: &Operation) -> Ident {
+    let ratio = match operation {
+        Operation::Constant(value) => value.as_small_ratio(),
+        _ => None,
+    };
+    let signed = |numerator: i64| {
+        let sign = if numerator < 0 { "minus_" } else { "" };
+        format!("__c_{sign}{}", numerator.unsigned_abs())
+    };
+    let name = match ratio {
+        Some((numerator, 1)) => signed(numerator),
+        Some((numerator, denominator)) => format!("{}_{denominator}", signed(numerator)),
+        None => match names.name(node) {
+            ValueName::Described(text) => format!("__t_{text}"),
+            ValueName::Numbered(what, number) => format!("__{what}_{number}"),
+        },
+    };
+    Ident::new(&name, Span::call_site())
+}
+
+#[cfg(test)]
+mod tests {
+    use quote::quote;
+
+    use crate::expand;
+
+    /// Numbers of this size make a plan with −2 among its constants, which is used twice.
+    #[test]
+    fn a_negative_constant_has_a_name() {
+        let block = "xdot = 1e1500*x; ydot = 1e-1500*y;".parse().expect("tokens");
+        let rust = expand(&quote! { ::kahan_core }, block).tokens.to_string();
+        assert!(rust.contains("let __c_minus_2 ="), "{rust}");
+    }
+}

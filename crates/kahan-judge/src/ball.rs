@@ -1,0 +1,171 @@
+//! Numbers that are known to lie near others: a middle of limited length and a radius.
+//!
+//! In: exact numbers. Out: for every sum, product and quotient a ball that contains the exact one.
+//! Middles have exponents of their own, so nothing overflows or underflows, and a ball is wide
+//! beside its middle only where terms cancelled.
+
+use super::dyadic::Dyadic;
+
+/// All numbers within the radius of the middle.
+#[derive(Clone, Debug)]
+pub(crate) struct Ball {
+    middle: Dyadic,
+    /// Of few bits, rounded up in every operation.
+    radius: Dyadic,
+}
+
+/// The bits of a radius.
+const RADIUS_BITS: u64 = 31;
+
+/// At least |value|, in few bits.
+fn up(value: &Dyadic) -> Dyadic {
+    let size = value.clone().abs();
+    match size.cut(RADIUS_BITS) {
+        None => size,
+        Some((cut, unit)) => &cut + &Dyadic::new(1, unit),
+    }
+}
+
+impl Ball {
+    /// The ball of one number.
+    pub(crate) fn exactly(middle: Dyadic) -> Self {
+        Self { middle, radius: Dyadic::zero() }
+    }
+
+    /// One with a middle of `bits` bits that contains this one.
+    pub(crate) fn rounded(self, bits: u64) -> Self {
+        let Self { middle, radius } = self;
+        match middle.cut(bits) {
+            None => Self { middle, radius },
+            Some((middle, unit)) => Self { middle, radius: up(&(&radius + &Dyadic::new(1, unit))) },
+        }
+    }
+
+    pub(crate) fn middle(&self) -> &Dyadic {
+        &self.middle
+    }
+
+    /// Whether it is 0 and nothing else.
+    pub(crate) fn is_zero(&self) -> bool {
+        self.middle.is_zero() && self.radius.is_zero()
+    }
+
+    /// Whether 0 is not in it.
+    pub(crate) fn is_not_zero(&self) -> bool {
+        !self.middle.is_zero() && !self.least().is_negative() && !self.least().is_zero()
+    }
+
+    /// |v| is at least this for every v in it, where that is not negative.
+    pub(crate) fn least(&self) -> Dyadic {
+        &self.middle.clone().abs() - &self.radius
+    }
+
+    /// |v| is at most this for every v in it.
+    pub(crate) fn most(&self) -> Dyadic {
+        &self.middle.clone().abs() + &self.radius
+    }
+
+    pub(crate) fn plus(&self, other: &Self, bits: u64) -> Self {
+        let radius = up(&(&self.radius + &other.radius));
+        let (high, low) =
+            if self.middle.binade() >= other.middle.binade() { (self, other) } else { (other, self) };
+        match (high.middle.binade(), low.middle.binade()) {
+            // What is far below the last bit is no more than a part of the radius.
+            (Some(above), Some(below)) if above - below > bits as i64 + 8 => {
+                let radius = up(&(&radius + &up(&low.middle)));
+                Self { middle: high.middle.clone(), radius }.rounded(bits)
+            }
+            _ => Self { middle: &self.middle + &other.middle, radius }.rounded(bits),
+        }
+    }
+
+    pub(crate) fn minus(&self, other: &Self, bits: u64) -> Self {
+        self.plus(&Self { middle: &Dyadic::zero() - &other.middle, radius: other.radius.clone() }, bits)
+    }
+
+    pub(crate) fn times(&self, other: &Self, bits: u64) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::exactly(Dyadic::zero());
+        }
+        let one = &up(&self.middle) * &other.radius;
+        let two = &self.radius * &(&up(&other.middle) + &other.radius);
+        Self { middle: &self.middle * &other.middle, radius: up(&(&one + &two)) }.rounded(bits)
+    }
+
+    /// self/divisor, for a divisor that [is not zero](Self::is_not_zero).
+    pub(crate) fn over(&self, divisor: &Self, bits: u64) -> Self {
+        if self.is_zero() {
+            return self.clone();
+        }
+        // a/b − â/b̂ = [(a − â) − (â/b̂)(b − b̂)]/b
+        let (middle, unit) = self.middle.quotient(&divisor.middle, bits);
+        let unit = Dyadic::new(1, unit);
+        let by_divisor = &(&up(&middle) + &unit) * &divisor.radius;
+        let mut radius = up(&(&self.radius + &by_divisor));
+        // A zero has no scale for a unit of its quotient.
+        if !radius.is_zero() {
+            let (quotient, beyond) = radius.quotient(&divisor.least(), RADIUS_BITS);
+            radius = &quotient + &Dyadic::new(1, beyond);
+        }
+        Self { middle, radius: up(&(&radius + &unit)) }
+    }
+
+    pub(crate) fn absolute(self) -> Self {
+        // 0 may be inside: then the magnitudes lie between −radius and the most.
+        Self { middle: self.middle.abs(), radius: self.radius }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kahan_algebra::prime_field::SplitMix64;
+    use kahan_core::num_rational::BigRational;
+
+    use super::*;
+
+    /// A ball around numbers near n, with one of them.
+    fn drawn(random: &mut SplitMix64) -> (Ball, BigRational) {
+        let integer = random.next_u64() as i64 >> random.below(60);
+        let middle = Dyadic::new(integer, random.below(40) as i64 - 20);
+        let radius = up(&Dyadic::new(random.next_u64() >> random.below(64), random.below(30) as i64 - 70));
+        let share = Dyadic::new(random.below(257) as i64 - 128, -7);
+        let inside = (&middle + &(&share * &radius)).rational().to_big();
+        (Ball { middle, radius }, inside)
+    }
+
+    fn contains(ball: &Ball, value: &BigRational) -> bool {
+        let [middle, radius] = [&ball.middle, &ball.radius].map(|of| of.rational().to_big());
+        let difference = middle - value;
+        -radius.clone() <= difference && difference <= radius
+    }
+
+    #[test]
+    fn every_operation_keeps_what_is_inside() {
+        let mut random = SplitMix64::new(3);
+        let (mut wide, mut quotients) = (0, 0);
+        for turn in 0..20_000 {
+            let ((a, x), (b, y)) = (drawn(&mut random), drawn(&mut random));
+            let bits = 8 + random.below(60);
+            assert!(contains(&a.plus(&b, bits), &(&x + &y)), "{turn}");
+            assert!(contains(&a.minus(&b, bits), &(&x - &y)), "{turn}");
+            assert!(contains(&a.times(&b, bits), &(&x * &y)), "{turn}");
+            assert!(contains(&a.clone().rounded(bits), &x), "{turn}");
+            if b.is_not_zero() {
+                assert!(contains(&a.over(&b, bits), &(&x / &y)), "{turn}");
+                quotients += 1;
+            } else {
+                wide += 1;
+            }
+        }
+        assert!(wide > 100 && quotients > 10_000, "{wide} {quotients}");
+    }
+
+    #[test]
+    fn long_middles_make_small_radii() {
+        let (one, three) = (Ball::exactly(Dyadic::new(1, 0)), Ball::exactly(Dyadic::new(3, 900)));
+        let third = one.over(&three, 200);
+        assert!(third.radius.ratio(&third.middle) < 2_f64.powi(-198));
+        let rest = third.times(&three, 200).minus(&one, 200);
+        assert!(!rest.is_not_zero() && rest.most().near_f64() < 2_f64.powi(-195));
+    }
+}

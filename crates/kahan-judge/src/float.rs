@@ -1,0 +1,124 @@
+//! What is asked of a scalar whose steps are judged: its values as exact numbers, and the limits of
+//! its format.
+
+use kahan_core::nalgebra::SVector;
+use kahan_core::{Dd, KahanMap, Lift, Pivot, ThroughF64};
+
+use super::dyadic::Dyadic;
+
+/// What verdicts ask of a format.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Format {
+    /// The unit u of the promise is 2^−precision.
+    pub(crate) precision: i64,
+    /// The binade of the least number that has all of its bits.
+    pub(crate) least_binade: i64,
+    /// The binade of the largest number.
+    pub(crate) greatest_binade: i64,
+}
+
+/// A float that can be judged.
+pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
+    /// Its name in tables.
+    const NAME: &'static str;
+    /// The tier whose `step` it is: `fast`, or `accurate`.
+    const STEP_TIER: &'static str;
+    /// The tier of the step that is computed in a wider format and rounded once, where there is
+    /// one.
+    const WIDER_TIER: Option<&'static str> = None;
+    /// What its numbers are judged by.
+    const FORMAT: Format;
+    /// How many bits are drawn: all that a number can have.
+    const BITS: i64;
+    /// ε is drawn from ±2^±EPS_BINADES, 1e±300 for `f64`.
+    const EPS_BINADES: i64;
+    /// ‖x‖ is drawn from 2^±STATE_BINADES, 1e±150 for `f64`.
+    const STATE_BINADES: i64;
+    /// A stable step may not be flagged below this condition number; `None` where nothing is
+    /// promised.
+    const FLAG_CONDITION: Option<f64>;
+
+    /// The nearest number.
+    fn of(value: f64) -> Self;
+
+    /// The exact value; `None` if it is not finite.
+    fn exact(self) -> Option<Dyadic> {
+        let wide: Dd = self.into();
+        Some(&Dyadic::of(wide.high())? + &Dyadic::of(wide.low())?)
+    }
+
+    /// A number near `value`, by about one unit; infinite beyond the range.
+    fn near(value: &Dyadic) -> Self {
+        Self::of(value.near_f64())
+    }
+
+    /// One of the inputs that are no numbers: ∞, −∞, NaN.
+    fn not_finite(which: u64) -> Self {
+        Self::of([f64::INFINITY, f64::NEG_INFINITY, f64::NAN][(which % 3) as usize])
+    }
+
+    /// The step of [`WIDER_TIER`](Self::WIDER_TIER).
+    fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
+    where
+        M: Lift<Self, N>,
+    {
+        None
+    }
+}
+
+impl Float for f64 {
+    const NAME: &'static str = "f64";
+    const STEP_TIER: &'static str = "fast";
+    const FORMAT: Format = Format { precision: 53, least_binade: -1022, greatest_binade: 1023 };
+    const BITS: i64 = 53;
+    const EPS_BINADES: i64 = 996;
+    const STATE_BINADES: i64 = 498;
+    const FLAG_CONDITION: Option<f64> = Some(1e12);
+
+    fn of(value: f64) -> Self {
+        value
+    }
+}
+
+impl Float for f32 {
+    const NAME: &'static str = "f32";
+    const STEP_TIER: &'static str = "fast";
+    const WIDER_TIER: Option<&'static str> = Some("fast through f64");
+    const FORMAT: Format = Format { precision: 24, least_binade: -126, greatest_binade: 127 };
+    const BITS: i64 = 24;
+    const EPS_BINADES: i64 = 125;
+    const STATE_BINADES: i64 = 62;
+    const FLAG_CONDITION: Option<f64> = Some(1e4);
+
+    fn of(value: f64) -> Self {
+        value as Self
+    }
+
+    fn wider_step<M, const N: usize>(map: M, x: &SVector<Self, N>, eps: Self) -> Option<SVector<Self, N>>
+    where
+        M: Lift<Self, N>,
+    {
+        Some(ThroughF64(map).step(x, eps))
+    }
+}
+
+impl Float for Dd {
+    const NAME: &'static str = "dd";
+    const STEP_TIER: &'static str = "accurate";
+    /// The precision is that of the promise, and an operation is within it; below the least binade
+    /// the low part loses bits.
+    const FORMAT: Format = Format { precision: 102, least_binade: -969, greatest_binade: 1023 };
+    const BITS: i64 = 106;
+    const EPS_BINADES: i64 = 996;
+    const STATE_BINADES: i64 = 498;
+    const FLAG_CONDITION: Option<f64> = None;
+
+    fn of(value: f64) -> Self {
+        value.into()
+    }
+
+    fn near(value: &Dyadic) -> Self {
+        let high = value.near_f64();
+        Dyadic::of(high).map_or(Self::from(high), |leading| Self::new(high, (value - &leading).near_f64()))
+    }
+}

@@ -1,0 +1,124 @@
+//! The reduced map as polynomials, written out: what judges within the budget of terms.
+//!
+//! x̃ᵢ = xᵢ + 2ε nᵢ/d in lowest terms, so with Nᵢ = xᵢd + 2ε nᵢ it is Nᵢ/d; a value there may be
+//! where det A is 0.
+
+use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::system::System;
+
+use super::fraction::Fraction;
+use super::{Exact, Judge, Zeros};
+use crate::dyadic::Dyadic;
+use crate::elimination::largest;
+use crate::equation::Equation;
+use crate::polynomial::{Powers, Terms, Univariate, common_denominator, greatest_power};
+
+/// The reduced map of a system.
+#[derive(Debug)]
+pub(super) struct Reduced {
+    equation: Equation,
+    /// N₁ … N_n and d, over one integer.
+    numerators: Vec<Terms>,
+    denominator: Terms,
+    /// Their derivatives by each state and by ε: of every N, then of d.
+    slopes: Vec<Slopes>,
+    /// d, and the factor that was divided out, in each of their variables.
+    poles: Vec<Univariate>,
+    removable_poles: Vec<Univariate>,
+    degree: usize,
+}
+
+/// ∂Nᵢ/∂v for every i, and ∂d/∂v.
+#[derive(Debug)]
+struct Slopes {
+    variable: usize,
+    numerators: Vec<Terms>,
+    denominator: Terms,
+}
+
+impl Reduced {
+    /// `None` where the map is beyond the budget of symbolic reduction.
+    pub(super) fn of(system: &System) -> Option<Self> {
+        let symbols = &system.field.symbols;
+        let map = RationalMap::of(&system.field)?.reduced;
+        let numerators = map.numerators(symbols);
+        let all = || numerators.iter().chain([&map.denominator]);
+        let scale = common_denominator(all());
+        let terms = |polynomial: &Polynomial| Terms::of(polynomial, &scale);
+        let variables = (0..symbols.dimension()).map(|i| symbols.state(i)).chain([symbols.epsilon()]);
+        let slopes = variables.map(|variable| Slopes {
+            variable: usize::from(variable.0),
+            numerators: numerators.iter().map(|n| terms(&n.derivative(variable))).collect(),
+            denominator: terms(&map.denominator.derivative(variable)),
+        });
+        let univariates = |polynomial: &Polynomial| {
+            let all = Univariate::all(polynomial, &common_denominator([polynomial]));
+            // Parameters are given; a pole is sought by moving the point or the step.
+            let is_parameter = |v: usize| v >= symbols.dimension() && v != usize::from(symbols.epsilon().0);
+            all.into_iter().filter(|one| !is_parameter(one.variable)).collect()
+        };
+        Some(Self {
+            equation: Equation::of(system),
+            slopes: slopes.collect(),
+            poles: univariates(&map.denominator),
+            removable_poles: univariates(&map.common_factor),
+            degree: greatest_power(all().chain([&map.common_factor])),
+            denominator: terms(&map.denominator),
+            numerators: numerators.iter().map(terms).collect(),
+        })
+    }
+
+    /// The exact step; `None` at a pole.
+    pub(super) fn fraction(&self, point: &[Dyadic]) -> Option<Fraction> {
+        let point = Powers::of(point, self.degree);
+        let denominator = self.denominator.at(&point);
+        let numerators = || self.numerators.iter().map(|n| n.at(&point)).collect();
+        (!denominator.is_zero()).then(|| Fraction::of(numerators(), denominator))
+    }
+}
+
+impl Judge for Reduced {
+    fn equation(&self) -> &Equation {
+        &self.equation
+    }
+
+    fn step(&self, point: &[Dyadic]) -> Option<Box<dyn Exact>> {
+        Some(Box::new(self.fraction(point)?))
+    }
+
+    /// max over i of Σ |∂x̃ᵢ/∂v|·|v|, divided by ‖x̃‖∞; infinite where x̃ is 0, and at a pole.
+    fn condition(&self, point: &[Dyadic]) -> f64 {
+        let Some(Fraction { numerators, denominator, size }) = self.fraction(point) else {
+            return f64::INFINITY;
+        };
+        let point = Powers::of(point, self.degree);
+        let mut sums = vec![Dyadic::zero(); numerators.len()];
+        for slopes in &self.slopes {
+            // ∂(N/d) = (∂N·d − N·∂d)/d²
+            let slope = slopes.denominator.at(&point);
+            for ((sum, terms), n) in sums.iter_mut().zip(&slopes.numerators).zip(&numerators) {
+                let change = &(&terms.at(&point) * &denominator) - &(n * &slope);
+                *sum = &*sum + &(&change * point.coordinate(slopes.variable)).abs();
+            }
+        }
+        largest(sums.into_iter()).ratio(&(&denominator * &size))
+    }
+
+    fn has_removable_poles(&self) -> bool {
+        !self.removable_poles.is_empty()
+    }
+
+    fn has_poles(&self) -> bool {
+        !self.poles.is_empty()
+    }
+
+    fn zeros(&self, is_removable: bool, point: &[Dyadic], random: &mut SplitMix64) -> Option<Zeros> {
+        let choices = if is_removable { &self.removable_poles } else { &self.poles };
+        let count = choices.len() as u64;
+        let one = &choices[(count > 0).then(|| random.below(count))? as usize];
+        let coefficients = one.at(&Powers::of(point, self.degree));
+        Some(Zeros { variable: one.variable, coefficients })
+    }
+}

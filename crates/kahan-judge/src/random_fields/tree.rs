@@ -1,0 +1,133 @@
+//! Expressions as trees, with their text.
+//!
+//! In: what a random field is made of. Out: text with the parentheses that the usual precedence
+//! needs and no others.
+
+use std::fmt;
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tree {
+    /// Digits as they will be written.
+    Literal(String),
+    /// A state or a parameter.
+    Name(&'static str),
+    /// −a
+    Negated(Box<Tree>),
+    /// a + b + …; a negated term is written with a minus.
+    Sum(Vec<Tree>),
+    /// a · b · …
+    Product(Vec<Tree>),
+    /// a / b
+    Quotient(Box<Tree>, Box<Tree>),
+    /// aⁿ
+    Power(Box<Tree>, u32),
+}
+
+pub(super) fn literal(digits: &str) -> Tree {
+    Tree::Literal(digits.to_owned())
+}
+
+pub(super) fn negated(a: Tree) -> Tree {
+    Tree::Negated(Box::new(a))
+}
+
+pub(super) fn quotient(a: Tree, b: Tree) -> Tree {
+    Tree::Quotient(Box::new(a), Box::new(b))
+}
+
+pub(super) fn power(base: Tree, exponent: u32) -> Tree {
+    Tree::Power(Box::new(base), exponent)
+}
+
+/// How tightly a form binds: − and + least, then · and /, then powers, then what stands alone.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Level {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+impl Tree {
+    fn level(&self) -> Level {
+        match self {
+            Tree::Literal(_) | Tree::Name(_) => Level::Atom,
+            Tree::Negated(_) | Tree::Sum(_) => Level::Sum,
+            Tree::Product(_) | Tree::Quotient(..) => Level::Product,
+            Tree::Power(..) => Level::Power,
+        }
+    }
+}
+
+impl fmt::Display for Tree {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let grouped = |f: &mut fmt::Formatter<'_>, tree: &Tree, least: Level| {
+            if tree.level() < least { write!(f, "({tree})") } else { write!(f, "{tree}") }
+        };
+        match self {
+            Tree::Literal(digits) => f.write_str(digits),
+            Tree::Name(name) => f.write_str(name),
+            Tree::Negated(a) => {
+                f.write_str("-")?;
+                grouped(f, a, Level::Product)
+            }
+            Tree::Sum(terms) => {
+                for (index, term) in terms.iter().enumerate() {
+                    let (sign, term, least) = match (index, term) {
+                        (0, Tree::Negated(_) | Tree::Sum(_)) => ("", term, Level::Sum),
+                        (0, _) => ("", term, Level::Product),
+                        (_, Tree::Negated(a)) => (" - ", &**a, Level::Product),
+                        _ => (" + ", term, Level::Product),
+                    };
+                    f.write_str(sign)?;
+                    grouped(f, term, least)?;
+                }
+                Ok(())
+            }
+            Tree::Product(factors) => {
+                for (index, factor) in factors.iter().enumerate() {
+                    if index > 0 {
+                        f.write_str("*")?;
+                    }
+                    // A quotient may open a product: a/b*c is (a/b)·c. Elsewhere it needs
+                    // parentheses.
+                    let least = if index == 0 { Level::Product } else { Level::Power };
+                    grouped(f, factor, least)?;
+                }
+                Ok(())
+            }
+            Tree::Quotient(a, b) => {
+                grouped(f, a, Level::Product)?;
+                f.write_str("/")?;
+                grouped(f, b, Level::Power)
+            }
+            Tree::Power(base, exponent) => {
+                grouped(f, base, Level::Atom)?;
+                write!(f, "^{exponent}")
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Tree::{Name, Product, Sum};
+    use super::*;
+
+    #[test]
+    fn the_text_has_the_parentheses_that_it_needs_and_no_others() {
+        let (x, y) = (|| Name("x"), || Name("y"));
+        let texts = [
+            (negated(power(x(), 2)), "-x^2"),
+            (power(negated(x()), 2), "(-x)^2"),
+            (Product(vec![quotient(literal("3"), literal("7")), x()]), "3/7*x"),
+            (Product(vec![x(), quotient(x(), y())]), "x*(x/y)"),
+            (quotient(x(), Product(vec![x(), y()])), "x/(x*y)"),
+            (Sum(vec![x(), negated(Sum(vec![x(), y()]))]), "x - (x + y)"),
+        ];
+        for (tree, text) in texts {
+            assert_eq!(tree.to_string(), text);
+        }
+    }
+}

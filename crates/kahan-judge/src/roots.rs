@@ -1,0 +1,125 @@
+//! A real root of a polynomial in one variable with exact coefficients, to any number of bits.
+//!
+//! Signs are exact, so a bracket is a proof; roots where the sign does not change are not looked
+//! for.
+
+use std::cmp::Ordering;
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use super::dyadic::Dyadic;
+
+/// One of the roots of Σ coefficients[k]·v^k, or `None` if no change of sign was met; to a relative
+/// 2^−bits, or exactly where bisection meets it.
+///
+/// A root has about the size |c_i/c_j|^(1/(j−i)) of some pair of terms that balance there; signs
+/// are taken at powers of two around these sizes.
+pub(crate) fn root(coefficients: &[Dyadic], bits: i64, random: &mut SplitMix64) -> Option<Dyadic> {
+    let mut binades: Vec<i64> = balances(coefficients).flat_map(|b| b - 3..=b + 3).collect();
+    binades.sort_unstable();
+    binades.dedup();
+    let negative = binades.iter().rev().map(|&b| Dyadic::new(-1, b));
+    let positive = binades.iter().map(|&b| Dyadic::new(1, b));
+    let places: Vec<(Dyadic, bool)> =
+        negative.chain(positive).map(|v| (v.clone(), sign(coefficients, &v) == Ordering::Less)).collect();
+    // A bracket across 0 has ends of different signs, and no relative width; a root there is met
+    // beside it.
+    let brackets: Vec<usize> =
+        (1..places.len()).filter(|&i| places[i - 1].1 != places[i].1 && i != binades.len()).collect();
+    if brackets.is_empty() {
+        return None;
+    }
+    let chosen = brackets[random.below(brackets.len() as u64) as usize];
+    let ((mut low, is_negative), (mut high, _)) = (places[chosen - 1].clone(), places[chosen].clone());
+    for _ in 0..bits + 6 {
+        let middle = (&low + &high).scaled(-1);
+        match sign(coefficients, &middle) {
+            Ordering::Equal => return Some(middle),
+            at_middle if (at_middle == Ordering::Less) == is_negative => low = middle,
+            _ => high = middle,
+        }
+    }
+    Some((&low + &high).scaled(-1))
+}
+
+/// How Σ coefficients[k]·v^k compares to 0: by its leading bits where they tell, else exactly.
+fn sign(coefficients: &[Dyadic], v: &Dyadic) -> Ordering {
+    sign_of_leading_bits(coefficients, v).unwrap_or_else(|| {
+        let value = coefficients.iter().rev().fold(Dyadic::zero(), |sum, c| &(&sum * v) + c);
+        value.compare(&Dyadic::zero())
+    })
+}
+
+/// The sign, where the terms do not cancel to less than 2⁻⁴⁰ of their sizes: each of them is off by
+/// a few units of 2⁻⁵² for every power.
+fn sign_of_leading_bits(coefficients: &[Dyadic], v: &Dyadic) -> Option<Ordering> {
+    let (significand, binade) = v.leading();
+    let term = |(k, c): (i32, &Dyadic)| {
+        let (leading, at) = c.leading();
+        (leading * significand.powi(k), at + i64::from(k) * binade)
+    };
+    let terms = || (0..).zip(coefficients).filter(|(_, c)| !c.is_zero()).map(term);
+    let largest = terms().map(|(_, at)| at).max()?;
+    let scaled = |(term, at): (f64, i64)| libm::ldexp(term, (at - largest).max(-2000) as i32);
+    let (sum, sizes) =
+        terms().map(scaled).fold((0.0, 0.0), |(sum, sizes), term| (sum + term, sizes + term.abs()));
+    if sum.abs() > sizes * 2_f64.powi(-40) { sum.partial_cmp(&0.0) } else { None }
+}
+
+/// The binades at which two of the terms have about one size.
+fn balances(coefficients: &[Dyadic]) -> impl Iterator<Item = i64> + '_ {
+    let sizes = coefficients.iter().enumerate().filter_map(|(k, c)| Some((k as i64, c.binade()?)));
+    let sizes: Vec<(i64, i64)> = sizes.collect();
+    let count = sizes.len();
+    let pairs = (0..count).flat_map(move |i| (i + 1..count).map(move |j| (i, j)));
+    pairs.map(move |(i, j)| (sizes[i].1 - sizes[j].1).div_euclid(sizes[j].0 - sizes[i].0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_are_found_over_the_whole_range() {
+        let mut random = SplitMix64::new(1);
+        // 3v − 2^3000, v² − 2·2^−2000, and v³ + v without a change of sign but at 0.
+        let linear = [Dyadic::new(-1, 3000), Dyadic::new(3, 0)];
+        let third = root(&linear, 60, &mut random).unwrap();
+        assert!((&(&third * &Dyadic::new(3, 0)) - &Dyadic::new(1, 3000)).ratio(&third) < 1e-18);
+        let quadratic = [Dyadic::new(-2, -2000), Dyadic::zero(), Dyadic::new(1, 0)];
+        for _ in 0..8 {
+            let v = root(&quadratic, 60, &mut random).unwrap();
+            assert!((&(&v * &v) - &Dyadic::new(2, -2000)).ratio(&Dyadic::new(2, -2000)) < 1e-17);
+        }
+        assert!(root(&[Dyadic::new(1, 0), Dyadic::zero(), Dyadic::new(5, 0)], 60, &mut random).is_none());
+        assert!(root(&[Dyadic::new(1, 0)], 60, &mut random).is_none());
+    }
+
+    /// Beside the nearly double root of (v − 3)² − 5·2^(−power), where leading bits cancel.
+    #[test]
+    fn leading_bits_tell_no_wrong_sign() {
+        let (mut told, mut silent) = (0, 0);
+        for power in 0..120 {
+            for offset in [1, -1] {
+                let v = &Dyadic::new(3, 0) + &Dyadic::new(offset, -power / 2);
+                let lowered = &Dyadic::new(9, 0) - &Dyadic::new(5, -power);
+                let coefficients = [lowered, Dyadic::new(-6, 0), Dyadic::new(1, 0)];
+                // (v − 3)² is 2^(−2·⌊power/2⌋), less than 5·2^(−power).
+                assert_eq!(sign(&coefficients, &v), Ordering::Less);
+                match sign_of_leading_bits(&coefficients, &v) {
+                    Some(sign) => told += usize::from(sign == Ordering::Less),
+                    None => silent += 1,
+                }
+            }
+        }
+        assert_eq!(told + silent, 240);
+        assert!(told > 60 && silent > 100, "{told} told, {silent} not");
+    }
+
+    #[test]
+    fn a_root_of_few_bits_is_met_exactly() {
+        let mut random = SplitMix64::new(2);
+        let v = root(&[Dyadic::new(-5, 40), Dyadic::new(8, 0)], 60, &mut random).unwrap();
+        assert!((&v - &Dyadic::new(5, 37)).is_zero());
+    }
+}

@@ -1,0 +1,122 @@
+//! Trials whose steps are made elsewhere, by code that the macro wrote.
+//!
+//! In: a system of any number of variables, or a chain. Out: the bits of what `try_step` is to be
+//! given, and a verdict on the bits that it returned. A program that makes the steps needs neither
+//! the judge nor exact numbers.
+
+use kahan_algebra::family::Family;
+use kahan_algebra::system::System;
+use kahan_core::Dd;
+use kahan_runtime::interpreted::LARGEST_DIMENSION;
+
+use super::residual::{ByResidual, Rows};
+use crate::equation::Equation;
+use crate::float::Float;
+use crate::judge::{self, Judge};
+use crate::points::Inputs;
+use crate::survey::Target;
+use crate::tally::Tally;
+use crate::trial::{Trials, with_special_inputs};
+
+/// A float as words, one for each float that it is made of.
+pub(super) trait Words: Float {
+    const WORDS: usize;
+
+    fn words(self) -> Vec<u64>;
+
+    fn of_words(words: &[u64]) -> Self;
+}
+
+impl Words for f32 {
+    const WORDS: usize = 1;
+
+    fn words(self) -> Vec<u64> {
+        vec![self.to_bits().into()]
+    }
+
+    fn of_words(words: &[u64]) -> Self {
+        Self::from_bits(words[0] as u32)
+    }
+}
+
+impl Words for f64 {
+    const WORDS: usize = 1;
+
+    fn words(self) -> Vec<u64> {
+        vec![self.to_bits()]
+    }
+
+    fn of_words(words: &[u64]) -> Self {
+        Self::from_bits(words[0])
+    }
+}
+
+impl Words for Dd {
+    const WORDS: usize = 2;
+
+    fn words(self) -> Vec<u64> {
+        vec![self.high().to_bits(), self.low().to_bits()]
+    }
+
+    fn of_words(words: &[u64]) -> Self {
+        Self::new(f64::from_bits(words[0]), f64::from_bits(words[1]))
+    }
+}
+
+/// A system whose steps are made elsewhere; all of its parameters are drawn.
+pub(super) struct Compiled(Target);
+
+/// What judges a field of whatever number of variables.
+pub(crate) fn judge_of(system: &System) -> Box<dyn Judge> {
+    if system.field.dimension() <= LARGEST_DIMENSION {
+        return judge::of(system);
+    }
+    Box::new(ByResidual(Equation::of(system), Rows::Widest))
+}
+
+impl Compiled {
+    /// A system of any number of variables.
+    pub(super) fn new(name: &str, system: &System) -> Self {
+        Self::of(name, system, judge_of(system))
+    }
+
+    /// A chain of so many sites. Its parameters are those of the chain, and then those of sites,
+    /// name by name.
+    pub(super) fn of_chain(name: &str, family: &Family, sites: usize) -> Self {
+        let system = family.at_sites(sites);
+        Self::of(name, &system, Box::new(ByResidual(Equation::of(&system), Rows::Own)))
+    }
+
+    fn of(name: &str, system: &System, judge: Box<dyn Judge>) -> Self {
+        let parameters = vec![None; system.field.symbols.parameters.len()];
+        Self(Target { name: name.to_owned(), parameters, is_odd: true, judge })
+    }
+
+    /// The number of trials, those with special inputs included.
+    pub(super) fn count(trials: u64) -> u64 {
+        with_special_inputs(trials)
+    }
+
+    /// The words of all trials: parameters, states, ε of each.
+    pub(super) fn inputs<T: Words>(&self, trials: u64, seed: u64) -> Vec<u64> {
+        let all = Trials::<T>::new(vec![&self.0], trials, seed);
+        let words = |index| {
+            let Inputs { parameters, x, eps, .. } = all.inputs(index).1;
+            parameters.into_iter().chain(x).chain([eps]).flat_map(Words::words)
+        };
+        (0..Self::count(trials)).flat_map(words).collect()
+    }
+
+    /// Judges all trials by the words that `results` begins with, and takes these away: for each
+    /// trial 1 and the words of x̃, or 0 where `try_step` returned an error.
+    pub(super) fn judge<T: Words>(&self, trials: u64, seed: u64, results: &mut &[u64], tally: &mut Tally) {
+        let all = Trials::<T>::new(vec![&self.0], trials, seed);
+        for index in 0..Self::count(trials) {
+            let size = results[0] as usize * self.0.judge.equation().dimension() * T::WORDS;
+            let (next, rest) = results[1..].split_at(size);
+            let next = (results[0] == 1).then(|| next.chunks(T::WORDS).map(T::of_words).collect());
+            all.draw(index).count_stable(next, tally);
+            *results = rest;
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! One trial: a point is drawn, stepped by each tier, and judged.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use super::dyadic::Dyadic;
+use super::float::Float;
+use super::judge::Exact;
+use super::points::{Inputs, Points};
+use super::regime::Regime;
+use super::steps::{Steps, steps};
+use super::survey::{Target, Tried};
+use super::tally::{Cell, Failure, Tally};
+
+/// The trials of one scalar, ready to be drawn in any order.
+pub(crate) struct Trials<'a, T> {
+    targets: Vec<&'a Target>,
+    /// The parameters that are given, of each.
+    fixed: Vec<Vec<Option<T>>>,
+    /// The targets that have poles and removable poles.
+    with_poles: Vec<usize>,
+    with_removable_poles: Vec<usize>,
+    strata: u64,
+    seed: u64,
+}
+
+/// The trials of one scalar with the steps that they try.
+pub(crate) struct Ready<'a, T> {
+    trials: Trials<'a, T>,
+    steps: Vec<Box<dyn Steps<T>>>,
+}
+
+/// What a step is given, and what the exact map says of it.
+pub(crate) struct Trial<'a, T> {
+    index: u64,
+    target: &'a Target,
+    /// The place of the target.
+    place: usize,
+    inputs: Inputs<T>,
+    /// `None` where the inputs are not finite.
+    known: Option<Known>,
+}
+
+/// Finite inputs and the exact step, which is `None` at a pole.
+struct Known {
+    point: Vec<Dyadic>,
+    exact: Option<Box<dyn Exact>>,
+}
+
+/// The trials of one scalar, those with special inputs included.
+pub(crate) fn with_special_inputs(trials: u64) -> u64 {
+    trials + 3 * special(trials)
+}
+
+/// The trials with subnormal inputs, and as many with inputs that are not finite, and as many large
+/// steps.
+fn special(trials: u64) -> u64 {
+    (trials / 32).max(8)
+}
+
+impl<'a, T: Float> Ready<'a, T> {
+    pub(crate) fn new(tried: &'a [Tried], trials: u64, seed: u64) -> Self {
+        let steps = |tried: &Tried| steps(&tried.map).expect("what is tried has no more variables");
+        Self {
+            steps: tried.iter().map(steps).collect(),
+            trials: Trials::new(tried.iter().map(|tried| &tried.target).collect(), trials, seed),
+        }
+    }
+
+    /// How many trials there are.
+    pub(crate) fn count(&self) -> u64 {
+        with_special_inputs(self.trials.strata)
+    }
+
+    /// The trial with this index.
+    pub(crate) fn run(&self, index: u64, tally: &mut Tally) {
+        let trial = self.trials.draw(index);
+        let steps = &self.steps[trial.place];
+        let Inputs { parameters, x, eps, regime } = &trial.inputs;
+        let mut count = |tier, next: &[T]| trial.count_plain(tally.cell((*regime, tier, T::NAME)), next);
+        count(T::STEP_TIER, &steps.step(parameters, x, *eps));
+        if let Some(tier) = T::WIDER_TIER
+            && let Some(next) = steps.wider_step(parameters, x, *eps)
+        {
+            count(tier, &next);
+        }
+        if *regime == Regime::LargeSteps
+            && let Some(next) = steps.eliminated(parameters, x, *eps)
+        {
+            count("lu", &next);
+        }
+        trial.count_stable(steps.try_step(parameters, x, *eps), tally);
+    }
+}
+
+impl<'a, T: Float> Trials<'a, T> {
+    pub(crate) fn new(targets: Vec<&'a Target>, trials: u64, seed: u64) -> Self {
+        let indices =
+            |has: fn(&Target) -> bool| (0..targets.len()).filter(|&i| has(targets[i])).collect::<Vec<_>>();
+        let fixed = |target: &&Target| {
+            target.parameters.iter().map(|value| value.as_ref().map(rounded)).collect::<Vec<_>>()
+        };
+        Self {
+            with_poles: indices(|target| target.judge.has_poles()),
+            with_removable_poles: indices(|target| target.judge.has_removable_poles()),
+            fixed: targets.iter().map(fixed).collect(),
+            targets,
+            strata: trials,
+            seed,
+        }
+    }
+
+    /// The trial with this index, and what the exact map says of it.
+    pub(crate) fn draw(&self, index: u64) -> Trial<'a, T> {
+        let (place, inputs) = self.inputs(index);
+        let target = self.targets[place];
+        let known = inputs.exact().map(|point| Known { exact: target.judge.step(&point), point });
+        Trial { index, target, place, inputs, known }
+    }
+
+    /// The place of the target of a trial, and what its step is given.
+    pub(crate) fn inputs(&self, index: u64) -> (usize, Inputs<T>) {
+        let (regime, place) = self.stratum(index);
+        // Neighbouring seeds give streams that have nothing in common.
+        let seed = SplitMix64::new(self.seed ^ index.wrapping_mul(0xd134_2543_de82_ef95)).next_u64();
+        let (random, Target { judge, is_odd, .. }) = (SplitMix64::new(seed), self.targets[place]);
+        (place, Points { judge: &**judge, fixed: &self.fixed[place], is_odd: *is_odd, random }.draw(regime))
+    }
+
+    /// The regime and the target of a trial: regimes in turn, and within each the targets that it
+    /// has, in turn.
+    fn stratum(&self, index: u64) -> (Regime, usize) {
+        let (regime, turn) = match index.checked_sub(self.strata) {
+            Some(special) => {
+                let special_regimes = [Regime::Subnormal, Regime::NotFinite, Regime::LargeSteps];
+                (special_regimes[(special % 3) as usize], special / 3)
+            }
+            None => (Regime::ALL[(index % 4) as usize], index / 4),
+        };
+        let in_turn = |of: &[usize]| of[(turn % of.len() as u64) as usize];
+        let any = (turn % self.targets.len() as u64) as usize;
+        match regime {
+            Regime::NearRemovablePole if !self.with_removable_poles.is_empty() => {
+                (regime, in_turn(&self.with_removable_poles))
+            }
+            Regime::NearPole | Regime::NearRemovablePole if !self.with_poles.is_empty() => {
+                (Regime::NearPole, in_turn(&self.with_poles))
+            }
+            Regime::NearPole | Regime::NearRemovablePole => (Regime::MixedMagnitudes, any),
+            _ => (regime, any),
+        }
+    }
+}
+
+impl<T: Float> Trial<'_, T> {
+    /// A step without a promise: wrong is a finite result that is off by more than 1e-3, or where
+    /// there is none.
+    fn count_plain(&self, cell: &mut Cell, next: &[T]) {
+        cell.trials += 1;
+        match (exact_values(next), &self.known) {
+            (None, _) => cell.flagged += 1,
+            (Some(next), Some(Known { exact: Some(exact), .. })) => {
+                let verdict = exact.judge(&T::FORMAT, &next);
+                cell.note_error(Some(verdict.error_u));
+                cell.silently_wrong += u64::from(!verdict.is_rough);
+            }
+            _ => cell.silently_wrong += 1,
+        }
+    }
+
+    /// `try_step`: wrong is an `Ok` outside the promise, or where there is no value.
+    pub(crate) fn count_stable(&self, next: Option<Vec<T>>, tally: &mut Tally) {
+        let Self { inputs, known, target, .. } = self;
+        let mut complaint = None;
+        let cell = tally.cell((inputs.regime, "stable", T::NAME));
+        cell.trials += 1;
+        match next {
+            None => {
+                cell.flagged += 1;
+                if let Some(condition) = self.forbidden_flag() {
+                    cell.unjustified += 1;
+                    complaint = Some((true, format!("is flagged at a condition number of {condition:.1e}")));
+                }
+            }
+            Some(next) => match (exact_values(&next), known) {
+                (Some(next), Some(Known { exact: Some(exact), .. })) => {
+                    let verdict = exact.judge(&T::FORMAT, &next);
+                    cell.note_error(Some(verdict.error_u));
+                    if !verdict.keeps_promise {
+                        cell.silently_wrong += 1;
+                        complaint = Some((false, format!("is Ok and off by {:.3e} u", verdict.error_u)));
+                    }
+                }
+                (next, known) => {
+                    cell.silently_wrong += 1;
+                    let why = match (next, known) {
+                        (None, _) => "is Ok and not finite",
+                        (_, None) => "is Ok from an input that is not finite",
+                        _ => "is Ok at a pole",
+                    };
+                    complaint = Some((false, why.to_owned()));
+                }
+            },
+        }
+        if let Some((is_flag, complaint)) = complaint {
+            let Inputs { parameters, x, eps, .. } = inputs;
+            let (name, scalar) = (&target.name, T::NAME);
+            let parameters =
+                if parameters.is_empty() { String::new() } else { format!(", parameters {parameters:?}") };
+            let text = format!("{name} in {scalar} at {x:?}, eps {eps:?}{parameters}: try_step {complaint}");
+            tally.fail(name, Failure { is_flag, index: self.index, text });
+        }
+    }
+
+    /// The condition number at which a flag breaks the promise: where the field has a value, x̃ is a
+    /// number that the format holds, and the condition number is below the bound.
+    fn forbidden_flag(&self) -> Option<f64> {
+        let (Known { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
+        let limit = T::FLAG_CONDITION?;
+        if !exact.as_ref()?.fits(&T::FORMAT) || !judge.equation().at(point).is_defined() {
+            return None;
+        }
+        Some(judge.condition(point)).filter(|condition| *condition < limit)
+    }
+}
+
+/// The exact values of a result; `None` if one is not finite.
+fn exact_values<T: Float>(result: &[T]) -> Option<Vec<Dyadic>> {
+    result.iter().map(|value| value.exact()).collect()
+}
+
+/// The scalar near a rational.
+fn rounded<T: Float>(value: &kahan_algebra::rational::Rational) -> T {
+    let (high, low) = value.to_double_double();
+    let parts = Dyadic::of(high).zip(Dyadic::of(low));
+    parts.map_or_else(|| T::not_finite(2), |(high, low)| T::near(&(&high + &low)))
+}

@@ -1,0 +1,69 @@
+//! Brackets.
+
+use kahan_core::prelude::*;
+
+// A bracket is antisymmetric.
+kahan! {
+    pub struct Diagonal;
+    xdot = y;
+    ydot = -x;
+    bracket P { {x,x} = 1; {x,y} = 1; }
+}
+
+// {y,x} is −{x,y}.
+kahan! {
+    pub struct EntryTwice;
+    xdot = y;
+    ydot = -x;
+    bracket P { {x,y} = 1; {y,x} = -1; }
+}
+
+// Every entry ends with `;`.
+kahan! {
+    pub struct MissingSemicolon;
+    xdot = y;
+    ydot = -x;
+    bracket P { {x,y} = 1 }
+}
+
+// A bracket that says nothing.
+kahan! {
+    pub struct NoEntries;
+    xdot = y;
+    ydot = -x;
+    bracket P { }
+}
+
+// A parameter does not move.
+kahan! {
+    pub struct Parameter { w }
+    xdot = w*y;
+    ydot = -w*x;
+    bracket P { {x,w} = 1; }
+}
+
+// An entry is a pair of states.
+kahan! {
+    pub struct ThreeStates;
+    xdot = y;
+    ydot = -x;
+    bracket P { {x,y,x} = 1; }
+}
+
+// An entry is a pair of states.
+kahan! {
+    pub struct UnknownState;
+    xdot = y;
+    ydot = -x;
+    bracket P { {x,z} = 1; }
+}
+
+// A bracket has entries.
+kahan! {
+    pub struct WrittenLikeAnIntegral;
+    xdot = y;
+    ydot = -x;
+    bracket P = 1;
+}
+
+fn main() {}

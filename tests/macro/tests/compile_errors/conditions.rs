@@ -1,0 +1,94 @@
+//! Conditions of claims.
+
+use kahan_core::prelude::*;
+
+// `when` fixes a value, it does not test one.
+kahan! {
+    pub struct Comparison { k }
+    xdot = k*y;
+    ydot = -k*x;
+    integral H = x^2 + y^2 when k > 0;
+}
+
+// Which of the two?
+kahan! {
+    pub struct Contradiction { k }
+    xdot = k*y;
+    ydot = -k*x;
+    integral H = x^2 + y^2 when k = 1, k = 2;
+}
+
+// The counterexample satisfies the relation.
+kahan! {
+    pub struct FalseOnTheRelation { k, l }
+    xdot = k*y;
+    ydot = -l*x;
+    integral H = x^2 + y^2 when k = 2*l;
+}
+
+// The third relation says nothing that the first two do not.
+kahan! {
+    pub struct Follows { k, l, m }
+    xdot = k*y;
+    ydot = -l*x;
+    zdot = m;
+    integral H = x^2 + y^2 when k = m, m = l, k*m = l*m;
+}
+
+// A relation behind `when` is solved for one of its names.
+kahan! {
+    pub struct NoLinearName { k, l }
+    xdot = k*y;
+    ydot = -l*x;
+    integral H = x^2 + y^2 when k^2 = l^2 + 1;
+}
+
+// `when` without a relation.
+kahan! {
+    pub struct NothingBehind { k }
+    xdot = k*y;
+    ydot = -k*x;
+    integral H = x^2 + y^2 when;
+}
+
+// States move.
+kahan! {
+    pub struct OnAState;
+    xdot = y;
+    ydot = -x;
+    integral H = x^2 + y^2 when x = 1;
+}
+
+// A slip in the name of the parameter.
+kahan! {
+    pub struct OnNothing { omega }
+    xdot = omega*y;
+    ydot = -omega*x;
+    integral H = x^2 + y^2 when omgea = 1;
+}
+
+// Which of the two is 0?
+kahan! {
+    pub struct Product { k, l }
+    xdot = k*y;
+    ydot = -l*x;
+    integral H = y when k*l = 0;
+}
+
+// The field itself divides by zero there.
+kahan! {
+    pub struct SingularSpecialisation { k }
+    xdot = y/k;
+    ydot = -x/k;
+    integral H = x^2 + y^2 when k = 0;
+}
+
+// Without a step everything is conserved.
+kahan! {
+    pub struct StepZero;
+    xdot = y;
+    ydot = -x;
+    integral H = x*y when eps = 0;
+}
+
+fn main() {}

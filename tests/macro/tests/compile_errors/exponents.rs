@@ -1,0 +1,55 @@
+//! Exponents.
+
+use kahan_core::prelude::*;
+
+// Powers in claims are limited to 64, so that the proof stays quick.
+kahan! {
+    pub struct ClaimTooHigh;
+    xdot = y;
+    ydot = -x;
+    integral H = (x^2 + y^2)^65;
+}
+
+// A root is no polynomial.
+kahan! {
+    pub struct Fractional;
+    xdot = x^1.5;
+}
+
+// An exponent is written without parentheses.
+kahan! {
+    pub struct InParentheses;
+    xdot = x^(1+1);
+}
+
+// `^` wants a number.
+kahan! {
+    pub struct Missing;
+    xdot = x^;
+}
+
+// In an equation a quotient is written as one.
+kahan! {
+    pub struct Negative { k }
+    xdot = -k^-1*x;
+}
+
+// Powers of parameters are expanded, so they are limited.
+kahan! {
+    pub struct ParameterTooHigh { k }
+    xdot = -k^65*x;
+}
+
+// The degree is known while compiling, so an exponent is a number.
+kahan! {
+    pub struct Symbolic { n }
+    xdot = x^n;
+}
+
+// Calculators disagree about `a^b^c`.
+kahan! {
+    pub struct Tower { a }
+    xdot = a^2^3*x;
+}
+
+fn main() {}

@@ -1,0 +1,77 @@
+//! Headers.
+
+use kahan_core::prelude::*;
+
+// The macro adds the type parameter.
+kahan! {
+    pub struct Generic<T> { k }
+    xdot = -k*x;
+}
+
+// Parameters are separated by `,`.
+kahan! {
+    pub struct MissingComma { k l }
+    xdot = -k*x - l;
+}
+
+// A header ends with `;` or its parameters.
+kahan! {
+    pub struct MissingSemicolon
+    xdot = -x;
+}
+
+// Parameters become fields of a struct.
+kahan! {
+    pub struct ParameterIsAKeyword { type }
+    xdot = -type*x;
+}
+
+// A name is a state or a parameter.
+kahan! {
+    pub struct ParameterIsAState { k, x }
+    xdot = -k*x;
+}
+
+// `eps` is the half time step.
+kahan! {
+    pub struct ParameterIsReserved { eps }
+    xdot = -eps*x;
+}
+
+// One parameter, one field.
+kahan! {
+    pub struct ParameterTwice { k, k }
+    xdot = -k*x;
+}
+
+// A value is given where the system is built.
+kahan! {
+    pub struct ParameterWithAValue { k = 2 }
+    xdot = -k*x;
+}
+
+// Parameters are public.
+kahan! {
+    pub struct PublicParameter { pub k }
+    xdot = -k*x;
+}
+
+// Parameters have names.
+kahan! {
+    pub struct Tuple(k);
+    xdot = -k*x;
+}
+
+// The macro gives every parameter the scalar's type.
+kahan! {
+    pub struct TypedParameter { k: f64 }
+    xdot = -k*x;
+}
+
+// A parameter without effect is a slip.
+kahan! {
+    pub struct UnusedParameter { k, l }
+    xdot = -k*x;
+}
+
+fn main() {}
