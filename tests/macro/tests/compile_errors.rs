@@ -8,5 +8,7 @@
 #[test]
 fn every_mistake_is_explained_once_at_its_place() {
     let cases = trybuild::TestCases::new();
-    ["tests/compile_errors/*.rs", "tests/compile_errors/*/*.rs"].map(|files| cases.compile_fail(files));
+    for files in ["tests/compile_errors/*.rs", "tests/compile_errors/*/*.rs"] {
+        cases.compile_fail(files);
+    }
 }
