@@ -4,7 +4,7 @@
 //! steps later, and how far each trajectory went; or the map of each. A trajectory has the same
 //! bits whatever stands beside it.
 
-use core::ops::ControlFlow;
+use core::ops::{ControlFlow, Range};
 use core::slice;
 
 use kahan_algebra::arithmetic::Float64;
@@ -81,7 +81,7 @@ impl<T: MachineFloat> MapAt<T> {
     fn forget_undefined(&self, Columns { columns, parameters, .. }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
-            let values = parameters.iter().flat_map(|values| own(values, k));
+            let values = parameters.iter().flat_map(|values| own(values, k..k + 1));
             let values: Vec<f64> = values.map(Scalar::approximate).collect();
             if !self.map.field().derived().is_defined_at(&Float64, &values) {
                 columns.iter_mut().for_each(|column| column[k] = nothing());
@@ -94,8 +94,9 @@ impl<T: MachineFloat> MapAt<T> {
     ///
     /// Bits, and how a trajectory ends, are those of single orbits.
     ///
-    /// Cost: that of the steps, a look at the columns every thousand of them, and up to two thousand
-    /// steps more for each trajectory that leaves the range.
+    /// Cost: that of the steps in the form that single orbits take, a copy of the columns and a look
+    /// at them every thousand steps, and up to two thousand steps more for each trajectory that
+    /// leaves the range.
     ///
     /// # Errors
     /// [`DimensionError`] for what has another length.
@@ -116,8 +117,8 @@ impl<T: MachineFloat> MapAt<T> {
         parameters: &[&[T]],
         steps: u64,
     ) -> Result<Vec<End>, DimensionError> {
-        /// Steps between two looks.
-        const LOOK: u64 = 1024;
+        /// Trajectories that are followed at once: what is kept of them stays in a cache near by.
+        const TOGETHER: usize = 1024;
 
         let trajectories = self.check_columns(columns)?;
         self.check_constants(eps, parameters, trajectories)?;
@@ -126,44 +127,62 @@ impl<T: MachineFloat> MapAt<T> {
         let Some(form) = self.engine().form_of_orbits(of_form, self.composition) else {
             return self.follow_one_by_one(columns, eps, parameters, steps);
         };
-        let is_lost =
-            |columns: &[&mut [T]], k: usize| !columns.iter().all(|column| is_finite(&column[k..=k]));
         let mut ends = vec![End::Complete; trajectories];
-        if steps == 0 {
-            // What is not finite stays so, and is found after steps.
-            (0..trajectories).filter(|&k| is_lost(columns, k)).for_each(|k| ends[k] = End::Range(0));
+        let mut before = vec![Vec::new(); columns.len()];
+        for first in (0..trajectories).step_by(TOGETHER) {
+            let piece = first..trajectories.min(first + TOGETHER);
+            let mut columns: Vec<&mut [T]> =
+                columns.iter_mut().map(|column| &mut column[piece.clone()]).collect();
+            let parameters: Vec<&[T]> = parameters.iter().map(|values| own(values, piece.clone())).collect();
+            let constants = (own(eps, piece.clone()), &parameters[..]);
+            self.follow_piece(form, &mut columns, constants, steps, &mut before, &mut ends[piece]);
         }
-        let mut before: Vec<Vec<T>> = vec![Vec::new(); columns.len()];
-        for made in (0..steps).step_by(LOOK as usize) {
+        Ok(ends)
+    }
+
+    /// Follows trajectories that take one form of the step, in the room of `before`.
+    fn follow_piece(
+        &self,
+        form: ColumnsForm,
+        columns: &mut [&mut [T]],
+        (eps, parameters): (&[T], &[&[T]]),
+        steps: u64,
+        before: &mut [Vec<T>],
+        ends: &mut [End],
+    ) {
+        /// Steps between two looks.
+        const LOOK: u64 = 1024;
+
+        let mut made = 0;
+        loop {
             let now = LOOK.min(steps - made);
             for (before, column) in before.iter_mut().zip(&*columns) {
                 before.clear();
                 before.extend_from_slice(column);
             }
-            self.advance_in(form, columns, eps, parameters, now);
-            if columns.iter().all(|column| is_finite(column)) {
-                continue;
+            if now > 0 {
+                self.advance_in(form, columns, eps, parameters, now);
             }
-            let lost = |&k: &usize| ends[k] == End::Complete && is_lost(columns, k);
-            let lost: Vec<usize> = (0..trajectories).filter(lost).collect();
-            if lost.is_empty() {
-                continue;
+            let lost = lost(columns, ends);
+            if !lost.is_empty() {
+                let of = |values: &[T]| -> Vec<T> {
+                    if values.len() > 1 { lost.iter().map(|&k| values[k]).collect() } else { values.to_vec() }
+                };
+                let own: Vec<Vec<T>> = parameters.iter().map(|values| of(values)).collect();
+                let own: Vec<&[T]> = own.iter().map(Vec::as_slice).collect();
+                let starts = before.iter().map(|column| lost.iter().map(|&k| column[k]).collect()).collect();
+                let finite = self.finite_steps(form, starts, &of(eps), &own, now);
+                for (&k, steps) in lost.iter().zip(finite) {
+                    ends[k] = End::Range(made + steps);
+                    // It stays so.
+                    columns.iter_mut().for_each(|column| column[k] = nothing());
+                }
             }
-            let of = |values: &[T]| -> Vec<T> {
-                if values.len() > 1 { lost.iter().map(|&k| values[k]).collect() } else { values.to_vec() }
-            };
-            let own: Vec<Vec<T>> = parameters.iter().map(|values| of(values)).collect();
-            let own: Vec<&[T]> = own.iter().map(Vec::as_slice).collect();
-            let starts = before.iter().map(|column| lost.iter().map(|&k| column[k]).collect()).collect();
-            let finite = self.finite_steps(form, starts, &of(eps), &own, now);
-            lost.iter().zip(finite).for_each(|(&k, steps)| ends[k] = End::Range(made + steps));
+            made += now;
+            if made == steps {
+                return;
+            }
         }
-        for (k, end) in ends.iter().enumerate() {
-            if *end != End::Complete {
-                columns.iter_mut().for_each(|column| column[k] = nothing());
-            }
-        }
-        Ok(ends)
     }
 
     /// How many steps lead each trajectory to its last finite point, where it is known of all that
@@ -244,11 +263,11 @@ impl<T: MachineFloat> MapAt<T> {
         let (own_parameters, own_eps) = self.own();
         let field = self.map.field();
         let map = |k: usize| {
-            let eps = own(eps, k).first().copied().unwrap_or(own_eps);
+            let eps = own(eps, k..k + 1).first().copied().unwrap_or(own_eps);
             if parameters.is_empty() {
                 return self.at_constants(self.map.clone(), own_parameters.iter().copied(), eps);
             }
-            let values = parameters.iter().flat_map(|values| own(values, k)).copied();
+            let values = parameters.iter().flat_map(|values| own(values, k..k + 1)).copied();
             let named = field.parameters().iter().zip(values.clone().map(|value| value.approximate()));
             match field.with(named) {
                 Ok(map) => self.at_constants(map, values, eps),
@@ -300,7 +319,16 @@ fn nothing<T: MachineFloat>() -> T {
     T::zero() / T::zero()
 }
 
-/// Of what is given once for all trajectories, or once each, or not at all, what a trajectory has.
-fn own<T>(values: &[T], trajectory: usize) -> &[T] {
-    if values.len() > 1 { &values[trajectory..=trajectory] } else { values }
+/// The trajectories that are not finite any more, and have not ended before.
+fn lost<T: MachineFloat>(columns: &[&mut [T]], ends: &[End]) -> Vec<usize> {
+    if columns.iter().all(|column| is_finite(column)) {
+        return Vec::new();
+    }
+    let is_lost = |k: usize| !columns.iter().all(|column| is_finite(&column[k..=k]));
+    (0..ends.len()).filter(|&k| ends[k] == End::Complete && is_lost(k)).collect()
+}
+
+/// Of what is given once for all trajectories, or once each, or not at all, what these have.
+fn own<T>(values: &[T], trajectories: Range<usize>) -> &[T] {
+    if values.len() > 1 { &values[trajectories] } else { values }
 }

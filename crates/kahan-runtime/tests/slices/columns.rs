@@ -195,9 +195,11 @@ fn a_trajectory_of_columns_ends_where_it_ends_alone_with_the_same_bits() {
     for (text, tiny) in fields.into_iter().flat_map(|text| [(text, 0.05), (text, 1e-310)]) {
         let field = Field::parse(text).expect("a field");
         let map = field.with([("a", 1)]).expect("its parameter").at(0.1);
-        for (trajectories, composition) in [(1, Composition::KAHAN), (37, Composition::SUZUKI_4)] {
+        for (trajectories, composition) in
+            [(1, Composition::KAHAN), (37, Composition::SUZUKI_4), (1031, Composition::KAHAN)]
+        {
             let map = map.composed(composition);
-            let eps: Vec<f64> = (0..trajectories).map(|k| 0.1 + 0.01 * f64::from(k)).collect();
+            let eps: Vec<f64> = (0..trajectories).map(|k| 0.1 + 0.01 * f64::from(k % 37)).collect();
             let eps: Vec<f64> = eps.iter().map(|eps| if *eps == 0.13 { tiny } else { *eps }).collect();
             let rates: Vec<f64> = (0..trajectories).map(|k| 1.0 + 0.25 * f64::from(k % 5)).collect();
             let mut start = columns::<f64>(2, eps.len());
