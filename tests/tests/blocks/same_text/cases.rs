@@ -13,7 +13,7 @@ const FOLDER: &str = "macro/tests/compile_errors";
 
 /// One case.
 pub(super) struct CompileCase {
-    /// `topic/name`.
+    /// `topic`, or `topic/name`.
     pub(super) name: String,
     /// The Rust source.
     pub(super) source: String,
@@ -27,7 +27,8 @@ pub(super) struct CompileCase {
 pub(super) fn compile_cases() -> Vec<CompileCase> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(FOLDER);
     let topics = entries(&root);
-    let sources = topics.iter().flat_map(|topic| entries(topic));
+    let sources =
+        topics.into_iter().flat_map(|topic| if topic.is_dir() { entries(&topic) } else { vec![topic] });
     let sources = sources.filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
     sources
         .map(|path| {
