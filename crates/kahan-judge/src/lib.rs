@@ -33,7 +33,7 @@ use std::fmt;
 use kahan_study::trade::CannotRun;
 use kahan_study::{Count, Study, Subject, Watch};
 use kahan_systems::{registry, volterra};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use random_fields::odd::odd;
 use random_fields::{RandomField, numbered};
@@ -51,8 +51,7 @@ pub fn usual_subjects() -> impl Iterator<Item = Subject> {
 
 /// Asks what steps make of points near poles, of mixed magnitudes, with subnormal and infinite
 /// numbers. Parameters that are not given are drawn for each trial.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremes {
     /// The number of trials of each scalar, besides three thirty-second parts with special inputs.
     pub trials: u64,

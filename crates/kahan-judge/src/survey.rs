@@ -9,7 +9,6 @@ use kahan_core::num_rational::BigRational;
 use kahan_runtime::interpreted::{LARGEST_DIMENSION, UnsupportedDimension};
 use kahan_runtime::threads::for_each;
 use kahan_runtime::{Field, FieldText, Map};
-
 use kahan_study::Count;
 use kahan_study::trade::CannotRun;
 

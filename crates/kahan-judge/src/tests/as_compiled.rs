@@ -18,9 +18,10 @@ use std::{env, fs};
 use kahan_algebra::check::Checked;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::read_unproved;
+use kahan_core::Dd;
 use kahan_runtime::threads::for_each;
 
-use super::compiled::{Compiled, Number};
+use super::compiled::Compiled;
 use super::drawn::{Drawn, odd, odd_chain, odd_of_many};
 use crate::random_fields::odd::OddField;
 use crate::tally::{Broken, Cell, Tally};
@@ -28,8 +29,6 @@ use crate::tally::{Broken, Cell, Tally};
 const SEED: u64 = 1;
 /// So many fields are compiled in one crate.
 const IN_ONE_CRATE: usize = 50;
-const NUMBERS: [(Number, &str, usize); 3] =
-    [(Number::F32, "f32", 1), (Number::F64, "f64", 1), (Number::Dd, "Dd", 2)];
 
 /// A field, what judges it, and the trials that it has of each number.
 struct Tried {
@@ -51,11 +50,6 @@ impl Tried {
 
     fn count(&self) -> u64 {
         Compiled::count(self.trials)
-    }
-
-    /// The numbers of a state.
-    fn state(&self) -> usize {
-        self.field.variables * self.field.sites.unwrap_or(1)
     }
 
     /// The module of the crate: its block, and a function that tries every step.
@@ -80,7 +74,7 @@ impl Tried {
                  // Where there is no map, there is no step.
                  let tried = {value}.at(eps, {sites}).ok().and_then(|mut map| map.try_step(&mut next).ok());
                  output.put(tried.map(|()| next));",
-                self.state()
+                variables * sites
             ),
             None => format!(
                 "let x: Vec<T> = input.take({variables});
@@ -174,7 +168,7 @@ fn program(fields: &[Tried]) -> String {
         text += &tried.module();
         let name = &tried.field.field.name;
         let module = name.to_lowercase();
-        let calls = NUMBERS.map(|(_, number, _)| format!("{module}::tries::<{number}>(from, to);"));
+        let calls = ["f32", "f64", "Dd"].map(|number| format!("{module}::tries::<{number}>(from, to);"));
         writeln!(arms, "        {name:?} => {{ {} }}", calls.concat()).expect("a text takes more");
     }
     text + &format!(
@@ -213,23 +207,18 @@ fn build(fields: &[Tried]) -> PathBuf {
 impl Tried {
     /// The words of every trial, number by number.
     fn inputs(&self) -> Vec<u8> {
-        let each = |number| move |index| self.judged.inputs(number, self.trials, SEED, index);
-        let words = NUMBERS.iter().flat_map(|(number, ..)| (0..self.count()).flat_map(each(*number)));
-        words.flat_map(u64::to_le_bytes).collect()
+        let Self { judged, trials, .. } = self;
+        let all = [judged.inputs::<f32>(*trials, SEED), judged.inputs::<f64>(*trials, SEED)].concat();
+        all.into_iter().chain(judged.inputs::<Dd>(*trials, SEED)).flat_map(u64::to_le_bytes).collect()
     }
 
     /// Judges the words that the program wrote.
-    fn judge(&self, results: &[u64]) -> Tally {
-        let (mut at, mut tally) = (0, Tally::default());
-        for (number, _, words) in NUMBERS {
-            for index in 0..self.count() {
-                let size = results[at] as usize * self.state() * words;
-                let next = (results[at] == 1).then(|| &results[at + 1..at + 1 + size]);
-                self.judged.judge(number, self.trials, SEED, index, next, &mut tally);
-                at += 1 + size;
-            }
-        }
-        assert_eq!(at, results.len(), "the program wrote a result for each trial");
+    fn judge(&self, mut results: &[u64]) -> Tally {
+        let (Self { judged, trials, .. }, mut tally) = (self, Tally::default());
+        judged.judge::<f32>(*trials, SEED, &mut results, &mut tally);
+        judged.judge::<f64>(*trials, SEED, &mut results, &mut tally);
+        judged.judge::<Dd>(*trials, SEED, &mut results, &mut tally);
+        assert!(results.is_empty(), "the program wrote a result for each trial");
         tally
     }
 

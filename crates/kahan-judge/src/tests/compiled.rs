@@ -19,7 +19,7 @@ use crate::tally::Tally;
 use crate::trial::{Trials, with_special_inputs};
 
 /// A float as words, one for each float that it is made of.
-trait Words: Float {
+pub(super) trait Words: Float {
     const WORDS: usize;
 
     fn words(self) -> Vec<u64>;
@@ -66,17 +66,6 @@ impl Words for Dd {
 /// A system whose steps are made elsewhere; all of its parameters are drawn.
 pub(super) struct Compiled(Target);
 
-/// The numbers that steps are made in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Number {
-    /// A word of 32 bits.
-    F32,
-    /// A word.
-    F64,
-    /// Two words, the high part first.
-    Dd,
-}
-
 /// What judges a field of whatever number of variables.
 pub(crate) fn judge_of(system: &System) -> Box<dyn Judge> {
     if system.field.dimension() <= LARGEST_DIMENSION {
@@ -108,47 +97,26 @@ impl Compiled {
         with_special_inputs(trials)
     }
 
-    /// The words of one trial: parameters, states, ε.
-    pub(super) fn inputs(&self, number: Number, trials: u64, seed: u64, index: u64) -> Vec<u64> {
-        match number {
-            Number::F32 => self.inputs_of::<f32>(trials, seed, index),
-            Number::F64 => self.inputs_of::<f64>(trials, seed, index),
-            Number::Dd => self.inputs_of::<Dd>(trials, seed, index),
+    /// The words of all trials: parameters, states, ε of each.
+    pub(super) fn inputs<T: Words>(&self, trials: u64, seed: u64) -> Vec<u64> {
+        let all = Trials::<T>::new(vec![&self.0], trials, seed);
+        let words = |index| {
+            let Inputs { parameters, x, eps, .. } = all.inputs(index).1;
+            parameters.into_iter().chain(x).chain([eps]).flat_map(Words::words)
+        };
+        (0..Self::count(trials)).flat_map(words).collect()
+    }
+
+    /// Judges all trials by the words that `results` begins with, and takes these away: for each
+    /// trial 1 and the words of x̃, or 0 where `try_step` returned an error.
+    pub(super) fn judge<T: Words>(&self, trials: u64, seed: u64, results: &mut &[u64], tally: &mut Tally) {
+        let all = Trials::<T>::new(vec![&self.0], trials, seed);
+        for index in 0..Self::count(trials) {
+            let size = results[0] as usize * self.0.judge.equation().dimension() * T::WORDS;
+            let (next, rest) = results[1..].split_at(size);
+            let next = (results[0] == 1).then(|| next.chunks(T::WORDS).map(T::of_words).collect());
+            all.draw(index).count_stable(next, tally);
+            *results = rest;
         }
-    }
-
-    fn inputs_of<T: Words>(&self, trials: u64, seed: u64, index: u64) -> Vec<u64> {
-        let (_, inputs) = Trials::<T>::new(vec![&self.0], trials, seed).inputs(index);
-        let Inputs { parameters, x, eps, .. } = inputs;
-        parameters.into_iter().chain(x).chain([eps]).flat_map(Words::words).collect()
-    }
-
-    /// Judges the words of x̃ of one trial, or that `try_step` returned an error.
-    pub(super) fn judge(
-        &self,
-        number: Number,
-        trials: u64,
-        seed: u64,
-        index: u64,
-        next: Option<&[u64]>,
-        tally: &mut Tally,
-    ) {
-        match number {
-            Number::F32 => self.judge_of::<f32>(trials, seed, index, next, tally),
-            Number::F64 => self.judge_of::<f64>(trials, seed, index, next, tally),
-            Number::Dd => self.judge_of::<Dd>(trials, seed, index, next, tally),
-        }
-    }
-
-    fn judge_of<T: Words>(
-        &self,
-        trials: u64,
-        seed: u64,
-        index: u64,
-        next: Option<&[u64]>,
-        tally: &mut Tally,
-    ) {
-        let next = next.map(|words| words.chunks(T::WORDS).map(T::of_words).collect());
-        Trials::<T>::new(vec![&self.0], trials, seed).draw(index).count_stable(next, tally);
     }
 }

@@ -16,7 +16,7 @@ use kahan_study::{Progress, Study, Subject, Systems, Unwatched, Watch};
 use kahan_systems::E2;
 use serde_json::json;
 
-use super::compiled::{Compiled, Number};
+use super::compiled::Compiled;
 use super::drawn::{Drawn, odd, odd_chain, odd_of_many};
 use crate::{Cell, Extremes, Place, Regime, Tally, usual_subjects};
 
@@ -156,16 +156,14 @@ fn fields_of_many_variables_and_chains_can_be_drawn_and_judged() {
     };
     let of_many = |number| Compiled::new("Many", &system(&odd_of_many(1, number)));
     for field in (0..6).map(of_chain).chain((0..3).map(of_many)) {
-        let mut tally = Tally::default();
-        for (number, words) in [(Number::F32, 1), (Number::F64, 1), (Number::Dd, 2)] {
-            for index in 0..Compiled::count(8) {
-                let inputs = field.inputs(number, 8, 5, index);
-                assert_eq!(inputs, field.inputs(number, 8, 5, index));
-                assert_eq!(inputs.len() % words, 0);
-                field.judge(number, 8, 5, index, None, &mut tally);
-            }
-        }
-        assert_eq!(sum(&tally, |_| true, |cell| cell.flagged), 3 * Compiled::count(8));
+        let count = Compiled::count(8);
+        assert_eq!(field.inputs::<f64>(8, 5), field.inputs::<f64>(8, 5));
+        assert_eq!(field.inputs::<f32>(8, 5).len() * 2, field.inputs::<Dd>(8, 5).len());
+        let (flags, mut tally) = (vec![0; count as usize], Tally::default());
+        field.judge::<f32>(8, 5, &mut &flags[..], &mut tally);
+        field.judge::<f64>(8, 5, &mut &flags[..], &mut tally);
+        field.judge::<Dd>(8, 5, &mut &flags[..], &mut tally);
+        assert_eq!(sum(&tally, |_| true, |cell| cell.flagged), 3 * count);
     }
 }
 
