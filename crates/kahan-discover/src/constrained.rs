@@ -16,7 +16,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::search::spanned_pencils;
 use crate::setting::Draw;
-use crate::space::lift_space;
+use crate::space::reconstruct_space;
 use crate::stepping::Stepping;
 
 /// P − cQ as coefficients of monomials, each a polynomial in unknowns.
@@ -157,7 +157,8 @@ impl Collector<'_> {
             let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
                 pencil.at(&constrained(modulus, unknowns, random)?, random, limits.deadline)
             };
-            let basis = lift_space(&names, &monomials, &pencil.space.form, at, random, limits.deadline)?;
+            let basis =
+                reconstruct_space(&names, &monomials, &pencil.space.form, at, random, limits.deadline)?;
             self.offer_quotients(&basis, &wider);
         }
         Some(())

@@ -16,7 +16,7 @@ use crate::monomials::Monomials;
 use crate::products::product;
 use crate::report::DensitySearch;
 use crate::setting::Setting;
-use crate::space::{Form, Names, Space, lift_space, tidy};
+use crate::space::{Form, Names, Space, reconstruct_space, tidy};
 use crate::stepping::Stepping;
 
 /// How often a point is drawn again.
@@ -106,7 +106,7 @@ pub fn measure(
         }
         let Some(space) = measure_space(&draw.map, degree, random, deadline) else { break };
         if space.dimension() > 0 {
-            let measure = lifted(setting, &draw.map, &space, degree, random, deadline);
+            let measure = reconstructed(setting, &draw.map, &space, degree, random, deadline);
             return (measure, DensitySearch { seen: Some(degree), none_up_to: None });
         }
         search.none_up_to = Some(degree);
@@ -119,7 +119,7 @@ pub fn measure(
 }
 
 /// The simplest element of a space of P, over ℚ.
-fn lifted(
+fn reconstructed(
     setting: &Setting,
     map: &ModularMap,
     space: &Space,
@@ -140,7 +140,7 @@ fn lifted(
         Space::of_form(&modulus, &form, vectors)
     };
     let symbols = setting.family().symbols();
-    let polynomials = lift_space(&Names::of(setting), &monomials, &form, at, random, deadline)?;
+    let polynomials = reconstruct_space(&Names::of(setting), &monomials, &form, at, random, deadline)?;
     Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), -1)], degree })
 }
 

@@ -1,4 +1,4 @@
-//! Lifting with the help of weights: as many unknowns as the weights separate are set to 1, and
+//! Rational reconstruction with the help of weights: as many unknowns as the weights separate are set to 1, and
 //! every term gets its powers of them back from its weight.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
@@ -7,11 +7,11 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
 use crate::deadline::Deadline;
-use crate::lift::{Oracle, confirms, lift};
 use crate::modulus::Modulus;
+use crate::reconstruct::{Oracle, confirms, reconstruct};
 use crate::weights::{reduce, weight_of};
 
-/// The weights of the unknowns of a lift and of the entries it looks for.
+/// The weights of the unknowns of a reconstruction and of the entries it looks for.
 #[derive(Clone, Debug)]
 pub struct Grading {
     /// One for each unknown.
@@ -110,9 +110,9 @@ impl Grading {
     }
 }
 
-/// [`lift`] with some unknowns scaled to 1 where the entries are homogeneous; without, where that
+/// [`reconstruct`] with some unknowns scaled to 1 where the entries are homogeneous; without, where that
 /// comes to nothing.
-pub fn lift_graded(
+pub fn reconstruct_graded(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],
     grading: &Grading,
@@ -121,14 +121,14 @@ pub fn lift_graded(
 ) -> Option<Vec<RationalFunction>> {
     let chosen = grading.separated();
     if !chosen.is_empty()
-        && let Some(found) = lift_scaled(oracle, variables, grading, &chosen, random, deadline)
+        && let Some(found) = reconstruct_scaled(oracle, variables, grading, &chosen, random, deadline)
     {
         return Some(found);
     }
-    lift(oracle, variables, random, deadline)
+    reconstruct(oracle, variables, random, deadline)
 }
 
-fn lift_scaled(
+fn reconstruct_scaled(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],
     grading: &Grading,
@@ -145,7 +145,7 @@ fn lift_scaled(
         oracle(modulus, &all, random)
     };
     let remaining: Vec<Variable> = kept.iter().map(|&unknown| variables[unknown]).collect();
-    let functions = lift(&mut scaled, &remaining, random, deadline)?;
+    let functions = reconstruct(&mut scaled, &remaining, random, deadline)?;
     let restored: Option<Vec<RationalFunction>> = functions
         .iter()
         .enumerate()

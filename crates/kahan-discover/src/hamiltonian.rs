@@ -11,11 +11,11 @@ use kahan_algebra::system::upper_index;
 
 use crate::deadline::Deadline;
 use crate::determinant::{along, determinant};
-use crate::lift::lift;
 use crate::map::ModularMap;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::reconstruct::reconstruct;
 use crate::relations::monomial_gradients;
 use crate::setting::{Draw, Setting};
 use crate::space::{combination, over_common};
@@ -75,7 +75,7 @@ pub fn hamiltonian(
         let potential = potential(&map, &monomials, &tensor, random, deadline)?;
         Some([tensor, potential].concat())
     };
-    let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
+    let entries = reconstruct(&mut oracle, &setting.unknown_variables(), random, deadline)?;
     let (upper, coefficients) = entries.split_at(n * (n - 1) / 2);
     let symbols = setting.family().symbols();
     let states: Vec<Variable> = (0..n).map(|i| symbols.state(i)).collect();

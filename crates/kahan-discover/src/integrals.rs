@@ -1,4 +1,4 @@
-//! Independent integrals with all unknowns, lifted and proved.
+//! Independent integrals with all unknowns, reconstructed and proved.
 
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
@@ -17,7 +17,7 @@ use crate::monomials::Monomials;
 use crate::pencil::Pencil;
 use crate::search::{Reach, pencils_of_entries, spanned_pencils};
 use crate::setting::{Draw, Setting};
-use crate::space::lift_space;
+use crate::space::reconstruct_space;
 use crate::stepping::Stepping;
 
 /// Integrals P/Q are looked for up to this degree at least, as far as the number of their
@@ -135,7 +135,7 @@ impl Collector<'_> {
         }
     }
 
-    /// Lifts pencils and keeps their integrals; returns the bases.
+    /// Reconstructs pencils and keeps their integrals; returns the bases.
     fn take(
         &mut self,
         pencils: &[Pencil],
@@ -163,7 +163,7 @@ impl Collector<'_> {
             let monomials = Monomials::new(chart.leaf.order().len(), pencil.degree);
             let names = chart.names(setting);
             let form = &pencil.space.form;
-            let Some(basis) = lift_space(&names, &monomials, form, at, random, limits.deadline) else {
+            let Some(basis) = reconstruct_space(&names, &monomials, form, at, random, limits.deadline) else {
                 continue;
             };
             self.offer_quotients(&basis, chart);

@@ -11,11 +11,11 @@ use kahan_algebra::rational::Rational;
 
 use crate::deadline::Deadline;
 use crate::hilbert::random_relations;
-use crate::lift::lift;
 use crate::map::ModularMap;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::{PencilEntry, SPARE};
+use crate::reconstruct::reconstruct;
 use crate::setting::Setting;
 use crate::space::{combination, over_common};
 use crate::stepping::Stepping;
@@ -166,7 +166,7 @@ impl Leaf {
     }
 
     /// The formulas of the cⱼ, where they are quotients of polynomials of degree 1 that can be
-    /// lifted.
+    /// reconstructed.
     pub fn coordinates(
         &self,
         setting: &Setting,
@@ -192,7 +192,7 @@ impl Leaf {
                 let scale = modulus.inverse(*below.iter().find(|&&value| value != 0)?)?;
                 Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
             };
-            let entries = lift(&mut oracle, &setting.unknown_variables(), random, deadline)?;
+            let entries = reconstruct(&mut oracle, &setting.unknown_variables(), random, deadline)?;
             // One denominator for all entries, so that P and Q are polynomials.
             let (entries, _) = over_common(&entries);
             let (above, below) = entries.split_at(linear.len());

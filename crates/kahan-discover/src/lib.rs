@@ -14,7 +14,7 @@
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`],
 //! [`watch`] (the tools);
 //! [`stepping`], [`family`], [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`],
-//! [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`lift`], [`weights`],
+//! [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`], [`weights`],
 //! [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`],
 //! [`constrained`], [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`],
 //! `brackets`; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; `writing`,
@@ -55,7 +55,6 @@ pub mod hilbert;
 pub mod independent;
 pub mod integrals;
 pub mod leaf;
-pub mod lift;
 mod limit;
 pub mod map;
 pub mod matrix;
@@ -65,6 +64,7 @@ pub mod parity;
 pub mod pencil;
 pub mod poles;
 mod products;
+pub mod reconstruct;
 mod reduction;
 pub mod relations;
 pub mod report;

@@ -1,4 +1,4 @@
-//! The ansatz for one function that is lifted: N/D, each a sum over the same monomials of the
+//! The ansatz for one function that is reconstructed: N/D, each a sum over the same monomials of the
 //! unknowns.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};

@@ -1,7 +1,7 @@
 //! Spaces of polynomials in the states, given by bases in reduced echelon form on fixed monomials.
 //!
 //! A space that depends on parameters and ε has a basis in reduced form whose entries are rational
-//! functions of them; this is what is lifted.
+//! functions of them; this is what is reconstructed.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable, gcd};
 use kahan_algebra::prime_field::SplitMix64;
@@ -10,11 +10,11 @@ use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::Symbols;
 
 use crate::deadline::Deadline;
-use crate::grading::{Grading, lift_graded};
-use crate::lift::lift;
+use crate::grading::{Grading, reconstruct_graded};
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::reconstruct::reconstruct;
 use crate::setting::Setting;
 use crate::weights::Weights;
 use crate::writing::begins_negative;
@@ -146,8 +146,8 @@ impl Names {
 }
 
 /// The basis of a space over ℚ as polynomials with coprime integer coefficients. `at` gives the
-/// space at any values of the unknowns, always of the same form; `None` as for [`lift`].
-pub fn lift_space(
+/// space at any values of the unknowns, always of the same form; `None` as for [`reconstruct`].
+pub fn reconstruct_space(
     names: &Names,
     monomials: &Monomials,
     form: &Form,
@@ -162,9 +162,9 @@ pub fn lift_space(
     let entries = match &names.weights {
         Some(weights) => {
             let grading = names.grading(weights, monomials, form);
-            lift_graded(&mut oracle, &names.unknowns, &grading, random, deadline)?
+            reconstruct_graded(&mut oracle, &names.unknowns, &grading, random, deadline)?
         }
-        None => lift(&mut oracle, &names.unknowns, random, deadline)?,
+        None => reconstruct(&mut oracle, &names.unknowns, random, deadline)?,
     };
     let rows = entries.chunks(form.support.len());
     Some(rows.map(|row| cleared(&names.states, monomials, &form.support, row)).collect())

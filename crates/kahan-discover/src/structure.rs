@@ -14,7 +14,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
 use crate::setting::Setting;
-use crate::space::{Names, Space, lift_space, tidy};
+use crate::space::{Names, Space, reconstruct_space, tidy};
 use crate::stepping::Stepping;
 
 /// div f = Σ ∂fᵢ/∂xᵢ.
@@ -63,7 +63,7 @@ impl FlowIntegrals {
 const MOST_MONOMIALS: usize = 900;
 
 /// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`,
-/// lifted over the parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
+/// reconstructed over the parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
 pub fn flow_integrals(
     setting: &Setting,
     degree: u32,
@@ -112,7 +112,7 @@ fn flow_space(
         let vectors = flow_null_vectors(&map, &monomials, &form.support, random, deadline)?;
         Space::of_form(&modulus, &form, vectors)
     };
-    lift_space(&Names::of(setting), &monomials, &form, at, random, deadline)
+    reconstruct_space(&Names::of(setting), &monomials, &form, at, random, deadline)
 }
 
 /// The null vectors of ∇P·f on some monomials; `None` if the deadline passes.

@@ -6,7 +6,7 @@ use kahan_algebra::render::Text;
 
 use crate::basis::Basis;
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL};
-use crate::lift::MOST_DIGITS;
+use crate::reconstruct::MOST_DIGITS;
 use crate::report::{Bound, ModifiedPlace, Report};
 
 use structure::structure;

@@ -40,27 +40,27 @@ const MOST_DRAWS: usize = 8;
 ///
 /// Cost: for ansatz functions of m coefficients in all, m + 4 calls a prime and m³ products for
 /// each entry.
-pub fn lift(
+pub fn reconstruct(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<Vec<RationalFunction>> {
     let mut primes: Vec<(Modulus, Vec<Vec<u64>>)> = Vec::new();
-    let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };
+    let mut reconstruction = Reconstruction { oracle, unknowns: variables.len(), random, deadline };
     let mut modulus = Modulus::mersenne_61();
-    let shapes = lifter.shapes(modulus)?;
+    let shapes = reconstruction.shapes(modulus)?;
     while primes.len() < MOST_PRIMES {
-        let coefficients = lifter.coefficients(modulus, &shapes)?;
+        let coefficients = reconstruction.coefficients(modulus, &shapes)?;
         primes.push((modulus, coefficients));
-        modulus = Modulus::random(lifter.random);
+        modulus = Modulus::random(reconstruction.random);
         let functions: Option<Vec<RationalFunction>> = shapes
             .iter()
             .enumerate()
             .map(|(index, shape)| shape.function(&primes, index, variables))
             .collect();
         if let Some(functions) = functions
-            && confirms(lifter.oracle, &functions, variables, lifter.random, deadline)
+            && confirms(reconstruction.oracle, &functions, variables, reconstruction.random, deadline)
         {
             return Some(functions);
         }
@@ -68,14 +68,14 @@ pub fn lift(
     None
 }
 
-struct Lifter<'a> {
+struct Reconstruction<'a> {
     oracle: &'a mut Oracle<'a>,
     unknowns: usize,
     random: &'a mut SplitMix64,
     deadline: &'a Deadline<'a>,
 }
 
-impl Lifter<'_> {
+impl Reconstruction<'_> {
     fn point(&mut self, modulus: &Modulus) -> Vec<u64> {
         (0..self.unknowns).map(|_| modulus.sample(self.random)).collect()
     }
@@ -185,8 +185,8 @@ pub fn confirms(
     deadline: &Deadline<'_>,
 ) -> bool {
     let modulus = Modulus::random(random);
-    let mut lifter = Lifter { oracle, unknowns: variables.len(), random, deadline };
-    lifter.sample(modulus).is_some_and(|(point, values)| {
+    let mut reconstruction = Reconstruction { oracle, unknowns: variables.len(), random, deadline };
+    reconstruction.sample(modulus).is_some_and(|(point, values)| {
         let value = |variable: Variable| {
             let place = variables.iter().position(|known| *known == variable);
             point[place.expect("functions are of these variables")]
@@ -216,7 +216,7 @@ mod tests {
             let below = modulus.inverse(modulus.minus(at[0], at[1]))?;
             Some(vec![modulus.times(modulus.minus(above, seventh), below), modulus.rational(&large)?, 0])
         };
-        let found = lift(&mut oracle, &[a, b], &mut SplitMix64::new(2), &Deadline::never()).unwrap();
+        let found = reconstruct(&mut oracle, &[a, b], &mut SplitMix64::new(2), &Deadline::never()).unwrap();
         let (pa, pb) = (Polynomial::variable(a), Polynomial::variable(b));
         let above =
             (&(&pa * &pa) * &pb).scale(&Rational::from(3)) - Polynomial::constant(Rational::new(1, 7));
@@ -229,6 +229,8 @@ mod tests {
     fn what_is_no_rational_function_is_not_lifted() {
         let mut oracle =
             |modulus: Modulus, at: &[u64], _: &mut SplitMix64| Some(vec![modulus.power(at[0], 1 << 30)]);
-        assert!(lift(&mut oracle, &[Variable(0)], &mut SplitMix64::new(2), &Deadline::never()).is_none());
+        assert!(
+            reconstruct(&mut oracle, &[Variable(0)], &mut SplitMix64::new(2), &Deadline::never()).is_none()
+        );
     }
 }
