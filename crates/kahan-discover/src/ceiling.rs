@@ -21,7 +21,7 @@ use kahan_algebra::prime_field::{PrimeField, SplitMix64};
 use crate::deadline::Deadline;
 use crate::map::{ModularMap, Term};
 use crate::modulus::Modulus;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 
 /// Why there are no more than so many integrals.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,14 +60,14 @@ const TRIALS_A_DRAW: usize = 40;
 /// first that is `enough` or lower; `None` where no zero was found, where ε is fixed, or in more
 /// than 24 variables.
 pub fn ceiling(
-    setting: &Setting,
+    searched: &SearchField,
     enough: usize,
     trials: usize,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<Ceiling> {
-    let n = setting.dimension();
-    if setting.eps().is_some() || n > MOST_VARIABLES {
+    let n = searched.dimension();
+    if searched.eps().is_some() || n > MOST_VARIABLES {
         return None;
     }
     let mut lowest: Option<Ceiling> = None;
@@ -79,8 +79,8 @@ pub fn ceiling(
             continue;
         }
         let modulus = Modulus::of(PrimeField::new(prime).expect("the numbers listed are primes"));
-        let unknowns: Vec<u64> = (0..setting.unknowns()).map(|_| modulus.sample(random)).collect();
-        let Some(map) = setting.at(modulus, &unknowns) else { continue };
+        let unknowns: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        let Some(map) = searched.at(modulus, &unknowns) else { continue };
         for _ in 0..TRIALS_A_DRAW {
             if deadline.passed() {
                 return lowest;
@@ -258,8 +258,8 @@ mod tests {
 
     fn of(text: &str, eps: Option<kahan_algebra::rational::Rational>) -> Option<usize> {
         let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
-        let setting = Setting::new(&field, eps);
-        ceiling(&setting, 0, FEW_TRIALS, &mut SplitMix64::new(1), &Deadline::never())
+        let searched = SearchField::new(&field, eps);
+        ceiling(&searched, 0, FEW_TRIALS, &mut SplitMix64::new(1), &Deadline::never())
             .map(|found| found.integrals)
     }
 

@@ -6,7 +6,7 @@ use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::symbols::{Symbol, Symbols};
 
 use crate::leaf::{Coordinate, Leaf};
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::space::Names;
 
 /// The work that putting the formulas of a leaf's coordinates in may take, in products of terms.
@@ -29,9 +29,9 @@ impl Chart {
 
     /// Which variables of formulas on the leaf stand for what.
     #[must_use]
-    pub fn names(&self, setting: &Setting) -> Names {
-        let symbols = setting.family().symbols();
-        let mut names = Names::of(setting);
+    pub fn names(&self, searched: &SearchField) -> Names {
+        let symbols = searched.family().symbols();
+        let mut names = Names::of(searched);
         names.unknowns.extend((0..self.coordinates.len()).map(|j| self.variable(symbols, j)));
         names.states = self.leaf.order().iter().map(|&state| symbols.state(state)).collect();
         if let Some((weights, unknowns)) = &mut names.weights {

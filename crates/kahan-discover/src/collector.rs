@@ -9,7 +9,7 @@ use crate::leaf::Leaf;
 use crate::limit::with_a_limit;
 use crate::monomials::Monomials;
 use crate::reduction::reduced;
-use crate::setting::{Draw, DrawnStep, Setting};
+use crate::search_field::{Draw, DrawnStep, SearchField};
 use crate::space::tidy;
 use crate::writing::factors_of;
 
@@ -18,7 +18,7 @@ use crate::writing::factors_of;
 const MOST_AHEAD: usize = 150;
 
 pub(crate) struct Collector<'a> {
-    pub(crate) setting: &'a Setting,
+    pub(crate) searched: &'a SearchField,
     pub(crate) claims: &'a Claims<'a>,
     pub(crate) wanted: usize,
     pub(crate) known: Option<&'a (Polynomial, Polynomial)>,
@@ -39,7 +39,7 @@ impl Collector<'_> {
     /// and is proved.
     pub(crate) fn offer(&mut self, numerator: Polynomial, denominator: Polynomial) {
         if denominator.as_constant().is_none()
-            && self.step.as_ref().is_some_and(|step| step.keeps(self.setting, &denominator))
+            && self.step.as_ref().is_some_and(|step| step.keeps(self.searched, &denominator))
         {
             self.offer_one(denominator, Polynomial::one());
             self.offer_one(numerator, Polynomial::one());
@@ -51,16 +51,16 @@ impl Collector<'_> {
     /// Keeps the integral that need not be looked for, if the search has come to its degree, or to
     /// one that costs more than is to be gained.
     pub(crate) fn offer_known(&mut self, degree: u32) {
-        let symbols = self.setting.family().symbols();
+        let symbols = self.searched.family().symbols();
         let Some((above, below)) = self.known else { return };
-        let is_expensive = 2 * Monomials::count(self.setting.dimension(), degree) > MOST_AHEAD;
+        let is_expensive = 2 * Monomials::count(self.searched.dimension(), degree) > MOST_AHEAD;
         if is_expensive || symbols.degree(above).max(symbols.degree(below)) <= degree {
             self.offer(above.clone(), below.clone());
         }
     }
 
     pub(crate) fn offer_one(&mut self, numerator: Polynomial, denominator: Polynomial) {
-        let symbols = self.setting.family().symbols();
+        let symbols = self.searched.family().symbols();
         if self.is_done() || !self.independent.admits(&numerator, &denominator) {
             return;
         }
@@ -81,7 +81,7 @@ impl Collector<'_> {
     fn simplified(&self, numerator: Polynomial, denominator: Polynomial) -> (Polynomial, Polynomial) {
         let Some(step) = &self.step else { return (numerator, denominator) };
         let (above, below) =
-            reduced(self.setting, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
+            reduced(self.searched, step, &factors_of(&self.formulas), numerator.clone(), denominator.clone());
         // A product of known factors over a new denominator may have been all that was new.
         if self.independent.admits(&above, &below) { (above, below) } else { (numerator, denominator) }
     }
@@ -90,7 +90,7 @@ impl Collector<'_> {
     /// leaf; none on a proper leaf, where all that chooses it is constant.
     pub(crate) fn known_gradients(&self, leaf: &Leaf, draw: &Draw, point: &[u64]) -> Vec<Vec<u64>> {
         let order = leaf.order();
-        if order.len() < self.setting.dimension() {
+        if order.len() < self.searched.dimension() {
             return Vec::new();
         }
         let mut place = vec![0; order.len()];
@@ -98,7 +98,7 @@ impl Collector<'_> {
             place[state] = value;
         }
         let gradients = self.formulas.iter().filter_map(|known| {
-            let own = quotient_gradient(self.setting, draw, &place, &known.numerator, &known.denominator)?;
+            let own = quotient_gradient(self.searched, draw, &place, &known.numerator, &known.denominator)?;
             Some(order.iter().map(|&state| own[state]).collect())
         });
         gradients.collect()

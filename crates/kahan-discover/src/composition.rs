@@ -9,7 +9,7 @@ use crate::hilbert::{Hilbert, random_relations};
 use crate::map::ModularMap;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::stepping::Stepping;
 
 /// What is left of the integrals under composition.
@@ -46,25 +46,25 @@ impl Stepping for Composed {
 /// `None` where it has no value, or the deadline passes. A formula that contains ε is meant at the
 /// ε of the whole, as it would be used.
 pub fn survivors(
-    setting: &Setting,
+    searched: &SearchField,
     formulas: &[Formula],
     degree: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<Survivors> {
     let modulus = Modulus::mersenne_61();
-    let draw = setting.draw(modulus, random)?;
+    let draw = searched.draw(modulus, random)?;
     let eps = draw.map.eps();
     let scaled = |factor: u64| draw.map.with_eps(modulus.times(factor, eps));
     let (outer, inner) = (modulus.sample(random), modulus.sample(random));
     let composed = Composed { outer: scaled(outer), inner: scaled(inner) };
-    let monomials = Monomials::new(setting.dimension(), degree);
+    let monomials = Monomials::new(searched.dimension(), degree);
     let relations = random_relations(&composed, &monomials, random, deadline)?;
     let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);
     let next = composed.next(&relations.start)?;
     let value = |formula: &Formula, point: &[u64]| {
-        let above = setting.evaluate(&formula.numerator, &draw, point)?;
-        let below = setting.evaluate(&formula.denominator, &draw, point)?;
+        let above = searched.evaluate(&formula.numerator, &draw, point)?;
+        let below = searched.evaluate(&formula.denominator, &draw, point)?;
         Some(modulus.times(above, modulus.inverse(below)?))
     };
     // By which factor each formula changes in a step of the composed map.

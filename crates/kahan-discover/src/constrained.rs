@@ -15,7 +15,7 @@ use crate::leaf::{Coordinate, LeafMap};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::search::spanned_pencils;
-use crate::setting::Draw;
+use crate::search_field::Draw;
 use crate::space::reconstruct_space;
 use crate::stepping::Stepping;
 
@@ -120,8 +120,8 @@ impl Collector<'_> {
         random: &mut SplitMix64,
     ) -> Option<()> {
         let [first, second, ..] = basis else { return None };
-        let setting = self.setting;
-        let symbols = setting.family().symbols();
+        let searched = self.searched;
+        let symbols = searched.family().symbols();
         let states: Vec<Variable> = chart.leaf.order().iter().map(|&state| symbols.state(state)).collect();
         let monomials = Monomials::new(states.len(), degree);
         let mut coefficients =
@@ -137,12 +137,12 @@ impl Collector<'_> {
         let (numerator, denominator) = chart.substituted(symbols, first, second)?;
         let mut wider = chart.clone();
         wider.coordinates.push(Coordinate { numerator, denominator });
-        let names = wider.names(setting);
-        let own = setting.unknowns();
+        let names = wider.names(searched);
+        let own = searched.unknowns();
         let constrained = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
             let (generic, entries) = unknowns.split_at(own);
             let (value, entries) = entries.split_last()?;
-            let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
+            let map = chart.leaf.map_at(searched.at(modulus, generic)?, entries, random)?;
             constraint.on(map, *value, |variable| {
                 let place = names.unknowns.iter().position(|known| *known == variable);
                 unknowns[place.expect("the integral's other variables are unknowns")]

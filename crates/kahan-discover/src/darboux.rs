@@ -15,7 +15,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::products::product;
 use crate::report::DensitySearch;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::space::{Form, Names, Space, reconstruct_space, tidy};
 use crate::stepping::Stepping;
 
@@ -82,7 +82,7 @@ const HIGHEST_QUOTIENT: u32 = 16;
 /// of `factors` are preferred to anything else. All P are looked at up to the degree `highest`,
 /// products up to 12.
 pub fn measure(
-    setting: &Setting,
+    searched: &SearchField,
     factors: &[Polynomial],
     highest: u32,
     random: &mut SplitMix64,
@@ -93,12 +93,12 @@ pub fn measure(
         let search = DensitySearch { seen: Some(measure.degree), none_up_to: None };
         (Some(measure), search)
     };
-    let Some(draw) = setting.draw(Modulus::mersenne_61(), random) else { return (None, search) };
+    let Some(draw) = searched.draw(Modulus::mersenne_61(), random) else { return (None, search) };
     for degree in 0..=highest.max(HIGHEST_PRODUCT) {
         if deadline.passed() {
             break;
         }
-        if let Some(factors) = product(setting, factors, degree, &[-1], random) {
+        if let Some(factors) = product(searched, factors, degree, &[-1], random) {
             return found(Measure { factors, degree });
         }
         if degree > highest {
@@ -106,13 +106,13 @@ pub fn measure(
         }
         let Some(space) = measure_space(&draw.map, degree, random, deadline) else { break };
         if space.dimension() > 0 {
-            let measure = reconstructed(setting, &draw.map, &space, degree, random, deadline);
+            let measure = reconstructed(searched, &draw.map, &space, degree, random, deadline);
             return (measure, DensitySearch { seen: Some(degree), none_up_to: None });
         }
         search.none_up_to = Some(degree);
     }
     let quotient = (0..=HIGHEST_QUOTIENT).find_map(|degree| {
-        let factors = product(setting, factors, degree, &[-1, 1], random)?;
+        let factors = product(searched, factors, degree, &[-1, 1], random)?;
         Some(Measure { factors, degree })
     });
     quotient.map_or((None, search), found)
@@ -120,14 +120,14 @@ pub fn measure(
 
 /// The simplest element of a space of P, over ℚ.
 fn reconstructed(
-    setting: &Setting,
+    searched: &SearchField,
     map: &ModularMap,
     space: &Space,
     degree: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<Measure> {
-    let monomials = Monomials::new(setting.dimension(), degree);
+    let monomials = Monomials::new(searched.dimension(), degree);
     let simplest = (0..space.dimension()).min_by_key(|&index| space.terms(index))?;
     let places = space.form.support.iter().zip(&space.rows[simplest]).filter(|(_, value)| **value != 0);
     let support: Vec<usize> = places.map(|(&index, _)| index).collect();
@@ -135,12 +135,12 @@ fn reconstructed(
     let (form, row) =
         if is_unique { (Form { support, pivots: vec![0] }, 0) } else { (space.form.clone(), simplest) };
     let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-        let map = setting.at(modulus, unknowns)?;
+        let map = searched.at(modulus, unknowns)?;
         let vectors = null_vectors(&map, &monomials, &form.support, random, deadline)?;
         Space::of_form(&modulus, &form, vectors)
     };
-    let symbols = setting.family().symbols();
-    let polynomials = reconstruct_space(&Names::of(setting), &monomials, &form, at, random, deadline)?;
+    let symbols = searched.family().symbols();
+    let polynomials = reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)?;
     Some(Measure { factors: vec![(tidy(symbols, &polynomials[row]), -1)], degree })
 }
 
@@ -156,7 +156,7 @@ mod tests {
             .system()
             .expect("a system")
             .field;
-        let setting = Setting::new(&field, None);
+        let searched = SearchField::new(&field, None);
         let symbols = &field.symbols;
         let variable = Polynomial::variable;
         let (x, y, eps) =
@@ -166,7 +166,7 @@ mod tests {
         let factors = [long.clone(), y.clone()];
         // One over a polynomial is not looked for up to degree 4, where there is one.
         let far = Deadline::never();
-        let found = measure(&setting, &factors, 2, &mut SplitMix64::new(1), &far);
+        let found = measure(&searched, &factors, 2, &mut SplitMix64::new(1), &far);
         assert_eq!(found.0, Some(Measure { factors: vec![(long, -1), (y, 1)], degree: 6 }));
     }
 }

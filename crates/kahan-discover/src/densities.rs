@@ -10,7 +10,7 @@ use crate::deadline::Deadline;
 use crate::determinant::determinant;
 use crate::monomials::Monomials;
 use crate::report::DensitySearch;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::space::tidy;
 use crate::writing::factors_of;
 
@@ -30,7 +30,7 @@ fn density_degree(n: usize) -> u32 {
 
 /// The density of least degree; or 1/det A where det(I − t f′) is even and that is the only one.
 pub(crate) fn densities(
-    setting: &Setting,
+    searched: &SearchField,
     claims: &Claims<'_>,
     integrals: &[Formula],
     field: &Field,
@@ -38,15 +38,15 @@ pub(crate) fn densities(
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> (Vec<Formula>, DensitySearch) {
-    let symbols = setting.family().symbols();
+    let symbols = searched.family().symbols();
     let factors = factors_of(integrals);
-    let highest = density_degree(setting.dimension());
-    let (found, search) = measure(setting, &factors, highest, random, deadline);
+    let highest = density_degree(searched.dimension());
+    let (found, search) = measure(searched, &factors, highest, random, deadline);
     let mut densities = Vec::new();
     densities.extend(found.and_then(|found| claims.density(symbols, None, &found.factors, &factors)));
     if is_even
         && densities.is_empty()
-        && let Some(written) = written_determinant(setting, field)
+        && let Some(written) = written_determinant(searched, field)
     {
         densities.extend(claims.density(symbols, None, &[(written, -1)], &factors));
     }
@@ -54,8 +54,8 @@ pub(crate) fn densities(
 }
 
 /// det A(x,ε) up to factors free of states, ε put in where it is fixed, if that has few terms.
-fn written_determinant(setting: &Setting, field: &Field) -> Option<Polynomial> {
+fn written_determinant(searched: &SearchField, field: &Field) -> Option<Polynomial> {
     let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
-    let fixed = setting.at_eps(determinant(field, &mut budget).ok()?);
+    let fixed = searched.at_eps(determinant(field, &mut budget).ok()?);
     Some(tidy(&field.symbols, &fixed)).filter(|fixed| !fixed.is_zero())
 }

@@ -17,7 +17,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::reconstruct::reconstruct;
 use crate::relations::monomial_gradients;
-use crate::setting::{Draw, Setting};
+use crate::search_field::{Draw, SearchField};
 use crate::space::{combination, over_common};
 use crate::stepping::Stepping;
 
@@ -50,23 +50,23 @@ pub fn is_within_reach(n: usize) -> bool {
 /// K; then H is cubic, which is linear in H. `None` where there is none among the K of a basis and
 /// their sum, where H has more than 400 coefficients, or where the field is zero.
 pub fn hamiltonian(
-    setting: &Setting,
+    searched: &SearchField,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<Hamiltonian> {
-    let n = setting.dimension();
+    let n = searched.dimension();
     if n < 2 || !is_within_reach(n) {
         return None;
     }
     let monomials = Monomials::new(n, 3);
-    let draw = setting.draw(Modulus::mersenne_61(), random)?;
+    let draw = searched.draw(Modulus::mersenne_61(), random)?;
     let tensors = tensors(&draw.map, random);
     let choice = (0..=tensors.len()).find(|&choice| {
         chosen(&draw.map, &tensors, choice)
             .is_some_and(|k| potential(&draw.map, &monomials, &k, random, deadline).is_some())
     })?;
     let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-        let map = setting.at(modulus, unknowns)?;
+        let map = searched.at(modulus, unknowns)?;
         let found = self::tensors(&map, random);
         if found.len() != tensors.len() {
             return None;
@@ -75,9 +75,9 @@ pub fn hamiltonian(
         let potential = potential(&map, &monomials, &tensor, random, deadline)?;
         Some([tensor, potential].concat())
     };
-    let entries = reconstruct(&mut oracle, &setting.unknown_variables(), random, deadline)?;
+    let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
     let (upper, coefficients) = entries.split_at(n * (n - 1) / 2);
-    let symbols = setting.family().symbols();
+    let symbols = searched.family().symbols();
     let states: Vec<Variable> = (0..n).map(|i| symbols.state(i)).collect();
     let support: Vec<usize> = (1..monomials.len()).collect();
     let (coefficients, common) = over_common(coefficients);
@@ -224,23 +224,23 @@ impl Hamiltonian {
 
     /// ∇H̃ at a point of a drawn map, up to a factor: H̃ = H + (x̃ − x)·∇H/3, differentiated.
     #[must_use]
-    pub fn modified_gradient(&self, setting: &Setting, draw: &Draw, here: &[u64]) -> Option<Vec<u64>> {
+    pub fn modified_gradient(&self, searched: &SearchField, draw: &Draw, here: &[u64]) -> Option<Vec<u64>> {
         let modulus = draw.map.modulus();
-        let n = setting.dimension();
+        let n = searched.dimension();
         let there = draw.map.next(here)?;
         let jacobian = draw.map.jacobian(here, &there)?;
-        let symbols = setting.family().symbols();
+        let symbols = searched.family().symbols();
         // The denominator of H is free of states: a factor.
         let potential = self.hamiltonian.numerator();
         let first: Vec<Polynomial> = (0..n).map(|i| potential.derivative(symbols.state(i))).collect();
         let slopes: Vec<u64> =
-            first.iter().map(|slope| setting.evaluate(slope, draw, here)).collect::<Option<_>>()?;
+            first.iter().map(|slope| searched.evaluate(slope, draw, here)).collect::<Option<_>>()?;
         let third = modulus.inverse(modulus.integer(3))?;
         (0..n)
             .map(|j| {
                 let mut moved = modulus.opposite(slopes[j]);
                 for i in 0..n {
-                    let second = setting.evaluate(&first[i].derivative(symbols.state(j)), draw, here)?;
+                    let second = searched.evaluate(&first[i].derivative(symbols.state(j)), draw, here)?;
                     let distance = modulus.minus(there[i], here[i]);
                     moved = modulus.plus(moved, modulus.times(second, distance));
                     moved = modulus.plus(moved, modulus.times(slopes[i], jacobian[i][j]));
@@ -257,7 +257,7 @@ impl Hamiltonian {
     ///
     /// A common factor of numerator and denominator may be left where it is expensive to find.
     #[must_use]
-    pub fn modified(&self, setting: &Setting, field: &Field) -> Option<(Polynomial, Polynomial)> {
+    pub fn modified(&self, searched: &SearchField, field: &Field) -> Option<(Polynomial, Polynomial)> {
         let symbols = &field.symbols;
         let mut budget = Budget::new(MOST_TERMS, MODIFIED_WORK);
         // With H = P/q: H̃ = (3PD + 2ε ∇Pᵀ adj(A) f)/(3qD)
@@ -269,7 +269,7 @@ impl Hamiltonian {
         let two_eps = Polynomial::variable(symbols.epsilon()).scale(&Rational::from(2));
         let start = potential.mul_within(&below, &mut budget).ok()?.scale(&Rational::from(3));
         let above = start + along.mul_within(&two_eps, &mut budget).ok()?;
-        let (above, below) = (setting.at_eps(above), setting.at_eps(below));
+        let (above, below) = (searched.at_eps(above), searched.at_eps(below));
         if below.is_zero() {
             return None;
         }

@@ -6,7 +6,7 @@ use crate::deadline::Deadline;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::stepping::Stepping;
 
 /// h(d) for a generic orbit: the number of monomials of degree ≤ d that are independent on it.
@@ -87,16 +87,16 @@ impl Hilbert {
     ///
     /// Cost: with N = C(n + degree, n) monomials and h = h(degree), 4 N² h products.
     pub fn of(
-        setting: &Setting,
+        searched: &SearchField,
         degree: u32,
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
     ) -> Option<Self> {
-        let monomials = Monomials::new(setting.dimension(), degree);
+        let monomials = Monomials::new(searched.dimension(), degree);
         let mut found: Option<Hilbert> = None;
         for modulus in [Modulus::mersenne_61(), Modulus::random(random)] {
             for _ in 0..2 {
-                let map = setting.draw(modulus, random)?.map;
+                let map = searched.draw(modulus, random)?.map;
                 let Some(relations) = random_relations(&map, &monomials, random, deadline) else {
                     return found.filter(|_| deadline.has_stopped());
                 };
@@ -117,20 +117,20 @@ impl Hilbert {
     /// Cost: N² h products where nothing is added.
     pub fn further(
         &self,
-        setting: &Setting,
+        searched: &SearchField,
         degree: u32,
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
     ) -> Option<Self> {
-        let monomials = Monomials::new(setting.dimension(), degree);
+        let monomials = Monomials::new(searched.dimension(), degree);
         let modulus = Modulus::mersenne_61();
-        let map = setting.draw(modulus, random)?.map;
+        let map = searched.draw(modulus, random)?.map;
         let relations = random_relations(&map, &monomials, random, deadline)?;
         let found = Hilbert::from_relations(&relations, &modulus, &monomials);
         if found.integrals <= self.integrals {
             return Some(Hilbert { agree: self.agree, ..found });
         }
-        Self::of(setting, degree, random, deadline)
+        Self::of(searched, degree, random, deadline)
     }
 
     /// What one orbit shows.

@@ -5,23 +5,23 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::matrix::Echelon;
-use crate::setting::{Draw, DrawnStep, Setting};
+use crate::search_field::{Draw, DrawnStep, SearchField};
 use crate::stepping::Stepping;
 
 /// ∇(P/Q) Q² at a point of a drawn map; `None` where the prime divides a denominator of the
 /// coefficients.
 #[must_use]
 pub fn quotient_gradient(
-    setting: &Setting,
+    searched: &SearchField,
     draw: &Draw,
     point: &[u64],
     numerator: &Polynomial,
     denominator: &Polynomial,
 ) -> Option<Vec<u64>> {
     let modulus = draw.map.modulus();
-    let value = |polynomial: &Polynomial| setting.evaluate(polynomial, draw, point);
+    let value = |polynomial: &Polynomial| searched.evaluate(polynomial, draw, point);
     let (above, below) = (value(numerator)?, value(denominator)?);
-    let symbols = setting.family().symbols();
+    let symbols = searched.family().symbols();
     (0..symbols.dimension())
         .map(|i| {
             let rising = value(&numerator.derivative(symbols.state(i)))?;
@@ -35,20 +35,20 @@ pub fn quotient_gradient(
 /// seen is a rank over ℚ.)
 #[derive(Debug)]
 pub struct Independent<'a> {
-    setting: &'a Setting,
+    searched: &'a SearchField,
     step: Option<DrawnStep>,
     gradients: Vec<Vec<u64>>,
 }
 
 impl<'a> Independent<'a> {
     /// Of nothing yet.
-    pub fn new(setting: &'a Setting, random: &mut SplitMix64) -> Self {
-        Independent { setting, step: setting.step(random), gradients: Vec::new() }
+    pub fn new(searched: &'a SearchField, random: &mut SplitMix64) -> Self {
+        Independent { searched, step: searched.step(random), gradients: Vec::new() }
     }
 
     fn gradient(&self, numerator: &Polynomial, denominator: &Polynomial) -> Option<Vec<u64>> {
         let step = self.step.as_ref()?;
-        quotient_gradient(self.setting, &step.draw, &step.here, numerator, denominator)
+        quotient_gradient(self.searched, &step.draw, &step.here, numerator, denominator)
     }
 
     /// Whether P/Q is independent of what was kept.
@@ -59,7 +59,7 @@ impl<'a> Independent<'a> {
         let mut rows = self.gradients.clone();
         rows.push(gradient);
         let wanted = rows.len();
-        Echelon::of(step.draw.map.modulus(), rows, self.setting.dimension()).rank() == wanted
+        Echelon::of(step.draw.map.modulus(), rows, self.searched.dimension()).rank() == wanted
     }
 
     /// Keeps P/Q.

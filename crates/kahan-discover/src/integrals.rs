@@ -16,7 +16,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
 use crate::search::{Reach, pencils_of_entries, spanned_pencils};
-use crate::setting::{Draw, Setting};
+use crate::search_field::{Draw, SearchField};
 use crate::space::reconstruct_space;
 use crate::stepping::Stepping;
 
@@ -44,19 +44,19 @@ pub struct Aims<'a> {
 /// Independent integrals over ℚ with all unknowns, each proved, of least degree first: as many as
 /// there are, or as were found before the deadline.
 pub fn integrals(
-    setting: &Setting,
+    searched: &SearchField,
     claims: &Claims<'_>,
     aims: &Aims<'_>,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Vec<Formula> {
     let mut collector = Collector {
-        setting,
+        searched,
         claims,
         wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.kept.len()),
         known: aims.known,
-        step: setting.step(random),
-        independent: Independent::new(setting, random),
+        step: searched.step(random),
+        independent: Independent::new(searched, random),
         tell: aims.tell,
         formulas: Vec::new(),
     };
@@ -78,19 +78,19 @@ impl Collector<'_> {
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
     ) -> Option<()> {
-        let setting = self.setting;
-        let draw = setting.draw(Modulus::mersenne_61(), random)?;
+        let searched = self.searched;
+        let draw = searched.draw(Modulus::mersenne_61(), random)?;
         let relation_degree = hilbert.defining_degree(&draw.map, random, deadline)?;
         let limits = SearchLimits { relation_degree, highest: hilbert.degree(), reach, deadline };
         let leaf = Leaf::of(&draw.map, random);
-        if let Some(coordinates) = leaf.coordinates(setting, random, deadline) {
+        if let Some(coordinates) = leaf.coordinates(searched, random, deadline) {
             for Coordinate { numerator, denominator } in &coordinates {
                 self.offer(numerator.clone(), denominator.clone());
             }
             self.search_leaf(&Chart { leaf, coordinates }, &draw, &limits, random);
         }
         if !self.is_done() {
-            let leaf = Leaf::whole((0..setting.dimension()).collect());
+            let leaf = Leaf::whole((0..searched.dimension()).collect());
             self.search_leaf(&Chart { leaf, coordinates: Vec::new() }, &draw, &limits, random);
         }
         Some(())
@@ -153,15 +153,15 @@ impl Collector<'_> {
             if self.is_done() {
                 break;
             }
-            let own = self.setting.unknowns();
-            let setting = self.setting;
+            let own = self.searched.unknowns();
+            let searched = self.searched;
             let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
                 let (generic, entries) = unknowns.split_at(own);
-                let map = chart.leaf.map_at(setting.at(modulus, generic)?, entries, random)?;
+                let map = chart.leaf.map_at(searched.at(modulus, generic)?, entries, random)?;
                 pencil.at(&map, random, limits.deadline)
             };
             let monomials = Monomials::new(chart.leaf.order().len(), pencil.degree);
-            let names = chart.names(setting);
+            let names = chart.names(searched);
             let form = &pencil.space.form;
             let Some(basis) = reconstruct_space(&names, &monomials, form, at, random, limits.deadline) else {
                 continue;
@@ -175,7 +175,7 @@ impl Collector<'_> {
     /// Keeps the quotients of a basis by the simplest of its elements that does not vanish on the
     /// leaf.
     pub(crate) fn offer_quotients(&mut self, basis: &[Polynomial], chart: &Chart) {
-        let symbols = self.setting.family().symbols();
+        let symbols = self.searched.family().symbols();
         let mut order: Vec<usize> = (0..basis.len()).collect();
         order.sort_by_key(|&index| (!has_constant(symbols, &basis[index]), basis[index].len()));
         for &base in &order {

@@ -16,7 +16,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::{PencilEntry, SPARE};
 use crate::reconstruct::reconstruct;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::space::{combination, over_common};
 use crate::stepping::Stepping;
 use crate::weights::Weights;
@@ -169,19 +169,19 @@ impl Leaf {
     /// reconstructed.
     pub fn coordinates(
         &self,
-        setting: &Setting,
+        searched: &SearchField,
         random: &mut SplitMix64,
         deadline: &Deadline<'_>,
     ) -> Option<Vec<Coordinate>> {
-        let n = setting.dimension();
+        let n = searched.dimension();
         let linear = Monomials::new(n, 1);
         let all: Vec<usize> = (0..linear.len()).collect();
-        let states: Vec<Variable> = (0..n).map(|i| setting.family().symbols().state(i)).collect();
+        let states: Vec<Variable> = (0..n).map(|i| searched.family().symbols().state(i)).collect();
         let mut coordinates = Vec::new();
         for &(leading, lower) in &self.places {
             let entry = PencilEntry { leading, lower, numerator: all.clone(), denominator: all.clone() };
             let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-                let map = setting.at(modulus, unknowns)?;
+                let map = searched.at(modulus, unknowns)?;
                 let mut orbits = Vec::new();
                 for _ in 0..2 * all.len() + SPARE {
                     orbits.push(random_relations(&map, &linear, random, deadline)?);
@@ -192,7 +192,7 @@ impl Leaf {
                 let scale = modulus.inverse(*below.iter().find(|&&value| value != 0)?)?;
                 Some([above, below].concat().iter().map(|&value| modulus.times(value, scale)).collect())
             };
-            let entries = reconstruct(&mut oracle, &setting.unknown_variables(), random, deadline)?;
+            let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
             // One denominator for all entries, so that P and Q are polynomials.
             let (entries, _) = over_common(&entries);
             let (above, below) = entries.split_at(linear.len());

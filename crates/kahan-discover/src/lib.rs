@@ -13,7 +13,7 @@
 //!
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`],
 //! [`watch`] (the tools);
-//! [`stepping`], [`family`], [`map`], [`setting`] (the maps looked at); [`thiele`], [`degrees`],
+//! [`stepping`], [`family`], [`map`], [`search_field`] (the maps looked at); [`thiele`], [`degrees`],
 //! [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`], [`weights`],
 //! [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`],
 //! [`constrained`], [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`],
@@ -70,7 +70,7 @@ pub mod relations;
 pub mod report;
 pub mod scan;
 pub mod search;
-pub mod setting;
+pub mod search_field;
 mod shape;
 pub mod space;
 mod stages;

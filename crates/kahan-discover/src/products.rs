@@ -6,30 +6,30 @@ use kahan_algebra::rational::Rational;
 
 use crate::darboux::random_step;
 use crate::modulus::Modulus;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 
 /// The simplest product of powers of the given polynomials, exponents of these `signs`, whose
 /// degrees add up to `degree` and whose cofactor is 1/det ∂x̃/∂x.
 pub(crate) fn product(
-    setting: &Setting,
+    searched: &SearchField,
     factors: &[Polynomial],
     degree: u32,
     signs: &[i32],
     random: &mut SplitMix64,
 ) -> Option<Vec<(Polynomial, i32)>> {
-    let symbols = setting.family().symbols();
+    let symbols = searched.family().symbols();
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
     let modulus = Modulus::mersenne_61();
     // For each of two points the factors' cofactors, their inverses, and the determinant.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
-        let draw = setting.draw(modulus, random)?;
+        let draw = searched.draw(modulus, random)?;
         let (point, step) = random_step(&draw.map, random)?;
         let cofactors: Option<Vec<[u64; 2]>> = factors
             .iter()
             .map(|factor| {
-                let here = setting.evaluate(factor, &draw, &point)?;
-                let there = setting.evaluate(factor, &draw, &step.next)?;
+                let here = searched.evaluate(factor, &draw, &point)?;
+                let there = searched.evaluate(factor, &draw, &step.next)?;
                 let cofactor = |above, below| Some(modulus.times(above, modulus.inverse(below)?));
                 Some([cofactor(there, here)?, cofactor(here, there)?])
             })

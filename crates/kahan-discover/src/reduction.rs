@@ -10,7 +10,7 @@ use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
 
 use crate::products::exponents;
-use crate::setting::{DrawnStep, Setting};
+use crate::search_field::{DrawnStep, SearchField};
 use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::writing::{in_powers, state_factors};
@@ -18,15 +18,15 @@ use crate::writing::{in_powers, state_factors};
 /// The integral with factors of its denominator cancelled, as often as that is possible; `factors`
 /// are those of the integrals known.
 pub(crate) fn reduced(
-    setting: &Setting,
+    searched: &SearchField,
     step: &DrawnStep,
     factors: &[Polynomial],
     numerator: Polynomial,
     denominator: Polynomial,
 ) -> (Polynomial, Polynomial) {
-    let symbols = setting.family().symbols();
+    let symbols = searched.family().symbols();
     let (mut numerator, mut denominator) = (numerator, denominator);
-    while let Some((above, below)) = without_factor(setting, step, factors, &numerator, &denominator) {
+    while let Some((above, below)) = without_factor(searched, step, factors, &numerator, &denominator) {
         let common = gcd(&above, &below);
         let lowest = |side: &Polynomial| side.checked_div(&common).expect("a common divisor divides");
         (numerator, denominator) = (tidy(symbols, &lowest(&above)), tidy(symbols, &lowest(&below)));
@@ -36,19 +36,19 @@ pub(crate) fn reduced(
 
 /// (αP − βM)/q over Q/q for some factor q of Q and some M.
 fn without_factor(
-    setting: &Setting,
+    searched: &SearchField,
     step: &DrawnStep,
     factors: &[Polynomial],
     numerator: &Polynomial,
     denominator: &Polynomial,
 ) -> Option<(Polynomial, Polynomial)> {
-    let symbols = setting.family().symbols();
+    let symbols = searched.family().symbols();
     let poles = state_factors(symbols, denominator);
     if poles.is_empty() {
         return None;
     }
-    let products = products(setting, step, factors, numerator, denominator)?;
-    let moves = moving_states(setting, step, factors);
+    let products = products(searched, step, factors, numerator, denominator)?;
+    let moves = moving_states(searched, step, factors);
     for pole in &poles {
         for variable in pole.variables().into_iter().filter(|&variable| symbols.is_state(variable)) {
             // What is left of a polynomial where the pole is 0, and the factor that was multiplied
@@ -85,13 +85,13 @@ fn without_factor(
 }
 
 /// The states that are no integrals by themselves.
-fn moving_states(setting: &Setting, step: &DrawnStep, factors: &[Polynomial]) -> Vec<Variable> {
-    let symbols = setting.family().symbols();
+fn moving_states(searched: &SearchField, step: &DrawnStep, factors: &[Polynomial]) -> Vec<Variable> {
+    let symbols = searched.family().symbols();
     let rests = |variable: Variable| {
         let single = Polynomial::variable(variable);
-        factors.contains(&single) && step.keeps(setting, &single)
+        factors.contains(&single) && step.keeps(searched, &single)
     };
-    (0..setting.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
+    (0..searched.dimension()).map(|i| symbols.state(i)).filter(|&variable| !rests(variable)).collect()
 }
 
 /// What all coefficients have in common, the polynomial taken as one in these variables.
@@ -103,18 +103,18 @@ fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
 
 /// The products of factors that have the denominator's cofactor and at most the numerator's degree.
 fn products(
-    setting: &Setting,
+    searched: &SearchField,
     step: &DrawnStep,
     factors: &[Polynomial],
     numerator: &Polynomial,
     denominator: &Polynomial,
 ) -> Option<Vec<Polynomial>> {
-    let symbols = setting.family().symbols();
+    let symbols = searched.family().symbols();
     let modulus = step.draw.map.modulus();
     let cofactors: Vec<u64> =
-        factors.iter().map(|factor| step.cofactor(setting, factor)).collect::<Option<_>>()?;
+        factors.iter().map(|factor| step.cofactor(searched, factor)).collect::<Option<_>>()?;
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();
-    let wanted = step.cofactor(setting, denominator)?;
+    let wanted = step.cofactor(searched, denominator)?;
     let mut found = Vec::new();
     for total in 1..=symbols.degree(numerator) {
         for candidate in exponents(&degrees, total, &[1]) {
@@ -153,13 +153,13 @@ mod tests {
         let below = &poles[0] * &poles[1];
         let product = &x * &z;
         let mixed = &(&sum * &below) + &(&eps * &product).scale(&Rational::from(5));
-        let setting = Setting::new(&field, None);
-        let step = setting.step(&mut SplitMix64::new(1)).expect("the map has a value");
+        let searched = SearchField::new(&field, None);
+        let step = searched.step(&mut SplitMix64::new(1)).expect("the map has a value");
         let factors = [x, z, poles[0].clone(), poles[1].clone()];
-        let found = reduced(&setting, &step, &factors, mixed.clone(), below.clone());
+        let found = reduced(&searched, &step, &factors, mixed.clone(), below.clone());
         assert_eq!(found, (sum, Polynomial::one()));
         // Without the factors of the other integral nothing cancels.
-        let kept = reduced(&setting, &step, &factors[2..], mixed.clone(), below.clone());
+        let kept = reduced(&searched, &step, &factors[2..], mixed.clone(), below.clone());
         assert_eq!(kept, (mixed, below));
     }
 }

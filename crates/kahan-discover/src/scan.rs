@@ -14,7 +14,7 @@ use crate::hilbert::{Hilbert, default_degree};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::report::{DiscoverError, Options};
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::stages::specialised;
 use crate::watch::{Progress, Watch};
 
@@ -150,15 +150,15 @@ fn look(
     parameters.extend(options.parameters.iter().filter(|(name, _)| !is_scanned(name)).cloned());
     let eps = values.iter().find(|(name, _)| name == "eps").map(|(_, value)| value.clone());
     let fixed = specialised(system, &parameters)?;
-    let setting = Setting::new(&fixed.field, eps.or_else(|| options.eps.clone()));
+    let searched = SearchField::new(&fixed.field, eps.or_else(|| options.eps.clone()));
     let mut random = SplitMix64::from_bytes(format!("{values:?}").as_bytes());
-    let draw = setting.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
-    if setting.eps().is_some() && !setting.is_invertible(&mut random) {
+    let draw = searched.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
+    if searched.eps().is_some() && !searched.is_invertible(&mut random) {
         return Err(DiscoverError::Collapse);
     }
     let limits = DegreeLimits { iterates: ITERATES, degree: ITERATE_DEGREE, deadline };
     let degrees = degrees(&draw.map, &mut random, limits);
-    Ok(Hilbert::of(&setting, degree, &mut random, deadline).map(|hilbert| Sight {
+    Ok(Hilbert::of(&searched, degree, &mut random, deadline).map(|hilbert| Sight {
         degrees,
         integrals: hilbert.integrals,
         hilbert: hilbert.values,

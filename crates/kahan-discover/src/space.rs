@@ -15,7 +15,7 @@ use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::reconstruct::reconstruct;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::weights::Weights;
 use crate::writing::begins_negative;
 
@@ -111,14 +111,14 @@ pub struct Names {
 impl Names {
     /// Those of a map in all its states.
     #[must_use]
-    pub fn of(setting: &Setting) -> Self {
-        let symbols = setting.family().symbols();
-        let unknowns = setting.unknown_variables();
-        let own = unknowns.iter().map(|&unknown| setting.weights().of_variable(unknown)).collect();
+    pub fn of(searched: &SearchField) -> Self {
+        let symbols = searched.family().symbols();
+        let unknowns = searched.unknown_variables();
+        let own = unknowns.iter().map(|&unknown| searched.weights().of_variable(unknown)).collect();
         Names {
             unknowns,
-            states: (0..setting.dimension()).map(|i| symbols.state(i)).collect(),
-            weights: Some((setting.weights().clone(), own)),
+            states: (0..searched.dimension()).map(|i| symbols.state(i)).collect(),
+            weights: Some((searched.weights().clone(), own)),
         }
     }
 

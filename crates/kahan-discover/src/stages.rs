@@ -31,7 +31,7 @@ use crate::report::{
     Bound, DensitySearch, DiscoverError, HamiltonianReport, ModifiedPlace, Options, Report, StructureReport,
 };
 use crate::search::Reach;
-use crate::setting::{DrawnStep, Setting};
+use crate::search_field::{DrawnStep, SearchField};
 use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
@@ -81,16 +81,16 @@ pub(crate) fn discover_within(
     if options.eps.as_ref().is_some_and(Rational::is_zero) {
         return Err(DiscoverError::ZeroStep);
     }
-    let setting = Setting::new(&fixed.field, options.eps.clone());
+    let searched = SearchField::new(&fixed.field, options.eps.clone());
     let mut random = SplitMix64::from_bytes(format!("{:?}{:?}", fixed.field, options.eps).as_bytes());
     let random = &mut random;
-    let draw = setting.draw(Modulus::mersenne_61(), random).ok_or(DiscoverError::NoMap)?;
-    if options.eps.is_some() && !setting.is_invertible(random) {
+    let draw = searched.draw(Modulus::mersenne_61(), random).ok_or(DiscoverError::NoMap)?;
+    if options.eps.is_some() && !searched.is_invertible(random) {
         return Err(DiscoverError::Collapse);
     }
 
     begins("linear and quadratic integrals of the flow");
-    let of_flow = flow_integrals(&setting, 2, random, &for_flow);
+    let of_flow = flow_integrals(&searched, 2, random, &for_flow);
 
     begins("degrees of iterates");
     let limits =
@@ -98,30 +98,31 @@ pub(crate) fn discover_within(
     let degrees = degrees(&draw.map, random, limits);
 
     begins("relations on orbits");
-    let usual = default_degree(setting.dimension());
+    let usual = default_degree(searched.dimension());
     let degree = options.degree.unwrap_or(usual);
-    let mut hilbert = Hilbert::of(&setting, degree, random, &for_orbits);
+    let mut hilbert = Hilbert::of(&searched, degree, random, &for_orbits);
     // A lower degree is a fraction of the work, and better than nothing: the usual one, or half of
     // that.
     if hilbert.is_none() && for_orbits.has_stopped() && degree > 1 {
         let lower = if degree > usual { usual } else { degree / 2 };
-        hilbert = Hilbert::of(&setting, lower, random, &for_structure);
+        hilbert = Hilbert::of(&searched, lower, random, &for_structure);
     }
 
     begins("structure of the field");
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
-    let mut structure = structure(&setting, &fixed, &of_flow, random);
-    let hamiltonian = hamiltonian(&setting, random, &for_structure).filter(|found| found.holds(&fixed.field));
+    let mut structure = structure(&searched, &fixed, &of_flow, random);
+    let hamiltonian =
+        hamiltonian(&searched, random, &for_structure).filter(|found| found.holds(&fixed.field));
     let modified = hamiltonian.as_ref().and_then(|found| {
-        let (above, below) = found.modified(&setting, &fixed.field)?;
+        let (above, below) = found.modified(&searched, &fixed.field)?;
         Some((tidy(symbols, &above), tidy(symbols, &below)))
     });
     let place = draw.step(random).ok_or(DiscoverError::NoMap)?;
-    let kept = of_flow.kept(&setting, random);
+    let kept = of_flow.kept(&searched, random);
     structure.kept = kept.len();
 
     let search = Search {
-        setting: &setting,
+        searched: &searched,
         field: &fixed.field,
         claims: &claims,
         hamiltonian: hamiltonian.as_ref(),
@@ -138,13 +139,13 @@ pub(crate) fn discover_within(
         [&for_flow, &for_degrees, &for_orbits, &for_structure].iter().any(|deadline| deadline.has_stopped())
             || until.has_stopped();
 
-    let n = setting.dimension();
+    let n = searched.dimension();
     let is_open = |hilbert: &Hilbert| complete(hilbert, n, found.independent, None).is_none();
     let trials = if options.degree.is_some() { FEW_TRIALS } else { MANY_TRIALS };
     let ceiling = hilbert
         .as_ref()
         .filter(|hilbert| is_open(hilbert))
-        .and_then(|_| ceiling(&setting, found.independent, trials, &mut random.clone(), &end));
+        .and_then(|_| ceiling(&searched, found.independent, trials, &mut random.clone(), &end));
     let bound = loop {
         let Some(known) = &hilbert else {
             break if is_stopped { Bound::Time } else { Bound::Poles };
@@ -160,7 +161,7 @@ pub(crate) fn discover_within(
             break Bound::Size;
         }
         begins(&format!("relations of degree {degree} on orbits"));
-        let Some(further) = known.further(&setting, degree, random, &end) else {
+        let Some(further) = known.further(&searched, degree, random, &end) else {
             break if end.has_stopped() { Bound::Time } else { Bound::Poles };
         };
         let are_more = further.integrals > known.integrals;
@@ -242,7 +243,7 @@ impl<'a> Until<'a> {
 
 /// What formulas are looked for with.
 struct Search<'a> {
-    setting: &'a Setting,
+    searched: &'a SearchField,
     field: &'a Field,
     claims: &'a Claims<'a>,
     hamiltonian: Option<&'a Hamiltonian>,
@@ -290,7 +291,7 @@ impl Search<'_> {
         random: &mut SplitMix64,
         until: &Until<'_>,
     ) -> Found {
-        let setting = self.setting;
+        let searched = self.searched;
         let symbols = &self.field.symbols;
         (self.begins)("formulas of integrals");
         let shown = hilbert.map_or(0, |hilbert| hilbert.integrals);
@@ -298,7 +299,7 @@ impl Search<'_> {
             .filter(|_| shown > 0)
             .and_then(|hilbert| hilbert.defining_degree(&self.place.draw.map, random, &until.integrals));
         let candidates =
-            defining.map_or_else(Vec::new, |degree| candidates(setting, degree, random, &until.integrals));
+            defining.map_or_else(Vec::new, |degree| candidates(searched, degree, random, &until.integrals));
         // Where bases say all, formulas are worth looking for only where they are short.
         let in_bases = completing(&candidates, shown, self.place, &mut Vec::new(), &until.integrals);
         let are_enough = in_bases.iter().map(|basis| basis.integrals.len()).sum::<usize>() >= shown;
@@ -314,14 +315,14 @@ impl Search<'_> {
         };
         let aims =
             Aims { kept: self.kept.to_vec(), hilbert, known: self.modified, reach, tell: &tell_if_short };
-        let mut all_integrals = integrals(setting, self.claims, &aims, random, &until.integrals);
+        let mut all_integrals = integrals(searched, self.claims, &aims, random, &until.integrals);
         let modified_is_proved = self.add_modified(&mut all_integrals, random);
         // Each but the modified Hamiltonian was told; none is told twice.
         all_integrals.iter().for_each(tell_if_short);
 
         let own = self
             .hamiltonian
-            .and_then(|found| found.modified_gradient(setting, &self.place.draw, &self.place.here));
+            .and_then(|found| found.modified_gradient(searched, &self.place.draw, &self.place.here));
         let mut gradients: Vec<Vec<u64>> =
             all_integrals.iter().filter_map(|formula| self.gradient(formula)).collect();
         gradients.extend(own.clone());
@@ -352,8 +353,8 @@ impl Search<'_> {
         }
         let mut bases = completing(&candidates, independent, self.place, &mut gradients, &until.densities);
         for basis in &mut bases {
-            basis.join(setting, random);
-            basis.proof = prove(basis, setting, self.field, &until.densities);
+            basis.join(searched, random);
+            basis.proof = prove(basis, searched, self.field, &until.densities);
         }
         for formula in long {
             add(&mut gradients, formula);
@@ -364,7 +365,7 @@ impl Search<'_> {
         let (densities, density_search) = match before.filter(|before| !before.densities.is_empty()) {
             Some(before) => (before.densities.clone(), before.density_search),
             None => densities(
-                setting,
+                searched,
                 self.claims,
                 &all_integrals,
                 self.field,
@@ -383,7 +384,7 @@ impl Search<'_> {
         (self.begins)("what survives composition");
         let survivors = hilbert
             .filter(|hilbert| hilbert.integrals > 0)
-            .and_then(|hilbert| survivors(setting, &integrals, hilbert.degree(), random, &until.end));
+            .and_then(|hilbert| survivors(searched, &integrals, hilbert.degree(), random, &until.end));
         Found {
             integrals,
             bases,
@@ -409,19 +410,19 @@ impl Search<'_> {
         let formula =
             self.claims.integral(symbols, integrals.len() + 1, above, below, &factors_of(integrals));
         let is_proved = formula.is_some();
-        add_if_independent(self.setting, integrals, formula, random);
+        add_if_independent(self.searched, integrals, formula, random);
         is_proved
     }
 
     /// The gradient of a formula, up to a factor.
     fn gradient(&self, formula: &Formula) -> Option<Vec<u64>> {
         let DrawnStep { draw, here, .. } = self.place;
-        quotient_gradient(self.setting, draw, here, &formula.numerator, &formula.denominator)
+        quotient_gradient(self.searched, draw, here, &formula.numerator, &formula.denominator)
     }
 
     fn rank(&self, gradients: &[Vec<u64>]) -> usize {
         let modulus = self.place.draw.map.modulus();
-        Echelon::of(modulus, gradients.to_vec(), self.setting.dimension()).rank()
+        Echelon::of(modulus, gradients.to_vec(), self.searched.dimension()).rank()
     }
 
     /// Adds a gradient that is independent of those before; whether it is.
@@ -438,7 +439,7 @@ impl Search<'_> {
     /// where the time is over.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
         let DrawnStep { draw, here, .. } = self.place;
-        let monomials = Monomials::new(self.setting.dimension(), degree);
+        let monomials = Monomials::new(self.searched.dimension(), degree);
         Relations::on_orbit(&draw.map, here.clone(), &monomials, deadline)
             .map_or_else(Vec::new, |relations| relations.normals(draw.map.modulus(), &monomials))
     }
@@ -494,7 +495,7 @@ pub(crate) fn specialised(
 }
 
 fn structure(
-    setting: &Setting,
+    searched: &SearchField,
     system: &System,
     of_flow: &FlowIntegrals,
     random: &mut SplitMix64,
@@ -506,7 +507,7 @@ fn structure(
     };
     StructureReport {
         divergence: text(symbols, &divergence(&system.field)),
-        is_even: is_even(setting, random),
+        is_even: is_even(searched, random),
         linear_integrals: written(1),
         quadratic_integrals: written(2),
         flow_degree: of_flow.degree,
@@ -525,13 +526,13 @@ fn text(symbols: &Symbols, function: &RationalFunction) -> String {
 
 /// A formula that depends on the others adds nothing; one that replaces nothing is kept.
 fn add_if_independent(
-    setting: &Setting,
+    searched: &SearchField,
     integrals: &mut Vec<Formula>,
     formula: Option<Formula>,
     random: &mut SplitMix64,
 ) {
     let Some(formula) = formula else { return };
-    let mut independent = Independent::new(setting, random);
+    let mut independent = Independent::new(searched, random);
     for known in integrals.iter() {
         independent.keep(&known.numerator, &known.denominator);
     }

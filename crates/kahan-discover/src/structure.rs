@@ -13,7 +13,7 @@ use crate::matrix::sampled_null_vectors;
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::monomial_gradients;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::space::{Names, Space, reconstruct_space, tidy};
 use crate::stepping::Stepping;
 
@@ -29,10 +29,10 @@ pub fn divergence(field: &Field) -> RationalFunction {
 
 /// Whether det(I − t f′(x)) is even in t, as it is at three random points modulo a prime. Then
 /// dx/det A(x,ε) is an invariant measure of the map, because det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε).
-pub fn is_even(setting: &Setting, random: &mut SplitMix64) -> bool {
+pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
-        setting.draw(modulus, random).is_some_and(|draw| {
+        searched.draw(modulus, random).is_some_and(|draw| {
             let (point, t) = (draw.map.point(random), modulus.sample(random));
             draw.map.determinant(&point, t) == draw.map.determinant(&point, modulus.opposite(t))
         })
@@ -53,9 +53,9 @@ impl FlowIntegrals {
     /// Those that the map keeps as they stand, as it is seen at one point modulo a prime: the
     /// linear ones, and where the field is linear all.
     #[must_use]
-    pub fn kept(&self, setting: &Setting, random: &mut SplitMix64) -> Vec<Polynomial> {
-        let Some(step) = setting.step(random) else { return Vec::new() };
-        self.found.iter().filter(|found| step.keeps(setting, found)).cloned().collect()
+    pub fn kept(&self, searched: &SearchField, random: &mut SplitMix64) -> Vec<Polynomial> {
+        let Some(step) = searched.step(random) else { return Vec::new() };
+        self.found.iter().filter(|found| step.keeps(searched, found)).cloned().collect()
     }
 }
 
@@ -65,16 +65,16 @@ const MOST_MONOMIALS: usize = 900;
 /// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`,
 /// reconstructed over the parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
 pub fn flow_integrals(
-    setting: &Setting,
+    searched: &SearchField,
     degree: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> FlowIntegrals {
-    let symbols = setting.family().symbols();
-    let mut independent = Independent::new(setting, random);
+    let symbols = searched.family().symbols();
+    let mut independent = Independent::new(searched, random);
     let mut integrals = FlowIntegrals::default();
     for degree in 1..=degree {
-        let Some(space) = flow_space(setting, degree, random, deadline) else { break };
+        let Some(space) = flow_space(searched, degree, random, deadline) else { break };
         for polynomial in space {
             let polynomial = tidy(symbols, &polynomial);
             if independent.admits(&polynomial, &Polynomial::one()) {
@@ -89,16 +89,16 @@ pub fn flow_integrals(
 
 /// A basis of the polynomial integrals of the flow up to a degree, but for constants.
 fn flow_space(
-    setting: &Setting,
+    searched: &SearchField,
     degree: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<Vec<Polynomial>> {
-    if Monomials::count(setting.dimension(), degree) > MOST_MONOMIALS {
+    if Monomials::count(searched.dimension(), degree) > MOST_MONOMIALS {
         return None;
     }
-    let monomials = Monomials::new(setting.dimension(), degree);
-    let draw = setting.draw(Modulus::mersenne_61(), random)?;
+    let monomials = Monomials::new(searched.dimension(), degree);
+    let draw = searched.draw(Modulus::mersenne_61(), random)?;
     let all: Vec<usize> = (1..monomials.len()).collect();
     let vectors = flow_null_vectors(&draw.map, &monomials, &all, random, deadline)?;
     if vectors.is_empty() {
@@ -108,11 +108,11 @@ fn flow_space(
     let spread = vectors.into_iter().map(|vector| [vec![0], vector].concat()).collect();
     let form = Space::spanned(draw.map.modulus(), spread).form;
     let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
-        let map = setting.at(modulus, unknowns)?;
+        let map = searched.at(modulus, unknowns)?;
         let vectors = flow_null_vectors(&map, &monomials, &form.support, random, deadline)?;
         Space::of_form(&modulus, &form, vectors)
     };
-    reconstruct_space(&Names::of(setting), &monomials, &form, at, random, deadline)
+    reconstruct_space(&Names::of(searched), &monomials, &form, at, random, deadline)
 }
 
 /// The null vectors of ∇P·f on some monomials; `None` if the deadline passes.

@@ -7,14 +7,14 @@ use kahan_discover::degrees::{DegreeLimits, degrees};
 use kahan_discover::growth::{Growth, GrowthVerdict};
 use kahan_discover::hilbert::Hilbert;
 use kahan_discover::modulus::Modulus;
-use kahan_discover::setting::Setting;
+use kahan_discover::search_field::SearchField;
 
 mod support;
 use support::*;
 
 fn hilbert(text: &str, eps: Option<Rational>, degree: u32) -> Hilbert {
-    let setting = Setting::new(&system(text).field, eps);
-    Hilbert::of(&setting, degree, &mut SplitMix64::new(5), &Deadline::never()).expect("the map has values")
+    let searched = SearchField::new(&system(text).field, eps);
+    Hilbert::of(&searched, degree, &mut SplitMix64::new(5), &Deadline::never()).expect("the map has values")
 }
 
 fn check_hilbert(text: &str, integrals: usize, expected: &[usize]) {
@@ -51,9 +51,9 @@ fn a_special_time_step_has_an_integral_that_others_have_not() {
 }
 
 fn check_degrees(text: &str, growth: &str, expected: &[usize]) {
-    let setting = Setting::new(&system(text).field, None);
+    let searched = SearchField::new(&system(text).field, None);
     let mut random = SplitMix64::new(9);
-    let map = setting.draw(Modulus::mersenne_61(), &mut random).unwrap().map;
+    let map = searched.draw(Modulus::mersenne_61(), &mut random).unwrap().map;
     let limits = DegreeLimits { iterates: 16, degree: 600, deadline: &Deadline::never() };
     let found = degrees(&map, &mut random, limits);
     assert!(found.len() >= expected.len(), "{text}: {found:?}");
@@ -86,9 +86,9 @@ fn degrees_of_known_systems() {
 
 #[test]
 fn the_entropy_is_the_logarithm_of_the_ratio() {
-    let setting = Setting::new(&system(E9).field, None);
+    let searched = SearchField::new(&system(E9).field, None);
     let mut random = SplitMix64::new(1);
-    let map = setting.draw(Modulus::mersenne_61(), &mut random).unwrap().map;
+    let map = searched.draw(Modulus::mersenne_61(), &mut random).unwrap().map;
     let found =
         degrees(&map, &mut random, DegreeLimits { iterates: 6, degree: 800, deadline: &Deadline::never() });
     let Growth::Exponential { entropy } = GrowthVerdict::of(&found).growth else { panic!("{found:?}") };

@@ -25,7 +25,7 @@ use crate::matrix::{Echelon, NullVector};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
-use crate::setting::{DrawnStep, Setting};
+use crate::search_field::{DrawnStep, SearchField};
 use crate::space::scattered;
 use crate::stepping::Stepping;
 
@@ -136,10 +136,10 @@ impl Basis {
 
     /// Joins monomials whose coefficients are multiples of each other on several orbits of several
     /// maps of the family.
-    pub(crate) fn join(&mut self, setting: &Setting, random: &mut SplitMix64) {
+    pub(crate) fn join(&mut self, searched: &SearchField, random: &mut SplitMix64) {
         let mut drawn: Vec<(Modulus, Vec<u64>)> = Vec::new();
         for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
-            let found = setting.draw(modulus, random).and_then(|draw| {
+            let found = searched.draw(modulus, random).and_then(|draw| {
                 let start = draw.map.point(random);
                 self.coefficients(&draw.map, &start)
             });
@@ -252,19 +252,19 @@ const MANY: usize = 250;
 ///
 /// Cost: 2n + 1 echelon forms of N columns, N = C(n + degree, n).
 pub(crate) fn candidates(
-    setting: &Setting,
+    searched: &SearchField,
     degree: u32,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Vec<Basis> {
-    let monomials = Monomials::new(setting.dimension(), degree);
-    let Some(draw) = setting.draw(Modulus::mersenne_61(), random) else { return Vec::new() };
+    let monomials = Monomials::new(searched.dimension(), degree);
+    let Some(draw) = searched.draw(Modulus::mersenne_61(), random) else { return Vec::new() };
     let Some(relations) = random_relations(&draw.map, &monomials, random, deadline) else {
         return Vec::new();
     };
     let mut found: Vec<Basis> = Vec::new();
     let most = if monomials.len() > MANY { 2 } else { usize::MAX };
-    for order in orders(&monomials, setting.dimension()).into_iter().take(most) {
+    for order in orders(&monomials, searched.dimension()).into_iter().take(most) {
         if deadline.passed() {
             break;
         }

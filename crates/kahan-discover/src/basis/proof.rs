@@ -16,7 +16,7 @@ use kahan_algebra::rational::Rational;
 use crate::deadline::Deadline;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::stepping::Stepping;
 
 use super::{Basis, Term};
@@ -30,19 +30,20 @@ const MOST_DRAWS: usize = 16;
 /// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of
 /// them passed; `None` where the relation fails at one, the degrees are too high for 61-bit
 /// primes, or the deadline passes.
-pub fn prove(basis: &Basis, setting: &Setting, field: &Field, deadline: &Deadline<'_>) -> Option<u32> {
-    let size = determinant_size(basis, field, setting.eps())?;
+pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &Deadline<'_>) -> Option<u32> {
+    let size = determinant_size(basis, field, searched.eps())?;
     let points = points_needed(size.degree, size.bits).filter(|points| *points <= MOST_POINTS)?;
-    let mut random = Shake256::new(format!("{field:?} {:?} {:?}", setting.eps(), basis.monomials).as_bytes());
-    (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, setting, &mut random)).then_some(points)
+    let mut random =
+        Shake256::new(format!("{field:?} {:?} {:?}", searched.eps(), basis.monomials).as_bytes());
+    (0..points).all(|_| !deadline.passed() && holds_somewhere(basis, searched, &mut random)).then_some(points)
 }
 
 /// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random
 /// prime.
-fn holds_somewhere(basis: &Basis, setting: &Setting, random: &mut dyn Random) -> bool {
+fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Random) -> bool {
     for _ in 0..MOST_DRAWS {
         let modulus = Modulus::random(random);
-        let Some(draw) = setting.draw(modulus, random) else { continue };
+        let Some(draw) = searched.draw(modulus, random) else { continue };
         let (before, after) = halves(basis);
         let start = draw.map.point(random);
         let backward = draw.map.with_eps(modulus.opposite(draw.map.eps())).orbit(start.clone(), before + 1);

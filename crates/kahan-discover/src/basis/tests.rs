@@ -15,31 +15,31 @@ fn field(text: &str) -> Field {
 const CLEBSCH: &str = "m1dot = (w3 - w2)*p2*p3; m2dot = (w1 - w3)*p3*p1; m3dot = (w2 - w1)*p1*p2;
     p1dot = p2*m3 - p3*m2; p2dot = p3*m1 - p1*m3; p3dot = p1*m2 - p2*m1;";
 
-fn found(text: &str, degree: u32, wanted: usize) -> (Setting, Field, Vec<Basis>) {
+fn found(text: &str, degree: u32, wanted: usize) -> (SearchField, Field, Vec<Basis>) {
     let field = field(text);
-    let setting = Setting::new(&field, None);
+    let searched = SearchField::new(&field, None);
     let mut random = SplitMix64::new(1);
-    let draw = setting.draw(Modulus::mersenne_61(), &mut random).unwrap();
+    let draw = searched.draw(Modulus::mersenne_61(), &mut random).unwrap();
     let place = draw.step(&mut random).unwrap();
-    let all = candidates(&setting, degree, &mut random, &Deadline::never());
+    let all = candidates(&searched, degree, &mut random, &Deadline::never());
     let bases = completing(&all, wanted, &place, &mut Vec::new(), &Deadline::never());
-    (setting, field, bases)
+    (searched, field, bases)
 }
 
 #[test]
 fn bases_of_the_clebsch_case_give_its_four_integrals_and_are_proved() {
-    let (setting, field, bases) = found(CLEBSCH, 2, 4);
+    let (searched, field, bases) = found(CLEBSCH, 2, 4);
     assert_eq!(bases.iter().map(|basis| basis.integrals.len()).sum::<usize>(), 4);
     // The shortest is that of Petrera, Pfadler and Suris.
     assert_eq!(bases[0].monomial_texts(&field.symbols.states), ["1", "p3^2", "p2^2", "p1^2"]);
     for basis in &bases {
-        assert!(prove(basis, &setting, &field, &Deadline::never()).is_some());
+        assert!(prove(basis, &searched, &field, &Deadline::never()).is_some());
     }
 }
 
 #[test]
 fn what_is_no_basis_is_not_proved() {
-    let (setting, field, bases) = found(CLEBSCH, 2, 4);
+    let (searched, field, bases) = found(CLEBSCH, 2, 4);
     // One monomial less has no relation, and two bases together have two.
     let mut less = bases[0].clone();
     less.monomials.truncate(3);
@@ -50,7 +50,7 @@ fn what_is_no_basis_is_not_proved() {
     joined.monomials.dedup();
     joined.terms = (0..joined.monomials.len()).map(|place| vec![(place, 1)]).collect();
     for other in [less, joined] {
-        assert_eq!(prove(&other, &setting, &field, &Deadline::never()), None);
+        assert_eq!(prove(&other, &searched, &field, &Deadline::never()), None);
     }
 }
 
@@ -103,9 +103,9 @@ fn exact_values_are_constant_along_an_orbit_and_floats_agree_with_them() {
 
 #[test]
 fn gradients_are_those_of_the_coefficients() {
-    let (setting, _, bases) = found(CLEBSCH, 2, 4);
+    let (searched, _, bases) = found(CLEBSCH, 2, 4);
     let mut random = SplitMix64::new(5);
-    let draw = setting.draw(Modulus::mersenne_61(), &mut random).unwrap();
+    let draw = searched.draw(Modulus::mersenne_61(), &mut random).unwrap();
     let modulus = *draw.map.modulus();
     let point = draw.map.point(&mut random);
     let next = draw.map.next(&point).unwrap();
@@ -133,19 +133,19 @@ fn monomials_with_equal_coefficients_are_joined() {
     let kirchhoff =
         "m1dot = (a3 - a1)*m2*m3 + (b3 - b1)*p2*p3; m2dot = (a1 - a3)*m1*m3 + (b1 - b3)*p1*p3; m3dot = 0;
         p1dot = a3*p2*m3 - a1*p3*m2; p2dot = a1*p3*m1 - a3*p1*m3; p3dot = a1*(p1*m2 - p2*m1);";
-    let (setting, field, bases) = found(kirchhoff, 2, 4);
+    let (searched, field, bases) = found(kirchhoff, 2, 4);
     let states = &field.symbols.states;
     let mut texts = Vec::new();
     for mut basis in bases {
         let before = (basis.points(), basis.monomials.clone());
-        basis.join(&setting, &mut SplitMix64::new(2));
+        basis.join(&searched, &mut SplitMix64::new(2));
         assert!(basis.points() <= before.0 && basis.monomials == before.1);
-        assert!(prove(&basis, &setting, &field, &Deadline::never()).is_some());
+        assert!(prove(&basis, &searched, &field, &Deadline::never()).is_some());
         // Joined with another factor it has no relation with so few terms.
         if let Some(term) = basis.terms.iter().position(|term| term.len() > 1) {
             let mut wrong = basis.clone();
             wrong.terms[term][1].1 += 1;
-            assert_eq!(prove(&wrong, &setting, &field, &Deadline::never()), None);
+            assert_eq!(prove(&wrong, &searched, &field, &Deadline::never()), None);
         }
         texts.extend(basis.term_texts(states, &Text));
     }

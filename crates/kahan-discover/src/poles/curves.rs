@@ -5,7 +5,7 @@ use kahan_algebra::field::Field;
 use kahan_algebra::kahan::{RationalMap, maximal_minors};
 use kahan_algebra::poly::{Budget, Polynomial, gcd_all};
 
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::writing::state_factors;
 
 /// What writing the Jacobian determinant out may cost.
@@ -24,13 +24,13 @@ pub(crate) struct Curves {
 
 impl Curves {
     /// `None` where the map is beyond its budget.
-    pub(crate) fn of(field: &Field, setting: &Setting) -> Option<Self> {
+    pub(crate) fn of(field: &Field, searched: &SearchField) -> Option<Self> {
         let symbols = &field.symbols;
         let reduced = RationalMap::of(field)?.reduced;
         let mut components = reduced.numerators(symbols);
         components.push(reduced.denominator);
         let mut components: Vec<Polynomial> =
-            components.into_iter().map(|component| setting.at_eps(component)).collect();
+            components.into_iter().map(|component| searched.at_eps(component)).collect();
         // A value of ε may bring a common factor.
         let common = gcd_all(&components);
         components.iter_mut().for_each(|one| *one = one.checked_div(&common).unwrap_or_default());

@@ -26,7 +26,7 @@ use crate::deadline::{Deadline, Work};
 use crate::degrees::{DegreeLimits, degrees};
 use crate::modulus::Modulus;
 use crate::report::{DiscoverError, Options};
-use crate::setting::Setting;
+use crate::search_field::SearchField;
 use crate::stages::specialised;
 use crate::watch::{Progress, Watch};
 use curves::Curves;
@@ -113,20 +113,20 @@ pub fn poles(
     if options.eps.as_ref().is_some_and(Rational::is_zero) {
         return Err(DiscoverError::ZeroStep);
     }
-    let setting = Setting::new(&field, options.eps.clone());
+    let searched = SearchField::new(&field, options.eps.clone());
     let mut random = SplitMix64::from_bytes(format!("{field:?}{:?}", options.eps).as_bytes());
-    let draw = setting.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
-    if !setting.is_invertible(&mut random) {
+    let draw = searched.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
+    if !searched.is_invertible(&mut random) {
         return Err(DiscoverError::Collapse);
     }
     let limits =
         DegreeLimits { iterates: options.iterates, degree: options.iterate_degree, deadline: &for_degrees };
     let degrees = degrees(&draw.map, &mut random, limits);
-    let curves = Curves::of(&field, &setting).ok_or(DiscoverError::TooLong)?;
+    let curves = Curves::of(&field, &searched).ok_or(DiscoverError::TooLong)?;
     let is_complete = curves.has_jacobian;
     let all: Vec<Option<Polynomial>> = curves.factors.iter().cloned().map(Some).chain([None]).collect();
     let count = all.len();
-    let follower = Follower { setting: &setting, curves: &curves, steps, deadline };
+    let follower = Follower { searched: &searched, curves: &curves, steps, deadline };
     let mut patterns = Vec::with_capacity(count);
     for (done, curve) in all.into_iter().enumerate() {
         work.show(&Progress { what: "curves", done: done as u64, of: Some(count as u64) });
@@ -149,7 +149,7 @@ pub fn poles(
 }
 
 struct Follower<'a> {
-    setting: &'a Setting,
+    searched: &'a SearchField,
     curves: &'a Curves,
     steps: usize,
     deadline: Deadline<'a>,
@@ -161,7 +161,7 @@ impl Follower<'_> {
         let first = self.images(curve.as_ref(), random);
         let second = self.images(curve.as_ref(), random);
         let decided = first.filter(|first| second.as_ref() == Some(first));
-        let enough = self.setting.dimension() - 1;
+        let enough = self.searched.dimension() - 1;
         let images = decided.as_deref().unwrap_or_default();
         let back = images.iter().position(|image| image.dimension >= enough);
         let confined = decided.is_some().then_some(back.is_some());
@@ -195,12 +195,12 @@ impl Follower<'_> {
         length: usize,
         random: &mut SplitMix64,
     ) -> Option<Result<Vec<Image>, Lost>> {
-        let draw = self.setting.draw(modulus, random)?;
-        let symbols = self.setting.family().symbols();
+        let draw = self.searched.draw(modulus, random)?;
+        let symbols = self.searched.family().symbols();
         let values = Values { symbols, parameters: &draw.unknowns, eps: draw.map.eps() };
         let map = Homogeneous::map(modulus, &self.curves.components, &values)?;
         let curves = Homogeneous::curves(modulus, &self.curves.factors, &values)?;
-        let n = self.setting.dimension();
+        let n = self.searched.dimension();
         let place = match curve {
             Some(curve) => Place::on(&modulus, curve, &values, random)?,
             None => Place::at_infinity(&modulus, n, random),

@@ -14,7 +14,7 @@ use crate::weights::Weights;
 
 /// A field, and ε where it is fixed.
 #[derive(Clone, Debug)]
-pub struct Setting {
+pub struct SearchField {
     family: Family,
     eps: Option<Rational>,
     weights: Weights,
@@ -55,32 +55,32 @@ impl Draw {
 impl DrawnStep {
     /// The values of a polynomial at both points; `None` where the prime divides a denominator of
     /// its coefficients.
-    fn values(&self, setting: &Setting, polynomial: &Polynomial) -> Option<[u64; 2]> {
-        let value = |point| setting.evaluate(polynomial, &self.draw, point);
+    fn values(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<[u64; 2]> {
+        let value = |point| searched.evaluate(polynomial, &self.draw, point);
         Some([value(&self.here)?, value(&self.there)?])
     }
 
     /// Whether a polynomial has the same value at both points.
     #[must_use]
-    pub fn keeps(&self, setting: &Setting, polynomial: &Polynomial) -> bool {
-        self.values(setting, polynomial).is_some_and(|[here, there]| here == there)
+    pub fn keeps(&self, searched: &SearchField, polynomial: &Polynomial) -> bool {
+        self.values(searched, polynomial).is_some_and(|[here, there]| here == there)
     }
 
     /// P(x̃)/P(x); `None` also where P(x) = 0.
     #[must_use]
-    pub fn cofactor(&self, setting: &Setting, polynomial: &Polynomial) -> Option<u64> {
+    pub fn cofactor(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<u64> {
         let modulus = self.draw.map.modulus();
-        let [here, there] = self.values(setting, polynomial)?;
+        let [here, there] = self.values(searched, polynomial)?;
         Some(modulus.times(there, modulus.inverse(here)?))
     }
 }
 
-impl Setting {
+impl SearchField {
     /// The maps of a field at every ε (half the time step), or at one.
     #[must_use]
     pub fn new(field: &Field, eps: Option<Rational>) -> Self {
         let weights = Weights::of(field, eps.is_some());
-        Setting { family: Family::of(field), eps, weights }
+        SearchField { family: Family::of(field), eps, weights }
     }
 
     /// The field's coefficients.
