@@ -13,7 +13,7 @@
 //! All of this holds over every field but those of characteristic 2, and integrals over ℚ(ε)
 //! remain as many independent integrals when the map is reduced modulo p and parameters are
 //! replaced by values (the same lemma, for the valuation at p). So one zero modulo one prime is a
-//! proof. It is found by trial: the values of some states are drawn, and the equations that then
+//! proof. It is found by trial: the values of some states are sampled, and the equations that then
 //! have one unknown are solved for it.
 
 use kahan_algebra::prime_field::{PrimeField, SplitMix64};
@@ -54,7 +54,7 @@ pub const MANY_TRIALS: usize = 400_000;
 const WORK: usize = 100_000_000;
 
 /// As many trials are made with the same values of the parameters.
-const TRIALS_A_DRAW: usize = 40;
+const TRIALS_A_SAMPLE: usize = 40;
 
 /// The lowest ceiling that was found in so many `trials` at most, the search being over with the
 /// first that is `enough` or lower; `None` where no zero was found, where ε is fixed, or in more
@@ -72,8 +72,8 @@ pub fn ceiling(
     }
     let mut lowest: Option<Ceiling> = None;
     let trials = trials.min(WORK / (n * n * n).max(1));
-    for draw in 0..trials / TRIALS_A_DRAW {
-        let prime = PRIMES[draw % PRIMES.len()];
+    for sample in 0..trials / TRIALS_A_SAMPLE {
+        let prime = PRIMES[sample % PRIMES.len()];
         // Multiplicities up to n must not vanish modulo p.
         if prime <= n as u64 {
             continue;
@@ -81,7 +81,7 @@ pub fn ceiling(
         let modulus = Modulus::of(PrimeField::new(prime).expect("the numbers listed are primes"));
         let unknowns: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
         let Some(map) = searched.at(modulus, &unknowns) else { continue };
-        for _ in 0..TRIALS_A_DRAW {
+        for _ in 0..TRIALS_A_SAMPLE {
             if deadline.passed() {
                 return lowest;
             }
@@ -101,7 +101,7 @@ pub fn ceiling(
     lowest
 }
 
-/// A zero of the field, if the states drawn have led to one.
+/// A zero of the field, if the states sampled have led to one.
 fn zero_of_field(map: &ModularMap, modulus: &Modulus, random: &mut SplitMix64) -> Option<Vec<u64>> {
     let components = map.components();
     let mut values: Vec<Option<u64>> = vec![None; components.len()];

@@ -9,7 +9,7 @@ use crate::leaf::Leaf;
 use crate::limit::with_a_limit;
 use crate::monomials::Monomials;
 use crate::reduction::reduced;
-use crate::search_field::{Draw, DrawnStep, SearchField};
+use crate::search_field::{Sample, SampledStep, SearchField};
 use crate::space::tidy;
 use crate::writing::factors_of;
 
@@ -23,7 +23,7 @@ pub(crate) struct Collector<'a> {
     pub(crate) wanted: usize,
     pub(crate) known: Option<&'a (Polynomial, Polynomial)>,
     /// A point and its image.
-    pub(crate) step: Option<DrawnStep>,
+    pub(crate) step: Option<SampledStep>,
     pub(crate) independent: Independent<'a>,
     /// Hears of each formula that is kept.
     pub(crate) tell: &'a dyn Fn(&Formula),
@@ -88,7 +88,7 @@ impl Collector<'_> {
 
     /// The gradients of what was found, in the coordinates of the whole space in their order on a
     /// leaf; none on a proper leaf, where all that chooses it is constant.
-    pub(crate) fn known_gradients(&self, leaf: &Leaf, draw: &Draw, point: &[u64]) -> Vec<Vec<u64>> {
+    pub(crate) fn known_gradients(&self, leaf: &Leaf, sample: &Sample, point: &[u64]) -> Vec<Vec<u64>> {
         let order = leaf.order();
         if order.len() < self.searched.dimension() {
             return Vec::new();
@@ -98,7 +98,7 @@ impl Collector<'_> {
             place[state] = value;
         }
         let gradients = self.formulas.iter().filter_map(|known| {
-            let own = quotient_gradient(self.searched, draw, &place, &known.numerator, &known.denominator)?;
+            let own = quotient_gradient(self.searched, sample, &place, &known.numerator, &known.denominator)?;
             Some(order.iter().map(|&state| own[state]).collect())
         });
         gradients.collect()

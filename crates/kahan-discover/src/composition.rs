@@ -42,7 +42,7 @@ impl Stepping for Composed {
     }
 }
 
-/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ drawn at random;
+/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ sampled at random;
 /// `None` where it has no value, or the deadline passes. A formula that contains ε is meant at the
 /// ε of the whole, as it would be used.
 pub fn survivors(
@@ -53,9 +53,9 @@ pub fn survivors(
     deadline: &Deadline<'_>,
 ) -> Option<Survivors> {
     let modulus = Modulus::mersenne_61();
-    let draw = searched.draw(modulus, random)?;
-    let eps = draw.map.eps();
-    let scaled = |factor: u64| draw.map.with_eps(modulus.times(factor, eps));
+    let sample = searched.sample(modulus, random)?;
+    let eps = sample.map.eps();
+    let scaled = |factor: u64| sample.map.with_eps(modulus.times(factor, eps));
     let (outer, inner) = (modulus.sample(random), modulus.sample(random));
     let composed = Composed { outer: scaled(outer), inner: scaled(inner) };
     let monomials = Monomials::new(searched.dimension(), degree);
@@ -63,8 +63,8 @@ pub fn survivors(
     let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);
     let next = composed.next(&relations.start)?;
     let value = |formula: &Formula, point: &[u64]| {
-        let above = searched.evaluate(&formula.numerator, &draw, point)?;
-        let below = searched.evaluate(&formula.denominator, &draw, point)?;
+        let above = searched.evaluate(&formula.numerator, &sample, point)?;
+        let below = searched.evaluate(&formula.denominator, &sample, point)?;
         Some(modulus.times(above, modulus.inverse(below)?))
     };
     // By which factor each formula changes in a step of the composed map.

@@ -1,6 +1,6 @@
 //! Orbits on which an integral that is known already has a chosen value.
 //!
-//! Where relations mix several integrals and one of them, F = P/Q, is found, starts are drawn with
+//! Where relations mix several integrals and one of them, F = P/Q, is found, starts are sampled with
 //! F = c, that is on P − cQ = 0, with c as one more unknown. Relations of such orbits mix one
 //! integral less.
 
@@ -15,7 +15,7 @@ use crate::leaf::{Coordinate, LeafMap};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::search::spanned_pencils;
-use crate::search_field::Draw;
+use crate::search_field::Sample;
 use crate::space::reconstruct_space;
 use crate::stepping::Stepping;
 
@@ -29,7 +29,7 @@ pub struct Constraint {
     linear: usize,
 }
 
-/// A map whose drawn points satisfy a constraint.
+/// A map whose sampled points satisfy a constraint.
 #[derive(Clone, Debug)]
 pub struct ConstrainedMap<'a> {
     base: LeafMap,
@@ -115,7 +115,7 @@ impl Collector<'_> {
         basis: &[Polynomial],
         degree: u32,
         chart: &Chart,
-        draw: &Draw,
+        sample: &Sample,
         limits: &SearchLimits<'_>,
         random: &mut SplitMix64,
     ) -> Option<()> {
@@ -148,9 +148,9 @@ impl Collector<'_> {
                 unknowns[place.expect("the integral's other variables are unknowns")]
             })
         };
-        let modulus = *draw.map.modulus();
+        let modulus = *sample.map.modulus();
         let extra = (0..names.unknowns.len() - own).map(|_| modulus.sample(random));
-        let unknowns: Vec<u64> = draw.unknowns.iter().copied().chain(extra).collect();
+        let unknowns: Vec<u64> = sample.unknowns.iter().copied().chain(extra).collect();
         let map = constrained(modulus, &unknowns, random)?;
         for pencil in spanned_pencils(&map, limits.relation_degree, self.wanted, random, limits.deadline) {
             let monomials = Monomials::new(states.len(), pencil.degree);

@@ -19,8 +19,8 @@ use crate::search_field::SearchField;
 use crate::space::{Form, Names, Space, reconstruct_space, tidy};
 use crate::stepping::Stepping;
 
-/// How often a point is drawn again.
-const MOST_DRAWS: usize = 16;
+/// How often a point is sampled again.
+const MOST_SAMPLES: usize = 16;
 
 /// The density ρ of an invariant measure ρ dx, in factors.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,7 +32,7 @@ pub struct Measure {
 }
 
 pub(crate) fn random_step(map: &ModularMap, random: &mut SplitMix64) -> Option<(Vec<u64>, Step)> {
-    (0..MOST_DRAWS).find_map(|_| {
+    (0..MOST_SAMPLES).find_map(|_| {
         let point = map.point(random);
         let step = map.step(&point)?;
         Some((point, step))
@@ -93,7 +93,7 @@ pub fn measure(
         let search = DensitySearch { seen: Some(measure.degree), none_up_to: None };
         (Some(measure), search)
     };
-    let Some(draw) = searched.draw(Modulus::mersenne_61(), random) else { return (None, search) };
+    let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return (None, search) };
     for degree in 0..=highest.max(HIGHEST_PRODUCT) {
         if deadline.passed() {
             break;
@@ -104,9 +104,9 @@ pub fn measure(
         if degree > highest {
             continue;
         }
-        let Some(space) = measure_space(&draw.map, degree, random, deadline) else { break };
+        let Some(space) = measure_space(&sample.map, degree, random, deadline) else { break };
         if space.dimension() > 0 {
-            let measure = reconstructed(searched, &draw.map, &space, degree, random, deadline);
+            let measure = reconstructed(searched, &sample.map, &space, degree, random, deadline);
             return (measure, DensitySearch { seen: Some(degree), none_up_to: None });
         }
         search.none_up_to = Some(degree);

@@ -17,7 +17,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::reconstruct::reconstruct;
 use crate::relations::monomial_gradients;
-use crate::search_field::{Draw, SearchField};
+use crate::search_field::{Sample, SearchField};
 use crate::space::{combination, over_common};
 use crate::stepping::Stepping;
 
@@ -59,11 +59,11 @@ pub fn hamiltonian(
         return None;
     }
     let monomials = Monomials::new(n, 3);
-    let draw = searched.draw(Modulus::mersenne_61(), random)?;
-    let tensors = tensors(&draw.map, random);
+    let sample = searched.sample(Modulus::mersenne_61(), random)?;
+    let tensors = tensors(&sample.map, random);
     let choice = (0..=tensors.len()).find(|&choice| {
-        chosen(&draw.map, &tensors, choice)
-            .is_some_and(|k| potential(&draw.map, &monomials, &k, random, deadline).is_some())
+        chosen(&sample.map, &tensors, choice)
+            .is_some_and(|k| potential(&sample.map, &monomials, &k, random, deadline).is_some())
     })?;
     let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let map = searched.at(modulus, unknowns)?;
@@ -222,25 +222,30 @@ impl Hamiltonian {
         format!("{} + {moved}", written(&self.hamiltonian))
     }
 
-    /// ∇H̃ at a point of a drawn map, up to a factor: H̃ = H + (x̃ − x)·∇H/3, differentiated.
+    /// ∇H̃ at a point of a sampled map, up to a factor: H̃ = H + (x̃ − x)·∇H/3, differentiated.
     #[must_use]
-    pub fn modified_gradient(&self, searched: &SearchField, draw: &Draw, here: &[u64]) -> Option<Vec<u64>> {
-        let modulus = draw.map.modulus();
+    pub fn modified_gradient(
+        &self,
+        searched: &SearchField,
+        sample: &Sample,
+        here: &[u64],
+    ) -> Option<Vec<u64>> {
+        let modulus = sample.map.modulus();
         let n = searched.dimension();
-        let there = draw.map.next(here)?;
-        let jacobian = draw.map.jacobian(here, &there)?;
+        let there = sample.map.next(here)?;
+        let jacobian = sample.map.jacobian(here, &there)?;
         let symbols = searched.family().symbols();
         // The denominator of H is free of states: a factor.
         let potential = self.hamiltonian.numerator();
         let first: Vec<Polynomial> = (0..n).map(|i| potential.derivative(symbols.state(i))).collect();
         let slopes: Vec<u64> =
-            first.iter().map(|slope| searched.evaluate(slope, draw, here)).collect::<Option<_>>()?;
+            first.iter().map(|slope| searched.evaluate(slope, sample, here)).collect::<Option<_>>()?;
         let third = modulus.inverse(modulus.integer(3))?;
         (0..n)
             .map(|j| {
                 let mut moved = modulus.opposite(slopes[j]);
                 for i in 0..n {
-                    let second = searched.evaluate(&first[i].derivative(symbols.state(j)), draw, here)?;
+                    let second = searched.evaluate(&first[i].derivative(symbols.state(j)), sample, here)?;
                     let distance = modulus.minus(there[i], here[i]);
                     moved = modulus.plus(moved, modulus.times(second, distance));
                     moved = modulus.plus(moved, modulus.times(slopes[i], jacobian[i][j]));

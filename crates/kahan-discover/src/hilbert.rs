@@ -47,8 +47,8 @@ const HIGHEST_DEGREE: u32 = 10;
 /// square in numbers of eight bytes several times over, and their cube in products.
 pub const MOST_MONOMIALS_AT_ALL: usize = 4000;
 
-/// How often a start is drawn again when its orbit ends at a pole.
-const MOST_DRAWS: usize = 8;
+/// How often a start is sampled again when its orbit ends at a pole.
+const MOST_SAMPLES: usize = 8;
 
 /// The degree up to which relations in n variables are looked for: as high as 220 monomials allow,
 /// between 2 and 10 (in more than 40 variables 1).
@@ -68,7 +68,7 @@ pub fn random_relations(
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<Relations> {
-    for _ in 0..MOST_DRAWS {
+    for _ in 0..MOST_SAMPLES {
         if deadline.passed() {
             return None;
         }
@@ -96,7 +96,7 @@ impl Hilbert {
         let mut found: Option<Hilbert> = None;
         for modulus in [Modulus::mersenne_61(), Modulus::random(random)] {
             for _ in 0..2 {
-                let map = searched.draw(modulus, random)?.map;
+                let map = searched.sample(modulus, random)?.map;
                 let Some(relations) = random_relations(&map, &monomials, random, deadline) else {
                     return found.filter(|_| deadline.has_stopped());
                 };
@@ -124,7 +124,7 @@ impl Hilbert {
     ) -> Option<Self> {
         let monomials = Monomials::new(searched.dimension(), degree);
         let modulus = Modulus::mersenne_61();
-        let map = searched.draw(modulus, random)?.map;
+        let map = searched.sample(modulus, random)?.map;
         let relations = random_relations(&map, &monomials, random, deadline)?;
         let found = Hilbert::from_relations(&relations, &modulus, &monomials);
         if found.integrals <= self.integrals {

@@ -5,21 +5,21 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 
 use crate::matrix::Echelon;
-use crate::search_field::{Draw, DrawnStep, SearchField};
+use crate::search_field::{Sample, SampledStep, SearchField};
 use crate::stepping::Stepping;
 
-/// ∇(P/Q) Q² at a point of a drawn map; `None` where the prime divides a denominator of the
+/// ∇(P/Q) Q² at a point of a sampled map; `None` where the prime divides a denominator of the
 /// coefficients.
 #[must_use]
 pub fn quotient_gradient(
     searched: &SearchField,
-    draw: &Draw,
+    sample: &Sample,
     point: &[u64],
     numerator: &Polynomial,
     denominator: &Polynomial,
 ) -> Option<Vec<u64>> {
-    let modulus = draw.map.modulus();
-    let value = |polynomial: &Polynomial| searched.evaluate(polynomial, draw, point);
+    let modulus = sample.map.modulus();
+    let value = |polynomial: &Polynomial| searched.evaluate(polynomial, sample, point);
     let (above, below) = (value(numerator)?, value(denominator)?);
     let symbols = searched.family().symbols();
     (0..symbols.dimension())
@@ -36,7 +36,7 @@ pub fn quotient_gradient(
 #[derive(Debug)]
 pub struct Independent<'a> {
     searched: &'a SearchField,
-    step: Option<DrawnStep>,
+    step: Option<SampledStep>,
     gradients: Vec<Vec<u64>>,
 }
 
@@ -48,7 +48,7 @@ impl<'a> Independent<'a> {
 
     fn gradient(&self, numerator: &Polynomial, denominator: &Polynomial) -> Option<Vec<u64>> {
         let step = self.step.as_ref()?;
-        quotient_gradient(self.searched, &step.draw, &step.here, numerator, denominator)
+        quotient_gradient(self.searched, &step.sample, &step.here, numerator, denominator)
     }
 
     /// Whether P/Q is independent of what was kept.
@@ -59,7 +59,7 @@ impl<'a> Independent<'a> {
         let mut rows = self.gradients.clone();
         rows.push(gradient);
         let wanted = rows.len();
-        Echelon::of(step.draw.map.modulus(), rows, self.searched.dimension()).rank() == wanted
+        Echelon::of(step.sample.map.modulus(), rows, self.searched.dimension()).rank() == wanted
     }
 
     /// Keeps P/Q.

@@ -16,7 +16,7 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::pencil::Pencil;
 use crate::search::{Reach, pencils_of_entries, spanned_pencils};
-use crate::search_field::{Draw, SearchField};
+use crate::search_field::{Sample, SearchField};
 use crate::space::reconstruct_space;
 use crate::stepping::Stepping;
 
@@ -79,19 +79,19 @@ impl Collector<'_> {
         deadline: &Deadline<'_>,
     ) -> Option<()> {
         let searched = self.searched;
-        let draw = searched.draw(Modulus::mersenne_61(), random)?;
-        let relation_degree = hilbert.defining_degree(&draw.map, random, deadline)?;
+        let sample = searched.sample(Modulus::mersenne_61(), random)?;
+        let relation_degree = hilbert.defining_degree(&sample.map, random, deadline)?;
         let limits = SearchLimits { relation_degree, highest: hilbert.degree(), reach, deadline };
-        let leaf = Leaf::of(&draw.map, random);
+        let leaf = Leaf::of(&sample.map, random);
         if let Some(coordinates) = leaf.coordinates(searched, random, deadline) {
             for Coordinate { numerator, denominator } in &coordinates {
                 self.offer(numerator.clone(), denominator.clone());
             }
-            self.search_leaf(&Chart { leaf, coordinates }, &draw, &limits, random);
+            self.search_leaf(&Chart { leaf, coordinates }, &sample, &limits, random);
         }
         if !self.is_done() {
             let leaf = Leaf::whole((0..searched.dimension()).collect());
-            self.search_leaf(&Chart { leaf, coordinates: Vec::new() }, &draw, &limits, random);
+            self.search_leaf(&Chart { leaf, coordinates: Vec::new() }, &sample, &limits, random);
         }
         Some(())
     }
@@ -100,13 +100,13 @@ impl Collector<'_> {
     fn search_leaf(
         &mut self,
         chart: &Chart,
-        draw: &Draw,
+        sample: &Sample,
         limits: &SearchLimits<'_>,
         random: &mut SplitMix64,
     ) {
-        let modulus = draw.map.modulus();
+        let modulus = sample.map.modulus();
         let chosen: Vec<u64> = (0..chart.leaf.unknowns()).map(|_| modulus.sample(random)).collect();
-        let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
+        let Some(map) = chart.leaf.map_at(sample.map.clone(), &chosen, random) else { return };
         if self.is_done() || map.dimension() == 0 {
             return;
         }
@@ -122,13 +122,13 @@ impl Collector<'_> {
                 if self.is_done() || limits.deadline.passed() {
                     return;
                 }
-                let Some(map) = chart.leaf.map_at(draw.map.clone(), &chosen, random) else { return };
-                let known = |point: &[u64]| self.known_gradients(&chart.leaf, draw, point);
+                let Some(map) = chart.leaf.map_at(sample.map.clone(), &chosen, random) else { return };
+                let known = |point: &[u64]| self.known_gradients(&chart.leaf, sample, point);
                 let SearchLimits { relation_degree, reach, deadline, .. } = *limits;
                 let found = pencils_of_entries(&map, relation_degree, degree, reach, known, random, deadline);
                 for basis in self.take(&found, &chart, limits, random) {
                     if !self.is_done() {
-                        self.search_constrained(&basis, degree, &chart, draw, limits, random);
+                        self.search_constrained(&basis, degree, &chart, sample, limits, random);
                     }
                 }
             }

@@ -31,7 +31,7 @@ impl Modulus {
         Self::of(PrimeField::MERSENNE_61)
     }
 
-    /// A field with a uniformly drawn prime of 61 bits.
+    /// A field with a uniformly sampled prime of 61 bits.
     pub fn random(random: &mut dyn Random) -> Self {
         Self::of(PrimeField::random(random))
     }
@@ -197,7 +197,7 @@ impl Modulus {
         self.times(a, 1)
     }
 
-    /// A uniformly drawn element.
+    /// A uniformly sampled element.
     pub fn sample(&self, random: &mut dyn Random) -> u64 {
         random.below(self.prime)
     }

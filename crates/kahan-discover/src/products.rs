@@ -23,13 +23,13 @@ pub(crate) fn product(
     // For each of two points the factors' cofactors, their inverses, and the determinant.
     let mut samples: Vec<(Vec<[u64; 2]>, u64)> = Vec::new();
     for _ in 0..2 {
-        let draw = searched.draw(modulus, random)?;
-        let (point, step) = random_step(&draw.map, random)?;
+        let sample = searched.sample(modulus, random)?;
+        let (point, step) = random_step(&sample.map, random)?;
         let cofactors: Option<Vec<[u64; 2]>> = factors
             .iter()
             .map(|factor| {
-                let here = searched.evaluate(factor, &draw, &point)?;
-                let there = searched.evaluate(factor, &draw, &step.next)?;
+                let here = searched.evaluate(factor, &sample, &point)?;
+                let there = searched.evaluate(factor, &sample, &step.next)?;
                 let cofactor = |above, below| Some(modulus.times(above, modulus.inverse(below)?));
                 Some([cofactor(there, here)?, cofactor(here, there)?])
             })

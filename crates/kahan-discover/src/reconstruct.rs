@@ -31,8 +31,8 @@ const MOST_PRIMES: usize = 24;
 /// The most digits, above and below, of coefficients that so many primes of 61 bits tell.
 pub(crate) const MOST_DIGITS: usize = MOST_PRIMES * 60 * 301 / 2000;
 
-/// How often a point is drawn again where the oracle has no value.
-const MOST_DRAWS: usize = 8;
+/// How often a point is sampled again where the oracle has no value.
+const MOST_SAMPLES: usize = 8;
 
 /// The functions behind an oracle, over ℚ; unknown k becomes `variables[k]`. `None` if degrees or
 /// coefficients are out of reach, the deadline passes, or the values are those of no rational
@@ -82,7 +82,7 @@ impl Reconstruction<'_> {
 
     /// The oracle's values somewhere.
     fn sample(&mut self, modulus: Modulus) -> Option<(Vec<u64>, Vec<u64>)> {
-        (0..MOST_DRAWS).find_map(|_| {
+        (0..MOST_SAMPLES).find_map(|_| {
             if self.deadline.passed() {
                 return None;
             }
@@ -100,7 +100,7 @@ impl Reconstruction<'_> {
         let mut failures = 0;
         loop {
             while points.len() < wanted {
-                if self.deadline.passed() || failures > MOST_DRAWS {
+                if self.deadline.passed() || failures > MOST_SAMPLES {
                     return None;
                 }
                 let t = modulus.sample(self.random);

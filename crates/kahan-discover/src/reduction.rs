@@ -10,7 +10,7 @@ use kahan_algebra::poly::{Polynomial, Variable, gcd, gcd_all};
 use kahan_algebra::rational::Rational;
 
 use crate::products::exponents;
-use crate::search_field::{DrawnStep, SearchField};
+use crate::search_field::{SampledStep, SearchField};
 use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::writing::{in_powers, state_factors};
@@ -19,7 +19,7 @@ use crate::writing::{in_powers, state_factors};
 /// are those of the integrals known.
 pub(crate) fn reduced(
     searched: &SearchField,
-    step: &DrawnStep,
+    step: &SampledStep,
     factors: &[Polynomial],
     numerator: Polynomial,
     denominator: Polynomial,
@@ -37,7 +37,7 @@ pub(crate) fn reduced(
 /// (αP − βM)/q over Q/q for some factor q of Q and some M.
 fn without_factor(
     searched: &SearchField,
-    step: &DrawnStep,
+    step: &SampledStep,
     factors: &[Polynomial],
     numerator: &Polynomial,
     denominator: &Polynomial,
@@ -85,7 +85,7 @@ fn without_factor(
 }
 
 /// The states that are no integrals by themselves.
-fn moving_states(searched: &SearchField, step: &DrawnStep, factors: &[Polynomial]) -> Vec<Variable> {
+fn moving_states(searched: &SearchField, step: &SampledStep, factors: &[Polynomial]) -> Vec<Variable> {
     let symbols = searched.family().symbols();
     let rests = |variable: Variable| {
         let single = Polynomial::variable(variable);
@@ -104,13 +104,13 @@ fn content_in(variables: &[Variable], polynomial: &Polynomial) -> Polynomial {
 /// The products of factors that have the denominator's cofactor and at most the numerator's degree.
 fn products(
     searched: &SearchField,
-    step: &DrawnStep,
+    step: &SampledStep,
     factors: &[Polynomial],
     numerator: &Polynomial,
     denominator: &Polynomial,
 ) -> Option<Vec<Polynomial>> {
     let symbols = searched.family().symbols();
-    let modulus = step.draw.map.modulus();
+    let modulus = step.sample.map.modulus();
     let cofactors: Vec<u64> =
         factors.iter().map(|factor| step.cofactor(searched, factor)).collect::<Option<_>>()?;
     let degrees: Vec<u32> = factors.iter().map(|factor| symbols.degree(factor)).collect();

@@ -152,12 +152,12 @@ fn look(
     let fixed = specialised(system, &parameters)?;
     let searched = SearchField::new(&fixed.field, eps.or_else(|| options.eps.clone()));
     let mut random = SplitMix64::from_bytes(format!("{values:?}").as_bytes());
-    let draw = searched.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
+    let sample = searched.sample(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
     if searched.eps().is_some() && !searched.is_invertible(&mut random) {
         return Err(DiscoverError::Collapse);
     }
     let limits = DegreeLimits { iterates: ITERATES, degree: ITERATE_DEGREE, deadline };
-    let degrees = degrees(&draw.map, &mut random, limits);
+    let degrees = degrees(&sample.map, &mut random, limits);
     Ok(Hilbert::of(&searched, degree, &mut random, deadline).map(|hilbert| Sight {
         degrees,
         integrals: hilbert.integrals,

@@ -22,41 +22,41 @@ pub struct SearchField {
 
 /// A map at values of the unknowns: the parameters in order, then ε where it is not fixed.
 #[derive(Clone, Debug)]
-pub struct Draw {
+pub struct Sample {
     /// The map.
     pub map: ModularMap,
     /// The values.
     pub unknowns: Vec<u64>,
 }
 
-/// How often values are drawn again before the map counts as undefined.
-const MOST_DRAWS: usize = 16;
+/// How often values are sampled again before the map counts as undefined.
+const MOST_SAMPLES: usize = 16;
 
-/// A point of a drawn map, and its image.
+/// A point of a sampled map, and its image.
 #[derive(Clone, Debug)]
-pub struct DrawnStep {
+pub struct SampledStep {
     /// The map.
-    pub draw: Draw,
+    pub sample: Sample,
     /// x
     pub here: Vec<u64>,
     /// x̃
     pub there: Vec<u64>,
 }
 
-impl Draw {
+impl Sample {
     /// A random point, and its image; `None` at a pole.
-    pub fn step(self, random: &mut SplitMix64) -> Option<DrawnStep> {
+    pub fn step(self, random: &mut SplitMix64) -> Option<SampledStep> {
         let here = self.map.point(random);
         let there = self.map.next(&here)?;
-        Some(DrawnStep { draw: self, here, there })
+        Some(SampledStep { sample: self, here, there })
     }
 }
 
-impl DrawnStep {
+impl SampledStep {
     /// The values of a polynomial at both points; `None` where the prime divides a denominator of
     /// its coefficients.
     fn values(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<[u64; 2]> {
-        let value = |point| searched.evaluate(polynomial, &self.draw, point);
+        let value = |point| searched.evaluate(polynomial, &self.sample, point);
         Some([value(&self.here)?, value(&self.there)?])
     }
 
@@ -69,7 +69,7 @@ impl DrawnStep {
     /// P(x̃)/P(x); `None` also where P(x) = 0.
     #[must_use]
     pub fn cofactor(&self, searched: &SearchField, polynomial: &Polynomial) -> Option<u64> {
-        let modulus = self.draw.map.modulus();
+        let modulus = self.sample.map.modulus();
         let [here, there] = self.values(searched, polynomial)?;
         Some(modulus.times(there, modulus.inverse(here)?))
     }
@@ -136,19 +136,19 @@ impl SearchField {
     }
 
     /// The map at random values of the unknowns, at which a random point has an image; `None` if 16
-    /// draws bring none.
-    pub fn draw(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Draw> {
-        (0..MOST_DRAWS).find_map(|_| {
+    /// samples bring none.
+    pub fn sample(&self, modulus: Modulus, random: &mut dyn Random) -> Option<Sample> {
+        (0..MOST_SAMPLES).find_map(|_| {
             let unknowns: Vec<u64> = (0..self.unknowns()).map(|_| modulus.sample(random)).collect();
             let map = self.at(modulus, &unknowns)?;
             map.next(&map.point(random))?;
-            Some(Draw { map, unknowns })
+            Some(Sample { map, unknowns })
         })
     }
 
     /// A random point of a map with random unknowns, and its image.
-    pub fn step(&self, random: &mut SplitMix64) -> Option<DrawnStep> {
-        self.draw(Modulus::mersenne_61(), random)?.step(random)
+    pub fn step(&self, random: &mut SplitMix64) -> Option<SampledStep> {
+        self.sample(Modulus::mersenne_61(), random)?.step(random)
     }
 
     /// Whether the map can be inverted: whether det ∂x̃/∂x = det A(x̃,−ε)/det A(x,ε) is another
@@ -156,8 +156,8 @@ impl SearchField {
     /// collapse the space.
     pub fn is_invertible(&self, random: &mut SplitMix64) -> bool {
         (0..3).any(|_| {
-            self.draw(Modulus::mersenne_61(), random).is_some_and(|draw| {
-                let step = draw.map.step(&draw.map.point(random));
+            self.sample(Modulus::mersenne_61(), random).is_some_and(|sample| {
+                let step = sample.map.step(&sample.map.point(random));
                 step.is_some_and(|step| step.jacobian != 0)
             })
         })
@@ -172,17 +172,17 @@ impl SearchField {
         }
     }
 
-    /// The value of a polynomial in states, parameters and ε at a point of a drawn map; `None`
+    /// The value of a polynomial in states, parameters and ε at a point of a sampled map; `None`
     /// where the prime divides a denominator of its coefficients.
     #[must_use]
-    pub fn evaluate(&self, polynomial: &Polynomial, draw: &Draw, point: &[u64]) -> Option<u64> {
+    pub fn evaluate(&self, polynomial: &Polynomial, sample: &Sample, point: &[u64]) -> Option<u64> {
         let symbols = self.family.symbols();
         let parameters = symbols.parameters.len();
         let value = |variable: Variable| match symbols.symbol(variable) {
             Symbol::State(i) | Symbol::SecondState(i) => point[i],
-            Symbol::Parameter(k) => draw.unknowns[k],
-            Symbol::Epsilon => draw.unknowns.get(parameters).copied().unwrap_or_else(|| draw.map.eps()),
+            Symbol::Parameter(k) => sample.unknowns[k],
+            Symbol::Epsilon => sample.unknowns.get(parameters).copied().unwrap_or_else(|| sample.map.eps()),
         };
-        evaluate(draw.map.modulus(), polynomial, value)
+        evaluate(sample.map.modulus(), polynomial, value)
     }
 }

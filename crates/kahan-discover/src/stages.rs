@@ -31,7 +31,7 @@ use crate::report::{
     Bound, DensitySearch, DiscoverError, HamiltonianReport, ModifiedPlace, Options, Report, StructureReport,
 };
 use crate::search::Reach;
-use crate::search_field::{DrawnStep, SearchField};
+use crate::search_field::{SampledStep, SearchField};
 use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
@@ -84,7 +84,7 @@ pub(crate) fn discover_within(
     let searched = SearchField::new(&fixed.field, options.eps.clone());
     let mut random = SplitMix64::from_bytes(format!("{:?}{:?}", fixed.field, options.eps).as_bytes());
     let random = &mut random;
-    let draw = searched.draw(Modulus::mersenne_61(), random).ok_or(DiscoverError::NoMap)?;
+    let sample = searched.sample(Modulus::mersenne_61(), random).ok_or(DiscoverError::NoMap)?;
     if options.eps.is_some() && !searched.is_invertible(random) {
         return Err(DiscoverError::Collapse);
     }
@@ -95,7 +95,7 @@ pub(crate) fn discover_within(
     begins("degrees of iterates");
     let limits =
         DegreeLimits { iterates: options.iterates, degree: options.iterate_degree, deadline: &for_degrees };
-    let degrees = degrees(&draw.map, random, limits);
+    let degrees = degrees(&sample.map, random, limits);
 
     begins("relations on orbits");
     let usual = default_degree(searched.dimension());
@@ -117,7 +117,7 @@ pub(crate) fn discover_within(
         let (above, below) = found.modified(&searched, &fixed.field)?;
         Some((tidy(symbols, &above), tidy(symbols, &below)))
     });
-    let place = draw.step(random).ok_or(DiscoverError::NoMap)?;
+    let place = sample.step(random).ok_or(DiscoverError::NoMap)?;
     let kept = of_flow.kept(&searched, random);
     structure.kept = kept.len();
 
@@ -253,7 +253,7 @@ struct Search<'a> {
     kept: &'a [Polynomial],
     is_even: bool,
     /// Where independence is seen.
-    place: &'a DrawnStep,
+    place: &'a SampledStep,
     /// Who hears of a stage that begins, and of a claim that is proved.
     begins: &'a dyn Fn(&str),
     tell: &'a dyn Fn(ClaimKind, &str),
@@ -297,7 +297,7 @@ impl Search<'_> {
         let shown = hilbert.map_or(0, |hilbert| hilbert.integrals);
         let defining = hilbert
             .filter(|_| shown > 0)
-            .and_then(|hilbert| hilbert.defining_degree(&self.place.draw.map, random, &until.integrals));
+            .and_then(|hilbert| hilbert.defining_degree(&self.place.sample.map, random, &until.integrals));
         let candidates =
             defining.map_or_else(Vec::new, |degree| candidates(searched, degree, random, &until.integrals));
         // Where bases say all, formulas are worth looking for only where they are short.
@@ -322,7 +322,7 @@ impl Search<'_> {
 
         let own = self
             .hamiltonian
-            .and_then(|found| found.modified_gradient(searched, &self.place.draw, &self.place.here));
+            .and_then(|found| found.modified_gradient(searched, &self.place.sample, &self.place.here));
         let mut gradients: Vec<Vec<u64>> =
             all_integrals.iter().filter_map(|formula| self.gradient(formula)).collect();
         gradients.extend(own.clone());
@@ -416,12 +416,12 @@ impl Search<'_> {
 
     /// The gradient of a formula, up to a factor.
     fn gradient(&self, formula: &Formula) -> Option<Vec<u64>> {
-        let DrawnStep { draw, here, .. } = self.place;
-        quotient_gradient(self.searched, draw, here, &formula.numerator, &formula.denominator)
+        let SampledStep { sample, here, .. } = self.place;
+        quotient_gradient(self.searched, sample, here, &formula.numerator, &formula.denominator)
     }
 
     fn rank(&self, gradients: &[Vec<u64>]) -> usize {
-        let modulus = self.place.draw.map.modulus();
+        let modulus = self.place.sample.map.modulus();
         Echelon::of(modulus, gradients.to_vec(), self.searched.dimension()).rank()
     }
 
@@ -438,10 +438,10 @@ impl Search<'_> {
     /// What the relations up to a degree on the orbit of the place say of gradients there; nothing
     /// where the time is over.
     fn normals(&self, degree: u32, deadline: &Deadline<'_>) -> Vec<Vec<u64>> {
-        let DrawnStep { draw, here, .. } = self.place;
+        let SampledStep { sample, here, .. } = self.place;
         let monomials = Monomials::new(self.searched.dimension(), degree);
-        Relations::on_orbit(&draw.map, here.clone(), &monomials, deadline)
-            .map_or_else(Vec::new, |relations| relations.normals(draw.map.modulus(), &monomials))
+        Relations::on_orbit(&sample.map, here.clone(), &monomials, deadline)
+            .map_or_else(Vec::new, |relations| relations.normals(sample.map.modulus(), &monomials))
     }
 
     /// How the modified Hamiltonian, whose gradient is `own`, is to be given beside these.
@@ -452,7 +452,7 @@ impl Search<'_> {
         own: Option<&Vec<u64>>,
     ) -> ModifiedPlace {
         let (Some(own), Some(found)) = (own, self.hamiltonian) else { return ModifiedPlace::Implied };
-        let map = &self.place.draw.map;
+        let map = &self.place.sample.map;
         let in_bases = bases.iter().filter_map(|basis| basis.gradients(map, &self.place.here)).flatten();
         let in_bases: Vec<Vec<u64>> = in_bases.collect();
         // The rank of all formulas but one, of the bases, and perhaps of H̃.

@@ -22,7 +22,7 @@ pub trait Stepping {
         Vec::new()
     }
 
-    /// A uniformly drawn point.
+    /// A uniformly sampled point.
     fn point(&self, random: &mut dyn Random) -> Vec<u64> {
         (0..self.dimension()).map(|_| self.modulus().sample(random)).collect()
     }

@@ -32,9 +32,9 @@ pub fn divergence(field: &Field) -> RationalFunction {
 pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     (0..3).all(|_| {
         let modulus = Modulus::mersenne_61();
-        searched.draw(modulus, random).is_some_and(|draw| {
-            let (point, t) = (draw.map.point(random), modulus.sample(random));
-            draw.map.determinant(&point, t) == draw.map.determinant(&point, modulus.opposite(t))
+        searched.sample(modulus, random).is_some_and(|sample| {
+            let (point, t) = (sample.map.point(random), modulus.sample(random));
+            sample.map.determinant(&point, t) == sample.map.determinant(&point, modulus.opposite(t))
         })
     })
 }
@@ -98,15 +98,15 @@ fn flow_space(
         return None;
     }
     let monomials = Monomials::new(searched.dimension(), degree);
-    let draw = searched.draw(Modulus::mersenne_61(), random)?;
+    let sample = searched.sample(Modulus::mersenne_61(), random)?;
     let all: Vec<usize> = (1..monomials.len()).collect();
-    let vectors = flow_null_vectors(&draw.map, &monomials, &all, random, deadline)?;
+    let vectors = flow_null_vectors(&sample.map, &monomials, &all, random, deadline)?;
     if vectors.is_empty() {
         return Some(Vec::new());
     }
     // The constant 1 is left out of the columns and stands in front again.
     let spread = vectors.into_iter().map(|vector| [vec![0], vector].concat()).collect();
-    let form = Space::spanned(draw.map.modulus(), spread).form;
+    let form = Space::spanned(sample.map.modulus(), spread).form;
     let at = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let map = searched.at(modulus, unknowns)?;
         let vectors = flow_null_vectors(&map, &monomials, &form.support, random, deadline)?;

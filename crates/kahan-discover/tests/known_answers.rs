@@ -53,7 +53,7 @@ fn a_special_time_step_has_an_integral_that_others_have_not() {
 fn check_degrees(text: &str, growth: &str, expected: &[usize]) {
     let searched = SearchField::new(&system(text).field, None);
     let mut random = SplitMix64::new(9);
-    let map = searched.draw(Modulus::mersenne_61(), &mut random).unwrap().map;
+    let map = searched.sample(Modulus::mersenne_61(), &mut random).unwrap().map;
     let limits = DegreeLimits { iterates: 16, degree: 600, deadline: &Deadline::never() };
     let found = degrees(&map, &mut random, limits);
     assert!(found.len() >= expected.len(), "{text}: {found:?}");
@@ -88,7 +88,7 @@ fn degrees_of_known_systems() {
 fn the_entropy_is_the_logarithm_of_the_ratio() {
     let searched = SearchField::new(&system(E9).field, None);
     let mut random = SplitMix64::new(1);
-    let map = searched.draw(Modulus::mersenne_61(), &mut random).unwrap().map;
+    let map = searched.sample(Modulus::mersenne_61(), &mut random).unwrap().map;
     let found =
         degrees(&map, &mut random, DegreeLimits { iterates: 6, degree: 800, deadline: &Deadline::never() });
     let Growth::Exponential { entropy } = GrowthVerdict::of(&found).growth else { panic!("{found:?}") };

@@ -25,7 +25,7 @@ use crate::matrix::{Echelon, NullVector};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
-use crate::search_field::{DrawnStep, SearchField};
+use crate::search_field::{SampledStep, SearchField};
 use crate::space::scattered;
 use crate::stepping::Stepping;
 
@@ -137,19 +137,19 @@ impl Basis {
     /// Joins monomials whose coefficients are multiples of each other on several orbits of several
     /// maps of the family.
     pub(crate) fn join(&mut self, searched: &SearchField, random: &mut SplitMix64) {
-        let mut drawn: Vec<(Modulus, Vec<u64>)> = Vec::new();
+        let mut sampled: Vec<(Modulus, Vec<u64>)> = Vec::new();
         for modulus in [Modulus::mersenne_61(), Modulus::random(random), Modulus::random(random)] {
-            let found = searched.draw(modulus, random).and_then(|draw| {
-                let start = draw.map.point(random);
-                self.coefficients(&draw.map, &start)
+            let found = searched.sample(modulus, random).and_then(|sample| {
+                let start = sample.map.point(random);
+                self.coefficients(&sample.map, &start)
             });
             let Some(coefficients) = found else { return };
-            drawn.push((modulus, coefficients));
+            sampled.push((modulus, coefficients));
         }
         // By how much the coefficient at one place is a multiple of that at another.
         let factor = |of: usize, at: usize| {
             (1..=LARGEST_FACTOR).flat_map(|size| [size, -size]).find(|&factor| {
-                drawn.iter().all(|(modulus, coefficients)| {
+                sampled.iter().all(|(modulus, coefficients)| {
                     let size = modulus.integer(factor.unsigned_abs());
                     let signed = if factor < 0 { modulus.opposite(size) } else { size };
                     coefficients[at] == modulus.times(signed, coefficients[of])
@@ -216,12 +216,12 @@ fn monomial_text(states: &[String], exponents: &[u32], notation: &dyn Notation) 
 pub(crate) fn completing(
     candidates: &[Basis],
     wanted: usize,
-    place: &DrawnStep,
+    place: &SampledStep,
     gradients: &mut Vec<Vec<u64>>,
     deadline: &Deadline<'_>,
 ) -> Vec<Basis> {
     let mut found = Vec::new();
-    let map = &place.draw.map;
+    let map = &place.sample.map;
     let rank = |rows: &[Vec<u64>]| Echelon::of(map.modulus(), rows.to_vec(), map.dimension()).rank();
     for candidate in candidates {
         if rank(gradients) >= wanted || deadline.passed() {
@@ -258,8 +258,8 @@ pub(crate) fn candidates(
     deadline: &Deadline<'_>,
 ) -> Vec<Basis> {
     let monomials = Monomials::new(searched.dimension(), degree);
-    let Some(draw) = searched.draw(Modulus::mersenne_61(), random) else { return Vec::new() };
-    let Some(relations) = random_relations(&draw.map, &monomials, random, deadline) else {
+    let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return Vec::new() };
+    let Some(relations) = random_relations(&sample.map, &monomials, random, deadline) else {
         return Vec::new();
     };
     let mut found: Vec<Basis> = Vec::new();
@@ -268,7 +268,7 @@ pub(crate) fn candidates(
         if deadline.passed() {
             break;
         }
-        let Some(vectors) = reduced_in(draw.map.modulus(), &relations, &order, deadline) else { break };
+        let Some(vectors) = reduced_in(sample.map.modulus(), &relations, &order, deadline) else { break };
         for vector in vectors {
             let support: Vec<usize> =
                 (0..monomials.len()).filter(|&index| vector.entries[index] != 0).collect();

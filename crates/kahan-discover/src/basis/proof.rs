@@ -24,8 +24,8 @@ use super::{Basis, Term};
 /// More points than this are not taken.
 const MOST_POINTS: u32 = 64;
 
-/// How often a point is drawn again where its orbit ends at a pole.
-const MOST_DRAWS: usize = 16;
+/// How often a point is sampled again where its orbit ends at a pole.
+const MOST_SAMPLES: usize = 16;
 
 /// The number of points modulo random primes that prove the basis with an error below 2⁻¹⁰⁰, all of
 /// them passed; `None` where the relation fails at one, the degrees are too high for 61-bit
@@ -41,13 +41,14 @@ pub fn prove(basis: &Basis, searched: &SearchField, field: &Field, deadline: &De
 /// Whether r + 1 points have a relation and r of them none other, at a random point modulo a random
 /// prime.
 fn holds_somewhere(basis: &Basis, searched: &SearchField, random: &mut dyn Random) -> bool {
-    for _ in 0..MOST_DRAWS {
+    for _ in 0..MOST_SAMPLES {
         let modulus = Modulus::random(random);
-        let Some(draw) = searched.draw(modulus, random) else { continue };
+        let Some(sample) = searched.sample(modulus, random) else { continue };
         let (before, after) = halves(basis);
-        let start = draw.map.point(random);
-        let backward = draw.map.with_eps(modulus.opposite(draw.map.eps())).orbit(start.clone(), before + 1);
-        let forward = draw.map.orbit(start, after + 1);
+        let start = sample.map.point(random);
+        let backward =
+            sample.map.with_eps(modulus.opposite(sample.map.eps())).orbit(start.clone(), before + 1);
+        let forward = sample.map.orbit(start, after + 1);
         if backward.len() <= before || forward.len() <= after {
             continue;
         }

@@ -19,8 +19,8 @@ fn found(text: &str, degree: u32, wanted: usize) -> (SearchField, Field, Vec<Bas
     let field = field(text);
     let searched = SearchField::new(&field, None);
     let mut random = SplitMix64::new(1);
-    let draw = searched.draw(Modulus::mersenne_61(), &mut random).unwrap();
-    let place = draw.step(&mut random).unwrap();
+    let sample = searched.sample(Modulus::mersenne_61(), &mut random).unwrap();
+    let place = sample.step(&mut random).unwrap();
     let all = candidates(&searched, degree, &mut random, &Deadline::never());
     let bases = completing(&all, wanted, &place, &mut Vec::new(), &Deadline::never());
     (searched, field, bases)
@@ -105,14 +105,14 @@ fn exact_values_are_constant_along_an_orbit_and_floats_agree_with_them() {
 fn gradients_are_those_of_the_coefficients() {
     let (searched, _, bases) = found(CLEBSCH, 2, 4);
     let mut random = SplitMix64::new(5);
-    let draw = searched.draw(Modulus::mersenne_61(), &mut random).unwrap();
-    let modulus = *draw.map.modulus();
-    let point = draw.map.point(&mut random);
-    let next = draw.map.next(&point).unwrap();
-    let jacobian = draw.map.jacobian(&point, &next).unwrap();
+    let sample = searched.sample(Modulus::mersenne_61(), &mut random).unwrap();
+    let modulus = *sample.map.modulus();
+    let point = sample.map.point(&mut random);
+    let next = sample.map.next(&point).unwrap();
+    let jacobian = sample.map.jacobian(&point, &next).unwrap();
     for basis in &bases {
-        let here = gradients::of_coefficients(basis, &draw.map, &point).unwrap();
-        let there = gradients::of_coefficients(basis, &draw.map, &next).unwrap();
+        let here = gradients::of_coefficients(basis, &sample.map, &point).unwrap();
+        let there = gradients::of_coefficients(basis, &sample.map, &next).unwrap();
         // c(φ(x)) = c(x), so the gradient there times ∂x̃/∂x is the gradient here.
         for (own, other) in here.iter().zip(&there) {
             let mut pulled = vec![0; 6];

@@ -15,7 +15,7 @@ use crate::family::evaluate;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 
-/// Polynomials at drawn parameters and ε, homogeneous: each as terms c · ∏ Xᵢ^eᵢ, the last exponent
+/// Polynomials at sampled parameters and ε, homogeneous: each as terms c · ∏ Xᵢ^eᵢ, the last exponent
 /// that of W.
 pub(crate) struct Homogeneous {
     modulus: Modulus,

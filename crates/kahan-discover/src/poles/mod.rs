@@ -84,9 +84,9 @@ impl Pattern {
 const SHORTEST: usize = 12;
 const LONGEST: usize = 200;
 
-/// How often parameters, ε and a point are drawn again: not every drawn line meets its curve modulo
+/// How often parameters, ε and a point are sampled again: not every sampled line meets its curve modulo
 /// the prime.
-const MOST_DRAWS: usize = 40;
+const MOST_SAMPLES: usize = 40;
 
 /// The share of the time that the degrees of iterates may take.
 const FOR_DEGREES: f64 = 0.4;
@@ -115,13 +115,13 @@ pub fn poles(
     }
     let searched = SearchField::new(&field, options.eps.clone());
     let mut random = SplitMix64::from_bytes(format!("{field:?}{:?}", options.eps).as_bytes());
-    let draw = searched.draw(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
+    let sample = searched.sample(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
     if !searched.is_invertible(&mut random) {
         return Err(DiscoverError::Collapse);
     }
     let limits =
         DegreeLimits { iterates: options.iterates, degree: options.iterate_degree, deadline: &for_degrees };
-    let degrees = degrees(&draw.map, &mut random, limits);
+    let degrees = degrees(&sample.map, &mut random, limits);
     let curves = Curves::of(&field, &searched).ok_or(DiscoverError::TooLong)?;
     let is_complete = curves.has_jacobian;
     let all: Vec<Option<Polynomial>> = curves.factors.iter().cloned().map(Some).chain([None]).collect();
@@ -171,14 +171,14 @@ impl Follower<'_> {
 
     /// The images modulo one prime; `None` where the series were too short, or time ran out. A
     /// curve may fall apart over a larger field only, so that few primes have points on it; every
-    /// draw has a prime of its own.
+    /// sample has a prime of its own.
     fn images(&self, curve: Option<&Polynomial>, random: &mut SplitMix64) -> Option<Vec<Image>> {
         let mut length = SHORTEST;
-        for _ in 0..MOST_DRAWS {
+        for _ in 0..MOST_SAMPLES {
             if self.deadline.passed() || length > LONGEST {
                 return None;
             }
-            match self.drawn(curve, Modulus::random(random), length, random) {
+            match self.sampled(curve, Modulus::random(random), length, random) {
                 Some(Ok(images)) => return Some(images),
                 Some(Err(Lost::TooShort)) => length *= 2,
                 Some(Err(Lost::SpecialPoint)) | None => {}
@@ -187,17 +187,17 @@ impl Follower<'_> {
         None
     }
 
-    /// The images of one point; `None` where the draw brought none.
-    fn drawn(
+    /// The images of one point; `None` where the sample brought none.
+    fn sampled(
         &self,
         curve: Option<&Polynomial>,
         modulus: Modulus,
         length: usize,
         random: &mut SplitMix64,
     ) -> Option<Result<Vec<Image>, Lost>> {
-        let draw = self.searched.draw(modulus, random)?;
+        let sample = self.searched.sample(modulus, random)?;
         let symbols = self.searched.family().symbols();
-        let values = Values { symbols, parameters: &draw.unknowns, eps: draw.map.eps() };
+        let values = Values { symbols, parameters: &sample.unknowns, eps: sample.map.eps() };
         let map = Homogeneous::map(modulus, &self.curves.components, &values)?;
         let curves = Homogeneous::curves(modulus, &self.curves.factors, &values)?;
         let n = self.searched.dimension();

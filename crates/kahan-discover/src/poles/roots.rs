@@ -8,8 +8,8 @@ use crate::modulus::Modulus;
 /// or the polynomial is constant.
 pub(crate) fn root(modulus: &Modulus, coefficients: &[u64], random: &mut SplitMix64) -> Option<u64> {
     let residues: Vec<u64> = coefficients.iter().map(|entry| modulus.residue(*entry)).collect();
-    let draw = || modulus.residue(modulus.sample(random));
-    kahan_factor::root(modulus.field(), &residues, draw).map(|root| modulus.integer(root))
+    let sample = || modulus.residue(modulus.sample(random));
+    kahan_factor::root(modulus.field(), &residues, sample).map(|root| modulus.integer(root))
 }
 
 #[cfg(test)]

@@ -37,7 +37,7 @@ const SPARE_POINTS: usize = 2;
 /// what a shape has more than coefficients.
 const CHANCE: f64 = 0.01;
 /// Random choices of points to lay a linear shape through.
-const DRAWS: usize = 3000;
+const SAMPLES: usize = 3000;
 /// The most quantities of a linear shape.
 const MOST_NAMES: usize = 4;
 /// The highest degree of a monomial, and the largest numerator and denominator of a coefficient.
@@ -98,12 +98,12 @@ impl<'a> Search<'a> {
         for size in 2..=self.names.len().min(MOST_NAMES) {
             for names in subsets(&self.names, size) {
                 let mut tried = BTreeSet::new();
-                for _ in 0..DRAWS {
+                for _ in 0..SAMPLES {
                     if self.open.len() < size + SPARE_POINTS {
                         return;
                     }
                     let chosen: Vec<usize> =
-                        (0..size).map(|_| self.open[draw(&mut random, self.open.len())]).collect();
+                        (0..size).map(|_| self.open[sample(&mut random, self.open.len())]).collect();
                     let Some(entries) = self.plane(&names, &chosen) else { continue };
                     if tried.insert(entries.clone())
                         && let Some(polynomial) = self.linear_polynomial(&names, &entries)
@@ -232,7 +232,7 @@ fn variable(name: usize) -> Variable {
     Variable(u16::try_from(name).expect("a grid has few names"))
 }
 
-fn draw(random: &mut SplitMix64, count: usize) -> usize {
+fn sample(random: &mut SplitMix64, count: usize) -> usize {
     usize::try_from(random.below(count as u64)).expect("it is less than a usize")
 }
 
