@@ -132,9 +132,9 @@ fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Repl
 }
 
 fn scene(study: &Study) -> Result<Reply, StudyError> {
-    let scene = study.scene(None, None)?;
-    let start: Vec<String> = scene.start.iter().map(ToString::to_string).collect();
-    let answer = json!({"eps": scene.eps.to_string(), "at": start, "stays": scene.stays});
+    let shown = study.shown_orbit(None, None)?;
+    let start: Vec<String> = shown.start.iter().map(ToString::to_string).collect();
+    let answer = json!({"eps": shown.eps.to_string(), "at": start, "stays": shown.stays});
     Ok(Reply { answer, ..Reply::default() })
 }
 

@@ -12,7 +12,7 @@ use kahan_algebra::render::macro_block;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_draw::document::{Making, colophon, document, readable};
-use kahan_study::{Answer as Found, Scene, Study, Systems};
+use kahan_study::{Answer as Found, ShownOrbit, Study, Systems};
 use kahan_systems::entry::Entry;
 use maud::{Markup, html};
 
@@ -72,11 +72,11 @@ impl Page {
         let generic = read(&self.source)?;
         generic.study.proved()?;
         let valued = read(&self.with_values(&block, &generic.study))?;
-        let (study, scene) = (&valued.study, self.scene(&valued.study)?);
+        let (study, shown) = (&valued.study, self.shown(&valued.study)?);
         let seconds = self.seconds;
         let variables = study.variables();
         let subject =
-            Subject { valued: &valued, kept: &valued, generic: &generic, variables, scene: &scene, seconds };
+            Subject { valued: &valued, kept: &valued, generic: &generic, variables, shown: &shown, seconds };
         let chapters = chapters(&subject);
         let text = written(&subject, block.entry, &chapters, &self.line(&block), &index.making());
         index.put(&text, "", 2)
@@ -92,10 +92,10 @@ impl Page {
         })
     }
 
-    fn scene(&self, study: &Study) -> Result<Scene, Refusal> {
+    fn shown(&self, study: &Study) -> Result<ShownOrbit, Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
         let at = self.at.as_deref().map(|at| point(at, study)).transpose()?;
-        Ok(study.scene(eps.as_ref(), at.as_deref())?)
+        Ok(study.shown_orbit(eps.as_ref(), at.as_deref())?)
     }
 
     /// The call that writes the page.
@@ -168,7 +168,7 @@ fn written(
 }
 
 fn introduction(subject: &Subject<'_>) -> Markup {
-    let (study, scene) = (&subject.valued.study, subject.scene);
+    let (study, shown) = (&subject.valued.study, subject.shown);
     let values = study.fixed();
     let values = joined(values.iter().map(|(name, value)| format!("{name} = {value}")), ", ");
     html! {
@@ -179,10 +179,10 @@ fn introduction(subject: &Subject<'_>) -> Markup {
             "stands the command that makes it again."
         }
         p {
-            "The figures are at ε = " (scene.eps) ", half the time step, and begin at (" (joined(&scene.start, ", ")) ")"
+            "The figures are at ε = " (shown.eps) ", half the time step, and begin at (" (joined(&shown.start, ", ")) ")"
             @if !values.is_empty() { ", with " (values) }
             "."
-            @if !scene.stays { " This orbit does not stay: it reaches a pole or grows beyond a thousand times its first size." }
+            @if !shown.stays { " This orbit does not stay: it reaches a pole or grows beyond a thousand times its first size." }
         }
     }
 }

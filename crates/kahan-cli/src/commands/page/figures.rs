@@ -8,7 +8,7 @@ use kahan_draw::answer;
 use kahan_draw::picture::{Chart, Look, Visits, chart};
 use kahan_study::trade::Trade;
 use kahan_study::{
-    Answer, Axis, Discover, Form, Observable, Observe, Over, Poles, Question, Range, Scene, Show, Study,
+    Answer, Axis, Discover, Form, Observable, Observe, Over, Poles, Question, Range, Show, ShownOrbit, Study,
     StudyError,
 };
 use maud::{Markup, html};
@@ -59,7 +59,7 @@ pub(super) struct Subject<'a> {
     /// The field with what was given only.
     pub(super) generic: &'a Field,
     pub(super) variables: &'a [String],
-    pub(super) scene: &'a Scene,
+    pub(super) shown: &'a ShownOrbit,
     /// The time that the page may take.
     pub(super) seconds: f64,
 }
@@ -77,7 +77,7 @@ const TRADE: f64 = 0.25;
 impl Subject<'_> {
     /// So many steps from the first point.
     fn one_orbit(&self, steps: u64) -> Shown {
-        let Scene { eps, start, .. } = self.scene;
+        let ShownOrbit { eps, start, .. } = self.shown;
         Shown::portrait(eps.clone(), vec![At::Point(start.clone())], steps)
     }
 
@@ -133,14 +133,14 @@ impl Subject<'_> {
 
     /// Exponents, indicators, rotation numbers, drift.
     pub(super) fn dynamics(&self) -> Markup {
-        let asked = Observe::new(self.scene.eps.clone(), self.scene.start.clone(), self.steps());
+        let asked = Observe::new(self.shown.eps.clone(), self.shown.start.clone(), self.steps());
         Asked::of(self.kept, Question::Observe(asked)).html()
     }
 
     /// Which orbits are chaotic.
     pub(super) fn chart(&self) -> Markup {
         let cells = self.cells();
-        let Scene { eps, start, .. } = self.scene;
+        let ShownOrbit { eps, start, .. } = self.shown;
         let second = match self.variables {
             [_] => ("eps", [0.0, 2.0 * eps.to_f64()]),
             variables => (&*variables[1], self.range(1)),
@@ -166,12 +166,12 @@ impl Subject<'_> {
         figure("chart", "A chart of stability", &line, drawn.map_err(Refusal::from))
     }
 
-    /// The cheapest settings on a scene like that of the figures.
+    /// The cheapest settings on a shown like that of the figures.
     pub(super) fn settings(&self) -> Markup {
         /// Steps of the figures that the horizon takes.
         const STEPS: f64 = 400.0;
-        let horizon = Rational::parse(&decimal(2.0 * self.scene.eps.to_f64() * STEPS));
-        let asked = Trade::new(self.scene.start.clone(), horizon.expect("a printed number is one"));
+        let horizon = Rational::parse(&decimal(2.0 * self.shown.eps.to_f64() * STEPS));
+        let asked = Trade::new(self.shown.start.clone(), horizon.expect("a printed number is one"));
         let asked = Trade { seconds: self.share(TRADE), ..asked };
         let asked = Asked::of(self.kept, Question::Trade(asked));
         Asked { line: asked.line.with("--out", "trade.svg"), ..asked }.html()
@@ -212,7 +212,7 @@ impl Subject<'_> {
 
     /// So many steps from points between the first and the middle of its orbit.
     fn many_orbits(&self, steps: u64) -> Shown {
-        let Scene { eps, start, extremes, .. } = self.scene;
+        let ShownOrbit { eps, start, extremes, .. } = self.shown;
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
             let (start, middle) = (start.to_f64(), 0.5 * (low + high));
             let near = between(start + 0.6 * (middle - start), high - low);
@@ -228,10 +228,10 @@ impl Subject<'_> {
     fn plane(&self) -> String {
         const MOVES: f64 = 1e-3;
 
-        let lengths: Vec<f64> = self.scene.extremes.iter().map(|[low, high]| high - low).collect();
+        let lengths: Vec<f64> = self.shown.extremes.iter().map(|[low, high]| high - low).collect();
         let longest = (0..lengths.len()).max_by(|&i, &j| lengths[i].total_cmp(&lengths[j])).unwrap_or(2);
         let k = if lengths[2] > MOVES * lengths[longest] { 2 } else { longest };
-        let [low, high] = self.scene.extremes[k];
+        let [low, high] = self.shown.extremes[k];
         let (name, middle) = (&self.variables[k], between(0.5 * (low + high), high - low));
         match middle.strip_prefix('-') {
             Some(size) => format!("{name} + {size}"),
@@ -242,8 +242,8 @@ impl Subject<'_> {
 
     /// A variable over what its orbit takes, and a tenth more on either side.
     fn range(&self, k: usize) -> [f64; 2] {
-        let [low, high] = self.scene.extremes[k];
-        let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.scene.size);
+        let [low, high] = self.shown.extremes[k];
+        let room = 0.1 * (high - low).max(0.1 * high.abs().max(low.abs())).max(1e-2 * self.shown.size);
         [low - room, high + room]
     }
 }

@@ -18,7 +18,7 @@ use crate::study::Study;
 
 /// An orbit that figures show.
 #[derive(Clone, Debug)]
-pub struct Scene {
+pub struct ShownOrbit {
     /// ε, half the time step.
     pub eps: Rational,
     /// The first point.
@@ -50,7 +50,11 @@ impl Study {
     /// # Errors
     /// [`StudyError`]: values that are missing, a point that does not fit, a field that is not
     /// defined at its parameters.
-    pub fn scene(&self, eps: Option<&Rational>, start: Option<&[Rational]>) -> Result<Scene, StudyError> {
+    pub fn shown_orbit(
+        &self,
+        eps: Option<&Rational>,
+        start: Option<&[Rational]>,
+    ) -> Result<ShownOrbit, StudyError> {
         let start = start.map(|start| self.point(start)).transpose()?;
         let map = self.map()?;
         let length = length(self.system(), map.parameters(), eps);
@@ -67,17 +71,17 @@ impl Study {
                     best = Some(followed);
                 }
             }
-            if best.as_ref().is_some_and(|best| best.scene.stays && best.moves) {
+            if best.as_ref().is_some_and(|best| best.shown.stays && best.moves) {
                 break;
             }
         }
-        Ok(best.expect("there is a start").scene)
+        Ok(best.expect("there is a start").shown)
     }
 }
 
-/// A scene, and what there is to choose it by.
+/// A shown, and what there is to choose it by.
 struct Followed {
-    scene: Scene,
+    shown: ShownOrbit,
     steps: u64,
     /// Whether it still moves in the second half.
     moves: bool,
@@ -114,14 +118,14 @@ impl Followed {
         let steps = followed.end.steps(STEPS - 1) + u64::from(!is_lost);
         let spread = |ends: &[[f64; 2]]| ends.iter().fold(0.0, |most: f64, [low, high]| most.max(high - low));
         let moves = spread(&late) > 1e-3 * size;
-        let scene = Scene { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };
-        Followed { scene, steps, moves, rate: steepest }
+        let shown = ShownOrbit { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };
+        Followed { shown, steps, moves, rate: steepest }
     }
 
     /// Larger for what is better: an orbit that stays and moves, then one that stays, then a longer
     /// one.
     fn rank(&self) -> (bool, bool, u64) {
-        (self.scene.stays && self.moves, self.scene.stays, self.steps)
+        (self.shown.stays && self.moves, self.shown.stays, self.steps)
     }
 }
 
@@ -210,7 +214,7 @@ mod tests {
         assert_eq!(round_below(f64::INFINITY), Rational::one());
     }
 
-    /// A scene in units of length and time that are 2^−k and 2^−j of the ordinary ones, brought
+    /// A shown in units of length and time that are 2^−k and 2^−j of the ordinary ones, brought
     /// back to these.
     fn in_unit(text: &str, [k, j]: [i32; 2], eps: Option<f64>) -> (Vec<f64>, Vec<f64>, bool) {
         let power = |exponent: i32| f64::from(exponent).exp2();
@@ -218,10 +222,10 @@ mod tests {
         let value = |name: &String| Rational::from_f64(power(if name == "q" { k } else { j }));
         let field = field.at(field.parameters().iter().map(value).collect());
         let eps = eps.map(|eps| Rational::from_f64(eps * power(-j)).unwrap());
-        let scene = field.scene(eps.as_ref(), None).unwrap();
-        let lengths = scene.start.iter().map(Rational::to_f64).chain([scene.size]);
-        let lengths = lengths.chain(scene.extremes.into_iter().flatten()).map(|x| x * power(k));
-        (lengths.collect(), vec![scene.eps.to_f64() * power(j)], scene.stays)
+        let shown = field.shown_orbit(eps.as_ref(), None).unwrap();
+        let lengths = shown.start.iter().map(Rational::to_f64).chain([shown.size]);
+        let lengths = lengths.chain(shown.extremes.into_iter().flatten()).map(|x| x * power(k));
+        (lengths.collect(), vec![shown.eps.to_f64() * power(j)], shown.stays)
     }
 
     #[test]
@@ -254,17 +258,17 @@ mod tests {
     fn an_orbit_that_stays_is_found() {
         // Half of the plane escapes; the start of size 1 does.
         let field = Subject::text("xdot = y; ydot = x^2 - x;").study(&Systems).unwrap();
-        let scene = field.scene(None, None).unwrap();
-        assert!(scene.stays && scene.start[0] != Rational::one(), "{scene:?}");
+        let shown = field.shown_orbit(None, None).unwrap();
+        assert!(shown.stays && shown.start[0] != Rational::one(), "{shown:?}");
         let given = [Rational::new(1, 7), Rational::new(0, 1)];
-        let scene = field.scene(Some(&Rational::new(1, 9)), Some(&given)).unwrap();
-        assert_eq!((scene.start.as_slice(), scene.eps), (&given[..], Rational::new(1, 9)));
+        let shown = field.shown_orbit(Some(&Rational::new(1, 9)), Some(&given)).unwrap();
+        assert_eq!((shown.start.as_slice(), shown.eps), (&given[..], Rational::new(1, 9)));
     }
 
     #[test]
     fn where_none_stays_the_longest_is_taken() {
         let field = Subject::text("xdot = x^2 + 1;").study(&Systems).unwrap();
-        let scene = field.scene(None, None).unwrap();
-        assert_eq!(scene.start.len(), 1);
+        let shown = field.shown_orbit(None, None).unwrap();
+        assert_eq!(shown.start.len(), 1);
     }
 }
