@@ -4,7 +4,7 @@ use kahan_core::observe::{
     AtMost, Direction, Drift, Escape, Extrema, Observer, Section, TangentMap, first_crossing,
 };
 use kahan_core::prelude::*;
-use kahan_core::{Compensated, Increments, LatticeAt, Level, Orbit, Room, Step, Tangent};
+use kahan_core::{Compensated, Increments, LatticeAt, Level, Orbit, Step, Tangent, Workspace};
 
 use super::lattices::{Kdv, Ring, Shore, Toda};
 use super::systems::E6;
@@ -14,20 +14,20 @@ const STEPS: u64 = 9;
 
 /// So many steps of `map`, one by one and at once, with memory that other maps have used, and
 /// through `dyn`.
-fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], room: &mut Room) -> Vec<f64> {
+fn advanced(map: &dyn Step<Scalar = f64>, start: &[f64], workspace: &mut Workspace) -> Vec<f64> {
     assert_eq!((map.dimension(), *map.eps()), (start.len(), EPS));
     let mut x = start.to_vec();
-    assert_eq!(map.advance(&mut x, STEPS, room), Ok(()));
+    assert_eq!(map.advance(&mut x, STEPS, workspace), Ok(()));
     let mut one_by_one = start.to_vec();
     for _ in 0..STEPS {
-        one_by_one = Step::next(&map, &one_by_one, room).unwrap();
+        one_by_one = Step::next(&map, &one_by_one, workspace).unwrap();
     }
     assert_eq!(x, one_by_one);
     // A part of a step that is the whole of it, and none of it.
     let (mut whole, mut none) = (start.to_vec(), start.to_vec());
-    map.part(&EPS, &mut whole, room).unwrap();
-    assert_eq!(Some(whole), Step::next(&map, &start.to_vec(), room));
-    map.part(&0.0, &mut none, room).unwrap();
+    map.part(&EPS, &mut whole, workspace).unwrap();
+    assert_eq!(Some(whole), Step::next(&map, &start.to_vec(), workspace));
+    map.part(&0.0, &mut none, workspace).unwrap();
     assert_eq!(none, start);
     x
 }
@@ -38,33 +38,33 @@ fn wave(len: usize) -> Vec<f64> {
 
 #[test]
 fn every_map_has_the_bits_of_its_own_methods() {
-    let mut room = Room::new();
+    let mut workspace = Workspace::new();
     let start = [0.5, 1.0, 0.25];
     let plain = E6.at(EPS);
     let composed = plain.composed(Composition::KAHAN_LI_8);
-    // One room for all of them, in turn.
+    // One workspace for all of them, in turn.
     for _ in 0..2 {
         let expected = plain.orbit(start.into()).nth(STEPS as usize).unwrap();
-        assert_eq!(advanced(&plain, &start, &mut room), expected.as_slice());
+        assert_eq!(advanced(&plain, &start, &mut workspace), expected.as_slice());
         let expected = composed.orbit(start.into()).nth(STEPS as usize).unwrap();
-        assert_eq!(advanced(&composed, &start, &mut room), expected.as_slice());
+        assert_eq!(advanced(&composed, &start, &mut workspace), expected.as_slice());
         // Long ones are cut into parts; two of them have one shape, and memory in common.
         for sites in [3, 700] {
             let growth = |k: usize| vec![1.0 + 0.01 * k as f64; sites];
-            chain(&Ring, sites, &mut room);
-            chain(&Kdv { h: 0.5 }, sites, &mut room);
-            chain(&Kdv { h: 0.75 }, sites, &mut room);
-            chain(&Toda, sites, &mut room);
-            chain(&Shore { mu: 0.1, r: growth(1) }, sites, &mut room);
-            chain(&Shore { mu: 0.2, r: growth(2) }, sites, &mut room);
+            chain(&Ring, sites, &mut workspace);
+            chain(&Kdv { h: 0.5 }, sites, &mut workspace);
+            chain(&Kdv { h: 0.75 }, sites, &mut workspace);
+            chain(&Toda, sites, &mut workspace);
+            chain(&Shore { mu: 0.1, r: growth(1) }, sites, &mut workspace);
+            chain(&Shore { mu: 0.2, r: growth(2) }, sites, &mut workspace);
         }
     }
 }
 
-fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, room: &mut Room) {
+fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, workspace: &mut Workspace) {
     let mut at = LatticeMap::at(map, EPS, sites).unwrap();
     let start = wave(sites * <M as LatticeMap<f64>>::BLOCK);
-    let found = advanced(&at, &start, room);
+    let found = advanced(&at, &start, workspace);
     let mut expected = start;
     // By its full name, since the trait is in scope.
     LatticeAt::advance(&mut at, &mut expected, STEPS);
@@ -74,12 +74,12 @@ fn chain<M: LatticeMap<f64>>(map: &M, sites: usize, room: &mut Room) {
 /// A mode is a map, whose states hold what is carried beside the point.
 #[test]
 fn modes_are_maps() {
-    let (start, mut room) = (vector![0.5, 1.0, 0.25], Room::new());
+    let (start, mut workspace) = (vector![0.5, 1.0, 0.25], Workspace::new());
     let plain = E6.at(EPS);
     let composed = plain.composed(Composition::KAHAN_LI_8);
     let mut carried = [0.5, 1.0, 0.25, 0.0, 0.0, 0.0];
     let points: Vec<_> = plain.orbit(start).compensated().take(10).collect();
-    Compensated(plain).advance(&mut carried, STEPS, &mut room).unwrap();
+    Compensated(plain).advance(&mut carried, STEPS, &mut workspace).unwrap();
     assert_eq!(&carried[..3], points[STEPS as usize].as_slice());
     assert!(carried[3..].iter().any(|lacks| *lacks != 0.0));
     // A state of the map's, by its type and by choice.
@@ -95,8 +95,8 @@ fn modes_are_maps() {
     assert_eq!(last, plain.orbit(start).compensated().nth(STEPS as usize + 1).unwrap());
     // A part of a step is the map's, from the point.
     let (mut part, mut alone) = (carried, [carried[0], carried[1], carried[2]]);
-    Compensated(&plain).part(&0.01, &mut part, &mut room).unwrap();
-    plain.part(&0.01, &mut alone, &mut room).unwrap();
+    Compensated(&plain).part(&0.01, &mut part, &mut workspace).unwrap();
+    plain.part(&0.01, &mut alone, &mut workspace).unwrap();
     assert_eq!((&part[..3], &part[3..]), (&alone[..], &carried[3..]));
 
     let both = Compensated(composed);
@@ -111,8 +111,8 @@ fn modes_are_maps() {
     with_vectors(&plain, &beside);
     with_vectors(&composed, &beside);
     let (mut part, mut alone) = (beside.clone(), [0.5, 1.0, 0.25]);
-    Tangent::new(&plain, 2).part(&0.01, &mut part, &mut room).unwrap();
-    plain.part(&0.01, &mut alone, &mut room).unwrap();
+    Tangent::new(&plain, 2).part(&0.01, &mut part, &mut workspace).unwrap();
+    plain.part(&0.01, &mut alone, &mut workspace).unwrap();
     assert_eq!((&part[..3], &part[3..]), (&alone[..], &beside[3..]));
 
     // Any step over `f64` on states in `f32`, at an ε that both have.
@@ -121,10 +121,10 @@ fn modes_are_maps() {
     let single = start.map(|entry| entry as f32);
     let expected = ThroughF64(E6).orbit(single, eps as f32).nth(STEPS as usize).unwrap();
     let mut x = single.as_slice().to_vec();
-    through.advance(&mut x, STEPS, &mut room).unwrap();
+    through.advance(&mut x, STEPS, &mut workspace).unwrap();
     assert_eq!((x.as_slice(), *through.eps()), (expected.as_slice(), eps as f32));
     let mut x = single.as_slice().to_vec();
-    through.part(&(eps as f32 / 2.0), &mut x, &mut room).unwrap();
+    through.part(&(eps as f32 / 2.0), &mut x, &mut workspace).unwrap();
     assert_eq!(x, ThroughF64(E6).step(&single, eps as f32 / 2.0).as_slice());
 }
 
@@ -134,7 +134,7 @@ fn with_vectors(map: &impl TangentMap<Scalar = f64, State = SVector<f64, 3>>, st
     let columns = |numbers: &[f64]| SMatrix::<f64, 3, 3>::from_column_slice(numbers);
     let [mut x, mut v, mut w] = [0, 1, 2].map(|k| columns(start).column(k).into_owned());
     for _ in 0..STEPS {
-        let next = map.next(&x, &mut Room::new()).unwrap();
+        let next = map.next(&x, &mut Workspace::new()).unwrap();
         map.carry_to(x.as_slice(), next.as_slice(), &mut v);
         map.carry_to(x.as_slice(), next.as_slice(), &mut w);
         x = next;
@@ -155,7 +155,7 @@ fn every_map_has_orbits() {
     let half = Orbit::new(&chain, wave(5)).at_times(&[EPS]).next().unwrap();
     assert_eq!(
         half,
-        Step::next(&LatticeMap::at(&Ring, EPS / 2.0, 5).unwrap(), &wave(5), &mut Room::new()).unwrap()
+        Step::next(&LatticeMap::at(&Ring, EPS / 2.0, 5).unwrap(), &wave(5), &mut Workspace::new()).unwrap()
     );
 
     let plain = E6.at(EPS);
@@ -187,20 +187,20 @@ fn a_run_stops_at_a_pole_of_an_exact_scalar() {
     let [eps, start] = [(1, 8), (2, 1)].map(|(p, q): (i64, i64)| BigRational::new(p.into(), q.into()));
     let map = Growth.at(eps.clone());
     let mut x = [start.clone()];
-    let stopped = map.advance(&mut x, 9, &mut Room::new()).unwrap_err();
+    let stopped = map.advance(&mut x, 9, &mut Workspace::new()).unwrap_err();
     let points: Vec<_> = map.orbit([start].into()).collect();
     assert_eq!(stopped.steps as usize + 1, points.len());
     assert_eq!(x[0], points.last().unwrap()[0]);
     assert_eq!((stopped.why.determinant(), stopped.why.eps()), (0.0, 0.125));
     let mut at_the_pole = x.clone();
-    assert!(map.part(&eps, &mut at_the_pole, &mut Room::new()).is_err());
+    assert!(map.part(&eps, &mut at_the_pole, &mut Workspace::new()).is_err());
     assert_eq!(at_the_pole, x);
 }
 
 #[test]
 #[should_panic(expected = "a state of 2 numbers for a map of 3")]
 fn a_state_of_another_length_panics() {
-    let _ = Step::advance(&E6.at(EPS), &mut [0.5, 1.0], 1, &mut Room::new());
+    let _ = Step::advance(&E6.at(EPS), &mut [0.5, 1.0], 1, &mut Workspace::new());
 }
 
 /// A circle with the angle 2 arctan ε a step: x = 0 first after a quarter of it.

@@ -15,7 +15,7 @@ pub use passed_poles::{Passed, PassedPoles};
 
 use std::sync::{Arc, OnceLock};
 
-use kahan_core::{Composition, Increments, Level, Room, Step, Stopped};
+use kahan_core::{Composition, Increments, Level, Step, Stopped, Workspace};
 use smallvec::SmallVec;
 
 use crate::dimension::Argument;
@@ -225,15 +225,15 @@ impl<T: MachineFloat> Step for MapAt<T> {
     }
 
     #[track_caller]
-    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Room) -> Result<(), Stopped> {
+    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Workspace) -> Result<(), Stopped> {
         fitting(MapAt::advance(self, x, steps));
         Ok(())
     }
 
     #[track_caller]
-    fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
+    fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
         let part = self.at_constants(self.map.clone(), self.own().0.iter().copied(), *eps);
-        Step::advance(&part, x, 1, room)
+        Step::advance(&part, x, 1, workspace)
     }
 }
 
@@ -242,14 +242,14 @@ impl<T: MachineFloat> Increments for MapAt<T> {
     type Carried = Vec<T>;
 
     #[track_caller]
-    fn next_with_carry(&self, x: &Vec<T>, room: &mut Room) -> Option<Vec<T>> {
+    fn next_with_carry(&self, x: &Vec<T>, workspace: &mut Workspace) -> Option<Vec<T>> {
         let mut next = x.clone();
-        Increments::advance_with_carry(self, &mut next, 1, room).ok()?;
+        Increments::advance_with_carry(self, &mut next, 1, workspace).ok()?;
         Some(next)
     }
 
     #[track_caller]
-    fn advance_with_carry(&self, x: &mut [T], steps: u64, _room: &mut Room) -> Result<(), Stopped> {
+    fn advance_with_carry(&self, x: &mut [T], steps: u64, _room: &mut Workspace) -> Result<(), Stopped> {
         let (point, carry) = x.split_at_mut(x.len().min(self.dimension()));
         fitting(MapAt::advance_with_carry(self, point, carry, steps));
         Ok(())

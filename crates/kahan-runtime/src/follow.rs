@@ -9,7 +9,7 @@ use core::num::NonZeroU64;
 use core::ops::ControlFlow;
 
 use kahan_core::observe::Observer;
-use kahan_core::{FloatScalar, Room, Scalar, Step};
+use kahan_core::{FloatScalar, Scalar, Step, Workspace};
 
 use crate::dimension::Argument;
 use crate::{DimensionError, End};
@@ -162,10 +162,10 @@ fn run<S: Step<Scalar: FloatScalar>>(
     if !is_finite(x) {
         return End::Range(0);
     }
-    let (pause, mut room) = (pause(x.len()), Room::new());
+    let (pause, mut workspace) = (pause(x.len()), Workspace::new());
     // Floats go on at poles.
     let mut advance = |x: &mut [S::Scalar], steps| {
-        let _ = map.advance(x, steps, &mut room);
+        let _ = map.advance(x, steps, &mut workspace);
     };
     let (mut made, mut left, mut before) = (0, every, x.to_vec());
     while made < steps {

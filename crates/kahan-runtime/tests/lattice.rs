@@ -5,7 +5,7 @@
 use allocation_counter::measure;
 use kahan_core::observe::first_crossing;
 use kahan_core::prelude::*;
-use kahan_core::{LatticeMap, Room, Step};
+use kahan_core::{LatticeMap, Step, Workspace};
 use kahan_runtime::{Field, FieldText, Lattice, LatticeError, ParameterError};
 
 /// A family as the macro has it, and its text.
@@ -217,7 +217,7 @@ fn one_function_takes_every_map() {
 /// Chains that are read, in memory of the caller's that other chains have used.
 #[test]
 fn a_room_serves_chains_in_turn() {
-    let mut room = Room::new();
+    let mut workspace = Workspace::new();
     let values = [("h", &[0.5][..])];
     let mut chains = [
         lattice(RING).at(0.02, 40, NOTHING).unwrap(),
@@ -229,9 +229,9 @@ fn a_room_serves_chains_in_turn() {
         for chain in &mut chains {
             let begin = start(chain.unknowns());
             let (mut x, mut part, mut expected) = (begin.clone(), begin.clone(), begin);
-            Step::advance(chain, &mut x, 7, &mut room).unwrap();
+            Step::advance(chain, &mut x, 7, &mut workspace).unwrap();
             let eps = *Step::eps(chain);
-            Step::part(chain, &eps, &mut part, &mut room).unwrap();
+            Step::part(chain, &eps, &mut part, &mut workspace).unwrap();
             chain.step(&mut expected).unwrap();
             assert_eq!(part, expected);
             (1..7).for_each(|_| chain.step(&mut expected).unwrap());

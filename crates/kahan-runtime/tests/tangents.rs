@@ -4,7 +4,7 @@ use kahan_core::observe::{
     AtMost, Direction, Fli, Lyapunov, MeanLogDet, Observer, Sali, Section, Spectrum, TangentMap,
 };
 use kahan_core::prelude::*;
-use kahan_core::{Compensated, Orbit, Room, Step};
+use kahan_core::{Compensated, Orbit, Step, Workspace};
 use kahan_core::{Composition, KahanMap};
 use kahan_runtime::{Field, MapAt};
 
@@ -99,7 +99,7 @@ fn a_step_allocates_nothing() {
 fn modes_are_maps_of_their_own() {
     let (_, map) = lorenz();
     let (start, steps) = ([1.0, 2.0, 20.0], 50);
-    let mut room = Room::new();
+    let mut workspace = Workspace::new();
     for map in [map.clone(), map.composed(Composition::SUZUKI_4)] {
         let (mut x, mut carry) = (start, [0.0; 3]);
         map.advance_with_carry(&mut x, &mut carry, steps).unwrap();
@@ -107,7 +107,7 @@ fn modes_are_maps_of_their_own() {
         let carried = Orbit::new(Compensated(&map), beside.clone()).nth(steps as usize).unwrap();
         assert_eq!(carried, [x, carry].concat());
         let mut at_once = beside;
-        Compensated(map.clone()).advance(&mut at_once, steps, &mut room).unwrap();
+        Compensated(map.clone()).advance(&mut at_once, steps, &mut workspace).unwrap();
         assert_eq!(at_once, carried);
 
         let (mut x, mut v) = (start, vec![0.5, -1.0, 2.0]);
@@ -121,7 +121,7 @@ fn modes_are_maps_of_their_own() {
 
         // A state that is rounded to `f32` after each step in `f64`.
         let (mut x, mut rounded) = (start, start.map(|entry| entry as f32));
-        ThroughF64::of_step(&map).advance(&mut rounded, steps, &mut room).unwrap();
+        ThroughF64::of_step(&map).advance(&mut rounded, steps, &mut workspace).unwrap();
         for _ in 0..steps {
             map.advance(&mut x, 1).unwrap();
             x = x.map(|entry| f64::from(entry as f32));

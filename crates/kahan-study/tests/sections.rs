@@ -4,7 +4,7 @@
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
-use kahan_core::{Room, Step};
+use kahan_core::{Step, Workspace};
 use kahan_runtime::MapAt;
 use kahan_study::{Plane, Section, Side, Study, Subject, Systems, Unwatched};
 
@@ -80,7 +80,7 @@ fn plane(random: &mut SplitMix64, variables: &[&str]) -> String {
 /// there: they change little beside its size at the ends, as do those between the two where it
 /// changes its sign, and so on, and each variable stays within some times its size at the ends.
 fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2]) -> bool {
-    let (mut room, eps) = (Room::new(), *Step::eps(at));
+    let (mut workspace, eps) = (Workspace::new(), *Step::eps(at));
     let size = ends.map(|x| height(x).abs()).into_iter().fold(0.0, f64::max);
     let is_near = |x: &[f64]| {
         let most = |k: usize| 8.0 * ends[0][k].abs().max(ends[1][k].abs());
@@ -95,7 +95,7 @@ fn is_smooth(at: &MapAt<f64>, height: &dyn Fn(&[f64]) -> f64, ends: [&[f64]; 2])
             1.0 => ends[1].to_vec(),
             part => {
                 let mut x = ends[0].to_vec();
-                at.part(&(eps * part), &mut x, &mut room).expect("floats go on");
+                at.part(&(eps * part), &mut x, &mut workspace).expect("floats go on");
                 x
             }
         });
@@ -130,10 +130,11 @@ fn check(seed: u64, tally: &mut Tally) {
     let read = Plane::of(study.system(), &[], &eps, &plane).expect("a plane");
     let height = read.height(&at);
     let mut x: Vec<f64> = start.iter().map(Rational::to_f64).collect();
-    let (mut room, mut changes, mut crossings) = (Room::new(), 0, found.crossings.iter().peekable());
+    let (mut workspace, mut changes, mut crossings) =
+        (Workspace::new(), 0, found.crossings.iter().peekable());
     for step in 0..found.steps {
         let before = x.clone();
-        Step::advance(&at, &mut x, 1, &mut room).expect("floats go on");
+        Step::advance(&at, &mut x, 1, &mut workspace).expect("floats go on");
         let [from, to] = [&before, &x].map(|x| height(x));
         let crossing = crossings.next_if(|crossing| crossing.step == step);
         if !((from < 0.0 && to >= 0.0) || (from > 0.0 && to <= 0.0)) {

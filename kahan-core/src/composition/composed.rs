@@ -7,7 +7,9 @@ use core::array::from_fn;
 use core::fmt;
 
 use crate::step::advance_by;
-use crate::{Compensated, FloatScalar, Increments, KahanAt, KahanMap, Orbit, Room, Scalar, Step, Stopped};
+use crate::{
+    Compensated, FloatScalar, Increments, KahanAt, KahanMap, Orbit, Scalar, Step, Stopped, Workspace,
+};
 
 use super::{Composition, InOrder};
 
@@ -77,7 +79,9 @@ impl<S: Step> Composed<S> {
     /// a pole.
     #[inline]
     pub fn step(&self, x: &S::State) -> S::State {
-        let Some(next) = self.next(x, &mut Room::new()) else { unreachable!("compositions are of floats") };
+        let Some(next) = self.next(x, &mut Workspace::new()) else {
+            unreachable!("compositions are of floats")
+        };
         next
     }
 }
@@ -95,22 +99,22 @@ impl<S: Step> Step for Composed<S> {
     }
 
     #[inline]
-    fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        advance_by(x, steps, &self.eps, |state| self.next(state, room))
+    fn advance(&self, x: &mut [S::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
+        advance_by(x, steps, &self.eps, |state| self.next(state, workspace))
     }
 
-    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
+    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
         // Any stage steps at any ε.
         let [first, ..] = &self.stages.steps;
         let mut gammas = self.composition.coefficients();
-        gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, room))
+        gammas.try_for_each(|gamma| first.part(&(S::Scalar::constant(gamma) * eps.clone()), x, workspace))
     }
 
     #[inline(always)]
-    fn next(&self, x: &S::State, room: &mut Room) -> Option<S::State> {
+    fn next(&self, x: &S::State, workspace: &mut Workspace) -> Option<S::State> {
         let mut next = x.clone();
         for stage in self.stages.in_order() {
-            next = stage.next(&next, room)?;
+            next = stage.next(&next, workspace)?;
         }
         Some(next)
     }
@@ -120,10 +124,10 @@ impl<S: Increments> Increments for Composed<S> {
     type Carried = S::Carried;
 
     #[inline(always)]
-    fn next_with_carry(&self, x: &S::Carried, room: &mut Room) -> Option<S::Carried> {
+    fn next_with_carry(&self, x: &S::Carried, workspace: &mut Workspace) -> Option<S::Carried> {
         let mut next = x.clone();
         for stage in self.stages.in_order() {
-            next = stage.next_with_carry(&next, room)?;
+            next = stage.next_with_carry(&next, workspace)?;
         }
         Some(next)
     }

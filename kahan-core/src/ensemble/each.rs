@@ -9,7 +9,7 @@ use std::vec::Vec;
 
 use crate::composition::{InOrder, Staged};
 use crate::field::linear::vector;
-use crate::{KahanMap, PreparedStep, Room, WideStep};
+use crate::{KahanMap, PreparedStep, WideStep, Workspace};
 
 use super::EnsembleScalar;
 use super::advance::{Advances, Stretch, divide};
@@ -85,7 +85,7 @@ where
         }
         for (lane, map) in self.maps.into_iter().enumerate() {
             let mut x: [T; N] = from_fn(|c| self.columns[c][lane]);
-            map.advance(&mut x, self.steps, &mut Room::new()).map_err(|_| *map.eps())?;
+            map.advance(&mut x, self.steps, &mut Workspace::new()).map_err(|_| *map.eps())?;
             for (entry, column) in x.iter().zip(&mut self.columns) {
                 column[lane] = *entry;
             }

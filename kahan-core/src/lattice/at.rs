@@ -9,7 +9,7 @@ use std::vec::Vec;
 use crate::ensemble::Level;
 use crate::scalar::Capacity;
 use crate::step::error::{Reason, pole};
-use crate::{Room, SingularStep, Step, Stopped};
+use crate::{SingularStep, Step, Stopped, Workspace};
 
 use super::folded::Folded;
 use super::parts::{Parted, Partition};
@@ -362,7 +362,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     }
 }
 
-/// In memory of the room's, so that any number of threads can share a map.
+/// In memory of the workspace's, so that any number of threads can share a map.
 impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     type Scalar = T;
     type State = Vec<T>;
@@ -376,9 +376,9 @@ impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     }
 
     #[track_caller]
-    fn advance(&self, x: &mut [T], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+    fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         self.check(x);
-        let memory = self.memory_in(room);
+        let memory = self.memory_in(workspace);
         for steps in 0..steps {
             if memory.step(&self.map, &self.forward, &self.eps, x).is_none() {
                 return Err(Stopped { steps, why: SingularStep::pole(self.eps.approximate()) });
@@ -388,19 +388,19 @@ impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     }
 
     #[track_caller]
-    fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
+    fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
         self.check(x);
         let constants = self.map.constants(eps.clone(), T::clone);
         let stepped =
-            constants.and_then(|constants| self.memory_in(room).step(&self.map, &constants, eps, x));
+            constants.and_then(|constants| self.memory_in(workspace).step(&self.map, &constants, eps, x));
         stepped.ok_or(Stopped { steps: 0, why: SingularStep::pole(eps.approximate()) })
     }
 }
 
 impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
-    fn memory_in<'a>(&self, room: &'a mut Room) -> &'a mut Memory<T> {
+    fn memory_in<'a>(&self, workspace: &'a mut Workspace) -> &'a mut Memory<T> {
         let form = self.memory.form;
-        room.of(|memory: &Memory<T>| memory.form == form, || Memory::new::<M::Shape>(form))
+        workspace.of(|memory: &Memory<T>| memory.form == form, || Memory::new::<M::Shape>(form))
     }
 }
 

@@ -30,7 +30,7 @@ pub(super) struct Site<L> {
 }
 
 impl<L: Scalar> Site<L> {
-    /// Room for the sites of a family.
+    /// Workspace for the sites of a family.
     pub(super) fn of<S: Shape>() -> Self {
         let seen = 2 * S::REACH + 1;
         let zeros = |len| vec![L::zero(); len];

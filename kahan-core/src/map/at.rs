@@ -9,7 +9,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::step::advance_by;
 use crate::step::error::pole;
-use crate::{PreparedStep, Room, Scalar, SingularStep, Step, Stopped};
+use crate::{PreparedStep, Scalar, SingularStep, Step, Stopped, Workspace};
 
 use super::{KahanMap, Orbit, Pivot};
 
@@ -134,16 +134,16 @@ where
     }
 
     #[inline]
-    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Room) -> Result<(), Stopped> {
+    fn advance(&self, x: &mut [T], steps: u64, _room: &mut Workspace) -> Result<(), Stopped> {
         advance_by(x, steps, &self.eps, |state| self.prepared.next(state))
     }
 
-    fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
-        Self::new(self.map.clone(), eps.clone()).advance(x, 1, room)
+    fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
+        Self::new(self.map.clone(), eps.clone()).advance(x, 1, workspace)
     }
 
     #[inline(always)]
-    fn next(&self, x: &SVector<T, N>, _room: &mut Room) -> Option<SVector<T, N>> {
+    fn next(&self, x: &SVector<T, N>, _room: &mut Workspace) -> Option<SVector<T, N>> {
         self.prepared.next(x)
     }
 }

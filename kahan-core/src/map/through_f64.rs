@@ -17,7 +17,7 @@ use crate::{
     KahanMap, Lift, PreparedStep, QuadraticField, Quotients, Scalar, SingularStep, StepCost, WideStep,
 };
 #[cfg(feature = "std")]
-use crate::{Room, Step, Stopped};
+use crate::{Step, Stopped, Workspace};
 
 /// A map over `f32` whose every step is computed in `f64` and rounded once.
 ///
@@ -80,10 +80,10 @@ impl<S: Step<Scalar = f64>> Step for ThroughF64<(S, f32)> {
         &self.0.1
     }
 
-    fn advance(&self, x: &mut [f32], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+    fn advance(&self, x: &mut [f32], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         let mut wide: Vec<f64> = x.iter().copied().map(f64::from).collect();
         for steps in 0..steps {
-            self.0.0.advance(&mut wide, 1, room).map_err(|stopped| Stopped { steps, ..stopped })?;
+            self.0.0.advance(&mut wide, 1, workspace).map_err(|stopped| Stopped { steps, ..stopped })?;
             for (x, wide) in x.iter_mut().zip(&mut wide) {
                 *x = *wide as f32;
                 *wide = f64::from(*x);
@@ -92,9 +92,9 @@ impl<S: Step<Scalar = f64>> Step for ThroughF64<(S, f32)> {
         Ok(())
     }
 
-    fn part(&self, eps: &f32, x: &mut [f32], room: &mut Room) -> Result<(), Stopped> {
+    fn part(&self, eps: &f32, x: &mut [f32], workspace: &mut Workspace) -> Result<(), Stopped> {
         let mut wide: Vec<f64> = x.iter().copied().map(f64::from).collect();
-        self.0.0.part(&f64::from(*eps), &mut wide, room)?;
+        self.0.0.part(&f64::from(*eps), &mut wide, workspace)?;
         x.iter_mut().zip(wide).for_each(|(x, wide)| *x = wide as f32);
         Ok(())
     }

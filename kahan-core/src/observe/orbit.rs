@@ -51,7 +51,7 @@ impl<S: Step> Orbit<S> {
         // A state of its own, which the compiler can keep in registers.
         let mut state = self.state.clone();
         for step in 1..=steps {
-            if state.step_with(&self.map, &mut self.room).is_none() {
+            if state.step_with(&self.map, &mut self.workspace).is_none() {
                 self.stop();
                 break;
             }

@@ -7,7 +7,7 @@
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
-use crate::{Constant, FloatScalar, Orbit, PointOf, Room, Slice, Step};
+use crate::{Constant, FloatScalar, Orbit, PointOf, Slice, Step, Workspace};
 
 use super::Observer;
 use super::zero::{Place, is_zero, narrow, small};
@@ -57,7 +57,7 @@ pub struct Section<M: Step, F, S> {
     place: M::State,
     step: u64,
     height: f64,
-    room: Room,
+    workspace: Workspace,
 }
 
 /// What a [`Section`] reports.
@@ -179,7 +179,17 @@ where
     /// The crossings of `level` = 0 by orbits of `map`, handed to `sink`.
     pub fn new(map: M, level: F, direction: Direction, sink: S) -> Self {
         let place = M::State::zeros(map.dimension());
-        Self { map, level, direction, sink, jumps: 0, place, step: 0, height: f64::NAN, room: Room::new() }
+        Self {
+            map,
+            level,
+            direction,
+            sink,
+            jumps: 0,
+            place,
+            step: 0,
+            height: f64::NAN,
+            workspace: Workspace::new(),
+        }
     }
 
     /// The crossing between the point given last and the next, x, where s has the height `end`;
@@ -187,7 +197,7 @@ where
     #[cold]
     #[inline(never)]
     fn crossing(&mut self, x: &[T], end: T) -> Option<Crossing<PointOf<M>, T>> {
-        let Self { map, level, place: before, room, step, .. } = self;
+        let Self { map, level, place: before, workspace, step, .. } = self;
         let eps = *map.eps();
         let mut at = |part: T| {
             let mut state = before.clone();
@@ -195,7 +205,7 @@ where
                 state.as_mut_slice()[..x.len()].copy_from_slice(x);
             } else {
                 // Floats go on at poles.
-                let _ = map.part(&(part * eps), state.as_mut_slice(), room);
+                let _ = map.part(&(part * eps), state.as_mut_slice(), workspace);
             }
             state.to_point()
         };

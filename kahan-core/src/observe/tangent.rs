@@ -17,7 +17,7 @@ use crate::field::linear::{determinant, vector};
 use crate::map::{carry, carry_to};
 use crate::step::check_length;
 #[cfg(feature = "std")]
-use crate::{EnsembleScalar, KahanMap, PreparedStep, Room, Slice, Stopped};
+use crate::{EnsembleScalar, KahanMap, PreparedStep, Slice, Stopped, Workspace};
 use crate::{FloatScalar, KahanAt, Lift, Scalar, Step};
 
 #[cfg(feature = "std")]
@@ -260,13 +260,13 @@ impl<S: TangentMap> Step for Tangent<S> {
         self.map.eps()
     }
 
-    fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+    fn advance(&self, x: &mut [S::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         check_length(x.len(), self.dimension());
         let (point, vectors) = x.split_at_mut(self.map.dimension());
         let (mut before, mut v) = (S::State::zeros(point.len()), S::State::zeros(point.len()));
         for steps in 0..steps {
             before.as_mut_slice().copy_from_slice(point);
-            self.map.advance(point, 1, room).map_err(|stopped| Stopped { steps, ..stopped })?;
+            self.map.advance(point, 1, workspace).map_err(|stopped| Stopped { steps, ..stopped })?;
             for vector in vectors.chunks_exact_mut(point.len()) {
                 v.as_mut_slice().copy_from_slice(vector);
                 self.map.carry_to(before.as_slice(), point, &mut v);
@@ -276,7 +276,7 @@ impl<S: TangentMap> Step for Tangent<S> {
         Ok(())
     }
 
-    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
-        self.map.part(eps, &mut x[..self.map.dimension()], room)
+    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
+        self.map.part(eps, &mut x[..self.map.dimension()], workspace)
     }
 }

@@ -34,7 +34,7 @@ use std::vec::Vec;
 
 use nalgebra::DMatrix;
 
-use crate::{Room, Scalar, Step};
+use crate::{Scalar, Step, Workspace};
 
 pub use branch::{Branch, BranchPoint, branch};
 pub use cycle::{NoPeriodicPoint, PeriodicPoint, Stability, periodic_point};
@@ -46,7 +46,7 @@ pub trait Differentiable: Step<Scalar: From<f64>> {
     fn image(&self, x: &[f64]) -> Vec<f64> {
         let mut image: Vec<Self::Scalar> = x.iter().map(|entry| (*entry).into()).collect();
         // Floats go on at poles.
-        let _ = self.advance(&mut image, 1, &mut Room::new());
+        let _ = self.advance(&mut image, 1, &mut Workspace::new());
         image.iter().map(Scalar::approximate).collect()
     }
 

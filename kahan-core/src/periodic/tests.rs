@@ -6,7 +6,7 @@ use std::vec;
 use std::vec::Vec;
 
 use crate::prelude::*;
-use crate::{Dual, Room, Step, Stopped};
+use crate::{Dual, Step, Stopped, Workspace};
 
 use super::{Branch, Change, Differentiable, NoPeriodicPoint, Parametric, Stability, branch, periodic_point};
 
@@ -31,12 +31,12 @@ macro_rules! steps {
                 &1.0
             }
 
-            fn advance(&self, x: &mut [f64], steps: u64, _: &mut Room) -> Result<(), Stopped> {
+            fn advance(&self, x: &mut [f64], steps: u64, _: &mut Workspace) -> Result<(), Stopped> {
                 (0..steps).for_each(|_| x.copy_from_slice(&ByHand::image(self, x)));
                 Ok(())
             }
 
-            fn part(&self, _: &f64, _: &mut [f64], _: &mut Room) -> Result<(), Stopped> {
+            fn part(&self, _: &f64, _: &mut [f64], _: &mut Workspace) -> Result<(), Stopped> {
                 unreachable!("nobody looks between the points of a cycle")
             }
         }

@@ -43,7 +43,7 @@ use crate::{Scalar, SingularStep};
 ///
 /// ```
 /// use kahan_core::prelude::*;
-/// use kahan_core::{Composition, Room, Step};
+/// use kahan_core::{Composition, Workspace, Step};
 ///
 /// kahan! {
 ///     /// Predator and prey.
@@ -54,9 +54,9 @@ use crate::{Scalar, SingularStep};
 ///
 /// /// The most that a state's first entry is on the way.
 /// fn crest(map: &dyn Step<Scalar = f64>, start: &[f64]) -> f64 {
-///     let (mut x, mut room) = (start.to_vec(), Room::new());
+///     let (mut x, mut workspace) = (start.to_vec(), Workspace::new());
 ///     (0..1000).fold(x[0], |most, _| {
-///         map.advance(&mut x, 1, &mut room).expect("floats go on at poles");
+///         map.advance(&mut x, 1, &mut workspace).expect("floats go on at poles");
 ///         most.max(x[0])
 ///     })
 /// }
@@ -90,7 +90,7 @@ pub trait Step {
     /// Replaces `x` by the state so many steps later.
     ///
     /// Its steps do not allocate. A call may, once: a chain where it finds no memory of its own in
-    /// the room, and what wraps a map whose states are vectors.
+    /// the workspace, and what wraps a map whose states are vectors.
     ///
     /// # Errors
     /// [`Stopped`] at a pole of an exact scalar; `x` is the point there. Floats go on with numbers
@@ -98,7 +98,7 @@ pub trait Step {
     ///
     /// # Panics
     /// If `x` has not [`dimension`](Self::dimension) numbers.
-    fn advance(&self, x: &mut [Self::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped>;
+    fn advance(&self, x: &mut [Self::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped>;
 
     /// One step at another ε: x(θ) = φ_{θε}(x) is the curve from x to x̃, which is as far from the
     /// flow as a step is.
@@ -108,7 +108,12 @@ pub trait Step {
     /// # Errors
     /// # Panics
     /// As [`advance`](Self::advance).
-    fn part(&self, eps: &Self::Scalar, x: &mut [Self::Scalar], room: &mut Room) -> Result<(), Stopped>;
+    fn part(
+        &self,
+        eps: &Self::Scalar,
+        x: &mut [Self::Scalar],
+        workspace: &mut Workspace,
+    ) -> Result<(), Stopped>;
 
     /// The state at a point; what the map carries beside it is 0.
     ///
@@ -125,12 +130,12 @@ pub trait Step {
 
     /// x̃; `None` at a pole of an exact scalar.
     #[inline]
-    fn next(&self, x: &Self::State, room: &mut Room) -> Option<Self::State>
+    fn next(&self, x: &Self::State, workspace: &mut Workspace) -> Option<Self::State>
     where
         Self: Sized,
     {
         let mut next = x.clone();
-        self.advance(next.as_mut_slice(), 1, room).ok()?;
+        self.advance(next.as_mut_slice(), 1, workspace).ok()?;
         Some(next)
     }
 }
@@ -197,7 +202,7 @@ pub trait Slice<T>: Clone + fmt::Debug {
     /// Replaces it by the state one step of a map later: arrays by [`Step::next`], so that they
     /// stay in registers, vectors by [`Step::advance`], which allocates none. `None` at a pole of an
     /// exact scalar.
-    fn step_with<S>(&mut self, map: &S, room: &mut Room) -> Option<()>
+    fn step_with<S>(&mut self, map: &S, workspace: &mut Workspace) -> Option<()>
     where
         S: Step<Scalar = T, State = Self>,
         T: Scalar;
@@ -234,8 +239,12 @@ impl<T: Scalar, const N: usize, const C: usize> Slice<T> for SMatrix<T, N, C> {
     }
 
     #[inline(always)]
-    fn step_with<S: Step<Scalar = T, State = Self>>(&mut self, map: &S, room: &mut Room) -> Option<()> {
-        *self = map.next(self, room)?;
+    fn step_with<S: Step<Scalar = T, State = Self>>(
+        &mut self,
+        map: &S,
+        workspace: &mut Workspace,
+    ) -> Option<()> {
+        *self = map.next(self, workspace)?;
         Some(())
     }
 }
@@ -264,20 +273,24 @@ impl<T: Scalar> Slice<T> for Vec<T> {
         self.clone()
     }
 
-    fn step_with<S: Step<Scalar = T, State = Self>>(&mut self, map: &S, room: &mut Room) -> Option<()> {
-        map.advance(self, 1, room).ok()
+    fn step_with<S: Step<Scalar = T, State = Self>>(
+        &mut self,
+        map: &S,
+        workspace: &mut Workspace,
+    ) -> Option<()> {
+        map.advance(self, 1, workspace).ok()
     }
 }
 
 /// Memory to compute in, which a map takes when it first needs some. One serves any maps in turn,
 /// and a map's results do not depend on what is in it.
 #[derive(Default)]
-pub struct Room {
+pub struct Workspace {
     #[cfg(feature = "std")]
     held: Option<Box<dyn Any + Send + Sync>>,
 }
 
-impl Room {
+impl Workspace {
     /// An empty one.
     #[must_use]
     pub fn new() -> Self {
@@ -302,15 +315,15 @@ impl Room {
 }
 
 /// An empty one: what is held is no value.
-impl Clone for Room {
+impl Clone for Workspace {
     fn clone(&self) -> Self {
         Self::new()
     }
 }
 
-impl fmt::Debug for Room {
+impl fmt::Debug for Workspace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Room").finish_non_exhaustive()
+        f.debug_struct("Workspace").finish_non_exhaustive()
     }
 }
 
@@ -343,17 +356,17 @@ impl<S: Step> Step for &S {
         S::eps(self)
     }
 
-    fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        S::advance(self, x, steps, room)
+    fn advance(&self, x: &mut [S::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
+        S::advance(self, x, steps, workspace)
     }
 
-    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
-        S::part(self, eps, x, room)
+    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
+        S::part(self, eps, x, workspace)
     }
 
     #[inline]
-    fn next(&self, x: &S::State, room: &mut Room) -> Option<S::State> {
-        S::next(self, x, room)
+    fn next(&self, x: &S::State, workspace: &mut Workspace) -> Option<S::State> {
+        S::next(self, x, workspace)
     }
 }
 
@@ -373,12 +386,12 @@ macro_rules! implement_for_a_choice {
                 (**self).eps()
             }
 
-            fn advance(&self, x: &mut [T], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-                (**self).advance(x, steps, room)
+            fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
+                (**self).advance(x, steps, workspace)
             }
 
-            fn part(&self, eps: &T, x: &mut [T], room: &mut Room) -> Result<(), Stopped> {
-                (**self).part(eps, x, room)
+            fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
+                (**self).part(eps, x, workspace)
             }
         }
     )*};

@@ -96,10 +96,10 @@ fn has_looked_side_by_side<T: MachineFloat, P: Grouped<T>>(
 
 impl<T: MachineFloat> MapAt<T> {
     /// What writes the integrals of these maps behind their points, side by side.
-    fn integrals_abreast(maps: [&Self; GROUP], room: Vec<T>) -> Option<Abreast<T>> {
+    fn integrals_abreast(maps: [&Self; GROUP], workspace: Vec<T>) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));
         let constants = maps.map(|map| &*map.of_integrals);
-        first.engine().integrals_abreast(constants, first.instructions, room).filter(|_| are_like_first)
+        first.engine().integrals_abreast(constants, first.instructions, workspace).filter(|_| are_like_first)
     }
 }

@@ -138,13 +138,13 @@ impl<T: MachineFloat> MapAt<T> {
 
     /// What steps the orbits of these maps side by side, each with so many tangent vectors; `None`
     /// where they have no code in common.
-    pub(super) fn abreast(maps: [&Self; GROUP], vectors: usize, room: Vec<T>) -> Option<Abreast<T>> {
+    pub(super) fn abreast(maps: [&Self; GROUP], vectors: usize, workspace: Vec<T>) -> Option<Abreast<T>> {
         let [first, ..] = maps;
         let mut stages = [first.coded.as_ref()?; GROUP];
         for (stages, map) in stages.iter_mut().zip(maps) {
             *stages = map.coded.as_ref().filter(|_| map.is_like(first))?;
         }
-        first.engine().abreast(stages, vectors, first.instructions, room)
+        first.engine().abreast(stages, vectors, first.instructions, workspace)
     }
 
     /// Whether it is of the same field, on the same instructions.

@@ -30,13 +30,13 @@ pub(crate) struct Abreast<T> {
 
 impl Engine {
     /// The steps of orbits with these stages and so many tangent vectors each; `None` where they
-    /// have no code in common. `room` is used for the constants.
+    /// have no code in common. `workspace` is used for the constants.
     pub(crate) fn abreast<T: Scratches>(
         &self,
         stages: [&CodedStages<T>; GROUP],
         vectors: usize,
         Instructions { set, .. }: Instructions,
-        room: Vec<T>,
+        workspace: Vec<T>,
     ) -> Option<Abreast<T>> {
         let [first, ..] = stages;
         let count = first.constants.len();
@@ -47,7 +47,7 @@ impl Engine {
         let work = SideBySide::Steps(kind, vectors);
         let find = || self.codes.abreast(self, work, set.or_else(InstructionSet::best)?);
         let code = Arc::clone(first.abreast.get(vectors)?.get_or_init(find).as_ref()?);
-        Some(Abreast::of(code, count, room, |stage, lane, k| stages[lane].constants[stage][k]))
+        Some(Abreast::of(code, count, workspace, |stage, lane, k| stages[lane].constants[stage][k]))
     }
 
     /// What writes the integrals of orbits behind their points; `constants` are the parameters and
@@ -56,10 +56,10 @@ impl Engine {
         &self,
         constants: [&[T]; GROUP],
         Instructions { set, .. }: Instructions,
-        room: Vec<T>,
+        workspace: Vec<T>,
     ) -> Option<Abreast<T>> {
         let code = self.codes.abreast(self, SideBySide::Integrals, set.or_else(InstructionSet::best)?)?;
-        Some(Abreast::of(code, 1, room, |_, lane, k| constants[lane][k]))
+        Some(Abreast::of(code, 1, workspace, |_, lane, k| constants[lane][k]))
     }
 }
 
@@ -68,10 +68,10 @@ impl<T: Scratches> Abreast<T> {
     fn of(
         code: Arc<Sweep<T>>,
         stages: usize,
-        room: Vec<T>,
+        workspace: Vec<T>,
         constant: impl Fn(usize, usize, usize) -> T,
     ) -> Self {
-        let (width, mut constants) = (code.width(), room);
+        let (width, mut constants) = (code.width(), workspace);
         constants.clear();
         for stage in 0..stages {
             for first in (0..GROUP).step_by(width) {

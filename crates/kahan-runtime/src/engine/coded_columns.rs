@@ -107,8 +107,12 @@ impl Engine {
     }
 }
 
-/// Runs a tile where its columns begin with cache lines, in `room`, and takes the results back.
-fn run_in_lines<T: Scratches>(tile: &mut [&mut [T]], room: &mut Vec<T>, run: impl FnOnce(&mut [&mut [T]])) {
+/// Runs a tile where its columns begin with cache lines, in `workspace`, and takes the results back.
+fn run_in_lines<T: Scratches>(
+    tile: &mut [&mut [T]],
+    workspace: &mut Vec<T>,
+    run: impl FnOnce(&mut [&mut [T]]),
+) {
     let line = LINE / size_of::<T>();
     let len = tile.first().map_or(0, |column| column.len());
     // A processor takes places that lie whole pages apart for the same at first, and a load waits
@@ -116,11 +120,11 @@ fn run_in_lines<T: Scratches>(tile: &mut [&mut [T]], room: &mut Vec<T>, run: imp
     let page = PAGE / size_of::<T>();
     let apart = (page / tile.len().max(1)).next_multiple_of(line);
     let stride = len.next_multiple_of(page) + apart;
-    room.clear();
-    room.resize(tile.len() * stride + line, T::zero());
-    let begin = room.as_ptr().align_offset(LINE).min(line);
+    workspace.clear();
+    workspace.resize(tile.len() * stride + line, T::zero());
+    let begin = workspace.as_ptr().align_offset(LINE).min(line);
     let columns = || (0..).step_by(stride).map(|at| at..at + len);
-    let moved = &mut room[begin..];
+    let moved = &mut workspace[begin..];
     tile.iter().zip(columns()).for_each(|(column, place)| moved[place].copy_from_slice(column));
     run(&mut moved
         .chunks_mut(stride)

@@ -1,4 +1,4 @@
-//! Room to compute in: each thread has its own, keeps it, and waits for nobody.
+//! Workspace to compute in: each thread has its own, keeps it, and waits for nobody.
 //!
 //! In: work. Out: the same work with vectors that have been grown by the work before, so that steps
 //! allocate nothing once a thread has made the first.

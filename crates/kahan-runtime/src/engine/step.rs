@@ -259,7 +259,7 @@ impl Step {
                 let (of_slopes, of_field) = registers.split_at_mut(slopes.registers());
                 let eps = slopes.eps(of_slopes);
                 outcome.extend(has_value(field.run(of_field, state)).iter());
-                // Room for partial pivoting, which may be wanted at a later step only.
+                // Workspace for partial pivoting, which may be wanted at a later step only.
                 matrix.clear();
                 matrix.reserve(state.len() * state.len());
                 entries.clear();

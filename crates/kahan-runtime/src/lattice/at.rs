@@ -8,7 +8,7 @@ use std::sync::Arc;
 use kahan_algebra::family::Family;
 use kahan_algebra::rational::Rational;
 use kahan_core::__private::{Boundary, Folded, Total};
-use kahan_core::{Dual, Room, Scalar, Step, Stopped};
+use kahan_core::{Dual, Scalar, Step, Stopped, Workspace};
 
 use crate::at::fitting;
 use crate::dimension::Argument;
@@ -224,7 +224,7 @@ impl ChainAt {
     }
 }
 
-/// In memory of the room's, so that any number of threads can share a chain. A state of another
+/// In memory of the workspace's, so that any number of threads can share a chain. A state of another
 /// length panics here, as dimensions of nalgebra do.
 impl Step for ChainAt {
     type Scalar = f64;
@@ -239,16 +239,16 @@ impl Step for ChainAt {
     }
 
     #[track_caller]
-    fn advance(&self, x: &mut [f64], steps: u64, room: &mut Room) -> Result<(), Stopped> {
+    fn advance(&self, x: &mut [f64], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         fitting(self.check(x));
         let is_own = |(fixed, _): &(Arc<Fixed>, Memory)| Arc::ptr_eq(fixed, &self.fixed);
-        let (fixed, memory) = room.of(is_own, || (Arc::clone(&self.fixed), self.fixed.memory()));
+        let (fixed, memory) = workspace.of(is_own, || (Arc::clone(&self.fixed), self.fixed.memory()));
         (0..steps).for_each(|_| fixed.step(memory, x));
         Ok(())
     }
 
     #[track_caller]
-    fn part(&self, eps: &f64, x: &mut [f64], _room: &mut Room) -> Result<(), Stopped> {
+    fn part(&self, eps: &f64, x: &mut [f64], _room: &mut Workspace) -> Result<(), Stopped> {
         fitting(self.check(x));
         let Fixed { code, chain, given, .. } = &*self.fixed;
         let (_, parameters) = given.split_last().unwrap_or_else(|| unreachable!("eps is one of them"));

@@ -49,7 +49,7 @@ pub(super) struct Site<V> {
 }
 
 impl<V: Scalar> Site<V> {
-    /// Room for a line, which has got its constants.
+    /// Workspace for a line, which has got its constants.
     pub(super) fn new(chain: &Chain, line: &Line, constants: impl IntoIterator<Item = V>) -> Self {
         let mut registers = vec![V::zero(); line.registers()];
         line.give(constants, &mut registers);

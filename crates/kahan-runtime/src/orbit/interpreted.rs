@@ -64,9 +64,9 @@ where
 {
     fn advance(&mut self, steps: u64) -> bool {
         let Walk { map, stages, state, carry, scratch, narrow, .. } = self;
-        map.field().engine.run(stages, steps, scratch, |step, rounds_increments, registers, room| {
+        map.field().engine.run(stages, steps, scratch, |step, rounds_increments, registers, workspace| {
             let kind = StepKind { rounds_increments, ..self.kind };
-            step.advance_as(kind, [state, carry], registers, room, |x| narrow(Dd::from(x)));
+            step.advance_as(kind, [state, carry], registers, workspace, |x| narrow(Dd::from(x)));
         });
         true
     }
@@ -97,9 +97,9 @@ where
     fn divides_by_zero(&mut self) -> bool {
         let Walk { map, stages, state, scratch, .. } = self;
         let mut divides = false;
-        map.field().engine.run(stages, 1, scratch, |step, rounds, registers, room| {
-            step.advance(rounds, [state, &mut []], registers, room);
-            divides |= step.has_divided_by_zero(registers, room);
+        map.field().engine.run(stages, 1, scratch, |step, rounds, registers, workspace| {
+            step.advance(rounds, [state, &mut []], registers, workspace);
+            divides |= step.has_divided_by_zero(registers, workspace);
         });
         divides
     }

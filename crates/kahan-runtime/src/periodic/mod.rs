@@ -11,7 +11,7 @@ mod tests;
 
 use kahan_core::nalgebra::DMatrix;
 use kahan_core::periodic::{Differentiable, Parametric};
-use kahan_core::{Room, Step, Stopped};
+use kahan_core::{Step, Stopped, Workspace};
 
 use crate::MapAt;
 
@@ -64,13 +64,13 @@ impl Step for ParametricAt {
     }
 
     #[track_caller]
-    fn advance(&self, x: &mut [f64], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        Step::advance(&self.at, x, steps, room)
+    fn advance(&self, x: &mut [f64], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
+        Step::advance(&self.at, x, steps, workspace)
     }
 
     #[track_caller]
-    fn part(&self, eps: &f64, x: &mut [f64], room: &mut Room) -> Result<(), Stopped> {
-        self.at.part(eps, x, room)
+    fn part(&self, eps: &f64, x: &mut [f64], workspace: &mut Workspace) -> Result<(), Stopped> {
+        self.at.part(eps, x, workspace)
     }
 }
 

@@ -5,7 +5,7 @@ use nalgebra::{ArrayStorage, SMatrix};
 
 use crate::field::linear::{components, vector};
 use crate::step::advance_by;
-use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, Room, Slice, Step, Stopped};
+use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, Slice, Step, Stopped, Workspace};
 
 use super::Orbit;
 
@@ -30,7 +30,7 @@ pub trait Increments: Step {
     }
 
     /// x̃ and what it lacks, from x and what x lacks; `None` at a pole of an exact scalar.
-    fn next_with_carry(&self, x: &Self::Carried, room: &mut Room) -> Option<Self::Carried>;
+    fn next_with_carry(&self, x: &Self::Carried, workspace: &mut Workspace) -> Option<Self::Carried>;
 
     /// Replaces a point and what it lacks by those so many steps later.
     ///
@@ -38,8 +38,13 @@ pub trait Increments: Step {
     /// # Panics
     /// As [`Step::advance`].
     #[inline]
-    fn advance_with_carry(&self, x: &mut [Self::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        advance_by(x, steps, self.eps(), |state| self.next_with_carry(state, room))
+    fn advance_with_carry(
+        &self,
+        x: &mut [Self::Scalar],
+        steps: u64,
+        workspace: &mut Workspace,
+    ) -> Result<(), Stopped> {
+        advance_by(x, steps, self.eps(), |state| self.next_with_carry(state, workspace))
     }
 }
 
@@ -85,18 +90,18 @@ impl<S: Increments> Step for Compensated<S> {
     }
 
     #[inline]
-    fn advance(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        self.0.advance_with_carry(x, steps, room)
+    fn advance(&self, x: &mut [S::Scalar], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
+        self.0.advance_with_carry(x, steps, workspace)
     }
 
-    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], room: &mut Room) -> Result<(), Stopped> {
+    fn part(&self, eps: &S::Scalar, x: &mut [S::Scalar], workspace: &mut Workspace) -> Result<(), Stopped> {
         let (point, _) = x.split_at_mut(self.0.dimension());
-        self.0.part(eps, point, room)
+        self.0.part(eps, point, workspace)
     }
 
     #[inline(always)]
-    fn next(&self, x: &S::Carried, room: &mut Room) -> Option<S::Carried> {
-        self.0.next_with_carry(x, room)
+    fn next(&self, x: &S::Carried, workspace: &mut Workspace) -> Option<S::Carried> {
+        self.0.next_with_carry(x, workspace)
     }
 }
 
@@ -104,13 +109,18 @@ impl<S: Increments> Increments for &S {
     type Carried = S::Carried;
 
     #[inline(always)]
-    fn next_with_carry(&self, x: &S::Carried, room: &mut Room) -> Option<S::Carried> {
-        S::next_with_carry(self, x, room)
+    fn next_with_carry(&self, x: &S::Carried, workspace: &mut Workspace) -> Option<S::Carried> {
+        S::next_with_carry(self, x, workspace)
     }
 
     #[inline]
-    fn advance_with_carry(&self, x: &mut [S::Scalar], steps: u64, room: &mut Room) -> Result<(), Stopped> {
-        S::advance_with_carry(self, x, steps, room)
+    fn advance_with_carry(
+        &self,
+        x: &mut [S::Scalar],
+        steps: u64,
+        workspace: &mut Workspace,
+    ) -> Result<(), Stopped> {
+        S::advance_with_carry(self, x, steps, workspace)
     }
 }
 
@@ -122,7 +132,7 @@ where
     type Carried = SMatrix<T, N, 2>;
 
     #[inline(always)]
-    fn next_with_carry(&self, x: &SMatrix<T, N, 2>, _room: &mut Room) -> Option<SMatrix<T, N, 2>> {
+    fn next_with_carry(&self, x: &SMatrix<T, N, 2>, _room: &mut Workspace) -> Option<SMatrix<T, N, 2>> {
         let [point, carry] = x.data.0;
         let [point, carry] = self.prepared.next_with_carry(&vector(point), &vector(carry))?;
         Some(SMatrix::from_array_storage(ArrayStorage([*components(&point), *components(&carry)])))

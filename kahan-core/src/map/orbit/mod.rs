@@ -16,7 +16,7 @@ use core::fmt;
 use core::iter::FusedIterator;
 
 use crate::step::check_length;
-use crate::{PointOf, Room, Scalar, SingularStep, Slice, Step};
+use crate::{PointOf, Scalar, SingularStep, Slice, Step, Workspace};
 
 pub use compensated::{Compensated, Increments};
 #[cfg(feature = "std")]
@@ -68,7 +68,7 @@ pub struct Orbit<S: Step> {
     pub(crate) state: S::State,
     begun: bool,
     stopped: Option<SingularStep>,
-    pub(crate) room: Room,
+    pub(crate) workspace: Workspace,
 }
 
 impl<S: Step> Orbit<S> {
@@ -79,7 +79,7 @@ impl<S: Step> Orbit<S> {
     #[inline]
     pub fn new(map: S, start: S::State) -> Self {
         check_length(start.as_slice().len(), map.dimension());
-        Self { map, state: start, begun: false, stopped: None, room: Room::new() }
+        Self { map, state: start, begun: false, stopped: None, workspace: Workspace::new() }
     }
 
     /// Replaces the map and converts the state; keeps whether the orbit has begun or ended.
@@ -89,8 +89,8 @@ impl<S: Step> Orbit<S> {
         map_of: impl FnOnce(S) -> R,
         state_of: impl FnOnce(S::State) -> R::State,
     ) -> Orbit<R> {
-        let Self { map, state, begun, stopped, room } = self;
-        Orbit { map: map_of(map), state: state_of(state), begun, stopped, room }
+        let Self { map, state, begun, stopped, workspace } = self;
+        Orbit { map: map_of(map), state: state_of(state), begun, stopped, workspace }
     }
 
     /// Why the orbit has ended: `Some` from the moment on when a step met a pole of an exact
@@ -107,7 +107,7 @@ impl<S: Step> Orbit<S> {
     /// So many steps on, or as many as there are; whether no pole was met.
     #[inline]
     fn advance(&mut self, steps: u64) -> bool {
-        let advanced = self.map.advance(self.state.as_mut_slice(), steps, &mut self.room);
+        let advanced = self.map.advance(self.state.as_mut_slice(), steps, &mut self.workspace);
         self.stopped = advanced.err().map(|stopped| stopped.why);
         self.stopped.is_none()
     }
@@ -121,7 +121,7 @@ impl<S: Step> Iterator for Orbit<S> {
         if self.stopped.is_some() {
             return None;
         }
-        if self.begun && self.state.step_with(&self.map, &mut self.room).is_none() {
+        if self.begun && self.state.step_with(&self.map, &mut self.workspace).is_none() {
             self.stop();
             return None;
         }

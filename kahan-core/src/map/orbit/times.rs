@@ -95,7 +95,7 @@ impl<S: Step<Scalar: FloatScalar>> Orbit<S> {
         let mut state = self.state.clone();
         if !part.is_zero() {
             // Floats go on at poles.
-            let _ = self.map.part(&(part * *self.map.eps()), state.as_mut_slice(), &mut self.room);
+            let _ = self.map.part(&(part * *self.map.eps()), state.as_mut_slice(), &mut self.workspace);
         }
         state.to_point()
     }
