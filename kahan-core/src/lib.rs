@@ -135,7 +135,7 @@ pub use scalar::{Constant, Dd, Dual, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
 pub use step::{
-    PointOf, PreparedStep, Quotients, SingularStep, Slice, Step, StepCost, Stopped, WideStep, Workspace,
+    PointOf, PreparedStep, Quotients, SingularStep, StateVector, Step, StepCost, Stopped, WideStep, Workspace,
 };
 
 pub use nalgebra;

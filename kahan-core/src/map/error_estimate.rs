@@ -9,7 +9,7 @@ use core::array::from_fn;
 use nalgebra::SVector;
 
 use crate::field::linear::vector;
-use crate::{Constant, FloatScalar, KahanAt, KahanMap, Lift, Orbit, Scalar, Slice, Step};
+use crate::{Constant, FloatScalar, KahanAt, KahanMap, Lift, Orbit, Scalar, StateVector, Step};
 
 use super::Compensated;
 use super::tangent::carry_to;
@@ -160,7 +160,7 @@ where
 
 impl<S, M, T, const N: usize> Iterator for ErrorEstimates<S, M, T, N>
 where
-    S: Step<Scalar = T, State: Slice<T, Point = SVector<T, N>>>,
+    S: Step<Scalar = T, State: StateVector<T, Point = SVector<T, N>>>,
     M: Lift<T, N>,
     T: Scalar,
 {

@@ -9,7 +9,7 @@ use core::array::from_fn;
 use crate::EnsembleScalar;
 #[cfg(feature = "std")]
 use crate::ensemble::columns::GROUP;
-use crate::{Constant, FloatScalar, Scalar, Slice};
+use crate::{Constant, FloatScalar, Scalar, StateVector};
 
 #[cfg(feature = "std")]
 use super::burst::{BURST, Burst, Grouped, Observers, SideBySide};

@@ -11,7 +11,7 @@ use core::f64::consts::{FRAC_1_SQRT_2, LN_2};
 use crate::Scalar;
 #[cfg(feature = "std")]
 use crate::ensemble::columns::Group;
-use crate::{Constant, FloatScalar, Slice};
+use crate::{Constant, FloatScalar, StateVector};
 
 /// A positive number: mantissa·2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,7 @@ const BITS: i64 = 32;
 #[inline(always)]
 pub(super) fn scale<P, T>(vector: &mut P, exponent: &mut i64) -> Size
 where
-    P: Slice<T>,
+    P: StateVector<T>,
     T: FloatScalar,
 {
     let mut squared = square(vector.as_slice());
@@ -112,7 +112,7 @@ fn is_moderate(squared: f64) -> bool {
 #[inline(never)]
 fn scaled<P, T>(mut vector: P) -> (P, i64, f64)
 where
-    P: Slice<T>,
+    P: StateVector<T>,
     T: FloatScalar,
 {
     let up = T::constant(&Constant::integer(1 << BITS));

@@ -1,6 +1,6 @@
 //! How volumes change.
 
-use crate::{FloatScalar, Slice};
+use crate::{FloatScalar, StateVector};
 
 use super::growth::Size;
 use super::{Observer, TangentMap};

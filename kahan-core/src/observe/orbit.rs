@@ -1,6 +1,6 @@
 //! Observing one orbit.
 
-use crate::{FloatScalar, Orbit, PointOf, Scaled, Slice, Step};
+use crate::{FloatScalar, Orbit, PointOf, Scaled, StateVector, Step};
 
 use super::section::First;
 use super::{Crossing, Direction, Observer, Section};

@@ -7,7 +7,7 @@
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
-use crate::{Constant, FloatScalar, Orbit, PointOf, Slice, Step, Workspace};
+use crate::{Constant, FloatScalar, Orbit, PointOf, StateVector, Step, Workspace};
 
 use super::Observer;
 use super::zero::{Place, is_zero, narrow, small};

@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use num_traits::One;
 
-use crate::{Constant, FloatScalar, Scalar, Slice};
+use crate::{Constant, FloatScalar, Scalar, StateVector};
 
 use super::carried::{carry_all, made_of};
 use super::growth::{Size, dot, scale, square};
@@ -118,7 +118,7 @@ impl<M: TangentMap<Scalar = T>, T: FloatScalar> Observer<T> for Spectrum<M> {
 /// Makes each vector orthogonal to those before it, and takes its growth down.
 fn make_orthogonal<P, T>(directions: &mut [GrowingVector<P>])
 where
-    P: Slice<T>,
+    P: StateVector<T>,
     T: FloatScalar,
 {
     for j in 0..directions.len() {

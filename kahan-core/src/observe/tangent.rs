@@ -17,7 +17,7 @@ use crate::field::linear::{determinant, vector};
 use crate::map::{carry, carry_to};
 use crate::step::check_length;
 #[cfg(feature = "std")]
-use crate::{EnsembleScalar, KahanMap, PreparedStep, Slice, Stopped, Workspace};
+use crate::{EnsembleScalar, KahanMap, PreparedStep, StateVector, Stopped, Workspace};
 use crate::{FloatScalar, KahanAt, Lift, Scalar, Step};
 
 #[cfg(feature = "std")]

@@ -77,7 +77,7 @@ pub trait Step {
     type Scalar: Scalar;
 
     /// A state: an array where the number of variables is known while compiling.
-    type State: Slice<Self::Scalar>
+    type State: StateVector<Self::Scalar>
     where
         Self: Sized;
 
@@ -141,12 +141,12 @@ pub trait Step {
 }
 
 /// What an orbit of a map yields: a state without what is carried beside its point.
-pub type PointOf<S> = <<S as Step>::State as Slice<<S as Step>::Scalar>>::Point;
+pub type PointOf<S> = <<S as Step>::State as StateVector<<S as Step>::Scalar>>::Point;
 
 /// [`Step::advance`] by a step of states that need no memory: the loop has a state of its own,
 /// which compilers keep in registers.
 #[inline(never)]
-pub(crate) fn advance_by<T: Scalar, V: Slice<T>>(
+pub(crate) fn advance_by<T: Scalar, V: StateVector<T>>(
     x: &mut [T],
     steps: u64,
     eps: &T,
@@ -177,9 +177,9 @@ pub(crate) fn check_length(found: usize, expected: usize) {
 
 /// A state as numbers one after the other: those of a point, and behind them what a mode carries
 /// beside it.
-pub trait Slice<T>: Clone + fmt::Debug {
+pub trait StateVector<T>: Clone + fmt::Debug {
     /// The point alone. A `Vec` does not tell it from what is carried: there it is all numbers.
-    type Point: Slice<T>;
+    type Point: StateVector<T>;
 
     /// So many zeros.
     ///
@@ -209,7 +209,7 @@ pub trait Slice<T>: Clone + fmt::Debug {
 }
 
 /// The first column is the point.
-impl<T: Scalar, const N: usize, const C: usize> Slice<T> for SMatrix<T, N, C> {
+impl<T: Scalar, const N: usize, const C: usize> StateVector<T> for SMatrix<T, N, C> {
     type Point = SVector<T, N>;
 
     #[inline]
@@ -250,7 +250,7 @@ impl<T: Scalar, const N: usize, const C: usize> Slice<T> for SMatrix<T, N, C> {
 }
 
 #[cfg(feature = "std")]
-impl<T: Scalar> Slice<T> for Vec<T> {
+impl<T: Scalar> StateVector<T> for Vec<T> {
     type Point = Self;
 
     fn zeros(len: usize) -> Self {

@@ -15,7 +15,7 @@ use nalgebra::SVector;
 
 use crate::Scalar;
 
-pub use any::{PointOf, Slice, Step, Stopped, Workspace};
+pub use any::{PointOf, StateVector, Step, Stopped, Workspace};
 pub(crate) use any::{advance_by, check_length};
 pub use cost::StepCost;
 pub use error::SingularStep;

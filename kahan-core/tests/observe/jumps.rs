@@ -59,7 +59,7 @@ fn sign_changes<S: Step<Scalar = T>, T: FloatScalar>(
     steps: usize,
     level: impl Fn(&[T]) -> T,
 ) -> [u64; 2] {
-    use kahan_core::Slice;
+    use kahan_core::StateVector;
 
     let heights: Vec<f64> =
         Orbit::new(map, start).take(steps + 1).map(|x| level(x.as_slice()).approximate()).collect();

@@ -5,7 +5,7 @@ use nalgebra::{ArrayStorage, SMatrix};
 
 use crate::field::linear::{components, vector};
 use crate::step::advance_by;
-use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, Slice, Step, Stopped, Workspace};
+use crate::{FloatScalar, KahanAt, KahanMap, PreparedStep, StateVector, Step, Stopped, Workspace};
 
 use super::Orbit;
 
@@ -18,7 +18,7 @@ use super::Orbit;
 )]
 pub trait Increments: Step {
     /// A point, and behind it what it lacks: twice as many numbers.
-    type Carried: Slice<Self::Scalar>;
+    type Carried: StateVector<Self::Scalar>;
 
     /// This map with rounding errors beside its points: see
     /// [`Orbit::compensated`](crate::Orbit::compensated) for what that cures.

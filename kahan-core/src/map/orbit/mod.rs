@@ -16,7 +16,7 @@ use core::fmt;
 use core::iter::FusedIterator;
 
 use crate::step::check_length;
-use crate::{PointOf, Scalar, SingularStep, Slice, Step, Workspace};
+use crate::{PointOf, Scalar, SingularStep, StateVector, Step, Workspace};
 
 pub use compensated::{Compensated, Increments};
 #[cfg(feature = "std")]

@@ -5,7 +5,7 @@
 use core::array::from_fn;
 
 use crate::field::linear::vector;
-use crate::{FloatScalar, KahanAt, KahanMap, PointOf, Slice, Step};
+use crate::{FloatScalar, KahanAt, KahanMap, PointOf, StateVector, Step};
 
 use super::{Compensated, Increments, Orbit};
 

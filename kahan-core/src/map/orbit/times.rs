@@ -8,7 +8,7 @@ use core::iter::from_fn;
 
 use num_traits::Zero;
 
-use crate::{Constant, FloatScalar, PointOf, Scalar, Slice, Step};
+use crate::{Constant, FloatScalar, PointOf, Scalar, StateVector, Step};
 
 use super::Orbit;
 
