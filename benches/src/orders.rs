@@ -6,7 +6,7 @@
 //! smaller.
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Lift};
+use kahan_core::{Composition, ExtendScalars};
 
 use crate::rivals::dop853;
 
@@ -33,7 +33,7 @@ pub(crate) struct Run {
 /// The two ways of one system; the composition is the second.
 pub(crate) fn runs<M, const N: usize>(map: M, start: [f64; N]) -> [Run; 2]
 where
-    M: Lift<f64, N> + Copy + 'static,
+    M: ExtendScalars<f64, N> + Copy + 'static,
 {
     let start = SVector::from(start);
     let mut steps = 4;
@@ -83,9 +83,9 @@ where
 /// The trajectory at the times of the samples, the start included.
 fn reference<M, const N: usize>(map: M, start: SVector<f64, N>) -> Vec<SVector<f64, N>>
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
-    let wide = map.lift(|parameter| Dd::from(*parameter));
+    let wide = map.over(|parameter| Dd::from(*parameter));
     let steps = 1024;
     let eps = Dd::from(0.5 * HORIZON / (SAMPLES * steps) as f64);
     let orbit = wide.orbit(start.map(Dd::from), eps).composed(COMPOSITION);

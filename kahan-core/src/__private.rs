@@ -29,8 +29,8 @@ pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};
 pub use crate::undeclared::{Integer, IntegerParameters, WithoutDensity, WithoutIntegrals};
 pub use crate::{
-    Constant, Elimination, Integrals, KahanMap, Lift, Named, Pivot, PreparedStep, QuadraticField, Quotients,
-    Scalar, SingularStep, StepCost,
+    Constant, Elimination, ExtendScalars, Integrals, KahanMap, Named, Pivot, PreparedStep, QuadraticField,
+    Quotients, Scalar, SingularStep, StepCost,
 };
 
 use core::cmp::Ordering;
@@ -68,7 +68,7 @@ pub mod arguments {
     pub fn y() {}
     pub fn eps() {}
     pub fn prepared() {}
-    pub fn lift() {}
+    pub fn convert() {}
     pub fn constants() {}
     pub fn index() {}
     pub fn c() {}
@@ -101,12 +101,12 @@ pub fn matrix<T: Scalar, const N: usize>(rows: [[T; N]; N]) -> SMatrix<T, N, N> 
 #[inline]
 pub fn jacobian_by_duals<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
     let state = SVector::from_fn(|i, _| Dual::coordinate(x[i].clone(), i));
-    let lifted = map.lift::<Dual<T, N>>(|parameter| Dual::lift(parameter.clone()));
-    let step = lifted.prepare(&Dual::lift(eps.clone()));
+    let extended = map.over::<Dual<T, N>>(|parameter| Dual::from_value(parameter.clone()));
+    let step = extended.prepare(&Dual::from_value(eps.clone()));
     let Some(increment) = step.increment(&state) else { pole(eps) };
     SMatrix::from_fn(|i, j| {
         let slope = increment[i].gradient[j].clone();

@@ -52,7 +52,7 @@
 //! | a scalar of your own | [`Scalar`], [`Constant`]; [`Pivot`] for `try_step`, [`FloatScalar`] for modes of orbits, [`EnsembleScalar`] |
 //! | a function over any map: compiled, composed, a chain, read at run time | `fn f<M: Step<Scalar = f64>>(map: M, start: M::State)` with [`Step`]; [`Orbit::new`] and [`observe::first_crossing`] take any |
 //! | a map that is chosen at run time | `&dyn Step<Scalar = f64>`, which is itself a [`Step`] with `Vec`s as states; maps and chains of a text are those of `kahan-runtime` |
-//! | generic code over systems | [`KahanMap`], [`QuadraticField`], [`Named`], [`Integrals`], [`Lift`] |
+//! | generic code over systems | [`KahanMap`], [`QuadraticField`], [`Named`], [`Integrals`], [`ExtendScalars`] |
 //! | a map written by hand | [`QuadraticField`] and [`KahanMap`] with [`Elimination`] or a [`PreparedStep`] |
 //! | a map in a struct, a loop of your own | [`KahanAt<M, T, N>`](KahanAt), which [`KahanMap::at`] prepares; a chain is a [`LatticeAt<M, T>`](LatticeAt) |
 //! | rounding that must not drift | [`nearest_short_eps`], [`Orbit::scaled`], [`ThroughF64`] |
@@ -125,8 +125,8 @@ pub use flow::{Flow, FlowScalar, NoFlow};
 #[cfg(feature = "std")]
 pub use lattice::{Energy, LatticeAt, LatticeError, LatticeMap, LatticeScalar, Sums};
 pub use map::{
-    Compensated, Elimination, ErrorEstimates, Estimated, Increments, KahanAt, KahanMap, Lift, Orbit, Pivot,
-    Scaled, ThroughF64, eps_from_dt,
+    Compensated, Elimination, ErrorEstimates, Estimated, ExtendScalars, Increments, KahanAt, KahanMap, Orbit,
+    Pivot, Scaled, ThroughF64, eps_from_dt,
 };
 #[cfg(feature = "std")]
 pub use map::{Projective, ProjectivePoint, ThroughPoles};

@@ -6,7 +6,7 @@
 //! system.
 
 use kahan_core::prelude::*;
-use kahan_core::{Constant, KahanAt, Lift, Orbit, SingularStep};
+use kahan_core::{Constant, ExtendScalars, KahanAt, Orbit, SingularStep};
 use kahan_systems::entry::Entry;
 use kahan_systems::with_catalog;
 
@@ -106,7 +106,7 @@ impl<T: Pivot, M: KahanMap<T, N>, const N: usize> Steps<T> for OfDimension<M, N>
     }
 }
 
-impl<T: Pivot, M: Lift<T, N> + 'static, const N: usize> Map<T> for OfDimension<M, N> {
+impl<T: Pivot, M: ExtendScalars<T, N> + 'static, const N: usize> Map<T> for OfDimension<M, N> {
     fn field(&self, x: &[T]) -> Vec<T> {
         entries(&self.0.field(&point(x)))
     }
@@ -209,7 +209,7 @@ pub fn parameters<T: Scalar>(entry: &Entry) -> Vec<T> {
 pub(crate) fn erased<T, M, const N: usize>(map: M) -> Box<dyn Map<T>>
 where
     T: Pivot,
-    M: Lift<T, N> + 'static,
+    M: ExtendScalars<T, N> + 'static,
 {
     Box::new(OfDimension(map))
 }

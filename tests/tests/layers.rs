@@ -291,8 +291,8 @@ fn the_layers_are_the_folders() {
 #[test]
 fn every_way_up_is_found() {
     let ways_up = [
-        (CORE, "scalar/float.rs", "use crate::Lift;"),
-        (CORE, "scalar/float.rs", "use crate::{Constant,\n    Lift};"),
+        (CORE, "scalar/float.rs", "use crate::ExtendScalars;"),
+        (CORE, "scalar/float.rs", "use crate::{Constant,\n    ExtendScalars};"),
         (CORE, "scalar/float.rs", "use crate::{field::{linear::solve, QuadraticField}, Constant};"),
         (CORE, "scalar/float.rs", "use crate::*;"),
         (CORE, "scalar/float.rs", "fn f() { crate::prelude::vector![0.0]; }"),

@@ -12,7 +12,7 @@ use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_algebra::{Derived, derive};
-use kahan_core::Lift;
+use kahan_core::ExtendScalars;
 use kahan_core::prelude::*;
 use kahan_factor::factors;
 use kahan_runtime::Field;
@@ -78,7 +78,7 @@ fn compiled_and_read_agree<M, const N: usize>(
     read: &Interpreted<BigRational, N>,
     place: &Place,
 ) where
-    M: Lift<BigRational, N>,
+    M: ExtendScalars<BigRational, N>,
 {
     let (x, eps) = (vector::<N>(&place.x), place.eps.to_big());
     assert_eq!(map.det_matrix(&x, eps.clone()), BigRational::from_integer(0.into()), "{name}: det A");
@@ -95,7 +95,7 @@ fn compiled_and_read_agree<M, const N: usize>(
         assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");
     }
     let float = |value: &BigRational| Rational::from(value.clone()).to_f64();
-    let (compiled, interpreted) = (map.lift(float), read.lift(float));
+    let (compiled, interpreted) = (map.over(float), read.over(float));
     let (near, near_eps) = (x.map(|x| float(&x)), float(&eps));
     for x in [near, near.map(f64::next_up)] {
         let (one, other) = (compiled.try_step(&x, near_eps), interpreted.try_step(&x, near_eps));
@@ -123,7 +123,7 @@ fn run_time_maps_agree<const N: usize>(name: &str, system: &System, place: &Plac
 /// All back ends at removable poles of a system; they all have a value there.
 fn agree<M, const N: usize>(name: &str, text: &str, parameters: &[i64], map: &M)
 where
-    M: Lift<BigRational, N>,
+    M: ExtendScalars<BigRational, N>,
 {
     let system = read_unproved(text);
     let parameters: Vec<Rational> = parameters.iter().map(|p| Rational::from(*p)).collect();

@@ -24,8 +24,8 @@ impl Family<f64> for Newton {
     const SITE_PARAMETERS: &'static [&'static str] = &["right"];
     const BOUNDARY: Boundary = Boundary::Periodic;
 
-    fn constants<L: Scalar>(&self, eps: L, lift: impl Fn(&f64) -> L) -> Option<Vec<L>> {
-        self.kdv.constants(eps, lift)
+    fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&f64) -> L) -> Option<Vec<L>> {
+        self.kdv.constants(eps, convert)
     }
 
     fn site_parameter(&self, _index: usize) -> &[f64] {

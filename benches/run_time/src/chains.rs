@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use kahan_bench_fields::EPS;
 use kahan_bench_fields::serve::Task;
-use kahan_core::Lift;
+use kahan_core::ExtendScalars;
 use kahan_core::prelude::*;
 use kahan_runtime::{MachineFloat, MapAt};
 
@@ -13,7 +13,7 @@ use crate::pair::{Pair, in_segments, timed};
 /// All chains of one map.
 pub(crate) fn of<M, const N: usize>(pair: &Pair<M, N>) -> Vec<Task>
 where
-    M: Lift<f64, N> + Copy + 'static,
+    M: ExtendScalars<f64, N> + Copy + 'static,
 {
     let &Pair { system, generated, ref read, start } = pair;
     let task = |what, run: Box<dyn Fn(usize)>| in_segments(system, what, move |steps| timed(|| run(steps)));
@@ -71,7 +71,7 @@ where
         task(
             "macro: f32",
             Box::new(move |n| {
-                let narrow = generated.lift(|parameter| *parameter as f32);
+                let narrow = generated.over(|parameter| *parameter as f32);
                 arrive!(narrow.orbit(black_box(SVector::from(single_start)), EPS as f32), n);
             }),
         ),

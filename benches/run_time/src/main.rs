@@ -8,7 +8,7 @@ mod pair;
 
 use kahan_bench_fields::serve::{Task, serve};
 use kahan_bench_fields::{self as fields, Clebsch, EulerTop, Lorenz, SOURCES, Source, start};
-use kahan_core::{Lift, WideStep};
+use kahan_core::{ExtendScalars, WideStep};
 
 use pair::Pair;
 
@@ -39,7 +39,7 @@ fn system<M, const N: usize>(
     start: [f64; N],
 ) -> Vec<Task>
 where
-    M: Lift<f64, N> + Sync + Copy + 'static,
+    M: ExtendScalars<f64, N> + Sync + Copy + 'static,
     M::Prepared: WideStep<f64, N> + Sync,
 {
     let pair = Pair::new(source, generated, values, start);

@@ -6,7 +6,7 @@ use std::time::Instant;
 use kahan_bench_fields::serve::Task;
 use kahan_bench_fields::{self as fields, EPS, start};
 use kahan_core::prelude::*;
-use kahan_core::{Lift, ThroughF64};
+use kahan_core::{ExtendScalars, ThroughF64};
 
 /// Steps after which a chain begins anew, so that no orbit leaves the usual range.
 const SEGMENT: usize = 1024;
@@ -28,7 +28,7 @@ pub(crate) fn all() -> Vec<Task> {
 
 fn system<M, const N: usize>(name: &'static str, map: M, start: [f64; N]) -> Vec<Task>
 where
-    M: Lift<f64, N> + Copy + 'static,
+    M: ExtendScalars<f64, N> + Copy + 'static,
 {
     let start = SVector::from(start);
     let task = |what, run: Box<dyn Fn(usize)>| Task {
@@ -79,28 +79,28 @@ where
         task(
             "accurate",
             Box::new(move |n| {
-                let wide = map.lift(|parameter| Dd::from(*parameter));
+                let wide = map.over(|parameter| Dd::from(*parameter));
                 arrive!(wide.orbit(black_box(start).map(Dd::from), Dd::from(EPS)), n);
             }),
         ),
         task(
             "f32",
             Box::new(move |n| {
-                let narrow = map.lift(|parameter| *parameter as f32);
+                let narrow = map.over(|parameter| *parameter as f32);
                 arrive!(narrow.orbit(black_box(single_start), EPS as f32), n);
             }),
         ),
         task(
             "f32 through f64",
             Box::new(move |n| {
-                let narrow = ThroughF64(map.lift(|parameter| *parameter as f32));
+                let narrow = ThroughF64(map.over(|parameter| *parameter as f32));
                 arrive!(narrow.orbit(black_box(single_start), EPS as f32), n);
             }),
         ),
         task(
             "f32, stable",
             Box::new(move |n| {
-                let at = map.lift(|parameter| *parameter as f32).at(EPS as f32);
+                let at = map.over(|parameter| *parameter as f32).at(EPS as f32);
                 let mut x = black_box(single_start);
                 for _ in 0..n {
                     x = at.try_step(&x).expect("no pole is near");

@@ -23,7 +23,7 @@ use std::process::ExitCode;
 use anyhow::{Result, ensure};
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
-use kahan_core::{Dd, Lift};
+use kahan_core::{Dd, ExtendScalars};
 use kahan_study::reference::{Limits, Reference, Trajectory};
 
 use scene::{Scene, Setting, to};
@@ -92,8 +92,8 @@ impl Check {
 
     fn scenes<M, const N: usize>(&mut self, map: M, start: [&str; N], horizon: f64) -> Result<()>
     where
-        M: Lift<BigRational, N> + Text + Clone + Debug,
-        M::Lifted<f64>: Lift<f64, N>,
+        M: ExtendScalars<BigRational, N> + Text + Clone + Debug,
+        M::Over<f64>: ExtendScalars<f64, N>,
     {
         let point = start.map(|x| Rational::parse(x).expect("a number").to_big());
         for tolerance in TOLERANCES {
@@ -106,7 +106,7 @@ impl Check {
             };
             // So many steps of an ε that was rounded end near the horizon, not at it.
             let limits = Limits { margin: 1.0 / 256.0, is_over: None };
-            let reference = Reference::of(&map.lift::<Dd>(to), &asked, &limits)?;
+            let reference = Reference::of(&map.over::<Dd>(to), &asked, &limits)?;
             let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };
             let name = format!("{map:?}, {tolerance:e}");
             self.scene::<M, N>(&name, &scene, &start, tolerance)?;
@@ -122,8 +122,8 @@ impl Check {
         tolerance: f64,
     ) -> Result<()>
     where
-        M: Lift<BigRational, N> + Text + Clone,
-        M::Lifted<f64>: Lift<f64, N>,
+        M: ExtendScalars<BigRational, N> + Text + Clone,
+        M::Over<f64>: ExtendScalars<f64, N>,
     {
         let told = command::choice(M::TEXT, start, scene.horizon, tolerance)?;
         let by_library = library(&scene.map, &scene.start, scene.horizon, tolerance);
@@ -180,7 +180,7 @@ impl Check {
     }
 
     /// Runs both choices again and looks at every point.
-    fn errors<M: Lift<BigRational, N>, const N: usize>(
+    fn errors<M: ExtendScalars<BigRational, N>, const N: usize>(
         &mut self,
         name: &str,
         scene: &Scene<M, N>,
@@ -209,11 +209,11 @@ fn library<M, const N: usize>(
     tolerance: f64,
 ) -> Option<Setting>
 where
-    M: Lift<BigRational, N>,
-    M::Lifted<f64>: Lift<f64, N>,
+    M: ExtendScalars<BigRational, N>,
+    M::Over<f64>: ExtendScalars<f64, N>,
 {
     let start = SVector::from_fn(|i, _| to::<f64>(&start[i]));
-    let chosen = kahan_core::Scene::trajectory(horizon, tolerance).choose(&map.lift::<f64>(to), &start);
+    let chosen = kahan_core::Scene::trajectory(horizon, tolerance).choose(&map.over::<f64>(to), &start);
     let chosen = chosen.inspect_err(|why| println!("    the library refuses: {why}")).ok()?;
     Some(Setting { scheme: chosen.scheme(), eps: chosen.eps() })
 }

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use kahan_core::Lift;
+use kahan_core::ExtendScalars;
 use kahan_core::prelude::*;
 
 use super::scene::{Scene, Setting};
@@ -19,7 +19,7 @@ const ROUNDS: usize = 60;
 pub(crate) const NEAR: f64 = 2.5;
 
 /// Nanoseconds a unit of time of each setting, and the pace of the machine meanwhile.
-pub(crate) fn side_by_side<M: Lift<BigRational, N>, const N: usize>(
+pub(crate) fn side_by_side<M: ExtendScalars<BigRational, N>, const N: usize>(
     scene: &Scene<M, N>,
     settings: &[Setting],
 ) -> (Vec<f64>, f64) {

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, FloatScalar, Lift, Need, Precision, Scheme, ThroughF64};
+use kahan_core::{Composition, Dd, FloatScalar, ExtendScalars, Need, Precision, Scheme, ThroughF64};
 use kahan_study::reference::Reference;
 use kahan_runtime::interpreted::round;
 
@@ -83,10 +83,10 @@ macro_rules! with_scalar {
     };
 }
 
-impl<M: Lift<BigRational, N>, const N: usize> Scene<M, N> {
-    fn parts<T: FloatScalar>(&self, eps: f64) -> (M::Lifted<T>, SVector<T, N>, T) {
+impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
+    fn parts<T: FloatScalar>(&self, eps: f64) -> (M::Over<T>, SVector<T, N>, T) {
         let eps = BigRational::from_float(eps).expect("finite");
-        (self.map.lift(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
+        (self.map.over(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
     /// The largest distance from the reference over every step, the last standing for the horizon;

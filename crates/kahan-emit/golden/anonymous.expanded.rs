@@ -133,13 +133,13 @@ fn scope() {
                     )
                 }
             }
-            impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Field<T> {
+            impl<T: __kahan::Scalar> __kahan::ExtendScalars<T, 2> for Field<T> {
                 #[inline(always)]
-                fn lift<U: __kahan::Scalar>(
+                fn over<U: __kahan::Scalar>(
                     &self,
-                    lift: impl __kahan::Fn(&T) -> U,
+                    convert: impl __kahan::Fn(&T) -> U,
                 ) -> Field<U> {
-                    Field { mu: lift(&self.mu) }
+                    Field { mu: convert(&self.mu) }
                 }
             }
         };

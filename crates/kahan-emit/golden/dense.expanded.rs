@@ -66,13 +66,13 @@ const _: () = {
             __kahan::Elimination::new(self.clone(), eps.clone())
         }
     }
-    impl<T: __kahan::Scalar> __kahan::Lift<T, 6> for Dense<T> {
+    impl<T: __kahan::Scalar> __kahan::ExtendScalars<T, 6> for Dense<T> {
         #[inline(always)]
-        fn lift<U: __kahan::Scalar>(&self, lift: impl __kahan::Fn(&T) -> U) -> Dense<U> {
+        fn over<U: __kahan::Scalar>(&self, convert: impl __kahan::Fn(&T) -> U) -> Dense<U> {
             Dense {
-                a: lift(&self.a),
-                b: lift(&self.b),
-                c: lift(&self.c),
+                a: convert(&self.a),
+                b: convert(&self.b),
+                c: convert(&self.c),
             }
         }
     }

@@ -373,10 +373,10 @@ const _: () = {
             )
         }
     }
-    impl<T: __kahan::Scalar> __kahan::Lift<T, 3> for E3 {
-        type Lifted<U: __kahan::Scalar> = E3;
+    impl<T: __kahan::Scalar> __kahan::ExtendScalars<T, 3> for E3 {
+        type Over<U: __kahan::Scalar> = E3;
         #[inline(always)]
-        fn lift<U: __kahan::Scalar>(&self, lift: impl __kahan::Fn(&T) -> U) -> E3 {
+        fn over<U: __kahan::Scalar>(&self, convert: impl __kahan::Fn(&T) -> U) -> E3 {
             __kahan::Clone::clone(self)
         }
     }

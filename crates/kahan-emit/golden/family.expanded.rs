@@ -34,9 +34,9 @@ const _: () = {
         fn constants<L: __kahan::Scalar>(
             &self,
             eps: L,
-            lift: impl __kahan::Fn(&T) -> L,
+            convert: impl __kahan::Fn(&T) -> L,
         ) -> __kahan::Option<__kahan::Vec<L>> {
-            let __p_h = lift(&self.h);
+            let __p_h = convert(&self.h);
             let __c_1_2 = __kahan::ratio::<L>(1, 2);
             let __t_h_squared = __p_h.clone() * __p_h.clone();
             let __reciprocal_1 = (__p_h.clone() * __t_h_squared.clone()).reciprocal()?;

@@ -253,16 +253,16 @@ const _: () = {
             )
         }
     }
-    impl<T: __kahan::Scalar> __kahan::Lift<T, 2> for Pendulum<T> {
-        type Lifted<U: __kahan::Scalar> = Pendulum<U>;
+    impl<T: __kahan::Scalar> __kahan::ExtendScalars<T, 2> for Pendulum<T> {
+        type Over<U: __kahan::Scalar> = Pendulum<U>;
         #[inline(always)]
-        fn lift<U: __kahan::Scalar>(
+        fn over<U: __kahan::Scalar>(
             &self,
-            lift: impl __kahan::Fn(&T) -> U,
+            convert: impl __kahan::Fn(&T) -> U,
         ) -> Pendulum<U> {
             Pendulum {
-                mu: lift(&self.mu),
-                nu: lift(&self.nu),
+                mu: convert(&self.mu),
+                nu: convert(&self.nu),
             }
         }
         #[inline(always)]

@@ -132,14 +132,14 @@ impl Context<'_> {
     fn emit_constants(&self) -> TokenStream {
         let (lines, line_scalar, scalar) = (&self.lines, &self.line_scalar, &self.this.scalar);
         let inputs = lines.constants.inputs();
-        let bindings = emit_bound_parameters(&inputs, &lines.given, |field| quote!(lift(&self.#field)));
+        let bindings = emit_bound_parameters(&inputs, &lines.given, |field| quote!(convert(&self.#field)));
         let Emitted { bindings: steps, results } =
             emit_kernel(&lines.constants, &lines.given, line_scalar, &[], false);
         quote! {
             fn constants<#line_scalar: __kahan::Scalar>(
                 &self,
                 eps: #line_scalar,
-                lift: impl __kahan::Fn(&#scalar) -> #line_scalar,
+                convert: impl __kahan::Fn(&#scalar) -> #line_scalar,
             ) -> __kahan::Option<__kahan::Vec<#line_scalar>> {
                 #bindings
                 #steps

@@ -32,7 +32,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
         (None, None) => (TokenStream::new(), emit_elimination(context), stable),
     };
     let closed_forms = emit_closed_forms(context);
-    let (stable_step, lift) = (emit_stable_step(context, &promise), emit_lift(context));
+    let (stable_step, extension) = (emit_stable_step(context, &promise), emit_extension(context));
     quote! {
         #items
         impl<#scalar: __kahan::Scalar> __kahan::KahanMap<#scalar, #dimension> for #this {
@@ -40,7 +40,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
             #stable_step
             #closed_forms
         }
-        #lift
+        #extension
     }
 }
 
@@ -107,29 +107,29 @@ fn emit_elimination(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to `impl<T: Scalar> Lift<T, 3> for E7<T> { type Lifted<U: Scalar> = E7<U>; … }`.
-fn emit_lift(context: &Context<'_>) -> TokenStream {
+/// Expands to `impl<T: Scalar> ExtendScalars<T, 3> for E7<T> { type Over<U: Scalar> = E7<U>; … }`.
+fn emit_extension(context: &Context<'_>) -> TokenStream {
     let (this, name, scalar, dimension) =
         (context.this.path(), &context.this.name, &context.this.scalar, &context.dimension);
     let other = format_ident!("{}", if context.this.name == "U" { "V" } else { "U" });
     let carry = emit_carry(context);
-    let (lifted, value) = if context.this.has_parameters() {
+    let (extended, value) = if context.this.has_parameters() {
         let fields = context.system.field.symbols.parameters.iter().map(|parameter| {
             let field = identifier(parameter, Span::call_site());
-            quote!(#field: lift(&self.#field))
+            quote!(#field: convert(&self.#field))
         });
         (quote!(#name<#other>), quote!(#name { #(#fields),* }))
     } else {
         (quote!(#name), quote!(__kahan::Clone::clone(self)))
     };
     quote! {
-        impl<#scalar: __kahan::Scalar> __kahan::Lift<#scalar, #dimension> for #this {
-            type Lifted<#other: __kahan::Scalar> = #lifted;
+        impl<#scalar: __kahan::Scalar> __kahan::ExtendScalars<#scalar, #dimension> for #this {
+            type Over<#other: __kahan::Scalar> = #extended;
             #[inline(always)]
-            fn lift<#other: __kahan::Scalar>(
+            fn over<#other: __kahan::Scalar>(
                 &self,
-                lift: impl __kahan::Fn(&#scalar) -> #other,
-            ) -> #lifted {
+                convert: impl __kahan::Fn(&#scalar) -> #other,
+            ) -> #extended {
                 #value
             }
             #carry

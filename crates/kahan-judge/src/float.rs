@@ -2,7 +2,7 @@
 //! its format.
 
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Dd, KahanMap, Lift, Pivot, ThroughF64};
+use kahan_core::{Dd, ExtendScalars, KahanMap, Pivot, ThroughF64};
 
 use super::dyadic::Dyadic;
 
@@ -60,7 +60,7 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     /// The step of [`WIDER_TIER`](Self::WIDER_TIER).
     fn wider_step<M, const N: usize>(_map: M, _x: &SVector<Self, N>, _eps: Self) -> Option<SVector<Self, N>>
     where
-        M: Lift<Self, N>,
+        M: ExtendScalars<Self, N>,
     {
         None
     }
@@ -96,7 +96,7 @@ impl Float for f32 {
 
     fn wider_step<M, const N: usize>(map: M, x: &SVector<Self, N>, eps: Self) -> Option<SVector<Self, N>>
     where
-        M: Lift<Self, N>,
+        M: ExtendScalars<Self, N>,
     {
         Some(ThroughF64(map).step(x, eps))
     }

@@ -120,12 +120,12 @@ impl Model {
     fn jacobian<A: Arithmetic>(&self, arithmetic: &A, here: Values<'_, A::Value>) -> Option<Vec<A::Value>> {
         let n = self.dimension();
         let dual = Dual { base: arithmetic, directions: n };
-        let lifted = here.iter().enumerate().map(|(index, value)| {
+        let extended = here.iter().enumerate().map(|(index, value)| {
             if index < n { dual.coordinate(value.clone(), index) } else { Some(dual.fixed(value.clone())) }
         });
         let zero = arithmetic.constant(&Rational::ZERO)?;
         let gradient = |slopes: Vec<A::Value>| if slopes.is_empty() { vec![zero.clone(); n] } else { slopes };
-        let next = self.next(&dual, &lifted.collect::<Option<Vec<_>>>()?)?;
+        let next = self.next(&dual, &extended.collect::<Option<Vec<_>>>()?)?;
         Some(next.into_iter().flat_map(|value| gradient(value.gradient)).collect())
     }
 }

@@ -4,7 +4,7 @@
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;
-use kahan_core::{Elimination, KahanMap, Lift, Pivot, PreparedStep, Scalar, WideStep};
+use kahan_core::{Elimination, ExtendScalars, KahanMap, Pivot, PreparedStep, Scalar, WideStep};
 use kahan_runtime::Field;
 use kahan_runtime::interpreted::{Interpreted, round};
 use kahan_systems::registry::find;
@@ -45,7 +45,7 @@ fn same<T: Scalar>(a: &T, b: &T) -> bool {
 
 fn agree<C, T, const N: usize>(name: &str, compiled: &C, interpreted: &Interpreted<T, N>)
 where
-    C: Lift<T, N>,
+    C: ExtendScalars<T, N>,
     T: Pivot,
 {
     assert_eq!(C::Prepared::COST, interpreted.cost(), "{name}");
@@ -92,16 +92,16 @@ where
 /// Over ℚ, f64 and f32.
 fn agree_everywhere<C, const N: usize>(command: &str, parameters: &[&str], exact: &C)
 where
-    C: Lift<BigRational, N>,
+    C: ExtendScalars<BigRational, N>,
 {
     let text = find(command).expect("in the catalog").text();
     let parameters: Vec<BigRational> = parameters.iter().map(|text| q(text)).collect();
     let interpreted = read::<N>(text, &parameters);
     agree(command, exact, &interpreted);
-    let double = exact.lift(|p| round::<f64>(&p.clone().into()));
+    let double = exact.over(|p| round::<f64>(&p.clone().into()));
     agree(command, &double, &interpreted.rounded());
-    agree(command, &double, &interpreted.lift(|p| round::<f64>(&p.clone().into())));
-    agree(command, &exact.lift(|p| round::<f32>(&p.clone().into())), &interpreted.rounded());
+    agree(command, &double, &interpreted.over(|p| round::<f64>(&p.clone().into())));
+    agree(command, &exact.over(|p| round::<f32>(&p.clone().into())), &interpreted.rounded());
 }
 
 #[test]
@@ -184,7 +184,7 @@ fn a_widened_step_is_the_step_over_the_wider_scalar() {
     let map = read::<3>(find("e9").expect("e9").text(), &[q("0.75")]).rounded::<f32>();
     let (x, eps) = (vector![0.5_f32, -0.25, 0.75], 0.125_f32);
     let wide = map.at(eps).prepared().widen(|value| f64::from(*value));
-    let wider = map.lift(|value| f64::from(*value)).at(f64::from(eps));
+    let wider = map.over(|value| f64::from(*value)).at(f64::from(eps));
     assert_eq!(wide.next(&x.map(f64::from)), Some(wider.step(&x.map(f64::from))));
 }
 

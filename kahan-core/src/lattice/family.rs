@@ -44,9 +44,9 @@ pub trait Family<T: LatticeScalar>: Clone + Debug + Sync {
 
     /// What the lines take as constants: ε, the plain parameters, products of them.
     ///
-    /// `lift` takes a parameter to the scalar that the lines will be run over. `None` where the
+    /// `convert` takes a parameter to the scalar that the lines will be run over. `None` where the
     /// equations divide by a zero that has no reciprocal.
-    fn constants<L: Scalar>(&self, eps: L, lift: impl Fn(&T) -> L) -> Option<Vec<L>>;
+    fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>>;
 
     /// The values of one of the [`SITE_PARAMETERS`](Self::SITE_PARAMETERS), one a site.
     fn site_parameter(&self, index: usize) -> &[T];

@@ -43,14 +43,14 @@ impl<L: Scalar> Site<L> {
         }
     }
 
-    /// The neighbourhood of site i: entries of the state, taken to L by `lift`, and parameters,
+    /// The neighbourhood of site i: entries of the state, taken to L by `convert`, and parameters,
     /// taken there by `given`.
     pub(super) fn gather<M, T, V>(
         &mut self,
         map: &M,
         state: &[V],
         i: usize,
-        lift: impl Fn(&V) -> L,
+        convert: impl Fn(&V) -> L,
         given: impl Fn(&T) -> L,
     ) -> [&[L]; 2]
     where
@@ -62,7 +62,8 @@ impl<L: Scalar> Site<L> {
         for (place, offset) in (-reach..=reach).enumerate() {
             let site = neighbour(M::BOUNDARY, state.len() / block, i, offset);
             for b in 0..block {
-                self.x[place * block + b] = site.map_or_else(L::zero, |site| lift(&state[site * block + b]));
+                self.x[place * block + b] =
+                    site.map_or_else(L::zero, |site| convert(&state[site * block + b]));
             }
             for p in 0..parameters {
                 self.c[place * parameters + p] =
@@ -79,13 +80,13 @@ impl<L: Scalar> Site<L> {
         constants: &[L],
         state: &[T],
         i: usize,
-        lift: impl Fn(&T) -> L,
+        convert: impl Fn(&T) -> L,
     ) -> &[L]
     where
         T: LatticeScalar,
         M: Family<T>,
     {
-        self.gather(map, state, i, &lift, &lift);
+        self.gather(map, state, i, &convert, &convert);
         M::field(constants, &self.x, &self.c, &mut self.f);
         &self.f
     }
@@ -97,12 +98,12 @@ impl<L: Scalar> Site<L> {
         constants: &[L],
         state: &[T],
         i: usize,
-        lift: impl Fn(&T) -> L,
+        convert: impl Fn(&T) -> L,
     ) where
         T: LatticeScalar,
         M: Family<T>,
     {
-        self.gather(map, state, i, &lift, &lift);
+        self.gather(map, state, i, &convert, &convert);
         self.a.fill(L::zero());
         M::rows(constants, &self.x, &self.c, &mut self.f, &mut self.a);
     }

@@ -47,8 +47,8 @@ impl<M: LatticeMap<T> + Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
         totals.into_iter().map(Total::sum).collect()
     }
 
-    /// Runs the densities of every site, over the scalar that `lift` takes a state's entry to.
-    fn for_each_site<S, L>(&self, x: &[S], lift: impl Fn(&S) -> L, mut visit: impl FnMut(&[L]))
+    /// Runs the densities of every site, over the scalar that `convert` takes a state's entry to.
+    fn for_each_site<S, L>(&self, x: &[S], convert: impl Fn(&S) -> L, mut visit: impl FnMut(&[L]))
     where
         L: Scalar + FromScalar<T>,
     {
@@ -59,7 +59,7 @@ impl<M: LatticeMap<T> + Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
         let Some(constants) = map.constants(L::from_scalar(self.eps()), L::from_scalar) else { return };
         let (mut site, mut densities) = (Site::of::<M::Shape>(), vec![L::zero(); M::INTEGRALS.len() + 1]);
         for i in 0..sites {
-            let [x, c] = site.gather(map, x, i, &lift, L::from_scalar);
+            let [x, c] = site.gather(map, x, i, &convert, L::from_scalar);
             M::densities(&constants, x, c, &mut densities);
             visit(&densities);
         }
@@ -91,8 +91,8 @@ impl<M: LatticeMap<T> + Energy<T>, T: LatticeScalar> LatticeAt<M, T> {
         let along: Vec<(T, T)> = x.iter().zip(next).map(|(x, next)| (x.clone(), next - x.clone())).collect();
         let third = T::constant(&Constant::ratio(1, 3));
         let mut total = Total::zero();
-        let lift = |(value, step): &(T, T)| Along { value: value.clone(), slope: Some(step.clone()) };
-        self.for_each_site(&along, lift, |densities: &[Along<T>]| {
+        let convert = |(value, step): &(T, T)| Along { value: value.clone(), slope: Some(step.clone()) };
+        self.for_each_site(&along, convert, |densities: &[Along<T>]| {
             let density = densities[M::INTEGRALS.len()].clone();
             total.add(&density.value);
             total.add(&(third.clone() * density.into_slope()));
@@ -114,7 +114,7 @@ impl<T: LatticeScalar> FromScalar<T> for T {
 
 impl<T: LatticeScalar> FromScalar<T> for Along<T> {
     fn from_scalar(value: &T) -> Self {
-        Along::lift(value.clone())
+        Along::from_value(value.clone())
     }
 }
 

@@ -9,7 +9,7 @@ use core::array::from_fn;
 use nalgebra::SVector;
 
 use crate::field::linear::vector;
-use crate::{Constant, FloatScalar, KahanAt, KahanMap, Lift, Orbit, Scalar, StateVector, Step};
+use crate::{Constant, ExtendScalars, FloatScalar, KahanAt, KahanMap, Orbit, Scalar, StateVector, Step};
 
 use super::Compensated;
 use super::tangent::carry_to;
@@ -87,7 +87,7 @@ pub struct Estimated<T, const N: usize> {
 pub struct ErrorEstimates<S, M, T, const N: usize>
 where
     S: Step,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
     orbit: Orbit<S>,
@@ -98,7 +98,7 @@ where
 
 impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
     /// The orbit with an estimate of each point's error against the flow through the next point to
@@ -136,7 +136,7 @@ where
 
 impl<M, T, const N: usize> Orbit<Compensated<KahanAt<M, T, N>>>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: FloatScalar,
 {
     /// As of an orbit that is not compensated.
@@ -149,7 +149,7 @@ where
 impl<S, M, T, const N: usize> ErrorEstimates<S, M, T, N>
 where
     S: Step,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
     /// The orbit itself, which says why it [stopped](Orbit::stopped).
@@ -161,7 +161,7 @@ where
 impl<S, M, T, const N: usize> Iterator for ErrorEstimates<S, M, T, N>
 where
     S: Step<Scalar = T, State: StateVector<T, Point = SVector<T, N>>>,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
     type Item = Estimated<T, N>;

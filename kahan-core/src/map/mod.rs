@@ -12,7 +12,7 @@ mod checked;
 mod coupled;
 mod elimination;
 mod error_estimate;
-mod lift;
+mod extension;
 mod orbit;
 mod pivot;
 mod stable;
@@ -31,7 +31,7 @@ pub use at::KahanAt;
 pub use coupled::{CoupledField, CoupledStep, Postfix, slopes_matrix};
 pub use elimination::Elimination;
 pub use error_estimate::{ErrorEstimates, Estimated};
-pub use lift::Lift;
+pub use extension::ExtendScalars;
 pub use orbit::{Compensated, Increments, Orbit, Scaled};
 #[cfg(feature = "std")]
 pub use orbit::{Projective, ProjectivePoint, ThroughPoles};

@@ -11,7 +11,7 @@ use nalgebra::SVector;
 
 use crate::field::linear::vector;
 use crate::scalar::Along;
-use crate::{KahanMap, Lift, PreparedStep, Quotients, Scalar};
+use crate::{ExtendScalars, KahanMap, PreparedStep, Quotients, Scalar};
 
 /// J(x)·v of these maps at their ε, one after the other; `None` at a pole of an exact scalar.
 #[inline(always)]
@@ -21,7 +21,7 @@ pub(crate) fn carry<'a, M, T, const N: usize>(
     v: &SVector<T, N>,
 ) -> Option<SVector<T, N>>
 where
-    M: Lift<T, N> + 'a,
+    M: ExtendScalars<T, N> + 'a,
     T: Scalar,
 {
     let (mut x, mut v) = (x.clone(), v.clone());
@@ -42,7 +42,7 @@ pub(crate) fn carry_to<'a, M, T, const N: usize>(
     v: &SVector<T, N>,
 ) -> Option<SVector<T, N>>
 where
-    M: Lift<T, N> + 'a,
+    M: ExtendScalars<T, N> + 'a,
     T: Scalar,
 {
     let (mut x, mut v) = (x.clone(), v.clone());
@@ -64,11 +64,11 @@ fn step_along<M, T, const N: usize>(
     mut along: SVector<Along<T>, N>,
 ) -> Option<SVector<Along<T>, N>>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
-    let lifted = map.lift::<Along<T>>(|parameter| Along::lift(parameter.clone()));
-    let quotients: Quotients<_, N> = lifted.prepare(&Along::lift(eps.clone())).quotients(&along)?;
+    let extended = map.over::<Along<T>>(|parameter| Along::from_value(parameter.clone()));
+    let quotients: Quotients<_, N> = extended.prepare(&Along::from_value(eps.clone())).quotients(&along)?;
     // In its place: over lanes, compilers call what builds an array.
     for i in 0..N {
         along[i] = quotients.sum(i, along[i].clone());
@@ -80,10 +80,10 @@ where
 #[inline(always)]
 fn unfused_step<M, T, const N: usize>(map: &M, eps: &T, x: &SVector<T, N>) -> Option<SVector<T, N>>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
-    let next = step_along(map, eps, vector(from_fn(|i| Along::lift(x[i].clone()))))?;
+    let next = step_along(map, eps, vector(from_fn(|i| Along::from_value(x[i].clone()))))?;
     Some(vector(from_fn(|i| next[i].value.clone())))
 }
 
@@ -96,7 +96,7 @@ pub(super) fn carry_along<M, T, const N: usize>(
     v: &SVector<T, N>,
 ) -> Option<SVector<T, N>>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
     let along = vector(from_fn(|i| Along { value: x[i].clone(), slope: Some(v[i].clone()) }));

@@ -1,7 +1,7 @@
 //! Single precision, each step computed in double precision and rounded once.
 //!
 //! In: a map over `f32`. Out: the same map, more accurate: the parameters, ε and the state are the
-//! `f32`s given, lifted into `f64` without an error; x̃ is computed there. Or in: any step over
+//! `f32`s given, extended into `f64` without an error; x̃ is computed there. Or in: any step over
 //! `f64`. Out: the same on states in `f32`.
 
 use core::array::from_fn;
@@ -14,7 +14,8 @@ use super::elimination::NoLanes;
 use crate::field::linear::vector;
 use crate::step::error::Reason;
 use crate::{
-    KahanMap, Lift, PreparedStep, QuadraticField, Quotients, Scalar, SingularStep, StepCost, WideStep,
+    ExtendScalars, KahanMap, PreparedStep, QuadraticField, Quotients, Scalar, SingularStep, StepCost,
+    WideStep,
 };
 #[cfg(feature = "std")]
 use crate::{Step, Stopped, Workspace};
@@ -185,11 +186,11 @@ where
 
 impl<M> ThroughF64<M> {
     /// The map over `f64`, its parameters those of the map over `f32`.
-    fn wide<const N: usize>(&self) -> M::Lifted<f64>
+    fn wide<const N: usize>(&self) -> M::Over<f64>
     where
-        M: Lift<f32, N>,
+        M: ExtendScalars<f32, N>,
     {
-        self.0.lift(|parameter| f64::from(*parameter))
+        self.0.over(|parameter| f64::from(*parameter))
     }
 }
 
@@ -197,9 +198,9 @@ impl<M> ThroughF64<M> {
 /// evaluated in `f32`.
 impl<M, const N: usize> KahanMap<f32, N> for ThroughF64<M>
 where
-    M: Lift<f32, N>,
+    M: ExtendScalars<f32, N>,
 {
-    type Prepared = ThroughF64Step<<M::Lifted<f64> as KahanMap<f64, N>>::Prepared>;
+    type Prepared = ThroughF64Step<<M::Over<f64> as KahanMap<f64, N>>::Prepared>;
 
     #[inline]
     fn prepare(&self, eps: &f32) -> Self::Prepared {

@@ -11,7 +11,7 @@ use crate::ensemble::columns::GROUP;
 use crate::ensemble::lanes::{Lanes, OverLanes};
 use crate::field::linear::vector;
 use crate::map::carry_to;
-use crate::{EnsembleScalar, Lift};
+use crate::{EnsembleScalar, ExtendScalars};
 
 use super::growth::most;
 use super::{Grouped, SideBySide};
@@ -25,7 +25,7 @@ pub(super) struct ByOneMap<'a, S, T, P, const N: usize> {
 
 impl<S, T, P, const N: usize> OverLanes<T> for ByOneMap<'_, S, T, P, N>
 where
-    S: Staged<T, N, Map: Lift<T, N>>,
+    S: Staged<T, N, Map: ExtendScalars<T, N>>,
     T: EnsembleScalar,
     P: Grouped<T>,
 {
@@ -35,7 +35,7 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> usize {
         let Self { map, work: SideBySide { places, vectors, squares, .. } } = self;
-        let stages = map.stages(|at| (at.map.lift(L::spread), L::spread(&at.eps)));
+        let stages = map.stages(|at| (at.map.over(L::spread), L::spread(&at.eps)));
         let (most, least) = (L::spread(&most()), L::spread(&(T::one() / most())));
         let mut squares = squares.chunks_exact_mut(vectors.len());
         for (step, places) in places.windows(2).enumerate() {

@@ -1,12 +1,12 @@
 //! Observing an orbit that goes through poles.
 
-use crate::{Lift, Projective, ThroughPoles};
+use crate::{ExtendScalars, Projective, ThroughPoles};
 
 use super::Observer;
 
 impl<M, T, const N: usize> Projective<M, T, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     /// As [`Orbit::observe`](crate::Orbit::observe), of those points that are not at infinity, each

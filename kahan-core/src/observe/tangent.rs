@@ -18,7 +18,7 @@ use crate::map::{carry, carry_to};
 use crate::step::check_length;
 #[cfg(feature = "std")]
 use crate::{EnsembleScalar, KahanMap, PreparedStep, StateVector, Stopped, Workspace};
-use crate::{FloatScalar, KahanAt, Lift, Scalar, Step};
+use crate::{ExtendScalars, FloatScalar, KahanAt, Scalar, Step};
 
 #[cfg(feature = "std")]
 use super::{Grouped, SideBySide, lanes::ByOneMap};
@@ -96,7 +96,7 @@ macro_rules! implement_for_stages {
     ($map:ty) => {
         impl<M, T, const N: usize> TangentMap for $map
         where
-            M: Lift<T, N>,
+            M: ExtendScalars<T, N>,
             T: FloatScalar,
         {
             #[inline(always)]
@@ -199,7 +199,7 @@ impl<S> Tangent<S> {
 
 impl<M, T, const N: usize> KahanAt<M, T, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
     /// This map with a tangent vector that it carries along: v ↦ J(x)·v with J = ∂x̃/∂x.
@@ -226,7 +226,7 @@ where
 
 impl<M, T, const N: usize> Tangent<KahanAt<M, T, N>>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Scalar,
 {
     /// J(x)·v; `None` at a pole of an exact scalar.

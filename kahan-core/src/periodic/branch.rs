@@ -60,7 +60,7 @@ pub(super) type Place = DVector<f64>;
 /// }
 ///
 /// // At a, which changes, and a fixed ε.
-/// let map = |a| Fold { a: Dual::coordinate(a, 0) }.at(Dual::lift(0.1));
+/// let map = |a| Fold { a: Dual::coordinate(a, 0) }.at(Dual::from_value(0.1));
 /// let cycle = periodic_point(&map(1.0), &[0.9], 1).unwrap();
 /// let branch = branch(map, &cycle, [1.0, -1.0], 20, |_| ControlFlow::Continue(()));
 /// assert_eq!(branch.turns[0].change, Change::Fold);

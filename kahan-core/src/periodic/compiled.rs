@@ -5,13 +5,13 @@ use std::vec::Vec;
 
 use nalgebra::{DMatrix, SVector};
 
-use crate::{Dual, KahanAt, KahanMap, Lift};
+use crate::{Dual, ExtendScalars, KahanAt, KahanMap};
 
 use super::{Differentiable, Parametric};
 
 impl<M, const N: usize> Differentiable for KahanAt<M, f64, N>
 where
-    M: KahanMap<f64, N> + Lift<f64, N>,
+    M: KahanMap<f64, N> + ExtendScalars<f64, N>,
 {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         let jacobian = self.jacobian(&SVector::from_column_slice(x));
@@ -22,7 +22,7 @@ where
 /// The numbers that the map is made of say by their gradients how they depend on p.
 impl<M, const N: usize> Differentiable for KahanAt<M, Dual<f64, 1>, N>
 where
-    M: KahanMap<Dual<f64, 1>, N> + Lift<Dual<f64, 1>, N>,
+    M: KahanMap<Dual<f64, 1>, N> + ExtendScalars<Dual<f64, 1>, N>,
 {
     fn derivative(&self, x: &[f64]) -> DMatrix<f64> {
         let jacobian = self.jacobian(&fixed(x));
@@ -32,7 +32,7 @@ where
 
 impl<M, const N: usize> Parametric for KahanAt<M, Dual<f64, 1>, N>
 where
-    M: KahanMap<Dual<f64, 1>, N> + Lift<Dual<f64, 1>, N>,
+    M: KahanMap<Dual<f64, 1>, N> + ExtendScalars<Dual<f64, 1>, N>,
 {
     fn by_parameter(&self, x: &[f64]) -> Vec<f64> {
         self.step(&fixed(x)).iter().map(|entry| entry.gradient[0]).collect()
@@ -41,5 +41,5 @@ where
 
 /// A point that does not depend on p.
 fn fixed<const N: usize>(x: &[f64]) -> SVector<Dual<f64, 1>, N> {
-    SVector::from_fn(|i, _| Dual::lift(x[i]))
+    SVector::from_fn(|i, _| Dual::from_value(x[i]))
 }

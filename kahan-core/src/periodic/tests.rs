@@ -81,8 +81,8 @@ fn maps_over_dual_numbers_know_how_they_depend_on_what_changes() {
     let (a, eps, x) = (0.75, 0.125, 0.5);
     let below = 1.0 + 2.0 * eps * x;
     let next = (x + 2.0 * eps * a) / below;
-    let over_a = Roots { a: Dual::coordinate(a, 0) }.at(Dual::lift(eps));
-    let over_eps = Roots { a: Dual::lift(a) }.at(Dual::coordinate(eps, 0));
+    let over_a = Roots { a: Dual::coordinate(a, 0) }.at(Dual::from_value(eps));
+    let over_eps = Roots { a: Dual::from_value(a) }.at(Dual::coordinate(eps, 0));
     let by_eps = (2.0 * a - 2.0 * x * next) / below;
     for (map, expected) in [(over_a, 2.0 * eps / below), (over_eps, by_eps)] {
         // Three numbers of some roundings each.

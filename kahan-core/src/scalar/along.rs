@@ -22,7 +22,7 @@ pub(crate) struct Along<T> {
 impl<T: Scalar> Along<T> {
     /// A constant.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn lift(value: T) -> Self {
+    pub(crate) fn from_value(value: T) -> Self {
         Self { value, slope: None }
     }
 
@@ -103,7 +103,7 @@ impl<T: Scalar> core::ops::Neg for Along<T> {
 
 impl<T: Scalar> Zero for Along<T> {
     fn zero() -> Self {
-        Self::lift(T::zero())
+        Self::from_value(T::zero())
     }
 
     fn is_zero(&self) -> bool {
@@ -113,19 +113,19 @@ impl<T: Scalar> Zero for Along<T> {
 
 impl<T: Scalar> One for Along<T> {
     fn one() -> Self {
-        Self::lift(T::one())
+        Self::from_value(T::one())
     }
 }
 
 impl<T: Scalar> Scalar for Along<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(c: &Constant<'_>) -> Self {
-        Self::lift(T::constant(c))
+        Self::from_value(T::constant(c))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn prepared(&self) -> Self {
-        Self::lift(self.value.clone())
+        Self::from_value(self.value.clone())
     }
 
     // (1/v)′ = −v′/v². A number with value 0 has no reciprocal even when it is not 0 itself.

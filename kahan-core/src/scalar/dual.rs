@@ -25,7 +25,7 @@ pub struct Dual<T, const N: usize> {
 
 impl<T: Scalar, const N: usize> Dual<T, N> {
     /// A number that depends on no direction.
-    pub fn lift(value: T) -> Self {
+    pub fn from_value(value: T) -> Self {
         Self { value, gradient: from_fn(|_| T::zero()) }
     }
 
@@ -38,7 +38,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
 /// A number that depends on no direction.
 impl<const N: usize> From<f64> for Dual<f64, N> {
     fn from(value: f64) -> Self {
-        Self::lift(value)
+        Self::from_value(value)
     }
 }
 
@@ -133,7 +133,7 @@ assignments!(one [T: Scalar, const N: usize] Dual<T, N>, DivAssign div_assign /)
 
 impl<T: Scalar, const N: usize> Zero for Dual<T, N> {
     fn zero() -> Self {
-        Self::lift(T::zero())
+        Self::from_value(T::zero())
     }
 
     fn is_zero(&self) -> bool {
@@ -143,14 +143,14 @@ impl<T: Scalar, const N: usize> Zero for Dual<T, N> {
 
 impl<T: Scalar, const N: usize> One for Dual<T, N> {
     fn one() -> Self {
-        Self::lift(T::one())
+        Self::from_value(T::one())
     }
 }
 
 impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(c: &Constant<'_>) -> Self {
-        Self::lift(T::constant(c))
+        Self::from_value(T::constant(c))
     }
 
     // (1/v)′ = −v′/v². A dual number with value 0 has no reciprocal even when it is not 0 itself.

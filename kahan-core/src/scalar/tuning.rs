@@ -153,7 +153,7 @@ mod tests {
         {
             assert_eq!(may_divide_by(&Bounded::<f64>::given(eps)), may, "{eps}");
             assert_eq!(may_divide_by(&Bounded::<f64, PackedDouble>::given(eps)), may, "{eps}");
-            assert!(!may_divide_by(&Dd::from(eps)) && !may_divide_by(&Dual::<f64, 1>::lift(eps)));
+            assert!(!may_divide_by(&Dd::from(eps)) && !may_divide_by(&Dual::<f64, 1>::from_value(eps)));
         }
         // Floats themselves a little further down.
         for (eps, may) in [(most, true), (beyond, false), ((-84_f64).exp2(), true), ((-85_f64).exp2(), false)]

@@ -8,7 +8,7 @@
 use nalgebra::SVector;
 
 use crate::flow::{norm, slope};
-use crate::{Lift, PreparedStep};
+use crate::{ExtendScalars, PreparedStep};
 
 use super::search::{PLAIN, WIDE};
 use super::{NoSetting, Scene, Setting};
@@ -33,7 +33,7 @@ pub(super) fn choose<M, const N: usize>(
     x0: &SVector<f64, N>,
 ) -> Result<Setting, NoSetting>
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     let rate = rate(map, x0);
     let first = (0.5 * scene.horizon * rate).ceil().max(1.0);
@@ -73,7 +73,7 @@ where
 /// Whether the beginning of the orbit is finite and no larger than that with a quarter of ε.
 fn is_borne<M, const N: usize>(scene: &Scene, map: &M, x0: &SVector<f64, N>, steps: f64) -> bool
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     let eps = scene.setting(PLAIN, steps as u64).eps;
     let count = steps.min(PILOT) as usize;
@@ -90,7 +90,7 @@ fn size<const N: usize>(orbit: impl Iterator<Item = SVector<f64, N>>) -> f64 {
 /// How fast the motion turns at a point: the larger of ‖f′‖∞ and ‖f‖∞/‖x‖∞.
 fn rate<M, const N: usize>(map: &M, x: &SVector<f64, N>) -> f64
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     let slope = slope(map, x);
     let (speed, size) = (norm(&map.field(x)), norm(x));

@@ -18,7 +18,7 @@ mod trajectory;
 
 use nalgebra::SVector;
 
-use crate::Lift;
+use crate::ExtendScalars;
 
 pub use error::NoSetting;
 pub use scheme::{Precision, Scheme};
@@ -137,7 +137,7 @@ impl Scene {
     /// horizon, a tolerance that no setting reaches.
     pub fn choose<M, const N: usize>(&self, map: &M, x0: &SVector<f64, N>) -> Result<Setting, NoSetting>
     where
-        M: Lift<f64, N>,
+        M: ExtendScalars<f64, N>,
     {
         self.check(x0)?;
         match self.need {

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::field::linear::{components, vector};
-use crate::{Composition, Dd, FloatScalar, KahanMap, Lift, ThroughF64};
+use crate::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, ThroughF64};
 
 use super::{Precision, Scheme, Setting};
 
@@ -55,7 +55,7 @@ impl Setting {
     /// Cost: as the setting says; no allocation, nothing decided within the orbit.
     pub fn run<M, const N: usize>(&self, map: &M, x0: SVector<f64, N>) -> SVector<f64, N>
     where
-        M: Lift<f64, N>,
+        M: ExtendScalars<f64, N>,
     {
         let steps = usize::try_from(self.steps).unwrap_or(usize::MAX);
         match self.with_orbit(map, x0, Last(steps)) {
@@ -73,7 +73,7 @@ impl Setting {
         x0: SVector<f64, N>,
         mut visit: impl FnMut(u64, &SVector<f64, N>),
     ) where
-        M: Lift<f64, N>,
+        M: ExtendScalars<f64, N>,
     {
         self.follow(map, x0, |step, x| {
             visit(step, &rounded(x));
@@ -88,29 +88,29 @@ impl Setting {
         x0: SVector<f64, N>,
         go_on: impl FnMut(u64, &[Dd; N]) -> bool,
     ) where
-        M: Lift<f64, N>,
+        M: ExtendScalars<f64, N>,
     {
         self.with_orbit(map, x0, While(self.steps, go_on));
     }
 
     fn with_orbit<M, K, const N: usize>(&self, map: &M, x0: SVector<f64, N>, task: K) -> K::Output
     where
-        M: Lift<f64, N>,
+        M: ExtendScalars<f64, N>,
         K: Task<N>,
     {
         let single = |x: f64| x as f32;
         match self.scheme.precision {
             Precision::Single => {
-                let map = map.lift::<f32>(|parameter| single(*parameter));
+                let map = map.over::<f32>(|parameter| single(*parameter));
                 self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
             }
             Precision::SingleThroughDouble => {
-                let map = ThroughF64(map.lift::<f32>(|parameter| single(*parameter)));
+                let map = ThroughF64(map.over::<f32>(|parameter| single(*parameter)));
                 self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
             }
             Precision::Double => self.with_mode(map, x0, self.eps, Dd::from, task),
             Precision::DoubleDouble => {
-                let map = map.lift::<Dd>(|parameter| Dd::from(*parameter));
+                let map = map.over::<Dd>(|parameter| Dd::from(*parameter));
                 self.with_mode(&map, x0.map(Dd::from), Dd::from(self.eps), |x| x, task)
             }
         }

@@ -11,7 +11,7 @@ use std::vec::Vec;
 use nalgebra::SVector;
 
 use crate::flow::{Flow, FlowScalar, NoFlow};
-use crate::{Dd, Lift, PreparedStep, QuadraticField};
+use crate::{Dd, ExtendScalars, PreparedStep, QuadraticField};
 
 use super::search::{OF_DOUBLE, OTHERS, Search, Trials, VOUCHING, Verdict};
 use super::{NoSetting, Scene, Scheme, Setting};
@@ -38,7 +38,7 @@ pub(super) fn choose<M, const N: usize>(
     x0: &SVector<f64, N>,
 ) -> Result<Setting, NoSetting>
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     let mut budget = Budget { left: MOST_WORK };
     let start = *x0;
@@ -51,7 +51,7 @@ where
             answer => return answer.map_err(|refusal| refusal.why),
         }
     }
-    let wide = map.lift::<Dd>(|parameter| Dd::from(*parameter));
+    let wide = map.over::<Dd>(|parameter| Dd::from(*parameter));
     let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
     let choice = Choice { scene, map, x0, flow: &flow, others: &OTHERS };
     choice.choose(&mut budget).map_err(|refusal| refusal.why)
@@ -131,7 +131,7 @@ struct Refusal {
 impl<T, M, const N: usize> Choice<'_, T, M, N>
 where
     T: FlowScalar,
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     fn choose(&self, budget: &mut Budget) -> Result<Setting, Refusal> {
         // ε times the rate, on an average, is 4 to begin with: as coarse as compositions, whose
@@ -170,7 +170,7 @@ struct Runs<'a, T, M, const N: usize> {
 impl<T, M, const N: usize> Trials for Runs<'_, T, M, N>
 where
     T: FlowScalar,
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     fn setting(&self, scheme: Scheme, steps: u64) -> Setting {
         self.choice.scene.setting(scheme, steps)

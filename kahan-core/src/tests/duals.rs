@@ -38,9 +38,9 @@ fn assigning_operators_agree_with_the_others() {
 
 #[test]
 fn constants_have_no_gradient() {
-    assert_eq!(Dual::<f64, 2>::zero(), Dual::lift(0.0));
-    assert_eq!(Dual::<f64, 2>::one(), Dual::lift(1.0));
-    assert_eq!(Dual::<f64, 2>::constant(&Constant::ratio(1, 4)), Dual::lift(0.25));
+    assert_eq!(Dual::<f64, 2>::zero(), Dual::from_value(0.0));
+    assert_eq!(Dual::<f64, 2>::one(), Dual::from_value(1.0));
+    assert_eq!(Dual::<f64, 2>::constant(&Constant::ratio(1, 4)), Dual::from_value(0.25));
     assert!(!Dual::<f64, 2>::coordinate(0.0, 1).is_zero());
 }
 
@@ -72,12 +72,12 @@ fn a_constant_counts_as_a_number_of_slope_0() {
         assert_eq!((left + right, left - right, left * right, left / right), expected);
         assert_eq!(left.quotient(right), Some(left / right));
     }
-    assert_eq!(constant * constant, Along::lift(16.0));
+    assert_eq!(constant * constant, Along::from_value(16.0));
     assert_eq!((constant.into_slope(), v.into_slope()), (0.0, 2.0));
 }
 
 #[test]
 fn prepared_constants_have_no_slope() {
     let [u, ..] = along();
-    assert_eq!(u.prepared(), Along::lift(3.0));
+    assert_eq!(u.prepared(), Along::from_value(3.0));
 }

@@ -76,7 +76,7 @@ fn what_was_brought_to_one_point_comes_apart_again() {
 
 fn end<M, T: ThroughPoles, const N: usize>(orbit: &mut Projective<M, T, N>) -> (usize, String)
 where
-    M: crate::Lift<T, N>,
+    M: crate::ExtendScalars<T, N>,
 {
     let points = orbit.by_ref().take(40).count();
     assert_eq!(orbit.next().is_none(), orbit.stopped().is_some());

@@ -1,7 +1,7 @@
 //! The choice against a reference, and against everything cheaper.
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Lift, PreparedStep, Scene, Scheme};
+use kahan_core::{Composition, ExtendScalars, PreparedStep, Scene, Scheme};
 
 use crate::scene::trajectory::Trajectory;
 use crate::systems::{E2, E6, EulerTop, Henon, Lorenz, LotkaVolterra};
@@ -12,7 +12,7 @@ const RATIO: f64 = 3.0;
 /// The choice for each tolerance meets it, and nothing that costs a third does.
 fn check<M, const N: usize>(name: &str, map: M, x0: [f64; N], horizon: f64, steps: usize, tolerances: &[f64])
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     let x0 = SVector::from(x0);
     let reference = Trajectory::new(&map, &x0, horizon, steps);

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use kahan_core::nalgebra::SMatrix;
 use kahan_core::prelude::*;
-use kahan_core::{Lift, NoSetting, PreparedStep, QuadraticField, Quotients, Scene, StepCost};
+use kahan_core::{ExtendScalars, NoSetting, PreparedStep, QuadraticField, Quotients, Scene, StepCost};
 
 use crate::systems::{Burst, E6, Lorenz, LotkaVolterra, Relaxation};
 
@@ -53,11 +53,11 @@ impl<T: Scalar, P: PreparedStep<T, N>, const N: usize> PreparedStep<T, N> for Co
     }
 }
 
-impl<T: Scalar, M: Lift<T, N>, const N: usize> Lift<T, N> for Counted<M> {
-    type Lifted<U: Scalar> = Counted<M::Lifted<U>>;
+impl<T: Scalar, M: ExtendScalars<T, N>, const N: usize> ExtendScalars<T, N> for Counted<M> {
+    type Over<U: Scalar> = Counted<M::Over<U>>;
 
-    fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Self::Lifted<U> {
-        Counted(self.0.lift(lift))
+    fn over<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Over<U> {
+        Counted(self.0.over(convert))
     }
 }
 
@@ -69,7 +69,7 @@ fn work<M, const N: usize>(
     tolerance: f64,
 ) -> (Result<kahan_core::Setting, NoSetting>, u64)
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     STEPS.set(0);
     FORMS.set(0);

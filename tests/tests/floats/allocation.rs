@@ -9,7 +9,7 @@ use kahan_core::observe::{
     Rotation, Sali, Section, Spectrum,
 };
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Ensemble, LatticeMap, LatticeScalar, Lift, ProjectivePoint};
+use kahan_core::{Composition, Ensemble, ExtendScalars, LatticeMap, LatticeScalar, ProjectivePoint};
 use kahan_systems::{E1, E3, E6, E9, EulerTop, LotkaVolterra};
 use kahan_tests::random_systems::Dense6;
 
@@ -18,7 +18,7 @@ const STEPS: usize = 100;
 /// Allocations while steps are taken in every way, at ordinary points.
 fn allocations<M, const N: usize>(map: &M, start: [f64; N], eps: f64) -> u64
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     let start = SVector::from(start);
     let counted = measure(|| {

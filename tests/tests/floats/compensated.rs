@@ -109,8 +109,8 @@ fn the_integral_of_e6_wanders_and_does_not_drift() {
 
 const TOP: [f64; 3] = [1.0, -2.0, 1.5];
 
-fn top<T: Scalar>(lift: impl Fn(f64) -> T) -> EulerTop<T> {
-    let [a1, a2, a3] = TOP.map(lift);
+fn top<T: Scalar>(convert: impl Fn(f64) -> T) -> EulerTop<T> {
+    let [a1, a2, a3] = TOP.map(convert);
     EulerTop { a1, a2, a3 }
 }
 

@@ -5,7 +5,7 @@
 
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::prelude::*;
-use kahan_core::{Dd, Lift};
+use kahan_core::{Dd, ExtendScalars};
 use kahan_tests::rounding::UNIT_F64;
 
 kahan! {
@@ -27,7 +27,7 @@ kahan! {
 }
 
 /// The median error in units u of the largest entry, over so many points with ‖εf′‖∞ = `size`.
-fn median_error<M: Lift<f64, N>, const N: usize>(map: &M, size: f64) -> f64 {
+fn median_error<M: ExtendScalars<f64, N>, const N: usize>(map: &M, size: f64) -> f64 {
     const POINTS: usize = 301;
     let mut random = SplitMix64::new(7);
     let mut drawn = || SVector::<f64, N>::from_fn(|_, _| random.below(1 << 20) as f64 / 2e5 - 2.5);
@@ -39,7 +39,7 @@ fn median_error<M: Lift<f64, N>, const N: usize>(map: &M, size: f64) -> f64 {
             let eps = size / norm.fold(0.0, f64::max);
             let next = map.step(&x, eps);
             let carried = map.at(eps).tangent().carry_to(&x, &next, &v).expect("a float has a value");
-            let wide = map.lift(|parameter| Dd::from(*parameter));
+            let wide = map.over(|parameter| Dd::from(*parameter));
             let [x, v] = [x, v].map(|entries| entries.map(Dd::from));
             let exact = (wide.jacobian(&x, Dd::from(eps)) * v).map(|entry| entry.approximate());
             (carried - exact).amax() / (UNIT_F64 * exact.amax())

@@ -7,7 +7,7 @@
 //! tiers is what `kahan extremes` judges.
 
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_core::Lift;
+use kahan_core::ExtendScalars;
 use kahan_core::prelude::*;
 use num_traits::{FromPrimitive, Signed, ToPrimitive, Zero};
 
@@ -129,9 +129,9 @@ struct Tally {
 fn judge<T, M, const N: usize>(name: &str, map: &M, x: SVector<T, N>, eps: T, tally: &mut Tally)
 where
     T: Judged,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
-    let exact_map = map.lift(T::exact);
+    let exact_map = map.over(T::exact);
     let exact_x = x.map(|entry| entry.exact());
     let exact_eps = eps.exact();
     let step = |x: &SVector<BigRational, N>, eps: &BigRational| exact_map.try_step(x, eps.clone()).ok();
@@ -182,7 +182,7 @@ where
 fn sample<T, M, const N: usize>(name: &str, map: &M, trials: usize) -> Tally
 where
     T: Judged,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     let mut draws = Draws(SplitMix64::from_bytes(name.as_bytes()));
     let mut tally = Tally::default();
@@ -206,11 +206,11 @@ where
 fn near_a_pole<T, M, const N: usize>(map: &M, x: &SVector<T, N>, draws: &mut Draws) -> T
 where
     T: Judged,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
-    let lifted = map.lift(|parameter| parameter.to_f64().expect("a float"));
+    let extended = map.over(|parameter| parameter.to_f64().expect("a float"));
     let state = x.map(|entry| entry.to_f64().expect("a float"));
-    let sign = |eps: f64| lifted.det_matrix(&state, eps) > 0.0;
+    let sign = |eps: f64| extended.det_matrix(&state, eps) > 0.0;
     let (mut near, mut far) = (0.0, 0.0);
     for step in 1..=64 {
         for eps in [0.1 * f64::from(step), -0.1 * f64::from(step)] {
@@ -236,8 +236,8 @@ where
 
 fn both<M64, M32, const N: usize>(name: &str, double: &M64, single: &M32, trials: usize)
 where
-    M64: Lift<f64, N>,
-    M32: Lift<f32, N>,
+    M64: ExtendScalars<f64, N>,
+    M32: ExtendScalars<f32, N>,
 {
     for tally in [sample::<f64, _, N>(name, double, trials), sample::<f32, _, N>(name, single, trials)] {
         // A step that always flags would keep its promise, too.
@@ -313,7 +313,7 @@ fn what_is_not_finite_is_never_ok() {
 fn removable_poles_have_values_and_true_ones_have_none() {
     let next = E1.try_step(&vector![-2.0, 0.75, 0.5], 0.5).expect("the reduced map has a value");
     let exact =
-        E1.lift(|x: &f64| x.exact()).step(&vector![-2.0, 0.75, 0.5].map(|x: f64| x.exact()), 0.5.exact());
+        E1.over(|x: &f64| x.exact()).step(&vector![-2.0, 0.75, 0.5].map(|x: f64| x.exact()), 0.5.exact());
     assert_eq!(next.map(|x| x.exact()), exact);
     let error = E1.try_step(&vector![2.0, 0.75, 0.5], 0.5).expect_err("a pole");
     assert_eq!((error.determinant(), error.eps(), error.bound()), (0.0, 0.5, f64::INFINITY));

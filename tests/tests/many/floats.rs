@@ -2,7 +2,7 @@
 //! compiled code, which are those of the same field read at run time.
 
 use kahan_algebra::prime_field::SplitMix64;
-use kahan_core::Lift;
+use kahan_core::ExtendScalars;
 use kahan_core::prelude::*;
 use kahan_runtime::{Field, MachineFloat, ParameterValue};
 use num_traits::{FromPrimitive, Signed, ToPrimitive, Zero};
@@ -38,9 +38,9 @@ fn exact<T: ToPrimitive>(value: &T) -> BigRational {
 }
 
 /// The most entries in a row of A, at a point where none is 0 by chance.
-fn widest_row<T: Judged, M: Lift<T, N>, const N: usize>(map: &M) -> usize {
+fn widest_row<T: Judged, M: ExtendScalars<T, N>, const N: usize>(map: &M) -> usize {
     let x = SVector::from_fn(|i, _| BigRational::new((i * i + 3).into(), 7.into()));
-    let matrix = map.lift(exact::<T>).matrix(&x, BigRational::new(1.into(), 11.into()));
+    let matrix = map.over(exact::<T>).matrix(&x, BigRational::new(1.into(), 11.into()));
     let widths = matrix.row_iter().map(|row| row.iter().filter(|entry| !entry.is_zero()).count());
     widths.max().unwrap_or(0)
 }
@@ -54,9 +54,9 @@ fn backward_error<T, M, const N: usize>(
 ) -> BigRational
 where
     T: Judged,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
-    let map = map.lift(exact::<T>);
+    let map = map.over(exact::<T>);
     let (x, eps, next) = (x.map(|x| exact(&x)), exact(eps), next.map(|x| exact(&x)));
     let (a, b) = (map.matrix(&x, eps.clone()), map.rhs(&x, eps));
     let mut worst = BigRational::zero();
@@ -76,7 +76,7 @@ where
 fn keeps_its_promise<T, M, const N: usize>(map: &M, seed: u64, count: usize)
 where
     T: Judged,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     let mut random = SplitMix64::new(seed);
     let mut below = |n: u64| (random.next_u64() % n) as f64;
@@ -97,7 +97,7 @@ where
             // Extreme numbers may leave no step that can be told; ordinary ones only at a pole.
             Err(_) if sizes == T::SIZES => {}
             Err(why) => {
-                let determinant = map.lift(exact::<T>).det_matrix(&x.map(|x| exact(&x)), exact(&eps));
+                let determinant = map.over(exact::<T>).det_matrix(&x.map(|x| exact(&x)), exact(&eps));
                 assert!(determinant.is_zero(), "{why} at {x:?}, {eps:?}");
             }
         }
@@ -132,7 +132,7 @@ fn has_the_bits_of_the_field_read_at_run_time<T, M, const N: usize>(
     parameters: &[(&str, T)],
 ) where
     T: Judged,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     let read = Field::parse(text).expect("a field");
     let read = read.with(parameters.iter().copied()).expect("its parameters");

@@ -1,7 +1,7 @@
 //! The error estimate against the flow: its sign, its order, and how it is carried along.
 
 use kahan_core::prelude::*;
-use kahan_core::{Dd, Lift};
+use kahan_core::{Dd, ExtendScalars};
 use kahan_systems::{E2, E6, EulerTop, LotkaVolterra};
 use kahan_tests::taylor::{distance, flow};
 
@@ -45,7 +45,7 @@ fn the_estimate_is_the_leading_term_of_a_step() {
 
 /// At a fixed time the error is of order 2 and what the accumulated estimate leaves of it of order
 /// 4.
-fn estimates_the_orbit<M: Lift<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
+fn estimates_the_orbit<M: ExtendScalars<Dd, N>, const N: usize>(name: &str, map: &M, start: [f64; N]) {
     let (time, x) = (Dd::from(4.0), point(start));
     let end = flow(map, x, time, 64);
     let sizes = [512, 1024, 2048].map(|steps| {

@@ -136,8 +136,8 @@ pub(crate) const ORBITS: &[Weakening] = &[
         "            (inner.at, 1.0 + inner.cycle.margin(index))",
         "            (inner.at, 1.0)"),
     of(PROOFS, "the derivative by another parameter", "crates/kahan-runtime/src/engine/mod.rs",
-        "lifted[index] = Dual::coordinate(constants[index], 0);",
-        "lifted[0] = Dual::coordinate(constants[0], 0);"),
+        "extended[index] = Dual::coordinate(constants[index], 0);",
+        "extended[0] = Dual::coordinate(constants[0], 0);"),
     // Proofs over the rationals.
     of(PROOFS, "an orbit that does not close", "crates/kahan-runtime/src/periodic/rational.rs",
         "(points.pop()? == points[0]).then_some(points)",

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use kahan_bench_fields::Lorenz;
 use kahan_bench_observers::{E6, HenonHeiles, MAP_EPS, cells};
-use kahan_core::Lift;
+use kahan_core::ExtendScalars;
 use kahan_core::observe::{Lyapunov, Sali};
 use kahan_core::prelude::*;
 
@@ -48,6 +48,6 @@ fn answer(line: &str) -> Option<Vec<f64>> {
     }
 }
 
-fn exponent<M: Lift<f64, 3>>(map: M, start: SVector<f64, 3>, eps: f64, steps: u64) -> Vec<f64> {
+fn exponent<M: ExtendScalars<f64, 3>>(map: M, start: SVector<f64, 3>, eps: f64, steps: u64) -> Vec<f64> {
     vec![map.orbit(black_box(start), eps).observe(steps, Lyapunov::new(map.at(eps))).value]
 }

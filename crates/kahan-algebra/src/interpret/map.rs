@@ -81,12 +81,12 @@ impl Interpreter {
         let dual = Dual { base: arithmetic, directions: n };
         let coordinates =
             point.state.iter().enumerate().map(|(index, value)| dual.coordinate(value.clone(), index));
-        let lifted = Point {
+        let extended = Point {
             state: coordinates.collect::<Option<_>>()?,
             parameters: point.parameters.iter().map(|value| dual.fixed(value.clone())).collect(),
             eps: dual.fixed(point.eps.clone()),
         };
-        let moved = self.next(&dual, &lifted)?;
+        let moved = self.next(&dual, &extended)?;
         let zero = arithmetic.constant(&Rational::zero())?;
         let row =
             |gradient: Vec<A::Value>| if gradient.is_empty() { vec![zero.clone(); n] } else { gradient };

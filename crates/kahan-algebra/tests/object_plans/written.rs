@@ -49,12 +49,12 @@ impl Written {
         let dual = Dual { base: arithmetic, directions: n };
         let zero = arithmetic.constant(&Rational::zero())?;
         let states = point.state.iter().enumerate().map(|(i, value)| dual.coordinate(value.clone(), i));
-        let lifted = Point {
+        let extended = Point {
             state: states.collect::<Option<_>>()?,
             parameters: point.parameters.iter().map(|value| dual.fixed(value.clone())).collect(),
             eps: dual.fixed(point.eps.clone()),
         };
-        let rows = self.field(&dual, &lifted)?.into_iter().map(|component| component.gradient);
+        let rows = self.field(&dual, &extended)?.into_iter().map(|component| component.gradient);
         Some(rows.map(|row| if row.is_empty() { vec![zero.clone(); n] } else { row }).collect())
     }
 

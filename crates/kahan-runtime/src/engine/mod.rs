@@ -288,11 +288,12 @@ impl Engine {
 
     /// ∂x̃/∂c of a step, c being one of the constants, which are the parameters and ε.
     pub(crate) fn by_constant<T: Scratches>(&self, constants: &[T], index: usize, state: &[T]) -> Vec<T> {
-        let mut lifted: Vec<Dual<T, 1>> = constants.iter().map(|constant| Dual::lift(*constant)).collect();
-        lifted[index] = Dual::coordinate(constants[index], 0);
-        let mut point: Vec<Dual<T, 1>> = state.iter().map(|x| Dual::lift(*x)).collect();
+        let mut extended: Vec<Dual<T, 1>> =
+            constants.iter().map(|constant| Dual::from_value(*constant)).collect();
+        extended[index] = Dual::coordinate(constants[index], 0);
+        let mut point: Vec<Dual<T, 1>> = state.iter().map(|x| Dual::from_value(*x)).collect();
         with_scratch(T::duals(), |scratch| {
-            let stages = [self.stage(&lifted, scratch)];
+            let stages = [self.stage(&extended, scratch)];
             self.run(&stages, 1, scratch, |step, rounds, registers, workspace| {
                 step.advance(rounds, [&mut point, &mut []], registers, workspace);
             });
@@ -331,19 +332,19 @@ pub(crate) fn jacobian_by_duals<V: Scalar + Copy>(
     out: &mut [V],
     scratch: &mut Scratch<Dual<V, 1>>,
 ) {
-    let Scratch { registers, workspace, constants: lifted, given, state: point } = scratch;
-    [&mut *lifted, given, point].into_iter().for_each(Vec::clear);
-    lifted.extend(constants.iter().map(|constant| Dual::lift(*constant)));
-    step.prepare(lifted, registers, given);
+    let Scratch { registers, workspace, constants: extended, given, state: point } = scratch;
+    [&mut *extended, given, point].into_iter().for_each(Vec::clear);
+    extended.extend(constants.iter().map(|constant| Dual::from_value(*constant)));
+    step.prepare(extended, registers, given);
     registers.clear();
     step.open(given, registers);
-    point.extend(state.iter().map(|x| Dual::lift(*x)));
+    point.extend(state.iter().map(|x| Dual::from_value(*x)));
     for j in 0..state.len() {
         point[j] = Dual::coordinate(state[j], 0);
         for (i, increment) in step.increments(point, registers, workspace).enumerate() {
             let [slope] = increment.gradient;
             out[i * state.len() + j] = if i == j { V::one() + slope } else { slope };
         }
-        point[j] = Dual::lift(state[j]);
+        point[j] = Dual::from_value(state[j]);
     }
 }

@@ -3,7 +3,7 @@
 
 use kahan_core::__private::{jacobian_by_duals, stable_step};
 use kahan_core::nalgebra::{SMatrix, SVector};
-use kahan_core::{KahanMap, Lift, Pivot, QuadraticField, Scalar, SingularStep};
+use kahan_core::{ExtendScalars, KahanMap, Pivot, QuadraticField, Scalar, SingularStep};
 
 use smallvec::SmallVec;
 
@@ -122,10 +122,10 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
     }
 }
 
-impl<T: Scalar, const N: usize> Lift<T, N> for Interpreted<T, N> {
-    type Lifted<U: Scalar> = Interpreted<U, N>;
+impl<T: Scalar, const N: usize> ExtendScalars<T, N> for Interpreted<T, N> {
+    type Over<U: Scalar> = Interpreted<U, N>;
 
-    fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Interpreted<U, N> {
-        self.over(lift)
+    fn over<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Interpreted<U, N> {
+        self.over(convert)
     }
 }

@@ -118,10 +118,10 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.engine.single_integrals().iter().map(value).collect()
     }
 
-    /// The same system over another scalar, each parameter put into it by `lift`.
+    /// The same system over another scalar, each parameter put into it by `convert`.
     #[must_use]
-    pub fn over<U>(&self, lift: impl Fn(&T) -> U) -> Interpreted<U, N> {
-        let parameters = self.parameters.iter().map(lift).collect();
+    pub fn over<U>(&self, convert: impl Fn(&T) -> U) -> Interpreted<U, N> {
+        let parameters = self.parameters.iter().map(convert).collect();
         Interpreted { engine: Arc::clone(&self.engine), parameters, dimension: PhantomData }
     }
 

@@ -191,7 +191,7 @@ impl ChainAt {
         let mut total = Total::zero();
         self.for_each_site(
             |k| Dual { value: state[k], gradient: [next[k] - state[k]] },
-            Dual::lift,
+            Dual::from_value,
             |densities| {
                 for Dual { value, gradient: [slope] } in
                     densities.skip(self.fixed.code.family.integrals.len())
@@ -208,14 +208,14 @@ impl ChainAt {
     fn for_each_site<V: Scalar>(
         &self,
         state: impl Fn(usize) -> V,
-        lift: impl Fn(f64) -> V,
+        convert: impl Fn(f64) -> V,
         mut visit: impl FnMut(&mut dyn Iterator<Item = V>),
     ) {
         let Fixed { code, chain, constants, .. } = &*self.fixed;
         let line = &code.sums;
-        let mut site = Site::new(chain, line, constants.iter().map(|constant| lift(*constant)));
+        let mut site = Site::new(chain, line, constants.iter().map(|constant| convert(*constant)));
         for i in 0..chain.sites {
-            visit(&mut site.run(chain, line, i, &state, &lift).iter());
+            visit(&mut site.run(chain, line, i, &state, &convert).iter());
         }
     }
 

@@ -57,7 +57,7 @@ impl<V: Scalar> Site<V> {
         Site { values: vec![V::zero(); values], registers }
     }
 
-    /// Runs the line at site i; `state` is what an entry of the state is in this scalar, and `lift`
+    /// Runs the line at site i; `state` is what an entry of the state is in this scalar, and `convert`
     /// what a parameter is. Beyond the ends of an open chain both are 0.
     pub(super) fn run<'a>(
         &'a mut self,
@@ -65,7 +65,7 @@ impl<V: Scalar> Site<V> {
         line: &'a Line,
         i: usize,
         state: impl Fn(usize) -> V,
-        lift: impl Fn(f64) -> V,
+        convert: impl Fn(f64) -> V,
     ) -> Results<'a, V> {
         for place in 0..chain.stencil() {
             let site = chain.neighbour(i, place);
@@ -75,7 +75,7 @@ impl<V: Scalar> Site<V> {
             }
             for (p, numbers) in chain.parameters.iter().enumerate() {
                 self.values[chain.stencil() * (chain.block + p) + place] =
-                    site.map_or_else(V::zero, |site| lift(numbers[site]));
+                    site.map_or_else(V::zero, |site| convert(numbers[site]));
             }
         }
         has_value(line.run(&mut self.registers, &self.values))

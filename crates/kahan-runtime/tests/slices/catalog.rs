@@ -2,7 +2,7 @@
 
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Integrals, Lift};
+use kahan_core::{Composition, ExtendScalars, Integrals};
 use kahan_runtime::interpreted::round;
 use kahan_runtime::{MachineFloat, Map, ParameterError};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
@@ -16,7 +16,7 @@ fn rows<T: Scalar + Copy, const N: usize>(matrix: &SMatrix<T, N, N>) -> Vec<T> {
 
 fn steps_agree<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: MachineFloat,
 {
     let mut random = Random(20_261_123);
@@ -42,7 +42,7 @@ where
 
 fn orbits_agree<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: MachineFloat,
 {
     let (start, eps) = (SVector::<T, N>::from_vec(Random(7).point(N)), number::<T>(0.01));
@@ -65,11 +65,11 @@ where
 
 fn agree<C, const N: usize>(command: &str, exact: &C, parameters: &[(&str, BigRational)])
 where
-    C: Lift<BigRational, N>,
+    C: ExtendScalars<BigRational, N>,
 {
     let map = catalog(command).with(parameters.iter().map(|(name, value)| (name, value))).expect("a map");
-    let double = exact.lift(|value| round::<f64>(&value.clone().into()));
-    let single = exact.lift(|value| round::<f32>(&value.clone().into()));
+    let double = exact.over(|value| round::<f64>(&value.clone().into()));
+    let single = exact.over(|value| round::<f32>(&value.clone().into()));
     steps_agree(command, &double, &map);
     steps_agree(command, &single, &map);
     orbits_agree(command, &double, &map);

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Ensemble, EnsembleScalar, Level, Lift};
+use kahan_core::{Composition, Ensemble, EnsembleScalar, ExtendScalars, Level};
 use kahan_runtime::{End, Field, Follow, MachineFloat, Map, MapAt};
 use kahan_systems::{E1, E3, E6, E9, LotkaVolterra};
 
@@ -44,7 +44,7 @@ fn levels<T: MachineFloat>(map: &Map, eps: T) -> impl Iterator<Item = (Level, Ma
 
 fn ensembles_agree<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
 where
-    M: Lift<T, N, Prepared: kahan_core::WideStep<T, N> + Sync> + Sync,
+    M: ExtendScalars<T, N, Prepared: kahan_core::WideStep<T, N> + Sync> + Sync,
     T: MachineFloat + EnsembleScalar,
 {
     for (count, eps) in
@@ -126,7 +126,7 @@ fn a_trajectory_has_the_bits_of_its_own_eps_and_parameters() {
 fn a_million_points_agree_at_every_level() {
     fn check<M, T, const N: usize>(name: &str, compiled: &M, map: &Map)
     where
-        M: Lift<T, N, Prepared: kahan_core::WideStep<T, N> + Sync> + Sync,
+        M: ExtendScalars<T, N, Prepared: kahan_core::WideStep<T, N> + Sync> + Sync,
         T: MachineFloat + EnsembleScalar,
     {
         const COUNT: usize = 1_000_003;

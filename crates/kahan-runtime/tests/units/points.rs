@@ -3,7 +3,7 @@
 
 use kahan_core::nalgebra::SVector;
 use kahan_core::prelude::*;
-use kahan_core::{FloatScalar, Lift, Need, NoSetting, ThroughPoles};
+use kahan_core::{ExtendScalars, FloatScalar, Need, NoSetting, ThroughPoles};
 
 use crate::answers::{Answers, NUMBER, RATE, SPEED, TIME, check_units};
 use crate::fields::{CASES, Case, Unit, map, two_to};
@@ -17,7 +17,7 @@ struct Subject<'a, M, T, const N: usize> {
     to: fn(f64) -> T,
 }
 
-impl<M: Lift<T, N>, T: FloatScalar + Pivot, const N: usize> Subject<'_, M, T, N> {
+impl<M: ExtendScalars<T, N>, T: FloatScalar + Pivot, const N: usize> Subject<'_, M, T, N> {
     fn start(&self) -> SVector<T, N> {
         SVector::from_fn(|i, _| (self.to)(self.unit.length(self.case.start[i])))
     }
@@ -68,7 +68,7 @@ impl<M: Lift<T, N>, T: FloatScalar + Pivot, const N: usize> Subject<'_, M, T, N>
     }
 }
 
-impl<M: Lift<f64, N>, const N: usize> Subject<'_, M, f64, N> {
+impl<M: ExtendScalars<f64, N>, const N: usize> Subject<'_, M, f64, N> {
     fn scenes(&self, answers: &mut Answers) {
         let scenes = [
             (Need::Trajectory, 20.0, 1e-6),
@@ -164,7 +164,7 @@ kahan! {
 
 fn check_compiled<M, T, const N: usize>(name: &str, units: &[Unit], to: fn(f64) -> T, map: impl Fn(T, T) -> M)
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: FloatScalar + ThroughPoles,
 {
     let case = CASES.iter().find(|case| case.name == name).expect("a case");

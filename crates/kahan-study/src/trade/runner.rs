@@ -105,8 +105,9 @@ impl Runner<'_> {
     /// Their Taylor coefficients at ε = 0: the values, and those of ε².
     pub(super) fn integrals_at_zero(&self, x: &[Dd]) -> Vec<[Dd; 2]> {
         // ε = d + d′ with d² = d′² = 0: the coefficient of dd′ is the second derivative.
-        let fixed = |value: Dd| Dual::<_, 1>::lift(Dual::<_, 1>::lift(value));
-        let eps = Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::lift(Dd::from(1.0))] };
+        let fixed = |value: Dd| Dual::<_, 1>::from_value(Dual::<_, 1>::from_value(value));
+        let eps =
+            Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::from_value(Dd::from(1.0))] };
         let claims = self.wide.over(|parameter| fixed(*parameter));
         let half = Dd::from(0.5);
         let coefficients = claims.integrals(&padded(x, fixed), &eps).into_iter().map(|value| match value {

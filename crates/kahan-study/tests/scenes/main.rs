@@ -12,7 +12,7 @@ mod seeded_fields;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_core::num_rational::BigRational;
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, Lift, NoSetting, Precision, Scene, Scheme, Setting};
+use kahan_core::{Composition, Dd, ExtendScalars, NoSetting, Precision, Scene, Scheme, Setting};
 use kahan_study::reference::{Limits, Reference, Trajectory};
 
 use seeded_fields::*;
@@ -38,7 +38,7 @@ const BUDGET: f64 = 1e6 / 3.0;
 
 fn judge<M, const N: usize>(map: &M, rng: &mut SplitMix64) -> Judged
 where
-    M: Lift<f64, N> + Lift<Dd, N> + Cases<N>,
+    M: ExtendScalars<f64, N> + ExtendScalars<Dd, N> + Cases<N>,
 {
     let start = M::start(rng);
     let (least, most) = M::HORIZONS;
@@ -66,7 +66,7 @@ where
 /// The largest distance from the truth over every step, the last of them standing for the horizon.
 fn error<M, const N: usize>(setting: &Setting, map: &M, x0: SVector<f64, N>, truth: &Reference) -> f64
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     let dt = Dd::from(2.0 * setting.eps());
     let mut worst = 0.0_f64;
@@ -89,7 +89,7 @@ fn within_budget<M, const N: usize>(
     tolerance: f64,
 ) -> Option<Setting>
 where
-    M: Lift<f64, N>,
+    M: ExtendScalars<f64, N>,
 {
     let (plain, wide) = (Scheme::of(Precision::Double), Scheme::of(Precision::DoubleDouble));
     for part in [0.125, 0.25, 0.5, 0.75, 1.0] {

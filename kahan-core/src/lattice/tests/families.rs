@@ -101,8 +101,8 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Kdv<T, OPEN> {
     const BOUNDARY: Boundary = boundary(OPEN);
 
     /// 3/h, 1/(2h³), and both times ε
-    fn constants<L: Scalar>(&self, eps: L, lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
-        let inverse = lift(&self.inverse);
+    fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>> {
+        let inverse = convert(&self.inverse);
         let advection = L::constant(&Constant::integer(3)) * inverse.clone();
         let third = inverse.clone() * inverse.clone() * inverse * L::constant(&Constant::ratio(1, 2));
         Some(vec![advection.clone(), third.clone(), eps.clone() * advection, eps * third])
@@ -153,8 +153,8 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
     const SITE_PARAMETERS: &'static [&'static str] = &[];
     const BOUNDARY: Boundary = boundary(OPEN);
 
-    fn constants<L: Scalar>(&self, eps: L, lift: impl Fn(&T) -> L) -> Option<Vec<L>> {
-        Some(core::iter::once(eps).chain(self.0.iter().map(lift)).collect())
+    fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>> {
+        Some(core::iter::once(eps).chain(self.0.iter().map(convert)).collect())
     }
 
     fn site_parameter(&self, _index: usize) -> &[T] {

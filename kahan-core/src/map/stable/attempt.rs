@@ -9,7 +9,7 @@ use num_traits::{One, Zero};
 
 use crate::field::linear::vector;
 use crate::scalar::bounded::{Bounded, Limit, Magnitude, Pair, Working, underflow};
-use crate::{KahanMap, Lift, Pivot, PreparedStep, Quotients};
+use crate::{ExtendScalars, KahanMap, Pivot, PreparedStep, Quotients};
 
 /// A next state, and what the error of any of its components is at most, their own last roundings
 /// apart.
@@ -31,7 +31,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
     where
         T: Pivot,
         P: Pair<V>,
-        M: Lift<T, N>,
+        M: ExtendScalars<T, N>,
     {
         // No input exceeds the sum of all sizes, which is not a number where an input is none.
         let sum = Cell::new(embed(eps).size());
@@ -41,7 +41,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
             Bounded::<V, P>::given(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        let attempt = Self::by_step(&map.lift(given), &state, Bounded::<V, P>::given(embed(eps)))?;
+        let attempt = Self::by_step(&map.over(given), &state, Bounded::<V, P>::given(embed(eps)))?;
         attempt.largest_input.allows(sum.get()).then_some(attempt)
     }
 

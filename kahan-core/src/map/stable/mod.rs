@@ -22,7 +22,7 @@ mod tests;
 use nalgebra::SVector;
 
 use crate::scalar::tuning::{is, same};
-use crate::{Dd, Lift, Pivot, SingularStep};
+use crate::{Dd, ExtendScalars, Pivot, SingularStep};
 
 use super::checked::try_step;
 
@@ -42,7 +42,7 @@ pub fn stable_step<M, T, const N: usize>(
     eps: &T,
 ) -> Result<SVector<T, N>, SingularStep>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Pivot,
 {
     // Which scalar it is, is known while compiling.
@@ -66,10 +66,10 @@ fn in_own_type<F, M, T, const N: usize>(
 ) -> Result<SVector<T, N>, SingularStep>
 where
     F: Promised,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: Pivot,
 {
-    let own = map.lift(|number| *same::<T, F>(number));
+    let own = map.over(|number| *same::<T, F>(number));
     let next = F::promised(&own, same(x), same(eps))?;
     Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
 }

@@ -21,7 +21,7 @@ use crate::scalar::tuning::{divides_by_eps, may_divide_by};
 #[cfg(feature = "std")]
 use crate::scalar::{Capacity, Long, Size, level_row};
 use crate::step::error::Reason;
-use crate::{KahanMap, Lift, PreparedStep, SingularStep};
+use crate::{ExtendScalars, KahanMap, PreparedStep, SingularStep};
 
 use super::attempt::Attempt;
 use super::scalars::{Promised, Widened};
@@ -48,7 +48,7 @@ pub(crate) fn in_own_precision<M, T, const N: usize>(
 ) -> Option<SVector<T, N>>
 where
     T: Promised,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     // The limits are those of bounded values, which are narrower than those of floats: with two
     // different limits compilers would keep the code of both forms in every step.
@@ -64,7 +64,7 @@ where
 fn in_general_form<M, T, const N: usize>(map: &M, x: SVector<T, N>, eps: T) -> Option<SVector<T, N>>
 where
     T: Promised,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     in_one_form(map, &x, &eps)
 }
@@ -74,7 +74,7 @@ where
 fn in_one_form<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
     T: Promised,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     let attempt = if const { M::Prepared::COST.operations <= SHORT } {
         Attempt::of::<T, Both<T>, M>(map, x, eps, T::clone)
@@ -99,7 +99,7 @@ pub(crate) fn in_next_wider<M, T, const N: usize>(
 ) -> Option<SVector<T, N>>
 where
     T: Widened,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     Attempt::of::<T, <T::Wider as Promised>::Packed, M>(map, x, eps, T::embed)
         .and_then(|attempt| attempt.rounded(PROMISE * T::UNIT, T::round, T::embed))
@@ -143,7 +143,7 @@ pub(crate) fn beyond<M, T, const N: usize>(
 ) -> Option<SingularStep>
 where
     T: Widened,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     match second(map, &x, &eps) {
         Some(settled) => {
@@ -159,7 +159,7 @@ where
 fn second<M, T, const N: usize>(map: &M, x: &SVector<T, N>, eps: &T) -> Option<SVector<T, N>>
 where
     T: Widened,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     in_next_wider(map, x, eps)
 }
@@ -175,7 +175,7 @@ pub(crate) fn in_wide<T, M, const N: usize>(
 ) -> Option<SingularStep>
 where
     T: Promised,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     let is_finite = Cell::new(eps.is_finite_number());
     let given = |number: &T| {
@@ -183,7 +183,7 @@ where
         Bounded::given(number.widen())
     };
     let last =
-        InWide { map: map.lift(given), state: SVector::from_fn(|i, _| given(&x[i])), eps: given(&eps) };
+        InWide { map: map.over(given), state: SVector::from_fn(|i, _| given(&x[i])), eps: given(&eps) };
     let report = |reason, determinant, bound| {
         Some(SingularStep::because(reason, determinant, bound, eps.approximate()))
     };
@@ -227,7 +227,7 @@ fn by_elimination<T, M, const N: usize>(
 ) -> Option<Reason>
 where
     T: Promised,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     let open = Some(Reason::Digits(Long::MOST_DIGITS));
     let tried = Capacity::ALL.into_iter().map(|capacity| eliminated(map, x, eps, next, capacity));
@@ -245,10 +245,10 @@ fn eliminated<T, M, const N: usize>(
 ) -> Option<Result<(), Reason>>
 where
     T: Promised,
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
 {
     let long = |number: &T| Long::new(number.widen(), capacity);
-    let (map, state, eps) = (map.lift(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
+    let (map, state, eps) = (map.over(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
     let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field(&state));
     for i in 0..N {
         level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::scalar::Wide;
 use crate::scalar::bounded::{Both, PackedDouble, PackedSingle, Pair, Working};
-use crate::{Dd, Lift, Pivot, SingularStep};
+use crate::{Dd, ExtendScalars, Pivot, SingularStep};
 
 use super::rungs::{beyond, in_next_wider, in_own_precision, in_wide, or_higher};
 
@@ -26,7 +26,7 @@ pub(crate) trait Promised: Working + Pivot {
         eps: &Self,
     ) -> Result<SVector<Self, N>, SingularStep>
     where
-        M: Lift<Self, N>,
+        M: ExtendScalars<Self, N>,
     {
         or_higher(in_own_precision(map, x, eps), in_wide, map, x, eps)
     }
@@ -86,7 +86,7 @@ impl Promised for f32 {
         eps: &Self,
     ) -> Result<SVector<Self, N>, SingularStep>
     where
-        M: Lift<Self, N>,
+        M: ExtendScalars<Self, N>,
     {
         if const { N > MOST_OF_SINGLE } {
             or_higher(in_next_wider(map, x, eps), in_wide, map, x, eps)
@@ -114,7 +114,7 @@ impl Promised for f64 {
         eps: &Self,
     ) -> Result<SVector<Self, N>, SingularStep>
     where
-        M: Lift<Self, N>,
+        M: ExtendScalars<Self, N>,
     {
         or_higher(in_own_precision(map, x, eps), beyond, map, x, eps)
     }

@@ -39,7 +39,7 @@ mod crowd {
     pub(super) const mu: i8 = 3;
     pub(super) struct eps;
     pub(super) const prepared: i8 = 4;
-    pub(super) static lift: i8 = 5;
+    pub(super) static convert: i8 = 5;
     pub(super) fn reduced() {}
     pub(super) fn vector() {}
 

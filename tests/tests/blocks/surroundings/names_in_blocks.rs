@@ -34,17 +34,17 @@ kahan! {
 
 kahan! {
     /// Names of temporaries.
-    pub(super) struct Temporaries { p_x, half_step, state, other, system, field, lifted, numerators, denominator }
+    pub(super) struct Temporaries { p_x, half_step, state, other, system, field, extended, numerators, denominator }
     s_xdot = p_x*t_1 + half_step*o_x;
     t_1dot = state*s_x - other*o_x^2;
-    o_xdot = system*field*s_x*t_1 + lifted;
+    o_xdot = system*field*s_x*t_1 + extended;
     c_2dot = numerators*s_x + 2*c_2*denominator;
 }
 
 kahan! {
     /// Names of what is generated.
-    pub(super) struct U { lift, prepared }
-    xdot = lift*x*y;
+    pub(super) struct U { convert, prepared }
+    xdot = convert*x*y;
     ydot = prepared*x^2;
 }
 
@@ -108,11 +108,11 @@ fn names_of_blocks_do_not_meet_names_of_the_macro() {
         other: ratio(1, 5),
         system: ratio(1, 6),
         field: ratio(1, 7),
-        lifted: ratio(1, 8),
+        extended: ratio(1, 8),
         numerators: ratio(1, 9),
         denominator: ratio(1, 10),
     });
-    assert_kahan(&U { lift: ratio(1, 2), prepared: ratio(1, 3) });
+    assert_kahan(&U { convert: ratio(1, 2), prepared: ratio(1, 3) });
     assert_kahan(&argument::x);
     assert_kahan(&Größe { größe: ratio(1, 2), Größe: ratio(1, 3) });
     assert_kahan(&Underscores { x_: ratio(1, 2), __x: ratio(1, 3) });

@@ -19,7 +19,7 @@ use std::boxed::Box;
 use nalgebra::SVector;
 
 use crate::step::error::Reason;
-use crate::{KahanAt, Lift, Orbit, PreparedStep, SingularStep};
+use crate::{ExtendScalars, KahanAt, Orbit, PreparedStep, SingularStep};
 
 use passage::{Lost, Passage, Place};
 pub use point::ProjectivePoint;
@@ -37,7 +37,7 @@ const MOST_VARIABLES: usize = 32;
 #[must_use = "an orbit computes nothing until it is iterated"]
 pub struct Projective<M, T, const N: usize>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     map: M,
@@ -51,7 +51,7 @@ where
 #[derive(Clone)]
 enum At<M, T, const N: usize>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     /// Before the first point.
@@ -70,7 +70,7 @@ where
 
 impl<M, T, const N: usize> At<M, T, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     fn point(x: SVector<T, N>) -> Self {
@@ -80,7 +80,7 @@ where
 
 impl<M, T, const N: usize> Orbit<KahanAt<M, T, N>>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     /// The same orbit through its poles, from where it is: points of projective space, which are at
@@ -136,7 +136,7 @@ where
 
 impl<M, T, const N: usize> Projective<M, T, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     /// Why the orbit has ended: `Some` from the moment on when it met a point of indeterminacy,
@@ -231,7 +231,7 @@ where
 
 impl<M, T, const N: usize> Iterator for Projective<M, T, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     type Item = ProjectivePoint<T, N>;
@@ -252,14 +252,14 @@ where
 
 impl<M, T, const N: usize> FusedIterator for Projective<M, T, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
 }
 
 impl<M, T, const N: usize> fmt::Debug for Projective<M, T, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -12,7 +12,7 @@ use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};
 
 use crate::field::linear::solve;
-use crate::{KahanMap, Lift, Scalar};
+use crate::{ExtendScalars, KahanMap, Scalar};
 
 use super::ThroughPoles;
 use super::germ::Germ;
@@ -75,12 +75,12 @@ pub(super) enum Lost {
 #[derive(Clone)]
 pub(super) struct Passage<M, T, const N: usize>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     start: SVector<T, N>,
     unit: T::Germ,
-    map: M::Lifted<T::Germ>,
+    map: M::Over<T::Germ>,
     eps: T::Germ,
     effort: usize,
     taken: usize,
@@ -90,12 +90,12 @@ where
 
 impl<M, T, const N: usize> Passage<M, T, N>
 where
-    M: Lift<T, N>,
+    M: ExtendScalars<T, N>,
     T: ThroughPoles,
 {
     /// From a point on.
     pub(super) fn from(map: &M, eps: &T, start: SVector<T, N>) -> Self {
-        let (map, eps, unit) = (map.lift(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
+        let (map, eps, unit) = (map.over(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
         let mut passage = Self { start, unit, map, eps, effort: 0, taken: 0, last: None, lines: Vec::new() };
         passage.begin();
         passage

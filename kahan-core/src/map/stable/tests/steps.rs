@@ -13,7 +13,7 @@ use crate::scalar::Wide;
 use crate::scalar::bounded::Both;
 use crate::scalar::bounded::Bounded;
 use crate::scalar::bounded::{Number, power_of_two};
-use crate::{Dd, KahanMap, Lift, Pivot, vector};
+use crate::{Dd, ExtendScalars, KahanMap, Pivot, vector};
 
 const BITS: i32 = 24;
 type Number24 = Worst<BITS>;
@@ -95,9 +95,9 @@ fn largest_part<M, const N: usize>(
     attempt: impl Fn(&SVector<f64, N>, f64) -> Option<Attempt<Number24, N>>,
 ) -> f64
 where
-    M: Lift<Number24, N>,
+    M: ExtendScalars<Number24, N>,
 {
-    let exact_map = map.lift(Worst::exact);
+    let exact_map = map.over(Worst::exact);
     let mut largest = 0.0_f64;
     cases(40, |x: SVector<f64, N>, eps| {
         let exact = exact_map
@@ -124,17 +124,18 @@ fn given<const N: usize>(x: &SVector<f64, N>) -> SVector<Bounded<Number24>, N> {
 
 #[test]
 fn an_attempt_is_within_what_it_says() {
-    let lift = |value: &Number24| Bounded::<Number24>::given(*value);
+    let convert = |value: &Number24| Bounded::<Number24>::given(*value);
     let eps = |eps: f64| Bounded::<Number24>::given(Worst::of_float(eps));
     let riccati = Riccati { k: Number24::of_float(0.75) };
     let chain = Chain { a: Number24::of_float(-0.625) };
-    let part = largest_part(&riccati, |x, e| Attempt::by_step(&riccati.lift(lift), &given(x), eps(e)));
+    let part = largest_part(&riccati, |x, e| Attempt::by_step(&riccati.over(convert), &given(x), eps(e)));
     assert!(part > 0.05, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&chain, |x, e| Attempt::by_step(&chain.lift(lift), &given(x), eps(e)));
+    let part = largest_part(&chain, |x, e| Attempt::by_step(&chain.over(convert), &given(x), eps(e)));
     assert!(part > 0.01, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&riccati, |x, e| Attempt::by_quotients(&riccati.lift(lift), &given(x), eps(e)));
+    let part =
+        largest_part(&riccati, |x, e| Attempt::by_quotients(&riccati.over(convert), &given(x), eps(e)));
     assert!(part > 0.03, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&chain, |x, e| Attempt::by_quotients(&chain.lift(lift), &given(x), eps(e)));
+    let part = largest_part(&chain, |x, e| Attempt::by_quotients(&chain.over(convert), &given(x), eps(e)));
     assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
 
@@ -162,7 +163,7 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
 #[test]
 fn the_first_rung_keeps_the_promise() {
     let riccati = Riccati { k: Number24::of_float(0.75) };
-    let exact_map = riccati.lift(Worst::exact);
+    let exact_map = riccati.over(Worst::exact);
     let (mut passed, mut refused, mut largest) = (0, 0, 0.0_f64);
     cases(300, |x: SVector<f64, 1>, eps| {
         let exact = exact_map

@@ -14,7 +14,7 @@ use super::tangent::carry_along;
 ///
 /// ```
 /// use kahan_core::prelude::*;
-/// use kahan_core::Lift;
+/// use kahan_core::ExtendScalars;
 ///
 /// kahan! {
 ///     /// A particle that meets resistance.
@@ -24,16 +24,16 @@ use super::tangent::carry_along;
 /// }
 ///
 /// let single = Drag { k: 0.25_f32 };
-/// let double = single.lift(|k| f64::from(*k));
+/// let double = single.over(|k| f64::from(*k));
 /// assert_eq!(double, Drag { k: 0.25_f64 });
 /// ```
-pub trait Lift<T: Scalar, const N: usize>: KahanMap<T, N> {
+pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system over the scalar U.
-    type Lifted<U: Scalar>: Lift<U, N>;
+    type Over<U: Scalar>: ExtendScalars<U, N>;
 
-    /// The system with each parameter put into U by `lift`. Parameters only: what is written in the
+    /// The system with each parameter put into U by `convert`. Parameters only: what is written in the
     /// field are exact numbers, which every scalar rounds for itself.
-    fn lift<U: Scalar>(&self, lift: impl Fn(&T) -> U) -> Self::Lifted<U>;
+    fn over<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Over<U>;
 
     /// The tangent vector `v` at `x` carried to x̃, which is `y`: J(x)·v. `None` at a pole of an
     /// exact scalar.
