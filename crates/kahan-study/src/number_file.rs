@@ -38,7 +38,7 @@ impl Entry for f64 {
 /// An exact number, `None` where there is none: an empty cell, or a float that is not finite.
 impl Entry for Option<Rational> {
     fn of_text(cell: &str) -> Option<Self> {
-        if cell.is_empty() { Some(None) } else { Rational::typed(cell).map(Some) }
+        if cell.is_empty() { Some(None) } else { Rational::parse(cell).map(Some) }
     }
 
     fn of_float(float: f64) -> Self {

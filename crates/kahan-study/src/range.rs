@@ -110,7 +110,7 @@ impl Range {
         found.sort_unstable_by(f64::total_cmp);
         found.dedup();
         // The shortest decimals that mean these numbers are those that they were written with.
-        let exactly = |value: &f64| Rational::typed(&format!("{value:?}"));
+        let exactly = |value: &f64| Rational::parse(&format!("{value:?}"));
         let (from, to) = (exactly(found.first()?)?, exactly(found.last()?)?);
         let range = Range { from, to, spacing: Spacing::Count(found.len()) };
         range.check(MANY).ok()?;

@@ -22,7 +22,7 @@ const ENDS: [(&str, &[&str], &str, u64, End); 6] = [
 ];
 
 fn number(text: &str) -> Rational {
-    Rational::typed(text).expect("a number")
+    Rational::parse(text).expect("a number")
 }
 
 fn over(study: &Study, asked: Observe, starts: &[&Vec<Rational>]) -> Vec<(String, i64, f64)> {

@@ -227,7 +227,7 @@ fn what_does_not_go_together_says_so() {
     assert!(matches!(error(asked(1 << 23)), StudyError::TooLong { cells } if cells > 1 << 24));
     let far = Orbit { scalar: ScalarKind::F32, eps: rational(10_i64.pow(18), 1), ..plain() };
     let far =
-        Orbit { at: vec![rational(10_i64.pow(18), 1), Rational::typed("1e40").expect("a number")], ..far };
+        Orbit { at: vec![rational(10_i64.pow(18), 1), Rational::parse("1e40").expect("a number")], ..far };
     assert!(matches!(
         error(far),
         StudyError::BeyondRange { what: "at", name, scalar: ScalarKind::F32 } if name == "y"

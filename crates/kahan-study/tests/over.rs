@@ -142,7 +142,7 @@ fn a_cell_has_what_the_question_answers_there() {
         }
         let Question::Observe(asked) = &*over.question else { unreachable!("it is one") };
         let mut asked = asked.clone();
-        let exactly = |value: f64| Rational::typed(&value.to_string()).expect("a number");
+        let exactly = |value: f64| Rational::parse(&value.to_string()).expect("a number");
         (asked.eps, asked.at) = (exactly(eps[cell]), vec![exactly(x[cell]), exactly(y[cell])]);
         asked.order = order[cell] as u32;
         let own = Subject::text("xdot = y/r; ydot = x^2 + r;").with("r", exactly(r[cell]));

@@ -9,6 +9,7 @@ use std::cell::OnceCell;
 use std::collections::HashSet;
 use std::ops::Range;
 
+use crate::rational::numeral::Numeral;
 use crate::spelling::derivative;
 use crate::token::{Token, TokenKind};
 
@@ -164,22 +165,9 @@ impl Lexer<'_> {
 
     /// A number and whatever letters touch it: `1`, `1.`, `1.5e-3`, `0x1F`, `2x`, `3eps`.
     fn number_length(&self) -> usize {
-        let digit = |c: char| c.is_ascii_digit() || c == '_';
-        let mut end = self.at + self.run(self.at, digit);
-        let after = |at: usize| self.text[at..].chars().next();
-        if after(end) == Some('.') && after(end + 1).is_none_or(|c| c != '.' && !starts_identifier(c)) {
-            end += 1;
-            end += self.run(end, digit);
-        }
-        if matches!(after(end), Some('e' | 'E')) {
-            let sign = usize::from(matches!(after(end + 1), Some('+' | '-')));
-            let digits = self.run(end + 1 + sign, digit);
-            if digits > 0 {
-                end += 1 + sign + digits;
-            }
-        }
-        end += self.run(end, continues_identifier);
-        end - self.at
+        let text = &self.text[self.at..];
+        let length = text.len() - Numeral::scan(text).rest.len();
+        length + self.run(self.at + length, continues_identifier)
     }
 
     fn string_length(&self) -> usize {

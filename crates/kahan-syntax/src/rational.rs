@@ -7,11 +7,11 @@
 //! division operator, since [`Rational::checked_div`] makes the zero divisor visible.
 
 mod arithmetic;
+pub(crate) mod numeral;
 mod rounding;
 #[cfg(test)]
 mod tests;
-mod text;
-mod typed;
+pub(crate) mod text;
 
 use std::cmp::Ordering;
 

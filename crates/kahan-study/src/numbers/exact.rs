@@ -15,7 +15,7 @@ pub trait Exactly: Sized {
     /// The text p/q, or p; null where there is none; lists of them.
     fn to_json(&self) -> Value;
 
-    /// The numbers that [`Rational::typed`] takes.
+    /// The numbers that [`Rational::parse`] takes.
     ///
     /// # Errors
     /// What is none, as a sentence.

@@ -10,8 +10,8 @@ use kahan_algebra::rational::Rational;
 /// What is wrong with the text, and what to write, as a sentence.
 pub fn number(text: &str) -> Result<Rational, String> {
     let text = text.trim();
-    Rational::typed(text).ok_or_else(|| {
-        let below = text.split_once('/').and_then(|(_, below)| Rational::typed(below));
+    Rational::parse(text).ok_or_else(|| {
+        let below = text.split_once('/').and_then(|(_, below)| Rational::parse(below));
         if below.is_some_and(|below| below.is_zero()) {
             format!("`{text}` divides by zero")
         } else if has_large_exponent(text) {
@@ -27,7 +27,7 @@ fn has_large_exponent(text: &str) -> bool {
     let parts = text.split(['e', 'E']).collect::<Vec<_>>();
     let [mantissa, exponent] = parts[..] else { return false };
     let digits = exponent.strip_prefix(['-', '+']).unwrap_or(exponent);
-    Rational::typed(mantissa).is_some()
+    Rational::parse(mantissa).is_some()
         && !digits.is_empty()
         && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
@@ -40,7 +40,7 @@ pub fn whole<T: Copy + Display + TryFrom<i128>>(text: &str, least: T, most: T) -
     let text = text.trim();
     let usual = || format!("write a whole number, {least} or more, such as 1000 or 1e3");
     let too_large = || format!("that is too large: the most is {most}");
-    let Some(value) = Rational::typed(text) else {
+    let Some(value) = Rational::parse(text) else {
         return Err(if has_large_exponent(text) && !text.contains("e-") { too_large() } else { usual() });
     };
     if !value.is_integer() || value.is_negative() {

@@ -81,7 +81,7 @@ fn exactly(entry: &Field) -> Option<Rational> {
         Field::Double(value) => Entry::of_float(*value),
         Field::Float(value) => Entry::of_float(f64::from(*value)),
         Field::Str(text) => Entry::of_text(text).flatten(),
-        whole => Rational::typed(&whole.to_string()),
+        whole => Rational::parse(&whole.to_string()),
     }
 }
 

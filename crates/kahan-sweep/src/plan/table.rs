@@ -39,7 +39,7 @@ impl<'t> Given<'t> {
     /// An exact number: `3`, `0.1`, `"1/3"`.
     pub(super) fn number(&self) -> Option<Rational> {
         let number = match self.value.get_ref() {
-            DeValue::String(text) => Rational::typed(text.trim()),
+            DeValue::String(text) => Rational::parse(text.trim()),
             _ => self.as_it_stands(),
         };
         self.expect(number, "no exact number; write it as 3, 0.1, 1e-3 or \"1/3\"")
@@ -59,7 +59,7 @@ impl<'t> Given<'t> {
     /// A decimal as what it says, not as the double that is near to it.
     fn as_it_stands(&self) -> Option<Rational> {
         let is_number = matches!(self.value.get_ref(), DeValue::Integer(_) | DeValue::Float(_));
-        is_number.then(|| Rational::typed(self.mistakes.source(self.value.span()).trim())).flatten()
+        is_number.then(|| Rational::parse(self.mistakes.source(self.value.span()).trim())).flatten()
     }
 
     /// A text.

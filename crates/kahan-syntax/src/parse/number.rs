@@ -6,20 +6,11 @@ use num_traits::Num;
 
 use crate::diagnostics::Kind;
 use crate::rational::Rational;
+use crate::rational::numeral::Numeral;
+use crate::rational::text::MAX_DECIMAL_EXPONENT;
 use crate::token::Span;
 
 use super::{Parsed, error};
-
-/// The largest size of a decimal exponent, and the largest number of digits of a literal.
-const LARGEST_EXPONENT: i64 = 4096;
-
-/// A literal split where its parts meet.
-struct Literal<'a> {
-    whole: &'a str,
-    fraction: &'a str,
-    exponent: &'a str,
-    suffix: &'a str,
-}
 
 /// The exact value of the literal `text`.
 pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
@@ -32,28 +23,28 @@ pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
             .map_or_else(|_| "write it in decimal".to_owned(), |value| format!("write `{value}`"));
         return error(Kind::Number, span, format!("`{text}` is not decimal"), help);
     }
-    let parts = split(text);
-    if !parts.suffix.is_empty() {
-        let number = &text[..text.len() - parts.suffix.len()];
-        return if is_type_suffix(parts.suffix) {
+    let Numeral { whole, fraction, rest: suffix, .. } = Numeral::scan(text);
+    if !suffix.is_empty() {
+        let number = &text[..text.len() - suffix.len()];
+        return if is_type_suffix(suffix) {
             let help = format!("write `{}`", number.trim_end_matches('_'));
             error(Kind::Number, span, format!("`{text}` carries a type, but numbers here are exact"), help)
         } else {
-            let help = format!("write `{number}*{}`", parts.suffix);
+            let help = format!("write `{number}*{suffix}`");
             error(Kind::Syntax, span, format!("`{text}`: a product needs its `*`"), help)
         };
     }
-    let exponent = parts.exponent.replace('_', "").parse::<i64>().unwrap_or(i64::MAX);
-    let digits = [parts.whole, parts.fraction].concat().bytes().filter(u8::is_ascii_digit).count();
-    if !(-LARGEST_EXPONENT..=LARGEST_EXPONENT).contains(&exponent) || digits as i64 > 2 * LARGEST_EXPONENT {
-        return error(
+    let digits = [whole, fraction].concat().bytes().filter(u8::is_ascii_digit).count();
+    let is_short = digits as i64 <= 2 * MAX_DECIMAL_EXPONENT;
+    match is_short.then(|| Rational::parse(&text.replace('_', ""))).flatten() {
+        Some(value) => Ok(value),
+        None => error(
             Kind::TooLarge,
             span,
-            format!("this literal is too large: decimal exponents go to {LARGEST_EXPONENT}"),
+            format!("this literal is too large: decimal exponents go to {MAX_DECIMAL_EXPONENT}"),
             "rescale the variables or the time",
-        );
+        ),
     }
-    Ok(Rational::typed(&text.replace('_', "")).expect("a number of this size is read"))
 }
 
 fn radix(text: &str) -> Option<u32> {
@@ -69,29 +60,4 @@ fn is_type_suffix(suffix: &str) -> bool {
     let suffix = suffix.trim_start_matches('_');
     let width = suffix.strip_prefix(['f', 'i', 'u']);
     matches!(width, Some("8" | "16" | "32" | "64" | "128" | "size"))
-}
-
-/// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3`, `f64`.
-fn split(text: &str) -> Literal<'_> {
-    let digits =
-        |from: usize| from + text[from..].bytes().take_while(|b| b.is_ascii_digit() || *b == b'_').count();
-    let byte = |at: usize| text.as_bytes().get(at).copied();
-    let whole_end = digits(0);
-    let mut end = whole_end;
-    let mut fraction = "";
-    if byte(end) == Some(b'.') {
-        let fraction_end = digits(end + 1);
-        fraction = &text[end + 1..fraction_end];
-        end = fraction_end;
-    }
-    let mut exponent = "0";
-    if matches!(byte(end), Some(b'e' | b'E')) {
-        let sign = usize::from(matches!(byte(end + 1), Some(b'+' | b'-')));
-        let exponent_end = digits(end + 1 + sign);
-        if text[end + 1 + sign..exponent_end].bytes().any(|b| b.is_ascii_digit()) {
-            exponent = text[end + 1..exponent_end].trim_matches('_');
-            end = exponent_end;
-        }
-    }
-    Literal { whole: &text[..whole_end], fraction, exponent, suffix: &text[end..] }
 }

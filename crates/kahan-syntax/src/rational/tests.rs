@@ -86,8 +86,7 @@ fn numbers_mean_what_is_written() {
     for wrong in [
         "",
         "-",
-        ".5",
-        "1.",
+        ".",
         "1e",
         "1e4097",
         "1e-4097",
@@ -97,9 +96,14 @@ fn numbers_mean_what_is_written() {
         "1 ",
         "0x1",
         "--1",
-        "1.5/2",
-        "1_0",
+        "1e1.5",
         "e3",
+        ".e3",
+        "1__0",
+        "_1",
+        "1_",
+        "1 2",
+        "inf",
     ] {
         assert_eq!(Rational::parse(wrong), None, "{wrong}");
     }
@@ -207,4 +211,21 @@ fn a_double_double_leaves_less_than_half_an_ulp_of_its_tail() {
     }
     assert_eq!(q("3/4").to_double_double(), (0.75, 0.0));
     assert_eq!(q("1e400").to_double_double(), (f64::INFINITY, 0.0));
+}
+
+#[test]
+fn numbers_are_read_as_people_type_them() {
+    for (typed, meant) in [
+        (".1", "1/10"),
+        ("-.25", "-1/4"),
+        ("5.", "5"),
+        ("5.e3", "5000"),
+        ("+3/7", "3/7"),
+        (".1/.3", "1/3"),
+        ("1_000.5", "2001/2"),
+        ("1.5E3", "1500"),
+        (".5e-1", "1/20"),
+    ] {
+        assert_eq!(q(typed).to_string(), meant, "{typed}");
+    }
 }

@@ -7,28 +7,38 @@ use std::fmt;
 
 use num_bigint::BigInt;
 
+use super::numeral::Numeral;
 use super::{Rational, Repr};
 
 /// Larger decimal exponents are refused, so that no short text makes a long number.
-const MAX_DECIMAL_EXPONENT: i64 = 4096;
+pub(crate) const MAX_DECIMAL_EXPONENT: i64 = 4096;
 
 impl Rational {
-    /// Reads `p`, `p/q` or a decimal such as `0.25`, `1e-3`, `-1.5E3`, with an optional sign in
-    /// front.
+    /// A decimal or a quotient of two, with a sign in front: `3/7`, `-2`, `0.25`, `1e-3`, `1_000`,
+    /// `.5`, `5.`.
     ///
-    /// `None` for anything else: spaces, `.5`, `1.`, a zero denominator, a decimal exponent beyond
-    /// 4096 in size.
+    /// `None` for what is no such number, divides by zero, or has an exponent beyond ±4096.
+    #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
-        let (negative, unsigned) = match text.strip_prefix('-') {
-            Some(rest) => (true, rest),
-            None => (false, text.strip_prefix('+').unwrap_or(text)),
-        };
-        let magnitude = match unsigned.split_once('/') {
-            Some((num, den)) => natural(num)?.checked_div(&natural(den)?)?,
+        let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+        let size = match unsigned.split_once('/') {
+            Some((above, below)) => decimal(above)?.checked_div(&decimal(below)?)?,
             None => decimal(unsigned)?,
         };
-        Some(if negative { -magnitude } else { magnitude })
+        Some(if text.starts_with('-') { -size } else { size })
     }
+}
+
+/// A decimal without a sign. Beyond what the language reads, as people type it: `.5`, `5.e3`.
+fn decimal(text: &str) -> Option<Rational> {
+    let text = without_separators(text).replacen(".e", "e", 1).replacen(".E", "E", 1);
+    let Numeral { whole, fraction, exponent, rest } = Numeral::scan(&text);
+    if !rest.is_empty() {
+        return None;
+    }
+    let exponent = if exponent.is_empty() { 0 } else { decimal_exponent(exponent)? };
+    let power = exponent - i64::try_from(fraction.len()).ok()?;
+    Some(&natural(&format!("{whole}{fraction}"))? * &Rational::from(10).pow(i32::try_from(power).ok()?)?)
 }
 
 /// A non-empty string of digits.
@@ -42,31 +52,19 @@ fn natural(digits: &str) -> Option<Rational> {
     }
 }
 
-/// `digits[.digits][e[sign]digits]`
-fn decimal(text: &str) -> Option<Rational> {
-    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
-        Some((mantissa, exponent)) => (mantissa, decimal_exponent(exponent)?),
-        None => (text, 0),
-    };
-    let Some((whole, fraction)) = mantissa.split_once('.') else {
-        return scale_by_ten(&natural(mantissa)?, exponent);
-    };
-    if whole.is_empty() || fraction.is_empty() {
-        return None;
-    }
-    let shift = i64::try_from(fraction.len()).ok()?;
-    scale_by_ten(&natural(&format!("{whole}{fraction}"))?, exponent - shift)
-}
-
 fn decimal_exponent(text: &str) -> Option<i64> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     let size = natural(digits)?.as_i64().filter(|size| *size <= MAX_DECIMAL_EXPONENT)?;
     Some(if text.starts_with('-') { -size } else { size })
 }
 
-fn scale_by_ten(value: &Rational, exponent: i64) -> Option<Rational> {
-    let power = Rational::from(10).pow(i32::try_from(exponent).ok()?)?;
-    Some(value * &power)
+/// The text without each `_` that stands between two digits.
+fn without_separators(text: &str) -> String {
+    let is_digit =
+        |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_digit);
+    let kept = text.char_indices();
+    let kept = kept.filter(|&(at, c)| c != '_' || !is_digit(at.checked_sub(1)) || !is_digit(Some(at + 1)));
+    kept.map(|(_, c)| c).collect()
 }
 
 /// `p`, or `p/q` where q is not 1.

@@ -170,7 +170,7 @@ impl Subject<'_> {
     pub(super) fn settings(&self) -> Markup {
         /// Steps of the figures that the horizon takes.
         const STEPS: f64 = 400.0;
-        let horizon = Rational::typed(&decimal(2.0 * self.scene.eps.to_f64() * STEPS));
+        let horizon = Rational::parse(&decimal(2.0 * self.scene.eps.to_f64() * STEPS));
         let asked = Trade::new(self.scene.start.clone(), horizon.expect("a printed number is one"));
         let asked = Trade { seconds: self.share(TRADE), ..asked };
         let asked = Asked::of(self.kept, Question::Trade(asked));
@@ -216,7 +216,7 @@ impl Subject<'_> {
         let nearer = start.iter().zip(extremes).map(|(start, [low, high])| {
             let (start, middle) = (start.to_f64(), 0.5 * (low + high));
             let near = between(start + 0.6 * (middle - start), high - low);
-            Rational::typed(&near).expect("a printed number is one")
+            Rational::parse(&near).expect("a printed number is one")
         });
         let at = vec![At::Line(start.clone(), nearer.collect())];
         let spread = Spread { count: Some(STARTS), ..Spread::default() };
