@@ -34,10 +34,12 @@ impl Rational {
 fn decimal(text: &str) -> Option<Rational> {
     let text = without_separators(text).replacen(".e", "e", 1).replacen(".E", "E", 1);
     let Numeral { whole, fraction, exponent, rest } = Numeral::scan(&text);
+    if !rest.is_empty() {
+        return None;
+    }
     let exponent = if exponent.is_empty() { 0 } else { decimal_exponent(exponent)? };
     let power = exponent - i64::try_from(fraction.len()).ok()?;
-    let digits = natural(&format!("{whole}{fraction}")).filter(|_| rest.is_empty())?;
-    Some(&digits * &Rational::from(10).pow(i32::try_from(power).ok()?)?)
+    Some(&natural(&format!("{whole}{fraction}"))? * &Rational::from(10).pow(i32::try_from(power).ok()?)?)
 }
 
 /// A non-empty string of digits.
