@@ -241,7 +241,7 @@ const _: () = {
             let __reciprocal_1 = __kahan::fenced(
                 __kahan::integer::<T>(-2)
                     .quotient(
-                        (__t_eps_y.clone() + __t_eps_y.clone()) * __t_eps_y.clone()
+                        __e_two_eps.get() * __s_y.clone() * __t_eps_y.clone()
                             + (__e_two_eps.get() * __s_x.clone())
                                 .multiply_add(
                                     __t_eps_x.clone(),

@@ -1,6 +1,9 @@
 //! An interpreted system as a Kahan map: every object by its program, or from the field where that
 //! is beyond the budget of terms.
 
+use std::marker::PhantomData;
+use std::sync::Arc;
+
 use kahan_core::__private::{jacobian_by_duals, stable_step};
 use kahan_core::nalgebra::{SMatrix, SVector};
 use kahan_core::{ExtendScalars, KahanMap, Pivot, QuadraticField, Scalar, SingularStep};
@@ -126,6 +129,7 @@ impl<T: Scalar, const N: usize> ExtendScalars<T, N> for Interpreted<T, N> {
     type Over<U: Scalar> = Interpreted<U, N>;
 
     fn over<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Interpreted<U, N> {
-        self.over(convert)
+        let parameters = self.parameters.iter().map(convert).collect();
+        Interpreted { engine: Arc::clone(&self.engine), parameters, dimension: PhantomData }
     }
 }

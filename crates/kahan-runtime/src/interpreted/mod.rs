@@ -18,7 +18,7 @@ use kahan_algebra::plan;
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Scalar, StepCost};
+use kahan_core::{ExtendScalars, Scalar, StepCost};
 use smallvec::SmallVec;
 
 use crate::engine::{Engine, Factors, Object, Tables};
@@ -116,13 +116,6 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
             Some(line.results(self.constants(eps), registers, x.as_slice())?.get(0))
         };
         self.engine.single_integrals().iter().map(value).collect()
-    }
-
-    /// The same system over another scalar, each parameter put into it by `convert`.
-    #[must_use]
-    pub fn over<U>(&self, convert: impl Fn(&T) -> U) -> Interpreted<U, N> {
-        let parameters = self.parameters.iter().map(convert).collect();
-        Interpreted { engine: Arc::clone(&self.engine), parameters, dimension: PhantomData }
     }
 
     /// x̃ − x along the couplings of many variables; `None` in few, and where a pivot is too small.

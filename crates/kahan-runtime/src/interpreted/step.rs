@@ -2,7 +2,7 @@
 
 use core::array::from_fn;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Elimination, PreparedStep, Quotients, Scalar, WideStep};
+use kahan_core::{Elimination, ExtendScalars, PreparedStep, Quotients, Scalar, WideStep};
 use std::sync::Arc;
 
 use crate::line::has_value;
