@@ -85,7 +85,7 @@ fn reference<M, const N: usize>(map: M, start: SVector<f64, N>) -> Vec<SVector<f
 where
     M: ExtendScalars<f64, N>,
 {
-    let wide = map.over(|parameter| Dd::from(*parameter));
+    let wide = map.extend_scalars(|parameter| Dd::from(*parameter));
     let steps = 1024;
     let eps = Dd::from(0.5 * HORIZON / (SAMPLES * steps) as f64);
     let orbit = wide.orbit(start.map(Dd::from), eps).composed(COMPOSITION);

@@ -105,7 +105,7 @@ where
     T: Scalar,
 {
     let state = SVector::from_fn(|i, _| Dual::coordinate(x[i].clone(), i));
-    let extended = map.over::<Dual<T, N>>(|parameter| Dual::from_value(parameter.clone()));
+    let extended = map.extend_scalars::<Dual<T, N>>(|parameter| Dual::from_value(parameter.clone()));
     let step = extended.prepare(&Dual::from_value(eps.clone()));
     let Some(increment) = step.increment(&state) else { pole(eps) };
     SMatrix::from_fn(|i, j| {

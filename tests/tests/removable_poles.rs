@@ -95,7 +95,7 @@ fn compiled_and_read_agree<M, const N: usize>(
         assert_eq!(carried, Some(map.jacobian(&x, eps.clone()) * v), "{name} at {x:?}");
     }
     let float = |value: &BigRational| Rational::from(value.clone()).to_f64();
-    let (compiled, interpreted) = (map.over(float), read.over(float));
+    let (compiled, interpreted) = (map.extend_scalars(float), read.extend_scalars(float));
     let (near, near_eps) = (x.map(|x| float(&x)), float(&eps));
     for x in [near, near.map(f64::next_up)] {
         let (one, other) = (compiled.try_step(&x, near_eps), interpreted.try_step(&x, near_eps));

@@ -71,7 +71,7 @@ where
         task(
             "macro: f32",
             Box::new(move |n| {
-                let narrow = generated.over(|parameter| *parameter as f32);
+                let narrow = generated.extend_scalars(|parameter| *parameter as f32);
                 arrive!(narrow.orbit(black_box(SVector::from(single_start)), EPS as f32), n);
             }),
         ),

@@ -79,28 +79,28 @@ where
         task(
             "accurate",
             Box::new(move |n| {
-                let wide = map.over(|parameter| Dd::from(*parameter));
+                let wide = map.extend_scalars(|parameter| Dd::from(*parameter));
                 arrive!(wide.orbit(black_box(start).map(Dd::from), Dd::from(EPS)), n);
             }),
         ),
         task(
             "f32",
             Box::new(move |n| {
-                let narrow = map.over(|parameter| *parameter as f32);
+                let narrow = map.extend_scalars(|parameter| *parameter as f32);
                 arrive!(narrow.orbit(black_box(single_start), EPS as f32), n);
             }),
         ),
         task(
             "f32 through f64",
             Box::new(move |n| {
-                let narrow = ThroughF64(map.over(|parameter| *parameter as f32));
+                let narrow = ThroughF64(map.extend_scalars(|parameter| *parameter as f32));
                 arrive!(narrow.orbit(black_box(single_start), EPS as f32), n);
             }),
         ),
         task(
             "f32, stable",
             Box::new(move |n| {
-                let at = map.over(|parameter| *parameter as f32).at(EPS as f32);
+                let at = map.extend_scalars(|parameter| *parameter as f32).at(EPS as f32);
                 let mut x = black_box(single_start);
                 for _ in 0..n {
                     x = at.try_step(&x).expect("no pole is near");

@@ -93,7 +93,7 @@ impl Check {
     fn scenes<M, const N: usize>(&mut self, map: M, start: [&str; N], horizon: f64) -> Result<()>
     where
         M: ExtendScalars<BigRational, N> + Text + Clone + Debug,
-        M::Over<f64>: ExtendScalars<f64, N>,
+        M::Extended<f64>: ExtendScalars<f64, N>,
     {
         let point = start.map(|x| Rational::parse(x).expect("a number").to_big());
         for tolerance in TOLERANCES {
@@ -106,7 +106,7 @@ impl Check {
             };
             // So many steps of an ε that was rounded end near the horizon, not at it.
             let limits = Limits { margin: 1.0 / 256.0, is_over: None };
-            let reference = Reference::of(&map.over::<Dd>(to), &asked, &limits)?;
+            let reference = Reference::of(&map.extend_scalars::<Dd>(to), &asked, &limits)?;
             let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };
             let name = format!("{map:?}, {tolerance:e}");
             self.scene::<M, N>(&name, &scene, &start, tolerance)?;
@@ -123,7 +123,7 @@ impl Check {
     ) -> Result<()>
     where
         M: ExtendScalars<BigRational, N> + Text + Clone,
-        M::Over<f64>: ExtendScalars<f64, N>,
+        M::Extended<f64>: ExtendScalars<f64, N>,
     {
         let told = command::choice(M::TEXT, start, scene.horizon, tolerance)?;
         let by_library = library(&scene.map, &scene.start, scene.horizon, tolerance);
@@ -210,10 +210,10 @@ fn library<M, const N: usize>(
 ) -> Option<Setting>
 where
     M: ExtendScalars<BigRational, N>,
-    M::Over<f64>: ExtendScalars<f64, N>,
+    M::Extended<f64>: ExtendScalars<f64, N>,
 {
     let start = SVector::from_fn(|i, _| to::<f64>(&start[i]));
-    let chosen = kahan_core::Scene::trajectory(horizon, tolerance).choose(&map.over::<f64>(to), &start);
+    let chosen = kahan_core::Scene::trajectory(horizon, tolerance).choose(&map.extend_scalars::<f64>(to), &start);
     let chosen = chosen.inspect_err(|why| println!("    the library refuses: {why}")).ok()?;
     Some(Setting { scheme: chosen.scheme(), eps: chosen.eps() })
 }

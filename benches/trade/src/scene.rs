@@ -84,9 +84,9 @@ macro_rules! with_scalar {
 }
 
 impl<M: ExtendScalars<BigRational, N>, const N: usize> Scene<M, N> {
-    fn parts<T: FloatScalar>(&self, eps: f64) -> (M::Over<T>, SVector<T, N>, T) {
+    fn parts<T: FloatScalar>(&self, eps: f64) -> (M::Extended<T>, SVector<T, N>, T) {
         let eps = BigRational::from_float(eps).expect("finite");
-        (self.map.over(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
+        (self.map.extend_scalars(to), SVector::from_fn(|i, _| to(&self.start[i])), to(&eps))
     }
 
     /// The largest distance from the reference over every step, the last standing for the horizon;

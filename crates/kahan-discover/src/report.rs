@@ -240,9 +240,15 @@ pub enum DiscoverError {
     NoMap,
     /// det A(x,−ε) vanishes identically at the values given: the map collapses the space.
     Collapse,
+    /// The field has more variables than a search looks at.
+    TooManyVariables(usize),
     /// The map in lowest terms is beyond the budget of terms, so its poles cannot be listed.
     TooLong,
 }
+
+/// The most variables of a field that a search looks at: its first elimination takes seconds there,
+/// and its cost grows with their cube.
+pub(crate) const MOST_VARIABLES: usize = 500;
 
 impl fmt::Display for DiscoverError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -261,6 +267,10 @@ impl fmt::Display for DiscoverError {
             ),
             DiscoverError::Collapse => f.write_str(
                 "det A(x, -eps) vanishes identically at these values, so the map cannot be inverted and its orbits say nothing of integrals: choose another eps or other parameters",
+            ),
+            DiscoverError::TooManyVariables(found) => write!(
+                f,
+                "the field has {found} variables, and a search looks at {MOST_VARIABLES} at most: take a shorter chain, or fewer equations"
             ),
             DiscoverError::TooLong => f.write_str(
                 "the map in lowest terms is beyond the budget of terms, so its poles cannot be listed: fix parameters or eps",

@@ -28,7 +28,8 @@ use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
 use crate::report::{
-    Bound, DensitySearch, DiscoverError, HamiltonianReport, ModifiedPlace, Options, Report, StructureReport,
+    Bound, DensitySearch, DiscoverError, HamiltonianReport, MOST_VARIABLES, ModifiedPlace, Options, Report,
+    StructureReport,
 };
 use crate::search::Reach;
 use crate::search_field::{SampledStep, SearchField};
@@ -485,6 +486,10 @@ pub(crate) fn specialised(
     system: &System,
     parameters: &[(String, Rational)],
 ) -> Result<System, DiscoverError> {
+    let n = system.field.dimension();
+    if n > MOST_VARIABLES {
+        return Err(DiscoverError::TooManyVariables(n));
+    }
     let mut values = Vec::new();
     for (name, value) in parameters {
         let place = system.field.symbols.parameters.iter().position(|known| known == name);

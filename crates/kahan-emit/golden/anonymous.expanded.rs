@@ -135,7 +135,7 @@ fn scope() {
             }
             impl<T: __kahan::Scalar> __kahan::ExtendScalars<T, 2> for Field<T> {
                 #[inline(always)]
-                fn over<U: __kahan::Scalar>(
+                fn extend_scalars<U: __kahan::Scalar>(
                     &self,
                     convert: impl __kahan::Fn(&T) -> U,
                 ) -> Field<U> {

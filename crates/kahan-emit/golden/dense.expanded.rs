@@ -68,7 +68,7 @@ const _: () = {
     }
     impl<T: __kahan::Scalar> __kahan::ExtendScalars<T, 6> for Dense<T> {
         #[inline(always)]
-        fn over<U: __kahan::Scalar>(
+        fn extend_scalars<U: __kahan::Scalar>(
             &self,
             convert: impl __kahan::Fn(&T) -> U,
         ) -> Dense<U> {

@@ -374,9 +374,12 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::ExtendScalars<T, 3> for E3 {
-        type Over<U: __kahan::Scalar> = E3;
+        type Extended<U: __kahan::Scalar> = E3;
         #[inline(always)]
-        fn over<U: __kahan::Scalar>(&self, convert: impl __kahan::Fn(&T) -> U) -> E3 {
+        fn extend_scalars<U: __kahan::Scalar>(
+            &self,
+            convert: impl __kahan::Fn(&T) -> U,
+        ) -> E3 {
             __kahan::Clone::clone(self)
         }
     }

@@ -254,9 +254,9 @@ const _: () = {
         }
     }
     impl<T: __kahan::Scalar> __kahan::ExtendScalars<T, 2> for Pendulum<T> {
-        type Over<U: __kahan::Scalar> = Pendulum<U>;
+        type Extended<U: __kahan::Scalar> = Pendulum<U>;
         #[inline(always)]
-        fn over<U: __kahan::Scalar>(
+        fn extend_scalars<U: __kahan::Scalar>(
             &self,
             convert: impl __kahan::Fn(&T) -> U,
         ) -> Pendulum<U> {

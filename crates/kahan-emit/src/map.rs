@@ -107,7 +107,7 @@ fn emit_elimination(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to `impl<T: Scalar> ExtendScalars<T, 3> for E7<T> { type Over<U: Scalar> = E7<U>; … }`.
+/// Expands to `impl<T: Scalar> ExtendScalars<T, 3> for E7<T> { type Extended<U: Scalar> = E7<U>; … }`.
 fn emit_extension(context: &Context<'_>) -> TokenStream {
     let (this, name, scalar, dimension) =
         (context.this.path(), &context.this.name, &context.this.scalar, &context.dimension);
@@ -124,9 +124,9 @@ fn emit_extension(context: &Context<'_>) -> TokenStream {
     };
     quote! {
         impl<#scalar: __kahan::Scalar> __kahan::ExtendScalars<#scalar, #dimension> for #this {
-            type Over<#other: __kahan::Scalar> = #extended;
+            type Extended<#other: __kahan::Scalar> = #extended;
             #[inline(always)]
-            fn over<#other: __kahan::Scalar>(
+            fn extend_scalars<#other: __kahan::Scalar>(
                 &self,
                 convert: impl __kahan::Fn(&#scalar) -> #other,
             ) -> #extended {

@@ -21,11 +21,11 @@ const BLOCKS: [(&str, &[&str]); 7] = [
     // Parameters and what is divided by them.
     ("parameters", &[]),
     // Without a header, so that it becomes a value.
-    ("anonymous", &["quotients", "prepare", "over"]),
+    ("anonymous", &["quotients", "prepare", "extend_scalars"]),
     // Broken, and a type all the same.
     ("broken", &["integrals", "prepare"]),
     // Beyond the budget of terms: it steps by elimination.
-    ("dense", &["prepare", "over"]),
+    ("dense", &["prepare", "extend_scalars"]),
     // Of more than eight variables: it eliminates along the couplings.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
     // A family: the lines of one site.

@@ -98,10 +98,10 @@ where
     let parameters: Vec<BigRational> = parameters.iter().map(|text| q(text)).collect();
     let interpreted = read::<N>(text, &parameters);
     agree(command, exact, &interpreted);
-    let double = exact.over(|p| round::<f64>(&p.clone().into()));
+    let double = exact.extend_scalars(|p| round::<f64>(&p.clone().into()));
     agree(command, &double, &interpreted.rounded());
-    agree(command, &double, &interpreted.over(|p| round::<f64>(&p.clone().into())));
-    agree(command, &exact.over(|p| round::<f32>(&p.clone().into())), &interpreted.rounded());
+    agree(command, &double, &interpreted.extend_scalars(|p| round::<f64>(&p.clone().into())));
+    agree(command, &exact.extend_scalars(|p| round::<f32>(&p.clone().into())), &interpreted.rounded());
 }
 
 #[test]
@@ -184,7 +184,7 @@ fn a_widened_step_is_the_step_over_the_wider_scalar() {
     let map = read::<3>(find("e9").expect("e9").text(), &[q("0.75")]).rounded::<f32>();
     let (x, eps) = (vector![0.5_f32, -0.25, 0.75], 0.125_f32);
     let wide = map.at(eps).prepared().widen(|value| f64::from(*value));
-    let wider = map.over(|value| f64::from(*value)).at(f64::from(eps));
+    let wider = map.extend_scalars(|value| f64::from(*value)).at(f64::from(eps));
     assert_eq!(wide.next(&x.map(f64::from)), Some(wider.step(&x.map(f64::from))));
 }
 

@@ -24,16 +24,16 @@ use super::tangent::carry_along;
 /// }
 ///
 /// let single = Drag { k: 0.25_f32 };
-/// let double = single.over(|k| f64::from(*k));
+/// let double = single.extend_scalars(|k| f64::from(*k));
 /// assert_eq!(double, Drag { k: 0.25_f64 });
 /// ```
 pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system over the scalar U.
-    type Over<U: Scalar>: ExtendScalars<U, N>;
+    type Extended<U: Scalar>: ExtendScalars<U, N>;
 
     /// The system with each parameter put into U by `convert`. Parameters only: what is written in the
     /// field are exact numbers, which every scalar rounds for itself.
-    fn over<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Over<U>;
+    fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Extended<U>;
 
     /// The tangent vector `v` at `x` carried to x̃, which is `y`: J(x)·v. `None` at a pole of an
     /// exact scalar.

@@ -67,7 +67,7 @@ where
     M: ExtendScalars<T, N>,
     T: Scalar,
 {
-    let extended = map.over::<Along<T>>(|parameter| Along::from_value(parameter.clone()));
+    let extended = map.extend_scalars::<Along<T>>(|parameter| Along::from_value(parameter.clone()));
     let quotients: Quotients<_, N> = extended.prepare(&Along::from_value(eps.clone())).quotients(&along)?;
     // In its place: over lanes, compilers call what builds an array.
     for i in 0..N {

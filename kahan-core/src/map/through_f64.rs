@@ -186,11 +186,11 @@ where
 
 impl<M> ThroughF64<M> {
     /// The map over `f64`, its parameters those of the map over `f32`.
-    fn wide<const N: usize>(&self) -> M::Over<f64>
+    fn wide<const N: usize>(&self) -> M::Extended<f64>
     where
         M: ExtendScalars<f32, N>,
     {
-        self.0.over(|parameter| f64::from(*parameter))
+        self.0.extend_scalars(|parameter| f64::from(*parameter))
     }
 }
 
@@ -200,7 +200,7 @@ impl<M, const N: usize> KahanMap<f32, N> for ThroughF64<M>
 where
     M: ExtendScalars<f32, N>,
 {
-    type Prepared = ThroughF64Step<<M::Over<f64> as KahanMap<f64, N>>::Prepared>;
+    type Prepared = ThroughF64Step<<M::Extended<f64> as KahanMap<f64, N>>::Prepared>;
 
     #[inline]
     fn prepare(&self, eps: &f32) -> Self::Prepared {

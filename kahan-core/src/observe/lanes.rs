@@ -35,7 +35,7 @@ where
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> usize {
         let Self { map, work: SideBySide { places, vectors, squares, .. } } = self;
-        let stages = map.stages(|at| (at.map.over(L::spread), L::spread(&at.eps)));
+        let stages = map.stages(|at| (at.map.extend_scalars(L::spread), L::spread(&at.eps)));
         let (most, least) = (L::spread(&most()), L::spread(&(T::one() / most())));
         let mut squares = squares.chunks_exact_mut(vectors.len());
         for (step, places) in places.windows(2).enumerate() {

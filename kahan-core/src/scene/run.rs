@@ -101,16 +101,16 @@ impl Setting {
         let single = |x: f64| x as f32;
         match self.scheme.precision {
             Precision::Single => {
-                let map = map.over::<f32>(|parameter| single(*parameter));
+                let map = map.extend_scalars::<f32>(|parameter| single(*parameter));
                 self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
             }
             Precision::SingleThroughDouble => {
-                let map = ThroughF64(map.over::<f32>(|parameter| single(*parameter)));
+                let map = ThroughF64(map.extend_scalars::<f32>(|parameter| single(*parameter)));
                 self.with_mode(&map, x0.map(single), single(self.eps), Dd::from, task)
             }
             Precision::Double => self.with_mode(map, x0, self.eps, Dd::from, task),
             Precision::DoubleDouble => {
-                let map = map.over::<Dd>(|parameter| Dd::from(*parameter));
+                let map = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
                 self.with_mode(&map, x0.map(Dd::from), Dd::from(self.eps), |x| x, task)
             }
         }

@@ -51,7 +51,7 @@ where
             answer => return answer.map_err(|refusal| refusal.why),
         }
     }
-    let wide = map.over::<Dd>(|parameter| Dd::from(*parameter));
+    let wide = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
     let flow = budget.flow(scene, &wide, start.map(Dd::from))?;
     let choice = Choice { scene, map, x0, flow: &flow, others: &OTHERS };
     choice.choose(&mut budget).map_err(|refusal| refusal.why)

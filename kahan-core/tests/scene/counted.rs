@@ -54,10 +54,10 @@ impl<T: Scalar, P: PreparedStep<T, N>, const N: usize> PreparedStep<T, N> for Co
 }
 
 impl<T: Scalar, M: ExtendScalars<T, N>, const N: usize> ExtendScalars<T, N> for Counted<M> {
-    type Over<U: Scalar> = Counted<M::Over<U>>;
+    type Extended<U: Scalar> = Counted<M::Extended<U>>;
 
-    fn over<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Over<U> {
-        Counted(self.0.over(convert))
+    fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Extended<U> {
+        Counted(self.0.extend_scalars(convert))
     }
 }
 

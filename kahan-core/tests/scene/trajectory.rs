@@ -8,7 +8,7 @@ use kahan_core::prelude::*;
 use kahan_core::{Composition, ExtendScalars, Setting};
 
 pub(crate) struct Trajectory<M: ExtendScalars<f64, N>, const N: usize> {
-    map: M::Over<Dd>,
+    map: M::Extended<Dd>,
     points: Vec<SVector<Dd, N>>,
     dt: f64,
     scale: f64,
@@ -20,7 +20,7 @@ impl<M: ExtendScalars<f64, N>, const N: usize> Trajectory<M, N> {
     /// A little beyond the horizon: so many steps of an ε that was rounded do not end there
     /// exactly.
     pub(crate) fn new(map: &M, x0: &SVector<f64, N>, horizon: f64, steps: usize) -> Self {
-        let map = map.over::<Dd>(|parameter| Dd::from(*parameter));
+        let map = map.extend_scalars::<Dd>(|parameter| Dd::from(*parameter));
         let dt = horizon / steps as f64;
         let orbit = map.orbit(x0.map(Dd::from), Dd::from(dt / 2.0)).composed(HIGHEST);
         let points: Vec<_> = orbit.take(steps + steps / 64 + 2).collect();

@@ -10,7 +10,7 @@
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{KahanMap, ProjectivePoint};
+use kahan_core::{ExtendScalars, KahanMap, ProjectivePoint};
 use kahan_discover::poles::Pattern;
 use kahan_discover::{Options, Unwatched, poles};
 use kahan_runtime::Field;
@@ -150,7 +150,7 @@ fn floats_follow(name: &str, map: &Map, pattern: &Pattern, x: &[Rational], eps: 
     let floats: Interpreted<f64, N> = map.rounded();
     let start: SVector<f64, N> = SVector::from_fn(|i, _| x.get(i).map_or(0.0, Rational::to_f64));
     let eps_float = Rational::from(eps.clone()).to_f64();
-    let exact = floats.over(|parameter| exactly(*parameter));
+    let exact = floats.extend_scalars(|parameter| exactly(*parameter));
     let exact = exact.orbit(start.map(exactly), eps.clone()).projective();
     let found = floats.orbit(start, eps_float).projective();
     let steps = if pattern.confined == Some(true) { pattern.steps } else { STEPS };

@@ -39,7 +39,7 @@ fn median_error<M: ExtendScalars<f64, N>, const N: usize>(map: &M, size: f64) ->
             let eps = size / norm.fold(0.0, f64::max);
             let next = map.step(&x, eps);
             let carried = map.at(eps).tangent().carry_to(&x, &next, &v).expect("a float has a value");
-            let wide = map.over(|parameter| Dd::from(*parameter));
+            let wide = map.extend_scalars(|parameter| Dd::from(*parameter));
             let [x, v] = [x, v].map(|entries| entries.map(Dd::from));
             let exact = (wide.jacobian(&x, Dd::from(eps)) * v).map(|entry| entry.approximate());
             (carried - exact).amax() / (UNIT_F64 * exact.amax())

@@ -131,7 +131,7 @@ where
     T: Judged,
     M: ExtendScalars<T, N>,
 {
-    let exact_map = map.over(T::exact);
+    let exact_map = map.extend_scalars(T::exact);
     let exact_x = x.map(|entry| entry.exact());
     let exact_eps = eps.exact();
     let step = |x: &SVector<BigRational, N>, eps: &BigRational| exact_map.try_step(x, eps.clone()).ok();
@@ -208,7 +208,7 @@ where
     T: Judged,
     M: ExtendScalars<T, N>,
 {
-    let extended = map.over(|parameter| parameter.to_f64().expect("a float"));
+    let extended = map.extend_scalars(|parameter| parameter.to_f64().expect("a float"));
     let state = x.map(|entry| entry.to_f64().expect("a float"));
     let sign = |eps: f64| extended.det_matrix(&state, eps) > 0.0;
     let (mut near, mut far) = (0.0, 0.0);
@@ -312,8 +312,9 @@ fn what_is_not_finite_is_never_ok() {
 #[test]
 fn removable_poles_have_values_and_true_ones_have_none() {
     let next = E1.try_step(&vector![-2.0, 0.75, 0.5], 0.5).expect("the reduced map has a value");
-    let exact =
-        E1.over(|x: &f64| x.exact()).step(&vector![-2.0, 0.75, 0.5].map(|x: f64| x.exact()), 0.5.exact());
+    let exact = E1
+        .extend_scalars(|x: &f64| x.exact())
+        .step(&vector![-2.0, 0.75, 0.5].map(|x: f64| x.exact()), 0.5.exact());
     assert_eq!(next.map(|x| x.exact()), exact);
     let error = E1.try_step(&vector![2.0, 0.75, 0.5], 0.5).expect_err("a pole");
     assert_eq!((error.determinant(), error.eps(), error.bound()), (0.0, 0.5, f64::INFINITY));

@@ -40,7 +40,7 @@ fn exact<T: ToPrimitive>(value: &T) -> BigRational {
 /// The most entries in a row of A, at a point where none is 0 by chance.
 fn widest_row<T: Judged, M: ExtendScalars<T, N>, const N: usize>(map: &M) -> usize {
     let x = SVector::from_fn(|i, _| BigRational::new((i * i + 3).into(), 7.into()));
-    let matrix = map.over(exact::<T>).matrix(&x, BigRational::new(1.into(), 11.into()));
+    let matrix = map.extend_scalars(exact::<T>).matrix(&x, BigRational::new(1.into(), 11.into()));
     let widths = matrix.row_iter().map(|row| row.iter().filter(|entry| !entry.is_zero()).count());
     widths.max().unwrap_or(0)
 }
@@ -56,7 +56,7 @@ where
     T: Judged,
     M: ExtendScalars<T, N>,
 {
-    let map = map.over(exact::<T>);
+    let map = map.extend_scalars(exact::<T>);
     let (x, eps, next) = (x.map(|x| exact(&x)), exact(eps), next.map(|x| exact(&x)));
     let (a, b) = (map.matrix(&x, eps.clone()), map.rhs(&x, eps));
     let mut worst = BigRational::zero();
@@ -97,7 +97,8 @@ where
             // Extreme numbers may leave no step that can be told; ordinary ones only at a pole.
             Err(_) if sizes == T::SIZES => {}
             Err(why) => {
-                let determinant = map.over(exact::<T>).det_matrix(&x.map(|x| exact(&x)), exact(&eps));
+                let determinant =
+                    map.extend_scalars(exact::<T>).det_matrix(&x.map(|x| exact(&x)), exact(&eps));
                 assert!(determinant.is_zero(), "{why} at {x:?}, {eps:?}");
             }
         }

@@ -39,7 +39,7 @@ fn every_limit_of_a_question_is_that_of_its_table() {
     let pictured = ["picture", "e6", "--eps", "1/20", "--at", "1,2,3", "--out", &out];
     let lv = |command| [command, "lv", "--eps", "0.1", "--at", "0.6,1"];
     let beyond_doubles = ["--steps", "9007199254740993"];
-    let calls: [(&str, Vec<&str>); 18] = [
+    let calls: [(&str, Vec<&str>); 19] = [
         ("variables of a chain that", [&["show"], &chain[..], &["--sites", "201"]].concat()),
         (
             "numbers of the state of a chain",
@@ -83,6 +83,7 @@ fn every_limit_of_a_question_is_that_of_its_table() {
             ]
             .concat(),
         ),
+        ("variables of a field that `discover`", vec!["discover", "--field", &large]),
         ("monomials of a relation", vec!["discover", "lv", "--degree", "90"]),
         ("steps that `poles`", vec!["poles", "lv", "--steps", "101"]),
     ];

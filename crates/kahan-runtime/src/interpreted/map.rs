@@ -126,9 +126,9 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
 }
 
 impl<T: Scalar, const N: usize> ExtendScalars<T, N> for Interpreted<T, N> {
-    type Over<U: Scalar> = Interpreted<U, N>;
+    type Extended<U: Scalar> = Interpreted<U, N>;
 
-    fn over<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Interpreted<U, N> {
+    fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Interpreted<U, N> {
         let parameters = self.parameters.iter().map(convert).collect();
         Interpreted { engine: Arc::clone(&self.engine), parameters, dimension: PhantomData }
     }

@@ -57,7 +57,7 @@ impl<const N: usize> Interpreted<BigRational, N> {
     /// The system over another scalar, each parameter rounded once from its exact value.
     #[must_use]
     pub fn rounded<T: Scalar>(&self) -> Interpreted<T, N> {
-        self.over(|parameter: &BigRational| round(&Rational::from(parameter.clone())))
+        self.extend_scalars(|parameter: &BigRational| round(&Rational::from(parameter.clone())))
     }
 }
 

@@ -75,7 +75,7 @@ impl<T: Scalar, const N: usize> WideStep<T, N> for InterpretedStep<T, N> {
 
     fn widen<L: Scalar>(&self, spread: impl Fn(&T) -> L) -> InterpretedStep<L, N> {
         InterpretedStep {
-            map: self.map.over(&spread),
+            map: self.map.extend_scalars(&spread),
             eps: spread(&self.eps),
             is_general: self.is_general,
             kept: self.kept.iter().map(&spread).collect(),

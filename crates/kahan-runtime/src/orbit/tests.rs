@@ -57,15 +57,15 @@ where
 /// The orbit of any map over ℚ in a scheme, at its first point. Coordinates that lack are 0.
 fn of_map<M, const N: usize>(exact: &M, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Box<dyn Steps>
 where
-    M: ExtendScalars<BigRational, N, Over<f32>: 'static, Over<f64>: 'static, Over<Dd>: 'static>,
+    M: ExtendScalars<BigRational, N, Extended<f32>: 'static, Extended<f64>: 'static, Extended<Dd>: 'static>,
 {
     match scheme.precision {
-        Precision::Single => in_scheme(&exact.over(number::<f32>), scheme, eps, start),
+        Precision::Single => in_scheme(&exact.extend_scalars(number::<f32>), scheme, eps, start),
         Precision::SingleThroughDouble => {
-            in_scheme(&ThroughF64(exact.over(number::<f32>)), scheme, eps, start)
+            in_scheme(&ThroughF64(exact.extend_scalars(number::<f32>)), scheme, eps, start)
         }
-        Precision::Double => in_scheme(&exact.over(number::<f64>), scheme, eps, start),
-        Precision::DoubleDouble => in_scheme(&exact.over(number::<Dd>), scheme, eps, start),
+        Precision::Double => in_scheme(&exact.extend_scalars(number::<f64>), scheme, eps, start),
+        Precision::DoubleDouble => in_scheme(&exact.extend_scalars(number::<Dd>), scheme, eps, start),
     }
 }
 
@@ -109,7 +109,7 @@ where
 /// 0.
 fn agree<M, const N: usize>(command: &str, parameters: &[&str], exact: &M)
 where
-    M: ExtendScalars<BigRational, N, Over<f32>: 'static, Over<f64>: 'static, Over<Dd>: 'static>,
+    M: ExtendScalars<BigRational, N, Extended<f32>: 'static, Extended<f64>: 'static, Extended<Dd>: 'static>,
 {
     let text = kahan_systems::registry::find(command).expect("in the catalog").text();
     let system = kahan_algebra::read(&kahan_algebra::lexer::lex(text).tokens).system().expect("a system");

@@ -68,8 +68,8 @@ where
     C: ExtendScalars<BigRational, N>,
 {
     let map = catalog(command).with(parameters.iter().map(|(name, value)| (name, value))).expect("a map");
-    let double = exact.over(|value| round::<f64>(&value.clone().into()));
-    let single = exact.over(|value| round::<f32>(&value.clone().into()));
+    let double = exact.extend_scalars(|value| round::<f64>(&value.clone().into()));
+    let single = exact.extend_scalars(|value| round::<f32>(&value.clone().into()));
     steps_agree(command, &double, &map);
     steps_agree(command, &single, &map);
     orbits_agree(command, &double, &map);

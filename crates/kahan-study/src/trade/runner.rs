@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{Dd, Dual, Precision, Scalar, Scheme};
+use kahan_core::{Dd, Dual, ExtendScalars, Precision, Scalar, Scheme};
 use kahan_runtime::interpreted::Padded;
 use kahan_runtime::{Field, Map};
 
@@ -108,7 +108,7 @@ impl Runner<'_> {
         let fixed = |value: Dd| Dual::<_, 1>::from_value(Dual::<_, 1>::from_value(value));
         let eps =
             Dual { value: Dual::coordinate(Dd::from(0.0), 0), gradient: [Dual::from_value(Dd::from(1.0))] };
-        let claims = self.wide.over(|parameter| fixed(*parameter));
+        let claims = self.wide.extend_scalars(|parameter| fixed(*parameter));
         let half = Dd::from(0.5);
         let coefficients = claims.integrals(&padded(x, fixed), &eps).into_iter().map(|value| match value {
             Some(value) => [value.value.value, value.gradient[0].gradient[0] * half],

@@ -41,7 +41,7 @@ impl<V: Working, const N: usize> Attempt<V, N> {
             Bounded::<V, P>::given(value)
         };
         let state = SVector::from_fn(|i, _| given(&x[i]));
-        let attempt = Self::by_step(&map.over(given), &state, Bounded::<V, P>::given(embed(eps)))?;
+        let attempt = Self::by_step(&map.extend_scalars(given), &state, Bounded::<V, P>::given(embed(eps)))?;
         attempt.largest_input.allows(sum.get()).then_some(attempt)
     }
 

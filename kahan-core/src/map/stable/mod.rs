@@ -69,7 +69,7 @@ where
     M: ExtendScalars<T, N>,
     T: Pivot,
 {
-    let own = map.over(|number| *same::<T, F>(number));
+    let own = map.extend_scalars(|number| *same::<T, F>(number));
     let next = F::promised(&own, same(x), same(eps))?;
     Ok(same::<SVector<F, N>, SVector<T, N>>(&next).clone())
 }

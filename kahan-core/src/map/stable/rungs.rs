@@ -182,8 +182,11 @@ where
         is_finite.set(is_finite.get() && number.is_finite_number());
         Bounded::given(number.widen())
     };
-    let last =
-        InWide { map: map.over(given), state: SVector::from_fn(|i, _| given(&x[i])), eps: given(&eps) };
+    let last = InWide {
+        map: map.extend_scalars(given),
+        state: SVector::from_fn(|i, _| given(&x[i])),
+        eps: given(&eps),
+    };
     let report = |reason, determinant, bound| {
         Some(SingularStep::because(reason, determinant, bound, eps.approximate()))
     };
@@ -248,7 +251,7 @@ where
     M: ExtendScalars<T, N>,
 {
     let long = |number: &T| Long::new(number.widen(), capacity);
-    let (map, state, eps) = (map.over(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
+    let (map, state, eps) = (map.extend_scalars(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
     let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field(&state));
     for i in 0..N {
         level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);

@@ -80,7 +80,7 @@ where
 {
     start: SVector<T, N>,
     unit: T::Germ,
-    map: M::Over<T::Germ>,
+    map: M::Extended<T::Germ>,
     eps: T::Germ,
     effort: usize,
     taken: usize,
@@ -95,7 +95,8 @@ where
 {
     /// From a point on.
     pub(super) fn from(map: &M, eps: &T, start: SVector<T, N>) -> Self {
-        let (map, eps, unit) = (map.over(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
+        let (map, eps, unit) =
+            (map.extend_scalars(T::Germ::of), T::Germ::of(eps), T::Germ::unit(start.as_slice()));
         let mut passage = Self { start, unit, map, eps, effort: 0, taken: 0, last: None, lines: Vec::new() };
         passage.begin();
         passage

@@ -97,7 +97,7 @@ fn largest_part<M, const N: usize>(
 where
     M: ExtendScalars<Number24, N>,
 {
-    let exact_map = map.over(Worst::exact);
+    let exact_map = map.extend_scalars(Worst::exact);
     let mut largest = 0.0_f64;
     cases(40, |x: SVector<f64, N>, eps| {
         let exact = exact_map
@@ -128,14 +128,18 @@ fn an_attempt_is_within_what_it_says() {
     let eps = |eps: f64| Bounded::<Number24>::given(Worst::of_float(eps));
     let riccati = Riccati { k: Number24::of_float(0.75) };
     let chain = Chain { a: Number24::of_float(-0.625) };
-    let part = largest_part(&riccati, |x, e| Attempt::by_step(&riccati.over(convert), &given(x), eps(e)));
-    assert!(part > 0.05, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&chain, |x, e| Attempt::by_step(&chain.over(convert), &given(x), eps(e)));
-    assert!(part > 0.01, "a bound that nothing comes near says little: {part}");
     let part =
-        largest_part(&riccati, |x, e| Attempt::by_quotients(&riccati.over(convert), &given(x), eps(e)));
+        largest_part(&riccati, |x, e| Attempt::by_step(&riccati.extend_scalars(convert), &given(x), eps(e)));
+    assert!(part > 0.05, "a bound that nothing comes near says little: {part}");
+    let part =
+        largest_part(&chain, |x, e| Attempt::by_step(&chain.extend_scalars(convert), &given(x), eps(e)));
+    assert!(part > 0.01, "a bound that nothing comes near says little: {part}");
+    let part = largest_part(&riccati, |x, e| {
+        Attempt::by_quotients(&riccati.extend_scalars(convert), &given(x), eps(e))
+    });
     assert!(part > 0.03, "a bound that nothing comes near says little: {part}");
-    let part = largest_part(&chain, |x, e| Attempt::by_quotients(&chain.over(convert), &given(x), eps(e)));
+    let part =
+        largest_part(&chain, |x, e| Attempt::by_quotients(&chain.extend_scalars(convert), &given(x), eps(e)));
     assert!(part > 0.002, "a bound that nothing comes near says little: {part}");
 }
 
@@ -163,7 +167,7 @@ fn an_attempt_has_the_roundings_of_its_numerators() {
 #[test]
 fn the_first_rung_keeps_the_promise() {
     let riccati = Riccati { k: Number24::of_float(0.75) };
-    let exact_map = riccati.over(Worst::exact);
+    let exact_map = riccati.extend_scalars(Worst::exact);
     let (mut passed, mut refused, mut largest) = (0, 0, 0.0_f64);
     cases(300, |x: SVector<f64, 1>, eps| {
         let exact = exact_map
