@@ -1,5 +1,5 @@
-//! The modules of a crate's `src`, and those of the algebra's `plan`, are layers, each of which needs
-//! those before it only.
+//! The modules of a crate's `src`, and those of the algebra's `plan`, are layers, each of which
+//! needs those before it only.
 //!
 //! Every path that leaves a file is looked at, not only those of `use`: `crate::…` with whatever
 //! stands in its braces, and `super::…` as far as it climbs. A name of the root is taken to the

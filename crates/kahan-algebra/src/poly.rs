@@ -1,7 +1,7 @@
 //! Multivariate polynomials over ℚ in a sparse normal form.
 //!
-//! In come variables and rational coefficients; out go sums, products, derivatives, exact
-//! quotients and greatest common divisors. What holds: the terms stand strictly decreasing in graded
+//! In come variables and rational coefficients; out go sums, products, derivatives, exact quotients
+//! and greatest common divisors. What holds: the terms stand strictly decreasing in graded
 //! lexicographic order and none has a zero coefficient, so equal polynomials are equal as data and
 //! every iteration is deterministic. Absent on purpose: names of variables (whoever renders knows
 //! them), evaluation (the plans evaluate), and irreducible factors, for which the macro has no use

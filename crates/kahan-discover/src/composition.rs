@@ -42,9 +42,9 @@ impl Stepping for Composed {
     }
 }
 
-/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ sampled at random;
-/// `None` where it has no value, or the deadline passes. A formula that contains ε is meant at the
-/// ε of the whole, as it would be used.
+/// Looks at one orbit of the composed map modulo one prime, at parameters, ε and γ sampled at
+/// random; `None` where it has no value, or the deadline passes. A formula that contains ε is meant
+/// at the ε of the whole, as it would be used.
 pub fn survivors(
     searched: &SearchField,
     formulas: &[Formula],

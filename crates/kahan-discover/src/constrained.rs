@@ -1,7 +1,7 @@
 //! Orbits on which an integral that is known already has a chosen value.
 //!
-//! Where relations mix several integrals and one of them, F = P/Q, is found, starts are sampled with
-//! F = c, that is on P − cQ = 0, with c as one more unknown. Relations of such orbits mix one
+//! Where relations mix several integrals and one of them, F = P/Q, is found, starts are sampled
+//! with F = c, that is on P − cQ = 0, with c as one more unknown. Relations of such orbits mix one
 //! integral less.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};

@@ -1,5 +1,5 @@
-//! Rational reconstruction with the help of weights: as many unknowns as the weights separate are set to 1, and
-//! every term gets its powers of them back from its weight.
+//! Rational reconstruction with the help of weights: as many unknowns as the weights separate are
+//! set to 1, and every term gets its powers of them back from its weight.
 
 use kahan_algebra::poly::{Monomial, Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
@@ -110,8 +110,8 @@ impl Grading {
     }
 }
 
-/// [`reconstruct`] with some unknowns scaled to 1 where the entries are homogeneous; without, where that
-/// comes to nothing.
+/// [`reconstruct`] with some unknowns scaled to 1 where the entries are homogeneous; without, where
+/// that comes to nothing.
 pub fn reconstruct_graded(
     oracle: &mut Oracle<'_>,
     variables: &[Variable],

@@ -1,5 +1,5 @@
-//! The ansatz for one function that is reconstructed: N/D, each a sum over the same monomials of the
-//! unknowns.
+//! The ansatz for one function that is reconstructed: N/D, each a sum over the same monomials of
+//! the unknowns.
 
 use kahan_algebra::poly::{Budget, Monomial, Polynomial, Variable};
 use kahan_algebra::rational::Rational;

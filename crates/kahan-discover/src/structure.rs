@@ -63,7 +63,8 @@ impl FlowIntegrals {
 const MOST_MONOMIALS: usize = 900;
 
 /// Functionally independent polynomial integrals of the flow ẋ = f(x), of degree at most `degree`,
-/// reconstructed over the parameters: exactly the P with ∇P·f = 0 modulo a prime at random parameters.
+/// reconstructed over the parameters: exactly the P with ∇P·f = 0 modulo a prime at random
+/// parameters.
 pub fn flow_integrals(
     searched: &SearchField,
     degree: u32,

@@ -211,8 +211,8 @@ impl<T: Float> Trial<'_, T> {
         }
     }
 
-    /// The condition number at which a flag breaks the promise: where the field has a value, x̃ is a
-    /// number that the format holds, and the condition number is below the bound.
+    /// The condition number at which a flag breaks the promise: where the field has a value, x̃ is
+    /// a number that the format holds, and the condition number is below the bound.
     fn forbidden_flag(&self) -> Option<f64> {
         let (Known { point, exact }, judge) = (self.known.as_ref()?, &self.target.judge);
         let limit = T::FLAG_CONDITION?;

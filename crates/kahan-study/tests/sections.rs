@@ -9,7 +9,8 @@ use kahan_runtime::MapAt;
 use kahan_study::{Plane, Section, Side, Study, Subject, Systems, Unwatched};
 
 const STEPS: u64 = 80;
-/// The part of the larger of the formula's sizes at the ends of a step that a crossing leaves at most.
+/// The part of the larger of the formula's sizes at the ends of a step that a crossing leaves at
+/// most.
 const SMALL: f64 = 1.0 / (1 << 17) as f64;
 /// Parts of a step that are looked at, and parts of each part with a sign change.
 const SAMPLES: usize = 128;

@@ -31,8 +31,8 @@ pub trait ExtendScalars<T: Scalar, const N: usize>: KahanMap<T, N> {
     /// The system over the scalar U.
     type Extended<U: Scalar>: ExtendScalars<U, N>;
 
-    /// The system with each parameter put into U by `convert`. Parameters only: what is written in the
-    /// field are exact numbers, which every scalar rounds for itself.
+    /// The system with each parameter put into U by `convert`. Parameters only: what is written in
+    /// the field are exact numbers, which every scalar rounds for itself.
     fn extend_scalars<U: Scalar>(&self, convert: impl Fn(&T) -> U) -> Self::Extended<U>;
 
     /// The tangent vector `v` at `x` carried to x̃, which is `y`: J(x)·v. `None` at a pole of an

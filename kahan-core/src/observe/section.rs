@@ -22,9 +22,9 @@ use super::zero::{Place, is_zero, narrow, small};
 /// A sign change without a zero is a jump, which is counted and not reported as a crossing: at a
 /// pole of s, where s jumps from one value to another or has none, and where the curve goes through
 /// infinity, at a pole of the map. The search ends at two parts θ that differ by the rounding u of
-/// the scalar. At a crossing |s| is there at most u^⅓ of the larger of |s(xₙ)| and |s(xₙ₊₁)|: 2⁻¹⁷ of
-/// it in `f64`, 2⁻⁸ in `f32`. A zero leaves about u·|x|/|xₙ₊₁ − xₙ| of it, and a jump leaves itself.
-/// No quantity has to be small by itself, so the unit of length does not matter.
+/// the scalar. At a crossing |s| is there at most u^⅓ of the larger of |s(xₙ)| and |s(xₙ₊₁)|: 2⁻¹⁷
+/// of it in `f64`, 2⁻⁸ in `f32`. A zero leaves about u·|x|/|xₙ₊₁ − xₙ| of it, and a jump leaves
+/// itself. No quantity has to be small by itself, so the unit of length does not matter.
 ///
 /// Cost: s at every step, some fifteen steps of the map a crossing, and up to some hundred a jump.
 ///

@@ -17,8 +17,8 @@ use super::{Exponent, Observer, TangentMap};
 /// those before it: the QR decomposition that G. Benettin, L. Galgani, A. Giorgilli, J.-M.
 /// Strelcyn, Meccanica 15 (1980) 9 describe. The rate at which the part of vⱼ grows that is
 /// orthogonal to those before it tends to the j-th largest exponent; on short runs these rates may
-/// have another order, and the report sorts them. With as many vectors as variables, all begin along
-/// the axes, and the exponents' sum is [`MeanLogDet`](super::MeanLogDet) to rounding.
+/// have another order, and the report sorts them. With as many vectors as variables, all begin
+/// along the axes, and the exponents' sum is [`MeanLogDet`](super::MeanLogDet) to rounding.
 ///
 /// Lengths are never divided out, only powers of two; no root is taken.
 ///

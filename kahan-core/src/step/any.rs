@@ -200,8 +200,8 @@ pub trait StateVector<T>: Clone + fmt::Debug {
     fn to_point(&self) -> Self::Point;
 
     /// Replaces it by the state one step of a map later: arrays by [`Step::next`], so that they
-    /// stay in registers, vectors by [`Step::advance`], which allocates none. `None` at a pole of an
-    /// exact scalar.
+    /// stay in registers, vectors by [`Step::advance`], which allocates none. `None` at a pole of
+    /// an exact scalar.
     fn step_with<S>(&mut self, map: &S, workspace: &mut Workspace) -> Option<()>
     where
         S: Step<Scalar = T, State = Self>,

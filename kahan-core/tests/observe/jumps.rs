@@ -184,8 +184,8 @@ fn a_start_on_the_section_is_neither_a_crossing_nor_a_jump() {
     assert_eq!((found.points.all, found.jumps), (0, 1));
 }
 
-/// The circle touches x = 1: from inside nothing changes its sign; a line that is a little nearer is
-/// crossed there and back wherever a point lies beyond it.
+/// The circle touches x = 1: from inside nothing changes its sign; a line that is a little nearer
+/// is crossed there and back wherever a point lies beyond it.
 #[test]
 fn touching_is_no_crossing_and_cutting_a_little_is_two() {
     for eps in [0.02, -0.02, 1e-4] {

@@ -23,7 +23,8 @@
 //! four of up to eight. The table says how many steps change, and the time without over the time
 //! with it: the geometric mean over the steps that change, and the largest. *Machine code* is what
 //! the runtime compiles, for one orbit and for columns; *compiled* is what the macro writes for the
-//! catalog and 20 of the random fields, one orbit, for any x86-64 processor and for one with AVX-512.
+//! catalog and 20 of the random fields, one orbit, for any x86-64 processor and for one with
+//! AVX-512.
 //!
 //! | left out | steps | one orbit | columns | compiled | compiled, AVX-512 |
 //! |---|--:|--:|--:|--:|--:|

@@ -18,8 +18,8 @@ use crate::reading::{MOST_OBSERVED, Start, one_of, whole};
 /// map draws from the first to the second as eps grows from 0, which is as far from the flow as a
 /// step is: t is that of the crossing, and n the step that it comes after. A sign change without a
 /// zero, as at a pole of the formula or of the map, is a jump: a note counts them, and they are no
-/// rows. Steps are those of `kahan orbit` in f64. Where numbers leave the range of f64, the crossings
-/// up to there are kept, and the exit status is 1.
+/// rows. Steps are those of `kahan orbit` in f64. Where numbers leave the range of f64, the
+/// crossings up to there are kept, and the exit status is 1.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:

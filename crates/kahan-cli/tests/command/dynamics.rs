@@ -105,8 +105,8 @@ fn tables_name_what_they_show() {
     assert!(table.lines().all(|line| line.chars().count() <= 80));
 }
 
-/// 1/x falls by 2ε a step, from 1 over 0. A field in which each variable acts on each is not written
-/// out.
+/// 1/x falls by 2ε a step, from 1 over 0. A field in which each variable acts on each is not
+/// written out.
 #[test]
 fn steps_over_poles_are_counted_where_they_are_asked_for() {
     let dense = |n: usize| -> String {

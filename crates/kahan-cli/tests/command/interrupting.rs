@@ -1,5 +1,5 @@
-//! SIGINT and SIGTERM: they end every long call, no unfinished file stays behind, nor does one appear
-//! under its name.
+//! SIGINT and SIGTERM: they end every long call, no unfinished file stays behind, nor does one
+//! appear under its name.
 #![cfg(unix)]
 
 use std::fs;

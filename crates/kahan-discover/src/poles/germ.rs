@@ -15,8 +15,8 @@ use crate::family::evaluate;
 use crate::matrix::Echelon;
 use crate::modulus::Modulus;
 
-/// Polynomials at sampled parameters and ε, homogeneous: each as terms c · ∏ Xᵢ^eᵢ, the last exponent
-/// that of W.
+/// Polynomials at sampled parameters and ε, homogeneous: each as terms c · ∏ Xᵢ^eᵢ, the last
+/// exponent that of W.
 pub(crate) struct Homogeneous {
     modulus: Modulus,
     components: Vec<Vec<(u64, Vec<u32>)>>,

@@ -84,8 +84,8 @@ impl Pattern {
 const SHORTEST: usize = 12;
 const LONGEST: usize = 200;
 
-/// How often parameters, ε and a point are sampled again: not every sampled line meets its curve modulo
-/// the prime.
+/// How often parameters, ε and a point are sampled again: not every sampled line meets its curve
+/// modulo the prime.
 const MOST_SAMPLES: usize = 40;
 
 /// The share of the time that the degrees of iterates may take.

@@ -94,9 +94,9 @@ impl<T: MachineFloat> MapAt<T> {
     ///
     /// Bits, and how a trajectory ends, are those of single orbits.
     ///
-    /// Cost: that of the steps in the form that single orbits take, a copy of the columns and a look
-    /// at them every thousand steps, and up to two thousand steps more for each trajectory that
-    /// leaves the range.
+    /// Cost: that of the steps in the form that single orbits take, a copy of the columns and a
+    /// look at them every thousand steps, and up to two thousand steps more for each trajectory
+    /// that leaves the range.
     ///
     /// # Errors
     /// [`DimensionError`] for what has another length.

@@ -107,7 +107,8 @@ impl Engine {
     }
 }
 
-/// Runs a tile where its columns begin with cache lines, in `workspace`, and takes the results back.
+/// Runs a tile where its columns begin with cache lines, in `workspace`, and takes the results
+/// back.
 fn run_in_lines<T: Scratches>(
     tile: &mut [&mut [T]],
     workspace: &mut Vec<T>,

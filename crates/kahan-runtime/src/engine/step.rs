@@ -175,8 +175,8 @@ impl Step {
         }
     }
 
-    /// The step of a kind. In a wider precision for a state of single precision, `single` rounds each
-    /// number once.
+    /// The step of a kind. In a wider precision for a state of single precision, `single` rounds
+    /// each number once.
     pub(crate) fn advance_as<V: Scalar + Copy>(
         &self,
         kind: StepKind,

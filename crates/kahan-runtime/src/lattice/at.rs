@@ -224,8 +224,8 @@ impl ChainAt {
     }
 }
 
-/// In memory of the workspace's, so that any number of threads can share a chain. A state of another
-/// length panics here, as dimensions of nalgebra do.
+/// In memory of the workspace's, so that any number of threads can share a chain. A state of
+/// another length panics here, as dimensions of nalgebra do.
 impl Step for ChainAt {
     type Scalar = f64;
     type State = Vec<f64>;

@@ -57,8 +57,8 @@ impl<V: Scalar> Site<V> {
         Site { values: vec![V::zero(); values], registers }
     }
 
-    /// Runs the line at site i; `state` is what an entry of the state is in this scalar, and `convert`
-    /// what a parameter is. Beyond the ends of an open chain both are 0.
+    /// Runs the line at site i; `state` is what an entry of the state is in this scalar, and
+    /// `convert` what a parameter is. Beyond the ends of an open chain both are 0.
     pub(super) fn run<'a>(
         &'a mut self,
         chain: &Chain,

@@ -17,7 +17,8 @@ use super::circle::{characteristic_polynomial, product, stability};
 /// The most decimal digits of a coordinate of a cycle over ℚ. The heights of what is no cycle grow
 /// with every step, most often by a factor; those of a cycle come back, to a few digits.
 pub const MOST_DIGITS: u64 = 200;
-/// The most products of fractions for the characteristic polynomial of the derivative along a cycle.
+/// The most products of fractions for the characteristic polynomial of the derivative along a
+/// cycle.
 const MOST_PRODUCTS: usize = 200_000;
 
 /// A cycle over ℚ, and what is proved of it.

@@ -31,8 +31,8 @@ fn exactly(steps: u64) -> Passed {
 /// The coefficients of the denominator by powers of ε, in exact numbers.
 type Denominator = fn(&[Rational]) -> Vec<Rational>;
 
-/// Whether Σ cₖtᵏ has a root between 0 and `end`, which is one, too: from the slopes in the middle of
-/// an interval follows how far all values lie from the one there.
+/// Whether Σ cₖtᵏ has a root between 0 and `end`, which is one, too: from the slopes in the middle
+/// of an interval follows how far all values lie from the one there.
 fn has_root(coefficients: &[Rational], end: &Rational) -> bool {
     let zero = Rational::ZERO;
     let at = |t: &Rational| coefficients.iter().rev().fold(zero.clone(), |sum, c| &(&sum * t) + c);
@@ -62,8 +62,8 @@ fn of_floats(x: &[f64]) -> Vec<Rational> {
     x.iter().map(|x| Rational::from_f64(*x).expect("finite")).collect()
 }
 
-/// How many steps of an orbit, as far as its points are finite, have a stage whose denominator has a
-/// root.
+/// How many steps of an orbit, as far as its points are finite, have a stage whose denominator has
+/// a root.
 fn counted(kahan: &MapAt<f64>, composition: Composition, d: Denominator, start: &[f64], steps: u64) -> u64 {
     let (mut x, mut count) = (start.to_vec(), 0);
     for _ in 0..steps {

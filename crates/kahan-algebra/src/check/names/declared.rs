@@ -29,8 +29,8 @@ impl Scope {
         self.symbols.parameters.push(name.to_owned());
     }
 
-    /// The scope of a block with its states and parameters, and no constant or claim yet. The states
-    /// of a family are its arrays, and parameters are those of the chain and of its sites.
+    /// The scope of a block with its states and parameters, and no constant or claim yet. The
+    /// states of a family are its arrays, and parameters are those of the chain and of its sites.
     pub(in crate::check) fn new(block: &Block, diagnostics: &mut Diagnostics) -> Self {
         let mut scope = Scope {
             all_claims: block.claims.iter().map(|claim| claim.name.text.clone()).collect(),

@@ -27,7 +27,8 @@ const MOST_POWERS: u32 = 2;
 
 impl FactoredMap<'_> {
     /// The forms over ε and over ε², and the one with two divisions, as far as no constant in them
-    /// is rounded twice and their [recurrence](crate::plan::StepPlan::recurrence) may be below this one.
+    /// is rounded twice and their [recurrence](crate::plan::StepPlan::recurrence) may be below this
+    /// one.
     pub(in crate::plan) fn over_time_step(&self, recurrence: u64) -> Vec<Candidate> {
         if self.empty.iter().any(|writer| writer.scaling.folds) {
             // Constants are one product there, whatever is divided.
