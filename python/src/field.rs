@@ -207,7 +207,7 @@ impl Field {
         answer.map_err(|error| of_study(py, &error))
     }
 
-    /// What steps at the extremes are worth, as JSON.
+    /// The verdicts on steps at the extremes, as JSON.
     #[pyo3(name = "_judged", signature = (trials, seed, *, listener = None))]
     fn judged(
         &self,

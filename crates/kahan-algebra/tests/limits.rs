@@ -25,7 +25,7 @@ fn mistakes(text: &str) -> Vec<Diagnostic> {
     read(&lex(text).tokens).diagnostics().to_vec()
 }
 
-/// So many of what is listed.
+/// A list of `count` texts.
 fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String {
     (0..count).map(one).collect::<Vec<_>>().join(between)
 }

@@ -69,7 +69,7 @@ use items::Type;
 #[cfg(feature = "text")]
 pub use text::text;
 
-/// What every part of the emitter reads.
+/// The input of every part of the emitter.
 struct Context<'a> {
     system: &'a System,
     /// The plans of what is emitted.
@@ -86,7 +86,7 @@ struct Context<'a> {
 pub struct Expansion {
     /// The system's name.
     pub name: String,
-    /// What the block expands to.
+    /// The code that the block expands to.
     pub tokens: TokenStream,
 }
 

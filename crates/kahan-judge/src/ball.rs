@@ -70,7 +70,7 @@ impl Ball {
         let (high, low) =
             if self.middle.binade() >= other.middle.binade() { (self, other) } else { (other, self) };
         match (high.middle.binade(), low.middle.binade()) {
-            // What is far below the last bit is no more than a part of the radius.
+            // A number far below the last bit is a part of the radius.
             (Some(above), Some(below)) if above - below > bits as i64 + 8 => {
                 let radius = up(&(&radius + &up(&low.middle)));
                 Self { middle: high.middle.clone(), radius }.rounded(bits)

@@ -6,7 +6,7 @@ use kahan_core::{Dd, ExtendScalars, KahanMap, Pivot, ThroughF64};
 
 use super::dyadic::Dyadic;
 
-/// What verdicts ask of a format.
+/// The numbers of a format that verdicts use.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Format {
     /// The unit u of the promise is 2^−precision.
@@ -26,7 +26,7 @@ pub(crate) trait Float: Pivot + Copy + Into<Dd> + Send + Sync {
     /// The tier of the step that is computed in a wider format and rounded once, where there is
     /// one.
     const WIDER_TIER: Option<&'static str> = None;
-    /// What its numbers are judged by.
+    /// The format by which its numbers are judged.
     const FORMAT: Format;
     /// How many bits are drawn: all that a number can have.
     const BITS: i64;

@@ -6,7 +6,7 @@
 //! given, so no tolerance is between a step and its verdict. What a trial draws depends on the seed
 //! and its index only: the result is the same for every number of threads.
 //!
-//! It must not know terminals, files, flags or HTML; fronts ask and show.
+//! This crate must not know terminals, files, flags or HTML; fronts ask and show.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use kahan_discover::{Progress, Watch};
 
-/// What is done, counted from all threads; its watch hears of it.
+/// Counts the work that all threads have done, and tells its watch.
 pub struct Count<'a> {
     what: &'static str,
     of: u64,

@@ -164,7 +164,7 @@ proptest! {
     }
 }
 
-/// So many of what is listed.
+/// A list of `count` texts.
 fn listed(count: usize, one: impl Fn(usize) -> String, between: &str) -> String {
     (0..count).map(one).collect::<Vec<_>>().join(between)
 }

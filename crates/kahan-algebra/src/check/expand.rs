@@ -97,7 +97,7 @@ pub(super) fn expand_in_claim(expr: &Expr, scope: &Scope) -> Result<Expansion, D
     Fractions { scope, inverts, reduces, values, budget: budget(scope) }.expanded(expr)
 }
 
-/// What one expansion may take of what the block has left.
+/// The budget of one expansion, which is part of what the block has left.
 fn budget(scope: &Scope) -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK.min(MOST_WORK_OF_BLOCK.saturating_sub(scope.products.get())))
 }

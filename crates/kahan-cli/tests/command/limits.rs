@@ -19,7 +19,7 @@ fn table() -> Vec<(&'static str, u64)> {
     rows.collect()
 }
 
-/// So many equations, each of which names the next variable.
+/// A ring of equations, each of which names the next variable.
 fn ring(variables: usize) -> String {
     (0..variables).map(|k| format!("x{k}dot = x{};", (k + 1) % variables)).collect()
 }

@@ -1,4 +1,5 @@
-//! What a float result is worth beside the exact step from the very floats that it was given.
+//! Verdicts on a float result: it is compared with the exact step from the very floats that it was
+//! given.
 //!
 //! | a field of up to eight variables is judged by | where |
 //! |---|---|

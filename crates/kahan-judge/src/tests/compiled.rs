@@ -66,7 +66,7 @@ impl Words for Dd {
 /// A system whose steps are made elsewhere; all of its parameters are drawn.
 pub(super) struct Compiled(Target);
 
-/// What judges a field of whatever number of variables.
+/// The judge of a field of any number of variables.
 pub(crate) fn judge_of(system: &System) -> Box<dyn Judge> {
     if system.field.dimension() <= LARGEST_DIMENSION {
         return judge::of(system);

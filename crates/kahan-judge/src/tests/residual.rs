@@ -24,7 +24,7 @@ pub(super) enum Rows {
     Own,
 }
 
-/// What judges the steps of an equation.
+/// The judge of the steps of an equation.
 #[derive(Debug)]
 pub(super) struct ByResidual(pub(super) Equation, pub(super) Rows);
 

@@ -174,7 +174,7 @@ impl<T: MachineFloat> MapAt<T> {
                 let finite = self.finite_steps(form, starts, &of(eps), &own, now);
                 for (&k, steps) in lost.iter().zip(finite) {
                     ends[k] = End::Range(made + steps);
-                    // It stays so.
+                    // A state that is not finite stays so.
                     columns.iter_mut().for_each(|column| column[k] = nothing());
                 }
             }

@@ -78,7 +78,7 @@ impl Denominator {
         self.has_root_in_floats(x).unwrap_or_else(|| self.has_root_exactly(x))
     }
 
-    /// The same, where floats tell.
+    /// Whether there is a root, where floats decide it.
     fn has_root_in_floats(&self, x: &[f64]) -> Option<bool> {
         let mut coefficients = [0.0; roots::MOST];
         let coefficients = coefficients.get_mut(..=self.degree)?;

@@ -34,7 +34,7 @@ pub(super) fn in_floats(coefficients: &[f64], error: f64) -> Option<bool> {
     of_form(form, error, HALVINGS)
 }
 
-/// The same of a polynomial in Bernstein's form, on its interval without the first end.
+/// Whether a polynomial in Bernstein's form has a root on its interval without the first end.
 fn of_form(form: &mut [f64], error: f64, halvings: u32) -> Option<bool> {
     let sign = |value: f64| i8::from(value > error) - i8::from(value < -error);
     let first = sign(form[0]);

@@ -93,7 +93,7 @@ pub struct Observed {
 }
 
 impl Observe {
-    /// What is observed unless told: all but the last point and the steps over poles.
+    /// The observables where none are named: all but the last point and the steps over poles.
     pub const USUAL: [Observable; 10] = [
         Observable::Lyapunov,
         Observable::Spectrum,

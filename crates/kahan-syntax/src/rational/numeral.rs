@@ -10,7 +10,7 @@ pub(crate) struct Numeral<'a> {
     pub(crate) fraction: &'a str,
     /// The exponent with its sign.
     pub(crate) exponent: &'a str,
-    /// What follows.
+    /// The text behind the numeral.
     pub(crate) rest: &'a str,
 }
 

@@ -12,7 +12,7 @@ use crate::symbols::{Symbol, Symbols};
 use super::{Scope, is_epsilon, is_never_free, report_reserved};
 
 impl Scope {
-    /// The same with these states and parameters in place of its own.
+    /// This scope with these states and parameters in place of its own.
     pub(in crate::check) fn with(self, symbols: Symbols) -> Self {
         let states = symbols.states.iter().cloned().zip((0..).map(Symbol::State));
         let parameters = symbols.parameters.iter().cloned().zip((0..).map(Symbol::Parameter));
@@ -152,7 +152,7 @@ fn written_in(block: &Block) -> impl Fn(&str) -> String {
     move |state| format!("{state}{index}")
 }
 
-/// What the equations of a block name, and the claims of a family, with its places.
+/// The names in the equations of a block, and in the claims of a family, with their places.
 pub(in crate::check) fn references(block: &Block) -> Vec<(Reference<'_>, Span)> {
     let mut references = Vec::new();
     let equations = block.equations.iter().filter_map(|equation| equation.value.as_ref());
