@@ -280,7 +280,7 @@ pub(crate) const WEAKENINGS: &[Weakening] = &[
     Weakening { name: "a factor whose terms are added in any order", file: "crates/kahan-algebra/src/check/expand.rs", tests: KEPT,
         text: "of.order.split_first()",
         weaker: "of.order.split_first().filter(|_| false)" },
-    Weakening { name: "steps from sums that are expanded", file: "crates/kahan-algebra/src/plan/step/mod.rs", tests: TEXTS,
+    Weakening { name: "steps from sums that are expanded", file: "crates/kahan-algebra/src/plan/choice.rs", tests: TEXTS,
         text: "kept.needs_sums(&field.symbols) && ",
         weaker: "kept.needs_sums(&field.symbols) && false && " },
     Weakening { name: "a field without constants that keeps nothing", file: "crates/kahan-algebra/src/derived/mod.rs", tests: TEXTS,
