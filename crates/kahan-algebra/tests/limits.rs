@@ -39,7 +39,7 @@ enum Tied {
 }
 use Tied::{AtTheLimit, InWords};
 
-/// A field of so many variables with so many couplings.
+/// A field with these numbers of variables and couplings.
 fn coupled(variables: usize, couplings: usize) -> String {
     let row = |k: usize| {
         let own = couplings.saturating_sub(k * variables).min(variables);

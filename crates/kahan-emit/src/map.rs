@@ -107,7 +107,7 @@ fn emit_elimination(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// Expands to `impl<T: Scalar> ExtendScalars<T, 3> for E7<T> { type Extended<U: Scalar> = E7<U>; … }`.
+/// Expands to `impl<T: Scalar> ExtendScalars<T, 3> for E7<T> { … }`.
 fn emit_extension(context: &Context<'_>) -> TokenStream {
     let (this, name, scalar, dimension) =
         (context.this.path(), &context.this.name, &context.this.scalar, &context.dimension);

@@ -20,8 +20,8 @@ impl StepPlan {
         Self::of_map(field, None, RationalMap::of(field).as_ref())
     }
 
-    /// The same from what is known: the products of sums that are kept of the field, and its map,
-    /// unless that is beyond the budget.
+    /// The plan of a field's step, from the products of sums that are kept of the field, and from
+    /// its map, which is `None` beyond the budget.
     #[must_use]
     pub(crate) fn of_map(field: &Field, kept: Option<&Kept>, map: Option<&RationalMap>) -> Option<Self> {
         let is_reduced = |map: &RationalMap| map.reduced.common_factor.as_constant().is_none();

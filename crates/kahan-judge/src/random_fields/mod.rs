@@ -32,7 +32,7 @@ pub struct RandomField {
     pub equations: Vec<Tree>,
 }
 
-/// Draws a field of so many variables, [`DIMENSIONS`] at most.
+/// Draws a field with this number of variables, [`DIMENSIONS`] at most.
 pub type Maker = fn(usize, &mut Draw) -> RandomField;
 
 /// The kinds of [`numbered`]. Unit terms come twice, with other draws.

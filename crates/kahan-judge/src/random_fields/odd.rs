@@ -32,7 +32,7 @@ pub(crate) fn odd(seed: u64, number: usize) -> OddField {
     plain(seed, number, "Odd", 1 + number % 8)
 }
 
-/// The field of a seed and a title with this number, of so many variables.
+/// The field of a seed and a title with this number, of this many variables.
 pub(crate) fn plain(seed: u64, number: usize, title: &str, variables: usize) -> OddField {
     let mut draw = Draw::new(seed, title, number);
     draw.states = (1..=variables).map(|k| format!("x{k}")).collect();

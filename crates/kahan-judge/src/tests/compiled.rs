@@ -80,7 +80,7 @@ impl Compiled {
         Self::of(name, system, judge_of(system))
     }
 
-    /// A chain of so many sites. Its parameters are those of the chain, and then those of sites,
+    /// A chain of this many sites. Its parameters are those of the chain, and then those of sites,
     /// name by name.
     pub(super) fn of_chain(name: &str, family: &Family, sites: usize) -> Self {
         let system = family.at_sites(sites);

@@ -42,7 +42,8 @@ pub struct Passed {
 /// // 1/x falls by 2ε a step, from 1 to 0.02 and on to −0.12.
 /// let map = Field::parse("xdot = x^2;").unwrap().map().unwrap().at(0.07);
 /// let mut x = [1.0];
-/// let followed = map.observe(&mut x, 10, PassedPoles::of(&map), |_| ControlFlow::Continue(())).unwrap();
+/// let goes_on = |_| ControlFlow::Continue(());
+/// let followed = map.observe(&mut x, 10, PassedPoles::of(&map), goes_on).unwrap();
 /// assert_eq!((followed.report.steps, followed.report.is_lower_bound), (1, false));
 /// assert!(x[0] < 0.0);
 /// ```

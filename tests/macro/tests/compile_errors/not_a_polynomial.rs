@@ -1,4 +1,4 @@
-//! What is no polynomial.
+//! Fields that are no polynomials.
 
 use kahan_core::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use kahan_core::prelude::*;
 
-// What hangs on a mistake is not reported as well.
+// A mistake that follows from another is not reported.
 kahan! {
     pub struct BrokenNameUsedByOthers { k }
     const c = 1/0;

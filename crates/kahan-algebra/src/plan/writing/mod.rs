@@ -1,8 +1,8 @@
 //! How a polynomial becomes operations.
 //!
 //! - `scaling` says which products of ε, parameters and states become variables of their own.
-//! - `nesting` decides which variable is taken out of which terms of a polynomial, `factors` finds a
-//!   base of factors of several, `numerators` the order in which factors are multiplied.
+//! - `nesting` decides which variable is taken out of which terms of a polynomial, `factors` finds
+//!   a base of factors of several, `numerators` the order in which factors are multiplied.
 //! - `writer` writes a polynomial into a `draft`, which knows when each value is ready, and reuses
 //!   what is there.
 
