@@ -6,8 +6,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, Form, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems,
-    Table, Watch, list,
+    Answer, Discover, Form, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table,
+    Watch, list,
 };
 use kahan_systems::registry;
 use serde::de::DeserializeOwned;
