@@ -53,6 +53,7 @@ const ALGEBRA: Layered = Layered {
     name: "kahan_algebra",
     module: None,
     layers: &[
+        "numbered",
         "prime_field",
         "poly",
         "rational_function",
@@ -83,7 +84,6 @@ const PLAN: Layered = Layered {
     layers: &[
         "operation",
         "cost",
-        "numbered",
         "builder",
         "include",
         "horner",

@@ -7,11 +7,10 @@
 //! divides by nothing. What holds: with the definitions of the values put in, the components are
 //! those of the [`Field`], which stays the one that is proved, reduced and printed.
 
-use rustc_hash::FxHashMap;
-
 use kahan_syntax::rational::Rational;
 
 use crate::field::{Component, Field};
+use crate::numbered::Numbered;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::Symbols;
 
@@ -28,9 +27,7 @@ pub(crate) enum Value {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Values {
     first: usize,
-    pub(crate) values: Vec<Value>,
-    /// The index of each.
-    places: FxHashMap<Value, usize>,
+    pub(crate) values: Numbered<Value>,
 }
 
 /// A field over its values.
@@ -72,7 +69,7 @@ impl Value {
 impl Values {
     /// None yet.
     pub(crate) fn of(symbols: &Symbols) -> Self {
-        Values { first: symbols.count(), values: Vec::new(), places: FxHashMap::default() }
+        Values { first: symbols.count(), values: Numbered::default() }
     }
 
     /// The index of the value that this variable stands for.
@@ -87,22 +84,13 @@ impl Values {
     /// The variable of a value, which is a new one where it is none yet; `None` where there are
     /// more values than 16 bits can number.
     fn intern(&mut self, value: Value) -> Option<Variable> {
-        if let Some(place) = self.places.get(&value) {
-            return self.variable(*place);
-        }
-        let variable = self.variable(self.values.len())?;
-        self.push(value);
-        Some(variable)
-    }
-
-    fn push(&mut self, value: Value) {
-        self.places.insert(value.clone(), self.values.len());
-        self.values.push(value);
+        let place = self.values.number(value);
+        self.variable(place)
     }
 
     /// These values besides, none of which is one already.
     fn with(mut self, values: impl IntoIterator<Item = Value>) -> Self {
-        values.into_iter().for_each(|value| self.push(value));
+        values.into_iter().for_each(|value| _ = self.values.number(value));
         self
     }
 
@@ -114,8 +102,8 @@ impl Values {
         }
         let (mut content, mut sum) = (polynomial.content(), polynomial.primitive_part());
         let other = Value::Sum(-&sum);
-        if self.places.contains_key(&other)
-            || (content.is_negative() && !self.places.contains_key(&Value::Sum(sum.clone())))
+        if self.values.find(&other).is_some()
+            || (content.is_negative() && self.values.find(&Value::Sum(sum.clone())).is_none())
         {
             (content, sum) = (-content, -&sum);
         }
@@ -228,7 +216,7 @@ impl Gradient {
 impl Kept {
     /// These components over values, of which those that none needs are left out.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
-        let mut kept = Values { first: values.first, values: Vec::new(), places: FxHashMap::default() };
+        let mut kept = Values { first: values.first, values: Numbered::default() };
         let mut renamed: Vec<Option<Variable>> = vec![None; values.values.len()];
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -406,7 +394,7 @@ impl Kept {
             let terms: Vec<Polynomial> = polynomial.terms().map(term).collect();
             Polynomial::sum_of(terms.iter().map(|term| (false, term)))
         };
-        for value in &self.values.values {
+        for value in self.values.values.iter() {
             let polynomial = in_others(value.polynomial(), &moved);
             moved.push(match value {
                 Value::Sum(_) => others.factor(&polynomial),

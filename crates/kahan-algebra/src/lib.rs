@@ -12,6 +12,8 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 // Each needs those before it only, which a test guards.
+mod numbered;
+
 pub mod prime_field;
 
 pub mod poly;

@@ -159,14 +159,6 @@ impl Rational {
         }
     }
 
-    /// A number that equal rationals have in common, and different small ones mostly do not.
-    pub fn key(&self) -> u32 {
-        match &self.0 {
-            Repr::Small { num, den } => (*num as u32) ^ (*den as u32).rotate_left(16),
-            Repr::Big(_) => self.bits() as u32,
-        }
-    }
-
     /// For a big rational that is already in lowest terms with a positive denominator.
     fn from_normal(value: BigRational) -> Self {
         match (value.numer().to_i64(), value.denom().to_i64()) {

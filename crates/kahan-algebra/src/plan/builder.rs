@@ -5,9 +5,9 @@
 
 use kahan_syntax::rational::Rational;
 
+use crate::numbered::Numbered;
 use crate::poly::Variable;
 
-use super::numbered::Numbered;
 use super::{Node, Operation, Plan};
 
 /// A plan under construction.
@@ -32,7 +32,7 @@ impl PlanBuilder {
 
     /// The operations so far.
     pub(super) fn operations(&self) -> &[Operation] {
-        self.operations.items()
+        &self.operations
     }
 
     /// Forgets all operations but the first `length`.
@@ -60,7 +60,7 @@ impl PlanBuilder {
     }
 
     fn operation(&self, node: Node) -> &Operation {
-        &self.operations.items()[node.0]
+        &self.operations[node.0]
     }
 
     fn value(&self, node: Node) -> Option<&Rational> {

@@ -46,8 +46,6 @@ mod operation;
 
 mod cost;
 
-mod numbered;
-
 mod builder;
 
 mod include;

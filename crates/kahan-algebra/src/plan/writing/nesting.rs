@@ -14,9 +14,9 @@ use kahan_syntax::table::sorted_by_key;
 
 use crate::poly::{Monomial, Polynomial, Variable};
 
+use crate::numbered::Numbered;
 use crate::plan::cost::{DERIVED, MULTIPLY, gathered, multiplied};
 use crate::plan::horner::by_frequency;
-use crate::plan::numbered::Numbered;
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, is_power_of_two};
 
 /// The most terms for which all forms are compared; longer polynomials are nested by their most

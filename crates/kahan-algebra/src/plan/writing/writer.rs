@@ -14,8 +14,8 @@ use kahan_syntax::table::sorted_by_key;
 use crate::field::Field;
 use crate::poly::{Monomial, Polynomial, Variable};
 
+use crate::numbered::Numbered;
 use crate::plan::Node;
-use crate::plan::numbered::Numbered;
 use crate::plan::writing::draft::{Draft, Signed};
 use crate::plan::writing::nesting::{Goal, Nesting, Summand};
 use crate::plan::writing::scaling::{INVERSE_STEP, Scaling, scalings};

@@ -41,7 +41,7 @@ impl Writer {
     pub(super) fn best_multiple(&self, polynomial: &Polynomial) -> Option<(usize, Polynomial, Polynomial)> {
         let mut best: Option<(usize, Multiple)> = None;
         for (index, &number) in self.sums.iter().enumerate() {
-            let sum = &self.made.items()[number];
+            let sum = &self.made[number];
             if sum.len() > polynomial.len() {
                 continue;
             }
@@ -52,7 +52,7 @@ impl Writer {
         }
         let (index, Multiple { monomial, ratio, .. }) = best?;
         let multiplier = Polynomial::term(monomial, ratio);
-        let left = polynomial - &(&multiplier * &self.made.items()[self.sums[index]]);
+        let left = polynomial - &(&multiplier * &self.made[self.sums[index]]);
         Some((index, multiplier, left))
     }
 }

@@ -4,24 +4,17 @@
 //! optimisation: there the tables of the standard library, which are many small functions, take
 //! several times as long as the few plain loops here. Besides, the last items can be forgotten.
 
-use std::rc::Rc;
+use std::hash::{Hash, Hasher};
+use std::ops::Deref;
 
-use crate::poly::Polynomial;
-
-use super::Operation;
-
-/// What is found by its value.
-pub(super) trait Keyed: PartialEq {
-    /// A number that equal items have in common and others mostly do not.
-    fn key(&self) -> u32;
-}
+use rustc_hash::FxHasher;
 
 /// No item.
 const NONE: u32 = u32::MAX;
 
 /// Distinct items in their order.
-#[derive(Clone, Debug)]
-pub(super) struct Numbered<T> {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Numbered<T> {
     items: Vec<T>,
     keys: Vec<u32>,
     /// For each item the one before it in its bucket.
@@ -36,15 +29,19 @@ impl<T> Default for Numbered<T> {
     }
 }
 
-impl<T: Keyed> Numbered<T> {
-    /// All of them.
-    pub(super) fn items(&self) -> &[T] {
+/// All of them.
+impl<T> Deref for Numbered<T> {
+    type Target = [T];
+
+    fn deref(&self) -> &[T] {
         &self.items
     }
+}
 
+impl<T: Hash + PartialEq> Numbered<T> {
     /// The number of an item.
-    pub(super) fn find(&self, item: &T) -> Option<usize> {
-        self.with_key(item.key(), item)
+    pub(crate) fn find(&self, item: &T) -> Option<usize> {
+        self.with_key(key(item), item)
     }
 
     fn with_key(&self, key: u32, item: &T) -> Option<usize> {
@@ -61,8 +58,8 @@ impl<T: Keyed> Numbered<T> {
     }
 
     /// The number of an item, which is added if it is not there.
-    pub(super) fn number(&mut self, item: T) -> usize {
-        let key = item.key();
+    pub(crate) fn number(&mut self, item: T) -> usize {
+        let key = key(&item);
         if let Some(known) = self.with_key(key, &item) {
             return known;
         }
@@ -82,7 +79,7 @@ impl<T: Keyed> Numbered<T> {
     }
 
     /// Forgets all but the first `length`.
-    pub(super) fn truncate(&mut self, length: usize) {
+    pub(crate) fn truncate(&mut self, length: usize) {
         // The last item is the last of its bucket, too.
         for number in (length..self.items.len()).rev() {
             let bucket = self.bucket(self.keys[number]);
@@ -104,63 +101,31 @@ impl<T: Keyed> Numbered<T> {
     }
 }
 
-/// A key from two others; the high bits, which depend on all, come down.
-fn mixed(a: u32, b: u32) -> u32 {
-    let mixed = (a.rotate_left(5) ^ b).wrapping_mul(0x9E37_79B9);
-    mixed ^ mixed >> 15
-}
-
-impl Keyed for Operation {
-    fn key(&self) -> u32 {
-        let (kind, a, b, c) = match *self {
-            Operation::Input(variable) => (0, usize::from(variable.0), 0, 0),
-            Operation::Constant(ref value) => return mixed(1, value.key()),
-            Operation::Add(a, b) => (2, a.0, b.0, 0),
-            Operation::Subtract(a, b) => (3, a.0, b.0, 0),
-            Operation::Multiply(a, b) => (4, a.0, b.0, 0),
-            Operation::Divide(a, b) => (5, a.0, b.0, 0),
-            Operation::Negate(a) => (6, a.0, 0, 0),
-            Operation::MultiplyAdd(a, b, c) => (7, a.0, b.0, c.0),
-            Operation::MultiplySubtract(a, b, c) => (8, a.0, b.0, c.0),
-            Operation::SubtractProduct(a, b, c) => (9, a.0, b.0, c.0),
-            Operation::Prepared(index) => (10, index, 0, 0),
-        };
-        mixed(mixed(kind, a as u32), mixed(b as u32, c as u32))
-    }
-}
-
-impl Keyed for Rc<Polynomial> {
-    fn key(&self) -> u32 {
-        let mut key = 0;
-        for (monomial, coefficient) in self.terms() {
-            for power in monomial.powers() {
-                key = mixed(key, u32::from(power.0.0) ^ power.1 << 16);
-            }
-            key = mixed(key, coefficient.key());
-        }
-        key
-    }
+/// A number that equal items have in common and others mostly do not.
+fn key<T: Hash>(item: &T) -> u32 {
+    let mut hasher = FxHasher::default();
+    item.hash(&mut hasher);
+    hasher.finish() as u32
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::Node;
 
     #[test]
     fn items_keep_their_numbers_and_the_last_ones_are_forgotten() {
-        let mut operations: Numbered<Operation> = Numbered::default();
-        let product = |n: usize| Operation::Multiply(Node(n / 7), Node(n));
+        let mut products = Numbered::default();
+        let product = |n: usize| (n / 7, n);
         for n in 0..100 {
-            assert_eq!(operations.number(product(n)), n);
+            assert_eq!(products.number(product(n)), n);
         }
-        assert_eq!(operations.number(product(42)), 42);
-        operations.truncate(50);
-        assert_eq!(operations.items().len(), 50);
+        assert_eq!(products.number(product(42)), 42);
+        products.truncate(50);
+        assert_eq!(products.len(), 50);
         for n in 0..100 {
-            assert_eq!(operations.find(&product(n)), (n < 50).then_some(n));
+            assert_eq!(products.find(&product(n)), (n < 50).then_some(n));
         }
-        assert_eq!(operations.number(product(70)), 50);
-        assert_eq!(operations.find(&product(70)), Some(50));
+        assert_eq!(products.number(product(70)), 50);
+        assert_eq!(products.find(&product(70)), Some(50));
     }
 }
