@@ -52,7 +52,6 @@ mod literal;
 mod machine;
 mod map;
 mod observed;
-mod operators;
 pub mod orbit;
 mod parameters;
 mod periodic;

@@ -3,12 +3,11 @@
 //! In: a register type. Out: one of twice the lanes. Where each result waits for the one before,
 //! two such chains take the time of one.
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::Neg;
 
 use num_traits::{One, Zero};
 
-use crate::scalar::assignments;
-use crate::{Constant, Scalar};
+use crate::{Constant, Scalar, operators};
 
 use super::lanes::{Lanes, Square};
 use super::sweep::Register;
@@ -17,23 +16,13 @@ use super::sweep::Register;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Twice<L>(L, L);
 
-macro_rules! operator {
-    ($Operator:ident $method:ident) => {
-        impl<L: Scalar + Copy> $Operator for Twice<L> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self(self.0.$method(other.0), self.1.$method(other.1))
-            }
-        }
-    };
+operators! {
+    [L: Scalar + Copy] Twice<L>:
+    |a: Self, b: Self| Self(a.0 + b.0, a.1 + b.1),
+    |a: Self, b: Self| Self(a.0 - b.0, a.1 - b.1),
+    |a: Self, b: Self| Self(a.0 * b.0, a.1 * b.1),
+    |a: Self, b: Self| Self(a.0 / b.0, a.1 / b.1)
 }
-operator!(Add add);
-operator!(Sub sub);
-operator!(Mul mul);
-operator!(Div div);
-assignments!([L: Scalar + Copy] Twice<L>);
 
 impl<L: Scalar + Copy> Neg for Twice<L> {
     type Output = Self;

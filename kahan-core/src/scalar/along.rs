@@ -8,7 +8,8 @@
 use num_traits::{One, Zero};
 
 use super::tuning::fenced;
-use super::{Constant, Scalar, assignments, operators};
+use super::{Constant, Scalar};
+use crate::operators;
 
 /// A value with its derivative along one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,7 +91,6 @@ fn ratio<T: Scalar>(a: Along<T>, b: Along<T>) -> Along<T> {
 }
 
 operators!([T: Scalar] Along<T>: sum, difference, product, ratio);
-assignments!([T: Scalar] Along<T>);
 
 impl<T: Scalar> core::ops::Neg for Along<T> {
     type Output = Self;

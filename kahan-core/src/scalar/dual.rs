@@ -12,7 +12,8 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
-use super::{Constant, Scalar, assignments};
+use super::{Constant, Scalar};
+use crate::assignments;
 
 /// A value with its derivatives along N directions.
 #[derive(Clone, Copy, Debug, PartialEq)]

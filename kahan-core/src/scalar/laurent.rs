@@ -10,7 +10,8 @@ use std::vec::Vec;
 
 use num_traits::{One, Zero};
 
-use super::{Constant, Scalar, assignments, operators};
+use super::{Constant, Scalar};
+use crate::operators;
 
 /// A number, or a series with its first terms known.
 #[derive(Clone, Debug, PartialEq)]
@@ -146,7 +147,6 @@ fn quotient<T: Scalar>(a: Laurent<T>, b: Laurent<T>) -> Laurent<T> {
 }
 
 operators!([T: Scalar] Laurent<T>: sum, |a: Self, b: Self| sum(a, -b), product, quotient);
-assignments!([T: Scalar] Laurent<T>);
 
 impl<T: Scalar> Zero for Laurent<T> {
     fn zero() -> Self {

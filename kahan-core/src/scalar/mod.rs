@@ -34,8 +34,6 @@ pub use epsilon::nearest_short_eps;
 pub use float_scalar::FloatScalar;
 #[cfg(all(feature = "std", feature = "exact"))]
 pub(crate) use laurent::Laurent;
-pub(crate) use operators::assignments;
-use operators::operators;
 #[cfg(feature = "std")]
 pub(crate) use wide::{Capacity, Long, level_row};
 pub(crate) use wide::{Size, Wide};

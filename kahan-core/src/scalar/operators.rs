@@ -1,6 +1,9 @@
 //! The operators of numbers, written from functions.
 
-/// + − × ÷ of a type, each from a function of two numbers; in brackets are its generic parameters.
+/// Writes + − × ÷ of a type, each from a function of two numbers, and the assignments; the generic
+/// parameters of the type stand in brackets.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! operators {
     (one [$($generics:tt)*] $type:ty, $Operator:ident $method:ident $function:expr) => {
         impl<$($generics)*> ::core::ops::$Operator for $type {
@@ -13,14 +16,17 @@ macro_rules! operators {
         }
     };
     ($generics:tt $type:ty: $add:expr, $sub:expr, $mul:expr, $div:expr) => {
-        operators!(one $generics $type, Add add $add);
-        operators!(one $generics $type, Sub sub $sub);
-        operators!(one $generics $type, Mul mul $mul);
-        operators!(one $generics $type, Div div $div);
+        $crate::operators!(one $generics $type, Add add $add);
+        $crate::operators!(one $generics $type, Sub sub $sub);
+        $crate::operators!(one $generics $type, Mul mul $mul);
+        $crate::operators!(one $generics $type, Div div $div);
+        $crate::assignments!($generics $type);
     };
 }
 
-/// The assignments of a type, from its operators.
+/// Writes the assignments of a type from its operators.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! assignments {
     (one [$($generics:tt)*] $type:ty, $Assign:ident $method:ident $operator:tt) => {
         impl<$($generics)*> ::core::ops::$Assign for $type {
@@ -31,11 +37,9 @@ macro_rules! assignments {
         }
     };
     ($generics:tt $type:ty) => {
-        assignments!(one $generics $type, AddAssign add_assign +);
-        assignments!(one $generics $type, SubAssign sub_assign -);
-        assignments!(one $generics $type, MulAssign mul_assign *);
-        assignments!(one $generics $type, DivAssign div_assign /);
+        $crate::assignments!(one $generics $type, AddAssign add_assign +);
+        $crate::assignments!(one $generics $type, SubAssign sub_assign -);
+        $crate::assignments!(one $generics $type, MulAssign mul_assign *);
+        $crate::assignments!(one $generics $type, DivAssign div_assign /);
     };
 }
-
-pub(crate) use {assignments, operators};

@@ -6,10 +6,9 @@
 use core::ops::Neg;
 
 use kahan_core::num_traits::{One, Zero};
-use kahan_core::{Constant, Scalar};
+use kahan_core::{Constant, Scalar, operators};
 
 use crate::line::has_value;
-use crate::operators::operators;
 
 /// How many trajectories stand side by side.
 pub(crate) const LANES: usize = 8;

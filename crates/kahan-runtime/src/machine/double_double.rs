@@ -10,11 +10,9 @@ use core::ops::Neg;
 use std::cell::RefCell;
 
 use kahan_core::num_traits::{One, Zero};
-use kahan_core::{Constant, Scalar};
+use kahan_core::{Constant, Scalar, operators};
 use kahan_jit::Instruction::State;
 use kahan_jit::{Instruction, Program};
-
-use crate::operators::operators;
 
 use super::traced::{self, Traced};
 

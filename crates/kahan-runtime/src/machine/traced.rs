@@ -6,10 +6,8 @@ use std::cell::RefCell;
 use std::marker::PhantomData;
 
 use kahan_core::num_traits::{One, Zero};
-use kahan_core::{FloatScalar, Scalar};
+use kahan_core::{FloatScalar, Scalar, operators};
 use kahan_jit::{Instruction, Program};
-
-use crate::operators::operators;
 
 use Instruction::{
     Add, Divide, Literal, Multiply, MultiplyAdd, MultiplySubtract, Negate, RoundToSingle, State, Subtract,

@@ -4,8 +4,7 @@ use core::ops::Neg;
 
 use num_traits::{One, Zero};
 
-use crate::scalar::{assignments, operators};
-use crate::{Constant, Scalar};
+use crate::{Constant, Scalar, operators};
 
 use super::pair::Pair;
 use super::{Bounded, Working};
@@ -63,7 +62,6 @@ impl<V: Working, P: Pair<V>> Scalar for Bounded<V, P> {
 }
 
 operators!([V: Working, P: Pair<V>] Bounded<V, P>: V::plus, V::minus, V::times, Self::divided);
-assignments!([V: Working, P: Pair<V>] Bounded<V, P>);
 
 impl<V: Working, P: Pair<V>> Bounded<V, P> {
     #[inline(always)]

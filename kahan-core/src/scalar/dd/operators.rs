@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::ops::Neg;
 
 use super::{Dd, arithmetic};
-use crate::scalar::{assignments, operators};
+use crate::operators;
 
 impl Neg for Dd {
     type Output = Self;
@@ -16,7 +16,6 @@ impl Neg for Dd {
 }
 
 operators!([] Dd: arithmetic::sum, arithmetic::difference, arithmetic::product, arithmetic::quotient);
-assignments!([] Dd);
 
 /// By value; what is not a number has no place.
 impl PartialOrd for Dd {

@@ -4,13 +4,13 @@
 //! operands' radii grow to.
 
 use core::cmp::Ordering;
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::Neg;
 
 use num_traits::{One, Zero};
 
 use super::rows::DigitRow;
 use super::{Digits, Size};
-use crate::scalar::assignments;
+use crate::operators;
 
 /// The greatest common divisor.
 fn common(mut a: u64, mut b: u64) -> u64 {
@@ -87,28 +87,18 @@ impl<const D: usize, const M: usize> Neg for Digits<D, M> {
     }
 }
 
-impl<const D: usize, const M: usize> Add for Digits<D, M> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        self.combined(&other, 1)
-    }
+operators! {
+    [const D: usize, const M: usize] Digits<D, M>:
+    |a: Self, b: Self| a.combined(&b, 1),
+    |a: Self, b: Self| a.combined(&b, -1),
+    Self::times,
+    Self::over
 }
 
-impl<const D: usize, const M: usize> Sub for Digits<D, M> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self.combined(&other, -1)
-    }
-}
-
-/// |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero times undefined is undefined.
-impl<const D: usize, const M: usize> Mul for Digits<D, M> {
-    type Output = Self;
-
+impl<const D: usize, const M: usize> Digits<D, M> {
+    /// |ab − âb̂| ≤ |â|·r_b + |b̂|·r_a + r_a·r_b. Zero times undefined is undefined.
     #[inline(never)]
-    fn mul(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) {
             return Self::UNDEFINED;
         }
@@ -118,15 +108,11 @@ impl<const D: usize, const M: usize> Mul for Digits<D, M> {
         let radius = self.size() * other.radius + (other.size() + other.radius) * self.radius;
         Self::of(&self.row().times(&other.row()), denominator, radius)
     }
-}
 
-/// |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b), where r_b is at most |b̂|/64; else
-/// nothing is known of the quotient. Undefined for a divisor that is zero.
-impl<const D: usize, const M: usize> Div for Digits<D, M> {
-    type Output = Self;
-
+    /// |a/b − â/b̂| ≤ (r_a + |â/b̂|·r_b)/(|b̂| − r_b), where r_b is at most |b̂|/64; else
+    /// nothing is known of the quotient. Undefined for a divisor that is zero.
     #[inline(never)]
-    fn div(self, other: Self) -> Self {
+    fn over(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) || other.is_zero() {
             return Self::UNDEFINED;
         }
@@ -142,9 +128,7 @@ impl<const D: usize, const M: usize> Div for Digits<D, M> {
         let radius = if is_known { radius } else { Size::from(f64::INFINITY) };
         Self { radius: quotient.radius + radius, ..quotient }
     }
-}
 
-impl<const D: usize, const M: usize> Digits<D, M> {
     /// â/b̂ for a divisor of few bits, which becomes a factor of the denominator.
     fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (is_negative, odd, exponent) = divisor.short()?;
@@ -176,8 +160,6 @@ impl<const D: usize, const M: usize> PartialEq for Digits<D, M> {
         difference.is_defined() && difference.is_zero()
     }
 }
-
-assignments!([const D: usize, const M: usize] Digits<D, M>);
 
 impl<const D: usize, const M: usize> Zero for Digits<D, M> {
     fn zero() -> Self {

@@ -10,7 +10,7 @@ use std::boxed::Box;
 use num_traits::{One, Zero};
 
 use super::{Digits, Size, Wide};
-use crate::scalar::{assignments, operators};
+use crate::operators;
 use crate::{Constant, Scalar};
 
 /// How many digits the numbers of an elimination may have.
@@ -184,7 +184,6 @@ pub(crate) fn level_row<'a>(row: impl Iterator<Item = &'a mut Long>, right: &mut
 }
 
 operators!([] Long: Self::plus, |a: Self, b: Self| a.plus(-b), Self::times, Self::over);
-assignments!([] Long);
 
 impl core::ops::Neg for Long {
     type Output = Self;
