@@ -154,7 +154,7 @@ impl Field {
 }
 
 /// Many trajectories of one field.
-struct Many<T> {
+struct Many<T: Float> {
     at: MapAt<T>,
     /// One, or one a trajectory.
     eps: Vec<T>,

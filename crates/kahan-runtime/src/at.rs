@@ -8,6 +8,8 @@ mod observe;
 mod passed_poles;
 mod rotation;
 mod tangent;
+#[cfg(test)]
+mod tests;
 
 pub use drift::IntegralDrift;
 pub use observe::WhileFinite;
@@ -15,43 +17,40 @@ pub use passed_poles::{Passed, PassedPoles};
 
 use std::sync::{Arc, OnceLock};
 
-use kahan_core::{Composition, Increments, Level, Step, Stopped, Workspace};
+use kahan_core::{Composition, Increments, Level, Precision, Step, Stopped, Workspace};
 use smallvec::SmallVec;
 
 use crate::dimension::Argument;
-use crate::engine::{
-    CodedStages, Engine, Instructions, Scratches, Stage, integral_constants, split, stage_constants,
-};
-use crate::machine::StepKind;
+use crate::engine::{CodedStages, Engine, Stage, integral_constants, split, stage_constants};
+use crate::machine::{InstructionSet, StepKind};
 use crate::{DimensionError, Map};
 
-/// A float of the machine: `f64` or `f32`.
-pub trait MachineFloat: Scratches {}
+pub use crate::engine::{MachineFloat, RuntimeFloat};
 
 /// A point; in up to eight variables it is no allocation.
 pub type RuntimePoint<T> = SmallVec<[T; 8]>;
-
-impl MachineFloat for f32 {}
-impl MachineFloat for f64 {}
 
 /// Kahan's map at one ε, half the time step; made by [`Map::at`].
 ///
 /// States are slices, an entry a variable. Bits are those of the code that `kahan!` writes, for
 /// single steps and for columns (where those are ensembles at [`Level::Baseline`]), unless
 /// [another level](Self::at_level) is asked for. It runs as machine code where that can be had, and
-/// else interpreted, by the same calls and with the same bits. Nothing panics, whatever the numbers
+/// else interpreted, by the same calls and with the same bits; code of [`Dd`](kahan_core::Dd) leaves
+/// steps from huge and tiny numbers to the interpreter. Nothing panics, whatever the numbers
 /// are: a pole shows as numbers that are not finite. After the first call on a thread no step
 /// allocates. A map can be used from any number of threads at once. What is compiled or planned at
 /// its first use is made by one thread, for which the others wait; steps wait for nobody.
 #[derive(Clone, Debug)]
-pub struct MapAt<T> {
+pub struct MapAt<T: RuntimeFloat> {
     map: Map,
     /// The parameters, and ε behind them.
     constants: Arc<[T]>,
     /// The same for integrals, which of a composition are those of the flow: ε is 0 there.
     of_integrals: Arc<[T]>,
     composition: Composition,
-    instructions: Instructions,
+    kind: StepKind,
+    /// On what columns run; `None` for the widest that there are.
+    set: Option<InstructionSet>,
     /// Those that differ.
     stages: Arc<[Stage<T>]>,
     /// The same as machine code, where there is some.
@@ -62,17 +61,18 @@ pub struct MapAt<T> {
     poles: Arc<OnceLock<Vec<passed_poles::StagePoles<T>>>>,
 }
 
-impl<T: MachineFloat> MapAt<T> {
-    /// The map with the parameters, and ε behind them.
-    pub(crate) fn new(map: Map, constants: Arc<[T]>) -> Self {
+impl<T: RuntimeFloat> MapAt<T> {
+    /// The map with the parameters, and ε behind them, on states in this precision.
+    pub(crate) fn new(map: Map, constants: Arc<[T]>, precision: Precision) -> Self {
         let composition = Composition::KAHAN;
-        let instructions = Instructions::OF_THE_BUILD;
         MapAt {
             map,
             of_integrals: Arc::clone(&constants),
             constants,
             composition,
-            instructions,
+            // With the bits of this build.
+            kind: StepKind::of(precision, cfg!(target_feature = "fma")),
+            set: None,
             stages: Arc::default(),
             coded: None,
             variational: Arc::default(),
@@ -90,11 +90,9 @@ impl<T: MachineFloat> MapAt<T> {
     /// map itself at ε.
     #[must_use]
     pub fn composed(&self, composition: Composition) -> Self {
-        let (engine, constants) = (self.engine(), &self.constants);
-        let stages = engine.stages(constants, composition).into();
-        let kind = StepKind::of::<T>(self.instructions.fuses);
-        let coded = engine.coded_stages(kind, &stage_constants(constants, composition), |number| [number]);
-        let of_integrals = integral_constants(constants, composition).into();
+        let (engine, own) = (self.engine(), stage_constants(self.kind, &self.constants, composition));
+        let (stages, coded) = (engine.stages(&own).into(), engine.coded_stages(self.kind, &own));
+        let of_integrals = integral_constants(&self.constants, composition).into();
         let (variational, poles) = Default::default();
         MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
@@ -107,8 +105,13 @@ impl<T: MachineFloat> MapAt<T> {
     /// in registers as wide as there are.
     #[must_use]
     pub fn at_level(&self, level: Level) -> Option<Self> {
-        let instructions = Instructions::at_level(level);
-        let at = MapAt { instructions, ..self.clone() }.composed(self.composition);
+        let (set, fuses) = match level {
+            Level::Avx512 => (Some(InstructionSet::Avx512), true),
+            Level::Avx2 => (Some(InstructionSet::Avx2), true),
+            _ => (None, cfg!(target_feature = "fma")),
+        };
+        let at = MapAt { kind: StepKind { fuses, ..self.kind }, set, ..self.clone() };
+        let at = at.composed(self.composition);
         (level == Level::Baseline || level.is_available() && at.coded.is_some()).then_some(at)
     }
 
@@ -135,23 +138,6 @@ impl<T: MachineFloat> MapAt<T> {
         split(&self.constants)
     }
 
-    /// x̃, the state one time step of 2ε later.
-    ///
-    /// # Errors
-    /// [`DimensionError`] if `x` or `next` has not an entry a variable.
-    pub fn step(&self, x: &[T], next: &mut [T]) -> Result<(), DimensionError> {
-        self.check_out(next, self.dimension())?;
-        self.check_state(x)?;
-        match &self.coded {
-            Some(stages) => stages.step(x, next),
-            None => {
-                next.copy_from_slice(x);
-                self.engine().advance(&self.stages, [next, &mut []], 1);
-            }
-        }
-        Ok(())
-    }
-
     /// Replaces `x` by the state so many steps later.
     ///
     /// # Errors
@@ -163,9 +149,8 @@ impl<T: MachineFloat> MapAt<T> {
     }
 
     fn advance_checked(&self, x: &mut [T], steps: u64) {
-        match &self.coded {
-            Some(stages) => stages.advance(x, steps),
-            None => self.engine().advance(&self.stages, [x, &mut []], steps),
+        if !self.coded.as_ref().is_some_and(|stages| stages.has_advanced(x, steps)) {
+            self.engine().advance(self.kind, &self.stages, [x, &mut []], steps);
         }
     }
 
@@ -182,9 +167,20 @@ impl<T: MachineFloat> MapAt<T> {
         let engine = self.engine();
         let by_code = |stages| engine.has_advanced_with_carry(stages, x, carry, steps);
         if !self.coded.as_ref().is_some_and(by_code) {
-            engine.advance(&self.stages, [x, carry], steps);
+            engine.advance(self.kind, &self.stages, [x, carry], steps);
         }
         Ok(())
+    }
+
+    /// Whether the step from `x`, or a stage of it, divides by a number that is exactly 0.
+    ///
+    /// Cost: that of an interpreted step.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` has not an entry a variable.
+    pub fn divides_by_zero(&self, x: &[T]) -> Result<bool, DimensionError> {
+        self.check_state(x)?;
+        Ok(self.engine().divides_by_zero(&self.stages, &mut x.to_vec()))
     }
 
     /// The same, of the map of this field at other parameters, and at another ε.
@@ -210,9 +206,28 @@ impl<T: MachineFloat> MapAt<T> {
     }
 }
 
+impl<T: MachineFloat> MapAt<T> {
+    /// x̃, the state one time step of 2ε later.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if `x` or `next` has not an entry a variable.
+    pub fn step(&self, x: &[T], next: &mut [T]) -> Result<(), DimensionError> {
+        self.check_out(next, self.dimension())?;
+        self.check_state(x)?;
+        match &self.coded {
+            Some(stages) => stages.step(x, next),
+            None => {
+                next.copy_from_slice(x);
+                self.advance_checked(next, 1);
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Bits are those of [`advance`](MapAt::advance). A state of another length panics here, as
 /// dimensions of nalgebra do.
-impl<T: MachineFloat> Step for MapAt<T> {
+impl<T: RuntimeFloat> Step for MapAt<T> {
     type Scalar = T;
     type State = Vec<T>;
 
@@ -238,7 +253,7 @@ impl<T: MachineFloat> Step for MapAt<T> {
 }
 
 /// Bits are those of [`advance_with_carry`](MapAt::advance_with_carry).
-impl<T: MachineFloat> Increments for MapAt<T> {
+impl<T: RuntimeFloat> Increments for MapAt<T> {
     type Carried = Vec<T>;
 
     #[track_caller]

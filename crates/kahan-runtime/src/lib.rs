@@ -58,7 +58,9 @@ mod periodic;
 mod text;
 pub mod threads;
 
-pub use at::{IntegralDrift, MachineFloat, MapAt, Passed, PassedPoles, RuntimePoint, WhileFinite};
+pub use at::{
+    IntegralDrift, MachineFloat, MapAt, Passed, PassedPoles, RuntimeFloat, RuntimePoint, WhileFinite,
+};
 pub use claim::ClaimError;
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;

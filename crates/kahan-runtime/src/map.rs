@@ -4,12 +4,11 @@ use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{KahanMap, Pivot, Scalar, Scheme, SingularStep};
+use kahan_core::{KahanMap, Pivot, Precision, Scalar, SingularStep};
 
 use crate::dimension::Argument;
 use crate::interpreted::{Interpreted, round};
-use crate::orbit::SchemeOrbit;
-use crate::{DimensionError, Field, MachineFloat, MapAt};
+use crate::{DimensionError, Field, MapAt, RuntimeFloat};
 
 /// Kahan's map of a [`Field`] at values of its parameters; made by [`Field::with`].
 ///
@@ -43,8 +42,21 @@ impl Map {
     /// Cost: the first call for a field plans its step, which takes some milliseconds to some tens
     /// of them; further ones some microseconds.
     #[must_use]
-    pub fn at<T: MachineFloat>(&self, eps: T) -> MapAt<T> {
-        MapAt::new(self.clone(), self.parameters.iter().map(round).chain([eps]).collect())
+    pub fn at<T: RuntimeFloat>(&self, eps: T) -> MapAt<T> {
+        MapAt::new(self.clone(), self.constants(eps).collect(), T::PRECISION)
+    }
+
+    /// The map of [`ThroughF64`](kahan_core::ThroughF64): states, ε and parameters are numbers of
+    /// `f32` that are held in `f64`, and each step is computed in `f64` and rounded once.
+    #[must_use]
+    pub fn through_f64(&self, eps: f32) -> MapAt<f64> {
+        let constants = self.constants(eps).map(f64::from).collect();
+        MapAt::new(self.clone(), constants, Precision::SingleThroughDouble)
+    }
+
+    /// The parameters, and ε behind them.
+    fn constants<T: RuntimeFloat>(&self, eps: T) -> impl Iterator<Item = T> {
+        self.parameters.iter().map(round).chain([eps])
     }
 
     /// The map as a [`KahanMap`](kahan_core::KahanMap) over any scalar, in at least as many
@@ -97,23 +109,5 @@ impl Map {
         DimensionError::check(Argument::Out, next.len(), n)?;
         let point = SVector::from_fn(|i, _| x.get(i).copied().unwrap_or_else(T::zero));
         Ok(map.try_step(&point, eps).map(|found| next.copy_from_slice(&found.as_slice()[..n])))
-    }
-
-    /// The orbit in a scheme, with ε, half the time step, from a first point; each number is
-    /// rounded once.
-    ///
-    /// Cost: the first orbit of a field plans its step, which takes some milliseconds to some tens
-    /// of them, and the first of its kind compiles it, in some tenths of one.
-    ///
-    /// # Errors
-    /// [`DimensionError`] if the point has not an entry a variable.
-    pub fn orbit(
-        &self,
-        scheme: Scheme,
-        eps: &Rational,
-        start: &[Rational],
-    ) -> Result<SchemeOrbit, DimensionError> {
-        DimensionError::check(Argument::State, start.len(), self.field.variables().len())?;
-        Ok(SchemeOrbit::begin(self, scheme, eps, start))
     }
 }

@@ -13,8 +13,9 @@ use smallvec::SmallVec;
 
 use super::{MachineFloat, MapAt};
 use crate::dimension::Argument;
-use crate::engine::{Columns, ColumnsForm};
+use crate::engine::Columns;
 use crate::follow::is_finite;
+use crate::machine::StepKind;
 use crate::{DimensionError, End, Follow, Followed};
 
 impl<T: MachineFloat> MapAt<T> {
@@ -52,14 +53,14 @@ impl<T: MachineFloat> MapAt<T> {
     ) -> Result<(), DimensionError> {
         let trajectories = self.check_columns(columns)?;
         self.check_constants(eps, parameters, trajectories)?;
-        self.advance_in(ColumnsForm::OF_ENSEMBLES, columns, eps, parameters, steps);
+        self.advance_in(StepKind { is_general: true, ..self.kind }, columns, eps, parameters, steps);
         Ok(())
     }
 
-    /// Advances columns that fit by a form of the step.
+    /// Advances columns that fit by steps of a kind.
     fn advance_in(
         &self,
-        form: ColumnsForm,
+        kind: StepKind,
         columns: &mut [&mut [T]],
         eps: &[T],
         parameters: &[&[T]],
@@ -70,7 +71,7 @@ impl<T: MachineFloat> MapAt<T> {
         let own: SmallVec<[&[T]; 8]> = own.iter().map(slice::from_ref).collect();
         let are_own = parameters.is_empty();
         let mut columns = Columns { columns, eps, parameters: if are_own { &own } else { parameters } };
-        self.engine().advance_columns(&mut columns, self.composition, steps, form, self.instructions);
+        self.engine().advance_columns(&mut columns, self.composition, steps, kind, self.set);
         if !are_own && self.map.field().has_divisors() {
             self.forget_undefined(&mut columns);
         }
@@ -123,8 +124,8 @@ impl<T: MachineFloat> MapAt<T> {
         let trajectories = self.check_columns(columns)?;
         self.check_constants(eps, parameters, trajectories)?;
         let own_eps = [self.own().1];
-        let of_form = if eps.is_empty() { &own_eps } else { eps };
-        let Some(form) = self.engine().form_of_orbits(of_form, self.composition) else {
+        let of_kind = if eps.is_empty() { &own_eps } else { eps };
+        let Some(kind) = self.engine().kind_of_orbits(self.kind, of_kind, self.composition) else {
             return self.follow_one_by_one(columns, eps, parameters, steps);
         };
         let mut ends = vec![End::Complete; trajectories];
@@ -135,7 +136,7 @@ impl<T: MachineFloat> MapAt<T> {
                 columns.iter_mut().map(|column| &mut column[piece.clone()]).collect();
             let parameters: Vec<&[T]> = parameters.iter().map(|values| own(values, piece.clone())).collect();
             let constants = (own(eps, piece.clone()), &parameters[..]);
-            self.follow_piece(form, &mut columns, constants, steps, &mut before, &mut ends[piece]);
+            self.follow_piece(kind, &mut columns, constants, steps, &mut before, &mut ends[piece]);
         }
         Ok(ends)
     }
@@ -143,7 +144,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// Follows trajectories that take one form of the step, in the room of `before`.
     fn follow_piece(
         &self,
-        form: ColumnsForm,
+        kind: StepKind,
         columns: &mut [&mut [T]],
         (eps, parameters): (&[T], &[&[T]]),
         steps: u64,
@@ -161,7 +162,7 @@ impl<T: MachineFloat> MapAt<T> {
                 before.extend_from_slice(column);
             }
             if now > 0 {
-                self.advance_in(form, columns, eps, parameters, now);
+                self.advance_in(kind, columns, eps, parameters, now);
             }
             let lost = lost(columns, ends);
             if !lost.is_empty() {
@@ -171,7 +172,7 @@ impl<T: MachineFloat> MapAt<T> {
                 let own: Vec<Vec<T>> = parameters.iter().map(|values| of(values)).collect();
                 let own: Vec<&[T]> = own.iter().map(Vec::as_slice).collect();
                 let starts = before.iter().map(|column| lost.iter().map(|&k| column[k]).collect()).collect();
-                let finite = self.finite_steps(form, starts, &of(eps), &own, now);
+                let finite = self.finite_steps(kind, starts, &of(eps), &own, now);
                 for (&k, steps) in lost.iter().zip(finite) {
                     ends[k] = End::Range(made + steps);
                     // A state that is not finite stays so.
@@ -189,7 +190,7 @@ impl<T: MachineFloat> MapAt<T> {
     /// so many lead out of the range.
     fn finite_steps(
         &self,
-        form: ColumnsForm,
+        kind: StepKind,
         mut starts: Vec<Vec<T>>,
         eps: &[T],
         parameters: &[&[T]],
@@ -200,7 +201,7 @@ impl<T: MachineFloat> MapAt<T> {
         for power in (0..=steps.checked_ilog2().unwrap_or(0)).rev() {
             let mut ahead = starts.clone();
             let mut columns: Vec<&mut [T]> = ahead.iter_mut().map(Vec::as_mut_slice).collect();
-            self.advance_in(form, &mut columns, eps, parameters, 1 << power);
+            self.advance_in(kind, &mut columns, eps, parameters, 1 << power);
             for (k, taken) in taken.iter_mut().enumerate() {
                 if ahead.iter().all(|column| is_finite(&column[k..=k])) {
                     *taken += 1 << power;

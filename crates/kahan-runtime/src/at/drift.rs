@@ -11,7 +11,7 @@ const MOST_INTEGRALS: usize = 8;
 
 /// How far the integrals of a field are from their first values, one report each.
 #[derive(Clone, Debug)]
-pub struct IntegralDrift<'a, T> {
+pub struct IntegralDrift<'a, T: MachineFloat> {
     at: &'a MapAt<T>,
     values: Vec<T>,
     drifts: Vec<Drift<Itself<T>, T, 1>>,
@@ -100,6 +100,6 @@ impl<T: MachineFloat> MapAt<T> {
         let [first, ..] = maps;
         let are_like_first = maps.iter().all(|map| map.is_like(first));
         let constants = maps.map(|map| &*map.of_integrals);
-        first.engine().integrals_abreast(constants, first.instructions, workspace).filter(|_| are_like_first)
+        first.engine().integrals_abreast(constants, first.set, workspace).filter(|_| are_like_first)
     }
 }

@@ -3,9 +3,9 @@
 use crate::engine::Object;
 use crate::{ClaimError, DimensionError};
 
-use super::{MachineFloat, MapAt};
+use super::{MapAt, RuntimeFloat};
 
-impl<T: MachineFloat> MapAt<T> {
+impl<T: RuntimeFloat> MapAt<T> {
     /// f(x), an entry a variable.
     ///
     /// # Errors
@@ -104,7 +104,7 @@ impl<T: MachineFloat> MapAt<T> {
 
 /// The entries above the diagonal of an antisymmetric matrix, row by row at the beginning of
 /// `entries`, become the whole matrix.
-fn spread_antisymmetric<T: MachineFloat>(entries: &mut [T], n: usize) {
+fn spread_antisymmetric<T: RuntimeFloat>(entries: &mut [T], n: usize) {
     let mut above = n * (n - 1) / 2;
     // From the last to the first: no entry is written to before it was moved away.
     for i in (0..n).rev() {

@@ -144,12 +144,12 @@ impl<T: MachineFloat> MapAt<T> {
         for (stages, map) in stages.iter_mut().zip(maps) {
             *stages = map.coded.as_ref().filter(|_| map.is_like(first))?;
         }
-        first.engine().abreast(stages, vectors, first.instructions, workspace)
+        first.engine().abreast(stages, vectors, first.set, workspace)
     }
 
     /// Whether it is of the same field, on the same instructions.
     pub(super) fn is_like(&self, other: &Self) -> bool {
-        core::ptr::eq(self.engine(), other.engine()) && self.instructions == other.instructions
+        core::ptr::eq(self.engine(), other.engine()) && self.set == other.set && self.kind == other.kind
     }
 }
 

@@ -7,7 +7,7 @@
 use kahan_core::observe::Observer;
 use kahan_core::{Composition, Scalar};
 
-use super::{MachineFloat, MapAt, RuntimePoint};
+use super::{MachineFloat, MapAt, RuntimeFloat, RuntimePoint};
 use crate::denominator::Denominator;
 use crate::engine::{split, stage_constants};
 
@@ -48,7 +48,7 @@ pub struct Passed {
 /// assert!(x[0] < 0.0);
 /// ```
 #[derive(Clone, Debug)]
-pub struct PassedPoles<'a, T> {
+pub struct PassedPoles<'a, T: MachineFloat> {
     at: &'a MapAt<T>,
     /// The point seen last, and for a moment those of stages.
     place: RuntimePoint<T>,
@@ -84,7 +84,7 @@ impl<T: MachineFloat> Observer<T> for PassedPoles<'_, T> {
 
 /// A stage of a step that differs from the others.
 #[derive(Clone, Debug)]
-pub(super) struct StagePoles<T> {
+pub(super) struct StagePoles<T: RuntimeFloat> {
     /// Kahan's map at the ε of the stage.
     map: MapAt<T>,
     /// `None` where the map is not written out.
@@ -131,6 +131,6 @@ impl<T: MachineFloat> MapAt<T> {
             });
             StagePoles { map, denominator }
         };
-        stage_constants(&self.constants, self.composition).into_iter().map(of_stage).collect()
+        stage_constants(self.kind, &self.constants, self.composition).into_iter().map(of_stage).collect()
     }
 }

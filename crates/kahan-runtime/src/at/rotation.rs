@@ -8,7 +8,7 @@ use kahan_core::observe::{Extrema, Extremes, Observer, Rotation, Turns};
 use super::{MachineFloat, MapAt};
 
 /// Shows observers each point with its rate of change f(x) behind it.
-struct WithRates<'a, T, O> {
+struct WithRates<'a, T: MachineFloat, O> {
     at: &'a MapAt<T>,
     both: Vec<T>,
     observers: O,

@@ -29,7 +29,7 @@ impl<T: MachineFloat> MapAt<T> {
         self.variational.get_or_init(|| {
             let field = Field { engine: Arc::clone(self.engine().variational()) };
             let map = crate::Map::new(field, self.map.parameters().to_vec());
-            MapAt::new(map, self.constants.clone()).composed(self.composition)
+            MapAt::new(map, self.constants.clone(), self.kind.precision).composed(self.composition)
         })
     }
 }

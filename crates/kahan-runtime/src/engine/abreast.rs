@@ -9,8 +9,8 @@ use kahan_core::observe::{GROUP, Group};
 use crate::machine::{InstructionSet, SideBySide, Sweep};
 
 use super::coded::CodedStages;
-use super::scratch::Scratches;
-use super::{Engine, Instructions, in_turn};
+use super::floats::MachineFloat;
+use super::{Engine, in_turn};
 
 /// The most vectors that are carried at once.
 const MOST_VECTORS: usize = 2;
@@ -31,11 +31,11 @@ pub(crate) struct Abreast<T> {
 impl Engine {
     /// The steps of orbits with these stages and so many tangent vectors each; `None` where they
     /// have no code in common. `workspace` is used for the constants.
-    pub(crate) fn abreast<T: Scratches>(
+    pub(crate) fn abreast<T: MachineFloat>(
         &self,
         stages: [&CodedStages<T>; GROUP],
         vectors: usize,
-        Instructions { set, .. }: Instructions,
+        set: Option<InstructionSet>,
         workspace: Vec<T>,
     ) -> Option<Abreast<T>> {
         let [first, ..] = stages;
@@ -52,10 +52,10 @@ impl Engine {
 
     /// What writes the integrals of orbits behind their points; `constants` are the parameters and
     /// ε of each.
-    pub(crate) fn integrals_abreast<T: Scratches>(
+    pub(crate) fn integrals_abreast<T: MachineFloat>(
         &self,
         constants: [&[T]; GROUP],
-        Instructions { set, .. }: Instructions,
+        set: Option<InstructionSet>,
         workspace: Vec<T>,
     ) -> Option<Abreast<T>> {
         let code = self.codes.abreast(self, SideBySide::Integrals, set.or_else(InstructionSet::best)?)?;
@@ -63,7 +63,7 @@ impl Engine {
     }
 }
 
-impl<T: Scratches> Abreast<T> {
+impl<T: MachineFloat> Abreast<T> {
     /// `constant` is that of a stage, a lane and a place.
     fn of(
         code: Arc<Sweep<T>>,

@@ -5,12 +5,13 @@
 //! filled up with copies of the last trajectory. However the columns are divided, each trajectory
 //! goes through the same operations.
 
-use kahan_core::{Composition, Level};
+use kahan_core::Composition;
 
-use crate::machine::{ColumnsCode, InstructionSet};
+use crate::machine::{ColumnsCode, InstructionSet, StepKind};
 
-use super::columns::{Columns, ColumnsForm};
-use super::scratch::{Scratches, with_scratch};
+use super::columns::Columns;
+use super::floats::MachineFloat;
+use super::scratch::with_scratch;
 use super::{Engine, distinct, in_turn};
 
 /// Trajectories of a tile.
@@ -22,43 +23,21 @@ const PAGE: usize = 4096;
 /// Steps from which on it takes less to move a tile than to go on across lines.
 const WORTH_MOVING: u64 = 8;
 
-/// On what columns run, and how they round.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Instructions {
-    /// `None` for the widest that there are.
-    pub(super) set: Option<InstructionSet>,
-    pub(crate) fuses: bool,
-}
-
-impl Instructions {
-    /// The bits of this build, as fast as this processor computes them.
-    pub(crate) const OF_THE_BUILD: Self = Instructions { set: None, fuses: cfg!(target_feature = "fma") };
-
-    /// Those of a level of ensembles.
-    pub(crate) fn at_level(level: Level) -> Self {
-        match level {
-            Level::Avx512 => Instructions { set: Some(InstructionSet::Avx512), fuses: true },
-            Level::Avx2 => Instructions { set: Some(InstructionSet::Avx2), fuses: true },
-            _ => Self::OF_THE_BUILD,
-        }
-    }
-}
-
 impl Engine {
     /// Advances every trajectory by code; `false` where there is none.
-    pub(super) fn has_advanced_columns<T: Scratches>(
+    pub(super) fn has_advanced_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
         composition: Composition,
         steps: u64,
-        form: ColumnsForm,
-        Instructions { set, fuses }: Instructions,
+        kind: StepKind,
+        set: Option<InstructionSet>,
     ) -> bool {
         let Some(set) = set.or_else(InstructionSet::best) else { return false };
-        let Some(code) = self.codes.columns(self, form, (set, fuses)) else { return false };
+        let Some(code) = self.codes.columns(self, kind, set) else { return false };
         with_scratch(T::single(), |scratch| {
             let mut prepared =
-                Prepared { code: &code, composition, constants: &mut scratch.given, length: 0 };
+                Prepared { code: &code, kind, composition, constants: &mut scratch.given, length: 0 };
             let is_one = |values: &[T]| values.len() == 1;
             let are_shared = is_one(columns.eps) && columns.parameters.iter().all(|values| is_one(values));
             if are_shared {
@@ -109,7 +88,7 @@ impl Engine {
 
 /// Runs a tile where its columns begin with cache lines, in `workspace`, and takes the results
 /// back.
-fn run_in_lines<T: Scratches>(
+fn run_in_lines<T: MachineFloat>(
     tile: &mut [&mut [T]],
     workspace: &mut Vec<T>,
     run: impl FnOnce(&mut [&mut [T]]),
@@ -141,13 +120,14 @@ type Tile<'a, T> = smallvec::SmallVec<[&'a mut [T]; 16]>;
 /// The constants of the stages that differ, one stage after the other.
 struct Prepared<'a, T> {
     code: &'a ColumnsCode<T>,
+    kind: StepKind,
     composition: Composition,
     constants: &'a mut Vec<T>,
     /// Of one stage.
     length: usize,
 }
 
-impl<T: Scratches> Prepared<'_, T> {
+impl<T: MachineFloat> Prepared<'_, T> {
     /// Those of so many registers of trajectories from this one on.
     fn of_registers(
         &mut self,
@@ -159,8 +139,7 @@ impl<T: Scratches> Prepared<'_, T> {
         let (width, last) =
             (self.code.width(), columns.first().map_or(0, |column| column.len()).saturating_sub(1));
         self.constants.clear();
-        for coefficient in distinct(&self.composition) {
-            let gamma = T::constant(coefficient);
+        for gamma in distinct(&self.composition) {
             for register in 0..registers {
                 let place = |lane: usize| last.min(first + register * width + lane);
                 let of = |values: &[T], lane: usize| {
@@ -168,7 +147,7 @@ impl<T: Scratches> Prepared<'_, T> {
                 };
                 given.clear();
                 parameters.iter().for_each(|values| given.extend((0..width).map(|lane| of(values, lane))));
-                given.extend((0..width).map(|lane| gamma * of(eps, lane)));
+                given.extend((0..width).map(|lane| self.kind.stage_eps(gamma, of(eps, lane))));
                 self.code.prepare(given, self.constants);
             }
         }

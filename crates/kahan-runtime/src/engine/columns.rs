@@ -6,10 +6,13 @@
 
 use kahan_core::{Composition, Scalar};
 
+use crate::machine::{InstructionSet, StepKind};
+
+use super::floats::MachineFloat;
 use super::lanes::{EightLanes, LANES};
-use super::scratch::{Local, Scratch, Scratches, with_scratch};
+use super::scratch::{Local, Scratch, with_scratch};
 use super::step::{Step, Steps};
-use super::{Engine, Instructions, distinct, in_turn};
+use super::{Engine, distinct, in_turn};
 
 /// What is to be advanced.
 #[derive(Debug)]
@@ -20,20 +23,6 @@ pub(crate) struct Columns<'a, 'b, T> {
     pub(crate) eps: &'a [T],
     /// For each parameter one value, or one a trajectory.
     pub(crate) parameters: &'a [&'a [T]],
-}
-
-/// The form of the step that columns take.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct ColumnsForm {
-    /// Whether it is the one that serves every ε.
-    pub(crate) is_general: bool,
-    /// Whether increments are rounded before they are added.
-    pub(crate) rounds_increments: bool,
-}
-
-impl ColumnsForm {
-    /// The one that serves every ε.
-    pub(crate) const OF_ENSEMBLES: Self = ColumnsForm { is_general: true, rounds_increments: false };
 }
 
 /// Numbers of as many trajectories as go side by side.
@@ -48,7 +37,7 @@ trait Lanes<T>: Scalar + Copy {
     fn of(&self, place: usize) -> T;
 }
 
-impl<T: Scratches> Lanes<T> for T {
+impl<T: MachineFloat> Lanes<T> for T {
     const WIDTH: usize = 1;
 
     fn gather(value: impl Fn(usize) -> T) -> Self {
@@ -60,7 +49,7 @@ impl<T: Scratches> Lanes<T> for T {
     }
 }
 
-impl<T: Scratches> Lanes<T> for EightLanes<T> {
+impl<T: MachineFloat> Lanes<T> for EightLanes<T> {
     const WIDTH: usize = LANES;
 
     #[inline(always)]
@@ -75,19 +64,19 @@ impl<T: Scratches> Lanes<T> for EightLanes<T> {
 }
 
 impl Engine {
-    /// Advances every trajectory by so many steps of a composition.
-    pub(crate) fn advance_columns<T: Scratches>(
+    /// Advances every trajectory by so many steps of a composition, on these instructions.
+    pub(crate) fn advance_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
         composition: Composition,
         steps: u64,
-        form: ColumnsForm,
-        instructions: Instructions,
+        kind: StepKind,
+        set: Option<InstructionSet>,
     ) {
-        if self.has_advanced_columns(columns, composition, steps, form, instructions) {
+        if self.has_advanced_columns(columns, composition, steps, kind, set) {
             return;
         }
-        let step = (self.steps().form(form.is_general), form.rounds_increments);
+        let step = (self.steps().form(kind.is_general), kind);
         if step.0.has_lanes() {
             advance(step, T::lanes(), columns, composition, steps);
         } else {
@@ -95,34 +84,35 @@ impl Engine {
         }
     }
 
-    /// The form that single orbits take; `None` where several of these ε, or stages of the
+    /// The step that single orbits take; `None` where several of these ε, or stages of the
     /// composition, take different ones.
-    pub(crate) fn form_of_orbits<T: Scratches>(
+    pub(crate) fn kind_of_orbits<T: MachineFloat>(
         &self,
+        kind: StepKind,
         eps: &[T],
         composition: Composition,
-    ) -> Option<ColumnsForm> {
+    ) -> Option<StepKind> {
         let each = |eps: &T| {
             let eps = *eps;
-            distinct(&composition).map(move |coefficient| T::constant(coefficient) * eps)
+            distinct(&composition).map(move |gamma| kind.stage_eps(gamma, eps))
         };
         let mut general = eps.iter().flat_map(each).map(|eps| self.steps().are_general(&eps));
         let is_general = general.next().unwrap_or(true);
-        let form = ColumnsForm { is_general, rounds_increments: Steps::rounds::<T>(is_general) };
-        general.all(|other| other == is_general).then_some(form)
+        let kind = StepKind { is_general, rounds_increments: Steps::rounds::<T>(is_general), ..kind };
+        general.all(|other| other == is_general).then_some(kind)
     }
 }
 
 /// Advances the trajectories in groups of as many as go side by side; where the last are fewer,
 /// copies of the last one fill the group.
 fn advance<T, V>(
-    (step, rounds): (&Step, bool),
+    (step, kind): (&Step, StepKind),
     local: Local<V>,
     Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>,
     composition: Composition,
     steps: u64,
 ) where
-    T: Scratches,
+    T: MachineFloat,
     V: Lanes<T>,
 {
     let trajectories = columns.first().map_or(0, |column| column.len());
@@ -138,15 +128,17 @@ fn advance<T, V>(
             constants.extend(parameters.iter().map(|values| gather(values)));
             constants.push(V::zero());
             let eps = gather(eps);
-            for coefficient in distinct(&composition) {
-                constants[parameters.len()] = V::constant(coefficient) * eps;
+            for gamma in distinct(&composition) {
+                constants[parameters.len()] = V::gather(|place| kind.stage_eps(gamma, eps.of(place)));
                 step.prepare(constants, registers, given);
             }
             registers.clear();
             given.chunks_exact(given.len() / stages).for_each(|given| step.open(given, registers));
             for _ in 0..steps {
                 in_turn(stages, |k| {
-                    step.advance(rounds, [state, &mut []], &mut registers[k * size..][..size], workspace);
+                    let registers = &mut registers[k * size..][..size];
+                    let stored = |x: V| V::gather(|place| kind.stored(x.of(place)));
+                    step.advance_as(kind, [state, &mut []], registers, workspace, stored);
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {

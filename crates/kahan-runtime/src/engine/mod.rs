@@ -10,6 +10,7 @@ mod coded_columns;
 mod columns;
 mod couplings;
 mod elimination;
+mod floats;
 mod lanes;
 mod scratch;
 mod step;
@@ -22,23 +23,23 @@ use kahan_algebra::system::System;
 use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 
 use crate::line::Line;
-use crate::machine::Codes;
+use crate::machine::{Codes, StepKind};
 
 use elimination::{has_negative_determinant, solve};
 use step::Steps;
 
 pub(crate) use abreast::Abreast;
 pub(crate) use coded::CodedStages;
-pub(crate) use coded_columns::Instructions;
-pub(crate) use columns::{Columns, ColumnsForm};
+pub(crate) use columns::Columns;
 pub(crate) use couplings::{Factors, Tables};
+pub use floats::{MachineFloat, RuntimeFloat};
 use scratch::Workspace;
-pub(crate) use scratch::{Scratch, Scratches, with_scratch};
+pub(crate) use scratch::{Scratch, with_scratch};
 pub(crate) use step::{Step, into_matrix};
 
 /// A function of the state, or of two states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Object {
+pub enum Object {
     /// f(x)
     Field,
     /// f′(x), row by row.
@@ -88,7 +89,7 @@ impl Object {
 
 /// The plans of a field, and what has been made of them.
 #[derive(Debug)]
-pub(crate) struct Engine {
+pub struct Engine {
     pub(crate) derived: Derived,
     steps: OnceLock<Steps>,
     /// Those of the objects, each in its place.
@@ -169,11 +170,9 @@ impl Engine {
         self.single_integrals.get_or_init(|| (0..integral_names.len()).map(line).collect())
     }
 
-    /// The distinct stages of a composition, each prepared; `constants` are the parameters and ε.
-    pub(crate) fn stages<T: Scratches>(&self, constants: &[T], composition: Composition) -> Vec<Stage<T>> {
-        with_scratch(T::single(), |scratch| {
-            stage_constants(constants, composition).iter().map(|own| self.stage(own, scratch)).collect()
-        })
+    /// Steps, each prepared; `constants` are the parameters and ε of each.
+    pub(crate) fn stages<T: RuntimeFloat>(&self, constants: &[Vec<T>]) -> Vec<Stage<T>> {
+        with_scratch(T::single(), |scratch| constants.iter().map(|own| self.stage(own, scratch)).collect())
     }
 
     /// A step, prepared; `constants` are the parameters and ε.
@@ -184,19 +183,33 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Replaces a state by the one so many steps later, with what it lacks carried along where
-    /// there is a `carry`.
-    pub(crate) fn advance<T: Scratches>(
+    /// Replaces a state by the one so many steps of a kind later, with what it lacks carried along
+    /// where there is a `carry`.
+    pub(crate) fn advance<T: RuntimeFloat>(
         &self,
+        kind: StepKind,
         stages: &[Stage<T>],
         [state, carry]: [&mut [T]; 2],
         steps: u64,
     ) {
         with_scratch(T::single(), |scratch| {
-            self.run(stages, steps, scratch, |step, rounds, registers, workspace| {
-                step.advance(rounds, [state, carry], registers, workspace);
+            self.run(stages, steps, scratch, |step, rounds_increments, registers, workspace| {
+                let kind = StepKind { rounds_increments, ..kind };
+                step.advance_as(kind, [state, carry], registers, workspace, |x| kind.stored(x));
             });
         });
+    }
+
+    /// Whether a step from this state, which is used up, divides by a number that is exactly 0.
+    pub(crate) fn divides_by_zero<T: RuntimeFloat>(&self, stages: &[Stage<T>], state: &mut [T]) -> bool {
+        let mut divides = false;
+        with_scratch(T::single(), |scratch| {
+            self.run(stages, 1, scratch, |step, rounds, registers, workspace| {
+                step.advance(rounds, [state, &mut []], registers, workspace);
+                divides |= step.has_divided_by_zero(registers, workspace);
+            });
+        });
+        divides
     }
 
     /// Runs so many steps of all stages, each in its own registers; `advance` is told whether
@@ -228,9 +241,15 @@ impl Engine {
 
     /// An object at a state; `constants` are the parameters and ε. What `out` has no room for is
     /// left out, as is an object that the field has not.
-    pub(crate) fn evaluate<T: Scratches>(&self, object: Object, constants: &[T], state: &[T], out: &mut [T]) {
-        if let Some(code) = self.codes.function(self, object).filter(|code| code.results() <= out.len()) {
-            return code.run(state, constants, out);
+    pub(crate) fn evaluate<T: RuntimeFloat>(
+        &self,
+        object: Object,
+        constants: &[T],
+        state: &[T],
+        out: &mut [T],
+    ) {
+        if T::has_evaluated(self, object, constants, state, out) {
+            return;
         }
         match object {
             Object::Jacobian => self.jacobian(constants, state, out),
@@ -246,26 +265,17 @@ impl Engine {
         }
     }
 
-    /// The integrals at a state, in order; `constants` are the parameters and ε.
-    pub(crate) fn integrals<'a, V: Scalar + Copy>(
-        &'a self,
-        constants: &[V],
-        state: &[V],
-        scratch: &'a mut Scratch<V>,
-    ) -> impl ExactSizeIterator<Item = V> + use<'a, V> {
-        self.known_line(Object::Integrals).values(constants, &mut scratch.registers, state).iter()
-    }
-
     /// ∂x̃/∂x of a step, row by row: the straight line over dual numbers, or A(x,ε)⁻¹·A(x̃,−ε);
     /// `constants` are the parameters and ε.
-    fn jacobian<T: Scratches>(&self, constants: &[T], state: &[T], out: &mut [T]) {
+    fn jacobian<T: RuntimeFloat>(&self, constants: &[T], state: &[T], out: &mut [T]) {
         let (parameters, eps) = split(constants);
         let step = self.steps().of_duals();
         if step.has_lanes() {
             with_scratch(T::duals(), |scratch| jacobian_by_duals(step, constants, state, out, scratch));
         } else {
             let mut next = state.to_vec();
-            self.advance(&self.stages(constants, Composition::KAHAN), [&mut next, &mut []], 1);
+            let kind = StepKind::of(T::PRECISION, false);
+            self.advance(kind, &self.stages(&[constants.to_vec()]), [&mut next, &mut []], 1);
             let behind: Vec<T> = parameters.iter().copied().chain([-eps]).collect();
             self.evaluate(Object::Matrix, &behind, &next, out);
             if !step.solves_columns(constants, state, out) {
@@ -287,7 +297,7 @@ impl Engine {
     }
 
     /// ∂x̃/∂c of a step, c being one of the constants, which are the parameters and ε.
-    pub(crate) fn by_constant<T: Scratches>(&self, constants: &[T], index: usize, state: &[T]) -> Vec<T> {
+    pub(crate) fn by_constant<T: RuntimeFloat>(&self, constants: &[T], index: usize, state: &[T]) -> Vec<T> {
         let mut extended: Vec<Dual<T, 1>> =
             constants.iter().map(|constant| Dual::from_value(*constant)).collect();
         extended[index] = Dual::coordinate(constants[index], 0);
@@ -317,10 +327,13 @@ pub(crate) fn integral_constants<T: FloatScalar>(constants: &[T], composition: C
 }
 
 /// The parameters, and behind them the ε of each stage that differs in its turn.
-pub(crate) fn stage_constants<T: FloatScalar>(constants: &[T], composition: Composition) -> Vec<Vec<T>> {
+pub(crate) fn stage_constants<T: RuntimeFloat>(
+    kind: StepKind,
+    constants: &[T],
+    composition: Composition,
+) -> Vec<Vec<T>> {
     let (parameters, eps) = split(constants);
-    let own = |coefficient: &Constant<'_>| T::constant(coefficient) * eps;
-    let stage = |coefficient| parameters.iter().copied().chain([own(coefficient)]).collect();
+    let stage = |gamma| parameters.iter().copied().chain([kind.stage_eps(gamma, eps)]).collect();
     distinct(&composition).map(stage).collect()
 }
 

@@ -6,12 +6,7 @@
 use core::cell::Cell;
 use std::thread::LocalKey;
 
-use kahan_core::{Dual, EnsembleScalar, FloatScalar};
-
-use crate::machine::Coded;
-
 use super::couplings::Factors;
-use super::lanes::EightLanes;
 
 /// The vectors that steps over V are computed in; what they hold between two calls means nothing.
 #[derive(Clone, Debug)]
@@ -56,40 +51,6 @@ impl<V> Default for Scratch<V> {
 
 /// The scratch of a thread.
 pub(super) type Local<V> = &'static LocalKey<Cell<Scratch<V>>>;
-
-/// A float with scratch for it, for several side by side, and for its dual numbers.
-pub trait Scratches: FloatScalar + EnsembleScalar + Coded + Default + Send + Sync {
-    /// For one state.
-    fn single() -> Local<Self>;
-    /// For several side by side.
-    fn lanes() -> Local<EightLanes<Self>>;
-    /// For derivatives along one direction.
-    fn duals() -> Local<Dual<Self, 1>>;
-}
-
-macro_rules! implement_for_float {
-    ($float:ty) => {
-        impl Scratches for $float {
-            fn single() -> Local<Self> {
-                thread_local!(static SCRATCH: Cell<Scratch<$float>> = Cell::default());
-                &SCRATCH
-            }
-
-            fn lanes() -> Local<EightLanes<Self>> {
-                thread_local!(static SCRATCH: Cell<Scratch<EightLanes<$float>>> = Cell::default());
-                &SCRATCH
-            }
-
-            fn duals() -> Local<Dual<Self, 1>> {
-                thread_local!(static SCRATCH: Cell<Scratch<Dual<$float, 1>>> = Cell::default());
-                &SCRATCH
-            }
-        }
-    };
-}
-
-implement_for_float!(f32);
-implement_for_float!(f64);
 
 /// Does the work with the scratch of this thread; a thread that is ending gets a new one.
 pub(crate) fn with_scratch<V, R>(local: Local<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {

@@ -9,7 +9,7 @@ use kahan_jit::{
     ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Refusal, Shape, Sweep,
 };
 
-use crate::engine::{ColumnsForm, Engine, Object};
+use crate::engine::{Engine, Object};
 
 use super::{SideBySide, StepKind, programs};
 
@@ -43,7 +43,7 @@ impl<K: Eq + Hash, C> Table<K, C> {
 pub struct CodesOf<T> {
     orbits: Table<(StepKind, bool), OrbitCode<T>>,
     functions: Vec<OnceLock<Option<Function<T>>>>,
-    columns: Table<(ColumnsForm, Shape), ColumnsCode<T>>,
+    columns: Table<(StepKind, Shape), ColumnsCode<T>>,
     abreast: Table<(SideBySide, InstructionSet), Sweep<T>>,
 }
 
@@ -75,7 +75,7 @@ impl Coded for f64 {
 
 /// The code of an orbit, whose step is one of the map or several of them.
 #[derive(Debug)]
-pub(crate) enum OrbitCode<T> {
+pub enum OrbitCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
 }
@@ -155,15 +155,15 @@ impl Codes {
         T::of(self).functions.get(object.entry(&engine.derived).0)?.get_or_init(compile).as_ref()
     }
 
-    /// The code of columns in a form of the step, instructions and a rounding; likewise.
+    /// The code of columns; likewise.
     pub(crate) fn columns<T: Coded>(
         &self,
         engine: &Engine,
-        form: ColumnsForm,
-        (instructions, fuses): (InstructionSet, bool),
+        kind: StepKind,
+        instructions: InstructionSet,
     ) -> Option<Arc<ColumnsCode<T>>> {
-        let shape = Shape { instructions, lanes: LaneCount::All, fuses };
-        T::of(self).columns.get((form, shape), || ColumnsCode::compile(engine, form, shape))
+        let shape = Shape { instructions, lanes: LaneCount::All, fuses: kind.fuses };
+        T::of(self).columns.get((kind, shape), || ColumnsCode::compile(engine, kind, shape))
     }
 }
 
@@ -195,10 +195,9 @@ impl<T: Coded> OrbitCode<T> {
 }
 
 impl<T: Coded> ColumnsCode<T> {
-    fn compile(engine: &Engine, form: ColumnsForm, shape: Shape) -> Option<Result<Self, Refusal>> {
-        let ColumnsForm { is_general, rounds_increments } = form;
-        let kind = StepKind { is_general, rounds_increments, ..StepKind::of::<T>(shape.fuses) };
-        let (prepared, program) = (programs::prepared::<T>(engine, form)?, kind.program::<T>(engine)?);
+    fn compile(engine: &Engine, kind: StepKind, shape: Shape) -> Option<Result<Self, Refusal>> {
+        let prepared = programs::prepared::<T>(engine, kind.is_general)?;
+        let program = kind.program::<T>(engine)?;
         let compile = || {
             Ok(ColumnsCode {
                 // Constants are rounded once each, whatever the step does.

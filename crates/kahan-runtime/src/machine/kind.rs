@@ -1,6 +1,8 @@
 //! Which step there is code for.
 
-use kahan_core::{Precision, Scheme};
+use kahan_core::{Constant, Precision};
+
+use crate::engine::RuntimeFloat;
 
 /// Which step is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,25 +32,21 @@ pub(crate) enum SideBySide {
 }
 
 impl StepKind {
-    /// The plain step over T, a float of the machine.
-    pub(crate) fn of<T>(fuses: bool) -> Self {
-        let precision =
-            if size_of::<T>() == size_of::<f32>() { Precision::Single } else { Precision::Double };
+    /// The plain step of states in this precision.
+    pub(crate) fn of(precision: Precision, fuses: bool) -> Self {
         StepKind { precision, compensated: false, is_general: false, rounds_increments: false, fuses }
     }
 
-    /// The step of a scheme, with multiply-adds as everything else in this program has them.
-    pub(crate) fn of_scheme(Scheme { precision, compensated, .. }: Scheme) -> Self {
-        let fuses = cfg!(target_feature = "fma");
-        StepKind { precision, compensated, is_general: false, rounds_increments: false, fuses }
+    /// ε of a stage with the coefficient γ.
+    pub(crate) fn stage_eps<T: RuntimeFloat>(self, gamma: &Constant<'_>, eps: T) -> T {
+        self.stored(self.stored(T::constant(gamma)) * eps)
     }
 
-    /// How many numbers a state is.
-    pub(crate) fn numbers(self, variables: usize) -> usize {
+    /// A number as states hold it.
+    pub(crate) fn stored<T: RuntimeFloat>(self, x: T) -> T {
         match self.precision {
-            Precision::DoubleDouble => 2 * variables + 1,
-            _ if self.compensated => 2 * variables,
-            _ => variables,
+            Precision::SingleThroughDouble => T::from(x.approximate() as f32),
+            _ => x,
         }
     }
 }

@@ -4,7 +4,7 @@ use kahan_core::{Precision, Scalar};
 use kahan_jit::Instruction::{Constant, State};
 use kahan_jit::Program;
 
-use crate::engine::{ColumnsForm, Engine, Object, Scratch, Step, into_matrix, jacobian_by_duals};
+use crate::engine::{Engine, Object, Scratch, Step, into_matrix, jacobian_by_duals};
 use crate::line::Line;
 
 use super::double_double::{self, Pair};
@@ -13,7 +13,7 @@ use super::{Coded, StepKind};
 
 impl StepKind {
     /// The program from the numbers of a state to those of the next, for the prepared constants of
-    /// the step; `None` where that is no straight line.
+    /// the step; `None` where that is no straight line, and for compensated double-double.
     ///
     /// The numbers are x₁, …, xₙ; compensated, what each of them lacks comes behind. In
     /// double-double each is two numbers, the high one first, and the guard comes last.
@@ -21,6 +21,9 @@ impl StepKind {
         let step = engine.steps().form(self.is_general);
         let variables = engine.dimension();
         if self.precision == Precision::DoubleDouble {
+            if self.compensated {
+                return None;
+            }
             return double_double::program(self.fuses, || {
                 let state = (0..variables).map(|i| Pair::of(State, i)).collect();
                 self.advanced(step, state, |k| Pair::of(Constant, k), |pair| pair)
@@ -96,8 +99,8 @@ pub(super) fn object<T: Coded>(object: Object, engine: &Engine) -> Option<Progra
 }
 
 /// The program of the constants that the step of columns is prepared with.
-pub(super) fn prepared<T: Coded>(engine: &Engine, form: ColumnsForm) -> Option<Program> {
-    let [prepared, _] = engine.steps().form(form.is_general).lines()?;
+pub(super) fn prepared<T: Coded>(engine: &Engine, is_general: bool) -> Option<Program> {
+    let [prepared, _] = engine.steps().form(is_general).lines()?;
     traced::program(|| Some(results(prepared, &constants::<T>(engine), &[])))
 }
 

@@ -12,7 +12,7 @@ use crate::fields::{CASES, Case, Unit, map};
 use crate::{SHORT_UNITS, UNITS};
 
 /// A case in a unit, over the numbers that `to` makes of those of `f64`.
-struct Subject<'a, T> {
+struct Subject<'a, T: MachineFloat> {
     case: &'a Case,
     unit: Unit,
     at: MapAt<T>,

@@ -7,8 +7,8 @@ use std::time::Duration;
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::{Dd, Dual, ExtendScalars, Precision, Scalar, Scheme};
-use kahan_runtime::interpreted::Padded;
-use kahan_runtime::{Field, Map};
+use kahan_runtime::interpreted::{Padded, round};
+use kahan_runtime::{Field, Map, MapAt, RuntimeFloat};
 
 use crate::map::CannotRun;
 
@@ -56,8 +56,7 @@ impl<'a> Runner<'a> {
 
     /// Whether its steps are code.
     pub(super) fn is_code(&self) -> bool {
-        let plain = Scheme::of(Precision::Double);
-        self.map.orbit(plain, &Rational::one(), &self.start).is_ok_and(|orbit| orbit.is_code())
+        self.map.at(1.0).is_code()
     }
 
     /// The seconds that so many steps take from the scene's own point, without the preparations.
@@ -78,18 +77,52 @@ impl<'a> Runner<'a> {
     ) -> f64 {
         let exact = |entry: &Dd| &rational(entry.high()) + &rational(entry.low());
         let start = from.map_or_else(|| self.start.clone(), |point| point.iter().map(exact).collect());
-        let orbit = self.map.orbit(scheme, &rational(eps), &start);
-        let mut orbit = orbit.expect("the point has an entry for every variable");
+        let (map, eps) = (&self.map, &rational(eps));
+        match scheme.precision {
+            Precision::Single => self.run(scheme, map.at(round::<f32>(eps)), rounded(&start), stops, visit),
+            Precision::SingleThroughDouble => {
+                let x = rounded::<f32>(&start).into_iter().map(f64::from).collect();
+                self.run(scheme, map.through_f64(round(eps)), x, stops, visit)
+            }
+            Precision::Double => self.run(scheme, map.at(round::<f64>(eps)), rounded(&start), stops, visit),
+            Precision::DoubleDouble => {
+                self.run(scheme, map.at(round::<Dd>(eps)), rounded(&start), stops, visit)
+            }
+        }
+    }
+
+    /// Follows the orbit of `x`.
+    fn run<T: RuntimeFloat>(
+        &self,
+        Scheme { composition, compensated, .. }: Scheme,
+        at: MapAt<T>,
+        mut x: Vec<T>,
+        stops: Stops<'_>,
+        visit: Visit<'_>,
+    ) -> f64
+    where
+        Dd: From<T>,
+    {
+        let at = at.composed(composition);
+        let (mut carry, mut point) = (vec![T::zero(); x.len()], vec![Dd::default(); x.len()]);
+        let mut show = |step: u64, x: &[T]| {
+            point.iter_mut().zip(x).for_each(|(entry, x)| *entry = Dd::from(*x));
+            visit(step, &point)
+        };
         let begun = (self.clock)();
         let mut step = 0;
-        let mut go_on = visit(step, orbit.point());
+        let mut go_on = show(step, &x);
         for stop in stops {
             if go_on.is_break() {
                 break;
             }
-            orbit.advance(stop - step);
+            let advanced = match compensated {
+                true => at.advance_with_carry(&mut x, &mut carry, stop - step),
+                false => at.advance(&mut x, stop - step),
+            };
+            advanced.expect("the point has an entry for every variable");
             step = stop;
-            go_on = visit(step, orbit.point());
+            go_on = show(step, &x);
         }
         (self.clock)().saturating_sub(begun).as_secs_f64()
     }
@@ -121,6 +154,11 @@ impl Runner<'_> {
 /// A point in numbers made from its coordinates, with zeros for the variables that stand still.
 fn padded<T: Scalar, const N: usize>(x: &[Dd], number: impl Fn(Dd) -> T) -> SVector<T, N> {
     SVector::from_fn(|i, _| number(x.get(i).copied().unwrap_or_default()))
+}
+
+/// A point, each coordinate rounded once.
+fn rounded<T: Scalar>(x: &[Rational]) -> Vec<T> {
+    x.iter().map(round).collect()
 }
 
 /// A float as the number that it is.

@@ -6,10 +6,10 @@ use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
 use kahan_core::num_rational::BigRational;
 use kahan_core::num_traits::Zero;
-use kahan_core::{Composition, Dd, Precision, Scheme};
+use kahan_core::{Composition, Dd};
 use kahan_runtime::interpreted::round;
-use kahan_runtime::orbit::{End, ExactOrbit, ProjectiveOrbit, ProjectiveScalar, SchemeOrbit};
-use kahan_runtime::{Follow, Followed, Fraction, MachineFloat, Map, MapAt};
+use kahan_runtime::orbit::{ExactOrbit, ProjectiveOrbit, ProjectiveScalar};
+use kahan_runtime::{Follow, Followed, Fraction, Map, MapAt, RuntimeFloat};
 
 use crate::count::Count;
 use crate::error::StudyError;
@@ -17,7 +17,7 @@ use crate::numbers::{DoubleDouble, Number, Printable};
 use crate::rows::{self, Values};
 
 use super::NoOrbit;
-use super::points::{Halt, Points, Why, in_parts, moment};
+use super::points::{Halt, Points, Why, moment, one_by_one};
 
 /// An arithmetic in which points move, and whose numbers are cells of tables.
 pub(super) trait Moving: Printable {
@@ -62,7 +62,7 @@ pub(super) trait Moving: Printable {
 
 /// The arithmetics whose values are the scalar's, and cells.
 macro_rules! of_float {
-    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr, $points:ident in $precision:ident) => {
+    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr) => {
         impl Moving for $arithmetic {
             type Cell = $float;
             type Scalar = $float;
@@ -92,23 +92,21 @@ macro_rules! of_float {
                 eps: &Rational,
                 start: &[Rational],
             ) -> Box<dyn Points<Self>> {
-                let scheme = Scheme::of(Precision::$precision).composed(composition);
-                Box::new($points::new(map, scheme, eps, start))
+                Box::new(Floats::new(map, composition, eps, start))
             }
         }
     };
 }
 
-of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Dd::high, |n| n as f64, Floats in Double);
-of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], |x: Dd| x.high() as f32, |n| n as f32, Floats in Single);
+of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Dd::high, |n| n as f64);
+of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], |x: Dd| x.high() as f32, |n| n as f32);
 of_float!(
     DoubleDouble,
     Dd as Dd,
     [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)],
     std::convert::identity,
     // What the nearest double leaves over is a double.
-    |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64),
-    Wide in DoubleDouble
+    |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64)
 );
 
 impl Moving for Exact {
@@ -139,22 +137,20 @@ impl Moving for Exact {
     }
 }
 
-/// An orbit in floats of the machine.
-struct Floats<T> {
+/// An orbit in floats.
+struct Floats<T: RuntimeFloat> {
     at: MapAt<T>,
-    scheme: Scheme,
-    eps: Rational,
+    composition: Composition,
     x: Vec<T>,
     /// The points of the rows that are being made.
     points: Vec<T>,
 }
 
-impl<T: MachineFloat> Floats<T> {
-    fn new(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Self {
+impl<T: RuntimeFloat> Floats<T> {
+    fn new(map: &Map, composition: Composition, eps: &Rational, start: &[Rational]) -> Self {
         let at = map.at(round::<T>(eps));
-        let at = if scheme.composition == Composition::KAHAN { at } else { at.composed(scheme.composition) };
-        let x = start.iter().map(round).collect();
-        Floats { at, scheme, eps: eps.clone(), x, points: Vec::new() }
+        let at = if composition == Composition::KAHAN { at } else { at.composed(composition) };
+        Floats { at, composition, x: start.iter().map(round).collect(), points: Vec::new() }
     }
 
     /// Appends a point and its integrals.
@@ -167,22 +163,11 @@ impl<T: MachineFloat> Floats<T> {
     }
 
     fn halt<R>(&self, followed: &Followed<R>) -> Result<(), Halt> {
-        Halt::of(followed, || {
-            let exact = |x: &T| Rational::from_f64(x.approximate()).expect("the last point is finite");
-            let x: Vec<Rational> = self.x.iter().map(exact).collect();
-            let orbit = self.at.map().orbit(self.scheme, &self.eps, &x);
-            let end = orbit.expect("the point is of the field").advance_while_finite(1);
-            why(self.at.map(), self.scheme, end.is_err_and(|end| end.is_pole))
+        Halt::of(followed, || match self.at.divides_by_zero(&self.x) {
+            Ok(false) | Err(_) => Why::Range,
+            Ok(true) if self.composition.stages() > 1 => Why::StagePole,
+            Ok(true) => pole(self.at.map()),
         })
-    }
-}
-
-/// Why a step in floats has no value.
-fn why(map: &Map, scheme: Scheme, is_pole: bool) -> Why {
-    match is_pole {
-        false => Why::Range,
-        true if scheme.composition.stages() > 1 => Why::StagePole,
-        true => pole(map),
     }
 }
 
@@ -191,7 +176,7 @@ fn pole(map: &Map) -> Why {
     Why::Pole { is_reduced: map.field().derived().map.is_some() }
 }
 
-impl<T: MachineFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<T> {
+impl<T: RuntimeFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<T> {
     fn row(&mut self, cells: &mut Vec<T>) {
         self.append::<A>(&self.x, cells);
     }
@@ -230,48 +215,6 @@ impl<T: MachineFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<T> {
     }
 }
 
-/// An orbit in double-double.
-struct Wide {
-    map: Map,
-    scheme: Scheme,
-    orbit: SchemeOrbit,
-}
-
-impl Wide {
-    fn new(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> Self {
-        let orbit = map.orbit(scheme, eps, start).expect("the point is of the field");
-        Wide { map: map.clone(), scheme, orbit }
-    }
-}
-
-impl Points<DoubleDouble> for Wide {
-    fn row(&mut self, cells: &mut Vec<Dd>) {
-        let integrals = self.orbit.integrals();
-        cells.extend(self.orbit.point().iter().chain(&integrals).map(DoubleDouble::cell));
-    }
-
-    fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
-        let Wide { map, scheme, orbit } = self;
-        in_parts(steps, 1 << 12, progress, |steps| {
-            orbit
-                .advance_while_finite(steps)
-                .map_err(|End { steps, is_pole }| Halt::Ended(steps, why(map, *scheme, is_pole)))
-        })
-    }
-
-    fn at_once(&self, every: u64) -> usize {
-        moment(self.orbit.point().len(), every)
-    }
-
-    fn point(&self) -> Vec<Number> {
-        self.orbit.point().iter().map(DoubleDouble::number).collect()
-    }
-
-    fn is_code(&self) -> Option<bool> {
-        Some(self.orbit.is_code())
-    }
-}
-
 impl Points<Exact> for ExactOrbit {
     fn row(&mut self, cells: &mut Vec<rows::Exact>) {
         let (coordinates, integrals) = self.values();
@@ -280,9 +223,7 @@ impl Points<Exact> for ExactOrbit {
     }
 
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
-        in_parts(steps, 1, progress, |_| {
-            if self.advance() { Ok(()) } else { Err(Halt::Ended(0, pole(self.map()))) }
-        })
+        one_by_one(steps, progress, || if self.advance() { Ok(()) } else { Err(pole(self.map())) })
     }
 
     fn point(&self) -> Vec<Number> {
@@ -313,9 +254,7 @@ impl<A: Moving> Points<A> for Box<dyn ProjectiveOrbit<A::Scalar>> {
     }
 
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
-        in_parts(steps, 1, progress, |_| {
-            ProjectiveOrbit::advance(&mut **self).map_err(|why| Halt::Ended(0, Why::NoLimit(why)))
-        })
+        one_by_one(steps, progress, || ProjectiveOrbit::advance(&mut **self).map_err(Why::NoLimit))
     }
 }
 

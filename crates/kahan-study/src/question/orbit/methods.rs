@@ -14,7 +14,7 @@ use crate::error::StudyError;
 use crate::numbers::{DoubleDouble, Number, Printable, ScalarKind};
 
 use super::maps::Moving;
-use super::points::{Halt, Points, Why, in_parts, moment};
+use super::points::{Halt, Points, Why, moment, one_by_one};
 use super::{Method, NoOrbit};
 
 /// An explicit method in any numbers.
@@ -97,10 +97,10 @@ impl<A: Moving> Points<A> for Explicit<'_, A> {
     }
 
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
-        in_parts(steps, 1, progress, |_| {
+        one_by_one(steps, progress, || {
             let next = self.next();
             if !next.iter().all(A::is_finite) {
-                return Err(Halt::Ended(0, Why::TooLarge));
+                return Err(Why::TooLarge);
             }
             self.x = next;
             Ok(())

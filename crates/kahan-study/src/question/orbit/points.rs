@@ -91,20 +91,16 @@ pub(super) fn moment(variables: usize, every: u64) -> usize {
     (steps / every).clamp(1, MOST) as usize
 }
 
-/// Makes so many steps, some at once, and tells the watch of them.
-pub(super) fn in_parts(
+/// Makes so many steps, and tells the watch of each.
+pub(super) fn one_by_one(
     steps: u64,
-    at_once: u64,
     progress: &Count<'_>,
-    mut advance: impl FnMut(u64) -> Result<(), Halt>,
+    mut advance: impl FnMut() -> Result<(), Why>,
 ) -> Result<(), Halt> {
-    let mut made = 0;
-    while made < steps {
-        let now = at_once.min(steps - made);
-        advance(now).map_err(|halt| halt.after(made))?;
-        made += now;
-        if progress.tell(now).is_break() && made < steps {
-            return Err(Halt::Stopped(made));
+    for made in 0..steps {
+        advance().map_err(|why| Halt::Ended(made, why))?;
+        if progress.tell(1).is_break() && made + 1 < steps {
+            return Err(Halt::Stopped(made + 1));
         }
     }
     Ok(())

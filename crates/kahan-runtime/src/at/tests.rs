@@ -1,15 +1,18 @@
 //! Orbits by code against those of the macro's maps and of the interpreter, in every scheme.
 
+use core::array::from_fn;
+use core::ops::ControlFlow;
+
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
-use kahan_core::{Dd, ExtendScalars, FloatScalar, KahanMap, Precision, Scheme, ThroughF64};
+use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, KahanMap, Precision, Scheme, ThroughF64};
 use kahan_systems::{E1, E2, E3, E4, E5, E6, E7, E8, E9, EulerTop, LotkaVolterra};
 
-use crate::Field;
 use crate::interpreted::round;
+use crate::{End, Field, Follow, Map};
 
-use super::{Asked, End};
+use super::{MapAt, RuntimeFloat};
 
 fn q(text: &str) -> Rational {
     Rational::parse(text).expect("a number")
@@ -51,6 +54,54 @@ where
 
     fn point(&self, point: &mut [Dd]) {
         point.iter_mut().zip(self.point.iter()).for_each(|(x, entry)| *x = Dd::from(*entry));
+    }
+}
+
+/// An orbit of a map that is read at run time, and what its point lacks.
+struct Read<T: RuntimeFloat> {
+    at: MapAt<T>,
+    x: Vec<T>,
+    carry: Option<Vec<T>>,
+}
+
+impl<T: RuntimeFloat> Steps for Read<T>
+where
+    Dd: From<T>,
+{
+    fn advance(&mut self, steps: u64) {
+        let Read { at, x, carry } = self;
+        match carry {
+            Some(carry) => at.advance_with_carry(x, carry, steps),
+            None => at.advance(x, steps),
+        }
+        .expect("a number a variable");
+    }
+
+    fn point(&self, point: &mut [Dd]) {
+        point.iter_mut().zip(&self.x).for_each(|(x, entry)| *x = Dd::from(*entry));
+    }
+}
+
+/// The orbits of a map in a scheme, by code where there is some, and interpreted.
+fn read(map: &Map, scheme: Scheme, eps: &Rational, start: &[Rational]) -> [Box<dyn Steps>; 2] {
+    fn both<T: RuntimeFloat>(at: MapAt<T>, scheme: Scheme, x: Vec<T>) -> [Box<dyn Steps>; 2]
+    where
+        Dd: From<T>,
+    {
+        let at = at.composed(scheme.composition);
+        let carry = scheme.compensated.then(|| vec![T::zero(); x.len()]);
+        let interpreted = MapAt { coded: None, ..at.clone() };
+        [at, interpreted]
+            .map(|at| Box::new(Read { at, x: x.clone(), carry: carry.clone() }) as Box<dyn Steps>)
+    }
+    match scheme.precision {
+        Precision::Single => both::<f32>(map.at(round(eps)), scheme, start.iter().map(round).collect()),
+        Precision::SingleThroughDouble => {
+            let x = start.iter().map(|x| f64::from(round::<f32>(x))).collect();
+            both(map.through_f64(round(eps)), scheme, x)
+        }
+        Precision::Double => both::<f64>(map.at(round(eps)), scheme, start.iter().map(round).collect()),
+        Precision::DoubleDouble => both::<Dd>(map.at(round(eps)), scheme, start.iter().map(round).collect()),
     }
 }
 
@@ -122,23 +173,20 @@ where
         for start in &starts {
             let (eps, start): (Rational, Vec<Rational>) = (q(eps), start[..N].iter().map(|x| q(x)).collect());
             for scheme in Scheme::all() {
-                let mut orbit = map.orbit(scheme, &eps, &start).expect("a coordinate a variable");
-                let mut interpreted = Asked { map: &map, scheme, eps: &eps, start: &start }.begin().0;
-                let mut found = vec![Dd::default(); N];
+                let mut orbits = read(&map, scheme, &eps, &start);
                 let mut compiled = of_map(exact, scheme, &eps, &start);
-                let mut expected = vec![Dd::default(); N];
+                let [mut found, mut expected] = [vec![Dd::default(); N], vec![Dd::default(); N]];
                 for steps in [0, 1, 2, 40, 0, 1] {
-                    orbit.advance(steps);
                     compiled.advance(steps);
                     compiled.point(&mut expected);
-                    interpreted.advance(steps);
-                    interpreted.point(&mut found);
-                    assert!(same(&found, &expected), "{command}, {scheme}, eps {eps}, {start:?}: {found:?}");
-                    assert!(
-                        same(orbit.point(), &expected),
-                        "{command}, {scheme}, eps {eps}, {start:?}: {:?}, not {expected:?}",
-                        orbit.point()
-                    );
+                    for (orbit, what) in orbits.iter_mut().zip(["code", "interpreted"]) {
+                        orbit.advance(steps);
+                        orbit.point(&mut found);
+                        assert!(
+                            same(&found, &expected),
+                            "{command}, {scheme}, {what}, eps {eps}, {start:?}: {found:?}, not {expected:?}"
+                        );
+                    }
                 }
             }
         }
@@ -171,38 +219,58 @@ fn sums_at_the_end_of_the_range_are_those_of_the_interpreter() {
     for share in [0.5, 1.0, 1.0 + f64::EPSILON, 1.5] {
         let start = [&exact(f64::MAX) + &exact(half), exact(half * share)];
         for scheme in Scheme::all().filter(|scheme| scheme.precision == Precision::DoubleDouble) {
-            let eps = q("1/2");
-            let mut orbit = map.orbit(scheme, &eps, &start).expect("two variables");
-            let mut interpreted = Asked { map: &map, scheme, eps: &eps, start: &start }.begin().0;
-            let mut expected = vec![Dd::default(); 2];
-            orbit.advance(1);
-            interpreted.advance(1);
-            interpreted.point(&mut expected);
-            assert!(same(orbit.point(), &expected), "{scheme}: {:?}, not {expected:?}", orbit.point());
+            let [found, expected] = read(&map, scheme, &q("1/2"), &start).map(|mut orbit| {
+                let mut point = vec![Dd::default(); 2];
+                orbit.advance(1);
+                orbit.point(&mut point);
+                point
+            });
+            assert!(same(&found, &expected), "{scheme}: {found:?}, not {expected:?}");
         }
     }
 }
 
-/// The end of an orbit in one stretch is where single steps come to it, in every scheme.
+/// The end of an orbit in double-double, whose code stops before it, is where single steps come to
+/// it.
 #[test]
 fn an_orbit_ends_after_its_last_finite_point() {
-    let end_of = |text: &str, eps: &str, scheme: Scheme| {
+    let end_of = |text: &str, eps: f64, scheme: Scheme| {
         let map = Field::parse(text).expect("a field").map().expect("no parameters");
-        let begin = || map.orbit(scheme, &q(eps), &[q("1")]).expect("one variable");
-        let (mut orbit, mut stepped) = (begin(), begin());
-        let end = orbit.advance_while_finite(5000).expect_err("it ends");
-        (0..end.steps).for_each(|_| stepped.advance(1));
-        assert!(same(orbit.point(), stepped.point()), "{text}, {scheme}: {:?}", orbit.point());
-        stepped.advance(1);
-        assert!(!stepped.is_finite(), "{text}, {scheme}: {:?}", stepped.point());
-        end
+        let at = map.at(Dd::from(eps)).composed(scheme.composition);
+        let (mut x, mut stepped) = ([Dd::from(1.0)], [Dd::from(1.0)]);
+        let followed = at.follow(&mut x, 5000, |_| ControlFlow::Continue(())).expect("one variable");
+        let End::Range(steps) = followed.end else { panic!("{text}, {scheme}: {:?}", followed.end) };
+        (0..steps).for_each(|_| at.advance(&mut stepped, 1).expect("one variable"));
+        assert!(same(&x, &stepped), "{text}, {scheme}: {x:?}");
+        at.advance(&mut stepped, 1).expect("one variable");
+        assert!(!stepped[0].is_finite(), "{text}, {scheme}: {stepped:?}");
+        (steps, at.divides_by_zero(&x).expect("one variable"))
     };
-    for scheme in Scheme::all() {
-        let end = end_of("xdot = 1000*x;", "1/2000", scheme);
-        assert!(end.steps > 0 && !end.is_pole, "{scheme}: {end:?}");
+    for scheme in Scheme::all().filter(|scheme| scheme.precision == Precision::DoubleDouble) {
+        let (steps, is_pole) = end_of("xdot = 1000*x;", 1.0 / 2000.0, scheme);
+        assert!(steps > 0 && !is_pole, "{scheme}: {steps}");
         if scheme.order() == 2 {
             // A step of x' = x² goes from x to x/(1 - 2εx): from 1 to 2, and from 2 nowhere.
-            assert_eq!(end_of("xdot = x^2;", "1/4", scheme), End { steps: 1, is_pole: true }, "{scheme}");
+            assert_eq!(end_of("xdot = x^2;", 0.25, scheme), (1, true), "{scheme}");
+        }
+    }
+}
+
+#[test]
+fn columns_through_f64_are_rounded_as_single_orbits_are() {
+    let lorenz = Field::parse("xdot = 10*(y - x); ydot = x*(28 - z) - y; zdot = x*y - 8/3*z;");
+    let map = lorenz.expect("a field").map().expect("no parameters");
+    for composition in Composition::BEST {
+        let at = map.through_f64(0.0125).composed(composition);
+        let start: [[f64; 9]; 3] = from_fn(|i| from_fn(|k| f64::from((i as f32 + 0.1) * (k as f32 - 3.7))));
+        let mut columns = start;
+        let mut slices = columns.each_mut().map(|column| &mut column[..]);
+        at.follow_columns(&mut slices, &[], &[], 50).expect("a column a variable");
+        for k in 0..9 {
+            let mut x = start.map(|column| column[k]);
+            at.advance(&mut x, 50).expect("a number a variable");
+            assert_eq!(x, columns.map(|column| column[k]), "{composition:?}");
+            assert_eq!(x, x.map(|x| f64::from(x as f32)), "{composition:?}");
         }
     }
 }
