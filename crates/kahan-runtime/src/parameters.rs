@@ -18,40 +18,23 @@ pub trait ParameterValue {
     fn to_rational(&self) -> Option<Rational>;
 }
 
-impl ParameterValue for f64 {
-    fn to_rational(&self) -> Option<Rational> {
-        Rational::from_f64(*self)
-    }
+macro_rules! parameter_values {
+    ($($number:ty: $exact:expr;)*) => {$(
+        impl ParameterValue for $number {
+            fn to_rational(&self) -> Option<Rational> {
+                $exact(self.clone())
+            }
+        }
+    )*};
 }
 
-impl ParameterValue for f32 {
-    fn to_rational(&self) -> Option<Rational> {
-        Rational::from_f64((*self).into())
-    }
-}
-
-impl ParameterValue for i32 {
-    fn to_rational(&self) -> Option<Rational> {
-        Some(Rational::from(i64::from(*self)))
-    }
-}
-
-impl ParameterValue for i64 {
-    fn to_rational(&self) -> Option<Rational> {
-        Some(Rational::from(*self))
-    }
-}
-
-impl ParameterValue for Rational {
-    fn to_rational(&self) -> Option<Rational> {
-        Some(self.clone())
-    }
-}
-
-impl ParameterValue for BigRational {
-    fn to_rational(&self) -> Option<Rational> {
-        Some(Rational::from(self.clone()))
-    }
+parameter_values! {
+    f64: Rational::from_f64;
+    f32: |x| Rational::from_f64(f64::from(x));
+    i32: |n| Some(Rational::from(i64::from(n)));
+    i64: |n| Some(Rational::from(n));
+    Rational: Some;
+    BigRational: |q| Some(Rational::from(q));
 }
 
 impl<V: ParameterValue> ParameterValue for &V {

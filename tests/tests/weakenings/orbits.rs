@@ -214,6 +214,6 @@ pub(crate) const ORBITS: &[Weakening] = &[
         "for k in 0..=last {",
         "for k in 0..=last.min(0) {"),
     of(PASSED, "a determinant whose rows are exchanged without a change of sign", "crates/kahan-runtime/src/engine/elimination.rs",
-        "is_negative ^= (row != k) != (pivot < 0.0);",
+        "is_negative ^= flips != (pivot < 0.0);",
         "is_negative ^= pivot < 0.0;"),
 ];

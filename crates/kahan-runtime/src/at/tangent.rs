@@ -5,13 +5,11 @@
 
 use std::sync::Arc;
 
-use kahan_core::FloatScalar;
 use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
 use smallvec::SmallVec;
 
-use super::RuntimePoint;
 use super::group::Aligned;
-use crate::engine::{Scratch, with_scratch};
+use crate::engine::{Scratch, determinant, with_scratch};
 use crate::{Field, MachineFloat, MapAt};
 
 /// Those of two vectors in four variables: with more there is no code.
@@ -47,7 +45,7 @@ impl<T: MachineFloat> MapAt<T> {
 /// let exponent = orbit.observe(10_000, Lyapunov::new(&map));
 /// assert!(exponent.value.abs() < exponent.error);
 /// ```
-impl<T: MachineFloat + FloatScalar> TangentMap for MapAt<T> {
+impl<T: MachineFloat> TangentMap for MapAt<T> {
     fn carry(&self, x: &[T], v: &mut Vec<T>) {
         let mut both: SmallVec<[T; 16]> = x.iter().chain(v.iter()).copied().collect();
         let carried = self.variational().advance(&mut both, 1);
@@ -95,38 +93,12 @@ impl<T: MachineFloat + FloatScalar> TangentMap for MapAt<T> {
 
     /// By the tangent vectors of all variables.
     fn det_jacobian(&self, x: &[T]) -> T {
-        let columns = (0..x.len()).map(|i| {
+        let columns = (0..x.len()).flat_map(|i| {
             let mut column = vec![T::zero(); x.len()];
             column[i] = T::one();
             self.carry(x, &mut column);
-            RuntimePoint::from_vec(column)
+            column
         });
-        determinant(columns.collect())
+        determinant(&mut columns.collect::<Vec<T>>(), x.len())
     }
-}
-
-/// det of the matrix of these rows, by elimination with partial pivoting.
-fn determinant<T: FloatScalar>(mut rows: SmallVec<[RuntimePoint<T>; 8]>) -> T {
-    let mut determinant = T::one();
-    for k in 0..rows.len() {
-        let better =
-            |best: usize, row: usize| if rows[row][k].is_better_pivot(&rows[best][k]) { row } else { best };
-        let best = (k + 1..rows.len()).fold(k, better);
-        if best != k {
-            rows.swap(k, best);
-            determinant = -determinant;
-        }
-        let pivot = rows[k].clone();
-        determinant *= pivot[k];
-        if pivot[k].is_zero() {
-            break;
-        }
-        for row in &mut rows[k + 1..] {
-            let factor = row[k] / pivot[k];
-            for (entry, above) in row[k + 1..].iter_mut().zip(&pivot[k + 1..]) {
-                *entry -= factor * *above;
-            }
-        }
-    }
-    determinant
 }

@@ -39,23 +39,39 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
     is_singular
 }
 
+/// The determinant of an n×n matrix, row by row; the matrix is used up.
+pub(crate) fn determinant<V: Scalar + Copy>(a: &mut [V], n: usize) -> V {
+    let mut determinant = V::one();
+    eliminate(a, n, |pivot, flips| determinant = if flips { -determinant } else { determinant } * pivot);
+    determinant
+}
+
 /// Whether the determinant of an n×n matrix, row by row, is negative; the matrix is used up.
 pub(super) fn has_negative_determinant(a: &mut [f64], n: usize) -> bool {
-    let mut is_negative = false;
+    let (mut is_negative, mut is_zero) = (false, false);
+    eliminate(a, n, |pivot, flips| {
+        is_zero = pivot.is_zero();
+        is_negative ^= flips != (pivot < 0.0);
+    });
+    is_negative && !is_zero
+}
+
+/// Eliminates below the diagonal, and shows each pivot up to the first that is 0, with whether rows
+/// were exchanged for it.
+fn eliminate<V: Scalar + Copy>(a: &mut [V], n: usize, mut see: impl FnMut(V, bool)) {
     for k in 0..n {
         let row = pivot_row(a, n, k);
         swap_rows(a, n, k, row);
         let pivot = a[k * n + k];
+        see(pivot, row != k);
         if pivot.is_zero() {
-            return false;
+            return;
         }
-        is_negative ^= (row != k) != (pivot < 0.0);
         for i in k + 1..n {
             let factor = a[i * n + k] / pivot;
             subtract_row(a, n, [i, k], k + 1, factor);
         }
     }
-    is_negative
 }
 
 /// The row from k on that has the best pivot in column k.

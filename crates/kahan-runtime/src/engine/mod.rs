@@ -25,6 +25,7 @@ use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 use crate::line::Line;
 use crate::machine::{Codes, StepKind};
 
+pub(crate) use elimination::determinant;
 use elimination::{has_negative_determinant, solve};
 use step::Steps;
 
