@@ -27,7 +27,7 @@
 /// [ 0, 0, 0, 0, 0, 0, eps*x7, 1 + eps*x6 - eps*x8, -eps*x7 ]
 /// [ -eps*x8, 0, 0, 0, 0, 0, 0, eps*x8, 1 - eps*x0 + eps*x7 ]
 /// ```
-/// The map solves A(x,ε)·x̃ = b(x,ε) along the couplings of the variables, of which there are too many for a closed form. Where det A = 0 it counts as a pole.
+/// The map solves A(x,ε)·x̃ = b(x,ε): its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,

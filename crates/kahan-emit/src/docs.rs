@@ -55,9 +55,6 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
                 states.iter().zip(map).map(|(state, image)| format!("{state}~ = {image}")).collect();
             push_block(&mut lines, "The map, over its common denominator in lowest terms:", &images);
         }
-        None if context.derived.couplings.is_some() => lines.push(
-            " The map solves A(x,ε)·x̃ = b(x,ε) along the couplings of the variables, of which there are too many for a closed form. Where det A = 0 it counts as a pole.".to_owned(),
-        ),
         None => lines.push(
             " The map solves A(x,ε)·x̃ = b(x,ε): its closed form exceeds the budget of terms. Where det A = 0 it counts as a pole.".to_owned(),
         ),

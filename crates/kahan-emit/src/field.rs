@@ -13,7 +13,7 @@ use super::plan::{Emitted, emit_plan};
 /// Expands to `impl<T: Scalar> QuadraticField<T, 3> for E6 { … }`.
 pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
-    let (value, slope) = match &derived.couplings {
+    let (value, slope) = match derived.couplings() {
         Some(couplings) => emit_coupled_field(context, couplings),
         None => (emit_vector(context, &derived.field), emit_matrix(context, &derived.field_jacobian)),
     };

@@ -1,7 +1,7 @@
 //! `KahanMap`: how the step is prepared, and the closed forms of N and D where they are within the
 //! budget.
 
-use kahan_algebra::elimination::Couplings;
+use kahan_algebra::elimination::{Couplings, MOST_EXPANDED};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::symbols::Symbol;
 use proc_macro2::{Span, TokenStream};
@@ -19,17 +19,18 @@ use super::step::{EmittedStep, emit_step};
 /// written here, is a default method.
 pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
     let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
-    let stable = quote!(__kahan::stable_step(self, prepared, x, eps));
-    let (items, prepared, promise) = match (&context.derived.couplings, context.derived.step()) {
-        (Some(couplings), _) => {
-            let prepared = emit_coupled_step(context, couplings);
-            (emit_coupled(context, couplings), prepared, quote!(prepared.promised(self, x)))
-        }
-        (None, Some(step)) => {
+    let (items, prepared) = match (context.derived.couplings(), context.derived.step()) {
+        (Some(couplings), _) => (emit_coupled(context, couplings), emit_coupled_step(context, couplings)),
+        (None, step) => {
+            let step = step.unwrap_or_else(|| unreachable!("what has no straight line is eliminated"));
             let EmittedStep { items, prepared, prepare } = emit_step(context, step);
-            (items, emit_prepared(context, &prepared, &prepare), stable)
+            (items, emit_prepared(context, &prepared, &prepare))
         }
-        (None, None) => (TokenStream::new(), emit_elimination(context), stable),
+    };
+    let promise = if context.system.field.dimension() > MOST_EXPANDED {
+        quote!(prepared.promised(self, x))
+    } else {
+        quote!(__kahan::stable_step(self, prepared, x, eps))
     };
     let closed_forms = emit_closed_forms(context);
     let (stable_step, extension) = (emit_stable_step(context, &promise), emit_extension(context));
@@ -79,7 +80,7 @@ fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream
     }
 }
 
-/// The step of many variables, and the Jacobian by the same elimination.
+/// The step that eliminates along the couplings, and the Jacobian by the same elimination.
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
@@ -91,18 +92,6 @@ fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStrea
         }
         fn jacobian(&self, x: &#vector, eps: #scalar) -> #matrix {
             self.prepare(&eps).jacobian(x)
-        }
-    }
-}
-
-/// Beyond the budget every step eliminates.
-fn emit_elimination(context: &Context<'_>) -> TokenStream {
-    let scalar = &context.this.scalar;
-    quote! {
-        type Prepared = __kahan::Elimination<Self, #scalar>;
-        #[inline]
-        fn prepare(&self, eps: &#scalar) -> Self::Prepared {
-            __kahan::Elimination::new(self.clone(), eps.clone())
         }
     }
 }

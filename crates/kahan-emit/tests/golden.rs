@@ -25,7 +25,6 @@ const BLOCKS: [(&str, &[&str]); 7] = [
     // Broken, and a type all the same.
     ("broken", &["integrals", "prepare"]),
     // Beyond the budget of terms: it steps by elimination.
-    ("dense", &["prepare", "extend_scalars"]),
     // Of more than eight variables: it eliminates along the couplings.
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
     // A family: the lines of one site.

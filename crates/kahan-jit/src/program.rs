@@ -20,6 +20,10 @@ pub enum Instruction {
     Multiply(usize, usize),
     /// a/b
     Divide(usize, usize),
+    /// The larger of a and b: b unless a > b
+    Maximum(usize, usize),
+    /// The smaller of a and b: b unless a < b
+    Minimum(usize, usize),
     /// −a
     Negate(usize),
     /// a·b + c, rounded once where multiply-adds are fused
@@ -114,7 +118,9 @@ impl Instruction {
         let operands = match *self {
             State(_) | Constant(_) | Literal(_) => [None, None, None],
             Negate(a) | Copy(a) | RoundToSingle(a) => [Some(a), None, None],
-            Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) => [Some(a), Some(b), None],
+            Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) | Maximum(a, b) | Minimum(a, b) => {
+                [Some(a), Some(b), None]
+            }
             MultiplyAdd(a, b, c) | MultiplySubtract(a, b, c) | SubtractProduct(a, b, c) => {
                 [Some(a), Some(b), Some(c)]
             }
@@ -127,7 +133,9 @@ impl Instruction {
         match &mut self {
             State(_) | Constant(_) | Literal(_) => {}
             Negate(a) | Copy(a) | RoundToSingle(a) => *a = rename(*a),
-            Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) => (*a, *b) = (rename(*a), rename(*b)),
+            Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) | Maximum(a, b) | Minimum(a, b) => {
+                (*a, *b) = (rename(*a), rename(*b))
+            }
             MultiplyAdd(a, b, c) | MultiplySubtract(a, b, c) | SubtractProduct(a, b, c) => {
                 (*a, *b, *c) = (rename(*a), rename(*b), rename(*c));
             }

@@ -86,6 +86,23 @@ impl Couplings<'_> {
     pub fn factor<T: Scalar>(&self, values: &mut [T], row: &mut [T]) -> bool {
         let most = T::constant(&Constant::integer(LARGEST_FACTOR));
         let mut is_refused = false;
+        let has_pivots = self.eliminate(values, row, |turn, factor, values| {
+            let (reciprocal, behind) = self.pivot(turn, values);
+            let is_large = |upper: &T| (upper.clone() * reciprocal.clone()).is_better_pivot(&most);
+            is_refused |= factor.is_better_pivot(&most) && behind.iter().any(is_large);
+        });
+        has_pivots && !is_refused
+    }
+
+    /// Replaces A by its factors; `false` where a pivot is 0. `see` is given each factor that a row
+    /// is reduced by, before it the turn of its pivot, and the factors so far.
+    pub fn eliminate<T: Scalar>(
+        &self,
+        values: &mut [T],
+        row: &mut [T],
+        mut see: impl FnMut(usize, &T, &[T]),
+    ) -> bool {
+        let mut is_singular = false;
         for this in self.rows {
             for place in this.own() {
                 row[self.columns[place] as usize] = values[place].clone();
@@ -94,11 +111,7 @@ impl Couplings<'_> {
                 let pivot = self.columns[place] as usize;
                 let above = &self.rows[pivot];
                 let factor = row[pivot].clone() * values[above.diagonal as usize].clone();
-                is_refused |= factor.is_better_pivot(&most)
-                    && above.right().any(|upper| {
-                        let ratio = values[upper].clone() * values[above.diagonal as usize].clone();
-                        ratio.is_better_pivot(&most)
-                    });
+                see(pivot, &factor, values);
                 for upper in above.right() {
                     let entry = &mut row[self.columns[upper] as usize];
                     *entry = entry.clone().subtract_product(factor.clone(), values[upper].clone());
@@ -109,11 +122,17 @@ impl Couplings<'_> {
                 values[place] = row[self.columns[place] as usize].clone();
             }
             let pivot = &mut values[this.diagonal as usize];
-            is_refused |= pivot.is_zero();
+            is_singular |= pivot.is_zero();
             let Some(reciprocal) = pivot.reciprocal() else { return false };
             *pivot = reciprocal;
         }
-        !is_refused
+        !is_singular
+    }
+
+    /// The reciprocal of the pivot of a turn, and the entries behind it in its row.
+    pub fn pivot<'a, T>(&self, turn: usize, values: &'a [T]) -> (&'a T, &'a [T]) {
+        let row = &self.rows[turn];
+        (&values[row.diagonal as usize], &values[row.right()])
     }
 
     /// The reciprocals of the pivots, where `values` are factors: their product is 1/det A.

@@ -58,11 +58,6 @@ pub struct Derived {
     /// The numerators of the reduced map before its denominator; `None` where nothing that depends
     /// on a state was divided out, so that they are (N, D) up to a factor without poles.
     pub reduced_map: Option<Plan>,
-    /// How A(x,ε) is eliminated in more than [`MOST_EXPANDED`] variables, where nothing is written
-    /// out.
-    ///
-    /// [`MOST_EXPANDED`]: crate::elimination::MOST_EXPANDED
-    pub couplings: Option<Couplings>,
     /// The integrals that are claimed without `when`, together.
     pub integrals: Plan,
     /// Their names, in order.
@@ -77,6 +72,7 @@ pub struct Derived {
     pub conditional: Vec<Plan>,
     planned: Planned,
     step: OnceLock<Option<StepPlan>>,
+    couplings: OnceLock<Option<Couplings>>,
     carry: OnceLock<Option<(Symbols, Plan)>>,
 }
 
@@ -110,7 +106,6 @@ pub fn derive(system: &System) -> Derived {
         rational_map: planned
             .with_map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
         reduced_map: planned.reduced_map(),
-        couplings: Couplings::of(&values, &slopes),
         map,
         planned,
         integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
@@ -119,6 +114,7 @@ pub fn derive(system: &System) -> Derived {
         brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, single(plan))).collect(),
         conditional: system.conditional().map(Claim::where_it_holds).collect(),
         step: OnceLock::new(),
+        couplings: OnceLock::new(),
         carry: OnceLock::new(),
         system: system.clone(),
     }
@@ -172,8 +168,20 @@ impl Derived {
                     .mapped(&|plan| with.put_into(plan)),
             )
         };
-        let written = || if self.couplings.is_some() { None } else { plan() };
-        self.step.get_or_init(written).as_ref()
+        let is_written = self.system.field.dimension() <= MOST_EXPANDED;
+        self.step.get_or_init(|| is_written.then(plan).flatten()).as_ref()
+    }
+
+    /// How A(x,ε) is eliminated where the step is not written in straight lines.
+    ///
+    /// Cost: as that of [`step`](Self::step); then the first call looks for an order of elimination.
+    pub fn couplings(&self) -> Option<&Couplings> {
+        let found = || {
+            let System { field, kept, .. } = &self.system;
+            let (values, slopes) = kept.jacobian(&field.symbols);
+            Couplings::of(&values, &slopes)
+        };
+        self.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
 
     /// v ↦ (∂x̃/∂x)·v where x̃ is known besides x, one result for each component; `None` where the

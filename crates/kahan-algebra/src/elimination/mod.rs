@@ -94,14 +94,9 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// The couplings of a field with more than [`MOST_EXPANDED`] variables, from f′ over its
-    /// values.
+    /// The couplings of a field, from f′ over its values.
     #[must_use]
-    pub(crate) fn of(values: &Values, slopes: &[Vec<Polynomial>]) -> Option<Self> {
-        (slopes.len() > MOST_EXPANDED).then(|| Self::among(values, slopes))
-    }
-
-    fn among(values: &Values, slopes: &[Vec<Polynomial>]) -> Self {
+    pub(crate) fn of(values: &Values, slopes: &[Vec<Polynomial>]) -> Self {
         let is_coupled = pattern(slopes);
         let graph = Graph::of(&is_coupled);
         let blocks: Vec<Vec<usize>> =

@@ -124,6 +124,8 @@ impl<'a> Allocator<'a> {
             Instruction::Subtract(a, b) => self.binary(Binary::Subtract, a, b),
             Instruction::Multiply(a, b) => self.binary(Binary::Multiply, a, b),
             Instruction::Divide(a, b) => self.binary(Binary::Divide, a, b),
+            Instruction::Maximum(a, b) => self.binary(Binary::Maximum, a, b),
+            Instruction::Minimum(a, b) => self.binary(Binary::Minimum, a, b),
             Instruction::Negate(a) => self.binary(Binary::ExclusiveOr, a, self.uses.sign()),
             Instruction::MultiplyAdd(a, b, c) => self.fused(Fused::MultiplyAdd, [a, b, c]),
             Instruction::MultiplySubtract(a, b, c) => self.fused(Fused::MultiplySubtract, [a, b, c]),

@@ -27,6 +27,10 @@ pub(crate) enum Binary {
     Subtract,
     Multiply,
     Divide,
+    /// a where a > b, else b
+    Maximum,
+    /// a where a < b, else b
+    Minimum,
     /// The bits of a, those flipped that are set in b. Of single numbers, the other bits of the
     /// register are flipped as well: a memory operand is 16 bytes at least.
     ExclusiveOr,
@@ -85,6 +89,8 @@ impl Assembler {
             Binary::Multiply => Opcode::of(self.form, 0x59),
             Binary::Subtract => Opcode::of(self.form, 0x5c),
             Binary::Divide => Opcode::of(self.form, 0x5e),
+            Binary::Maximum => Opcode::of(self.form, 0x5f),
+            Binary::Minimum => Opcode::of(self.form, 0x5d),
             Binary::ExclusiveOr => Opcode::exclusive_or(self.form),
         };
         self.vector(opcode, to, a, b);

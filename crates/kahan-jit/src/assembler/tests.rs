@@ -173,6 +173,8 @@ fn operations_are_what_was_asked_for() {
         ("vsub", Binary::Subtract),
         ("vmul", Binary::Multiply),
         ("vdiv", Binary::Divide),
+        ("vmax", Binary::Maximum),
+        ("vmin", Binary::Minimum),
     ];
     for form in FORMS {
         for (name, operator) in operations {
@@ -276,9 +278,15 @@ fn all_operations(form: Form, registers: u8, has_fused: bool) -> Vec<Instruction
     for to in ends {
         for a in ends {
             for b in ends.map(Source::Register).into_iter().chain([Source::Memory(memory)]) {
-                for operator in
-                    [Binary::Add, Binary::Subtract, Binary::Multiply, Binary::Divide, Binary::ExclusiveOr]
-                {
+                for operator in [
+                    Binary::Add,
+                    Binary::Subtract,
+                    Binary::Multiply,
+                    Binary::Divide,
+                    Binary::Maximum,
+                    Binary::Minimum,
+                    Binary::ExclusiveOr,
+                ] {
                     assembler.binary(operator, to, a, b);
                 }
                 for operator in [Fused::MultiplyAdd, Fused::MultiplySubtract, Fused::SubtractProduct] {

@@ -50,6 +50,20 @@ impl Machine {
                         Binary::Subtract => a - b,
                         Binary::Multiply => a * b,
                         Binary::Divide => a / b,
+                        Binary::Maximum => {
+                            if a > b {
+                                a
+                            } else {
+                                b
+                            }
+                        }
+                        Binary::Minimum => {
+                            if a < b {
+                                a
+                            } else {
+                                b
+                            }
+                        }
                         Binary::ExclusiveOr => f64::from_bits(a.to_bits() ^ b.to_bits()),
                     };
                     (to, value)

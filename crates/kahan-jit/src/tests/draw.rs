@@ -49,7 +49,7 @@ pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, o
             _ => known - 1 - draw.below(known.min(6)),
         };
         let (a, b, c) = (operand(), operand(), operand());
-        let instruction = match draw.below(12) {
+        let instruction = match draw.below(14) {
             0 => Instruction::Add(a, b),
             1 | 2 => Instruction::Subtract(a, b),
             3 | 4 => Instruction::Multiply(a, b),
@@ -58,6 +58,8 @@ pub(crate) fn random_program(draw: &mut Draw, states: usize, constants: usize, o
             7 | 8 => Instruction::MultiplyAdd(a, b, c),
             9 => Instruction::MultiplySubtract(a, b, c),
             10 => Instruction::SubtractProduct(a, b, c),
+            11 => Instruction::Maximum(a, b),
+            12 => Instruction::Minimum(a, b),
             _ => Instruction::RoundToSingle(a),
         };
         known = 1 + program.push(instruction);

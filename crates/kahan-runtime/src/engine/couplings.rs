@@ -59,6 +59,43 @@ impl Tables {
         couplings.factor(values, row)
     }
 
+    /// The same whatever the pivots are. Returns a number that is larger than [`LARGEST_FACTOR`]
+    /// where [`factor`](Self::factor) finds a pivot too small: for each pivot the smaller one of its
+    /// largest factor and of its largest quotient of an entry in its row, and of those the largest.
+    /// `None` where nothing is eliminated. Behind a pivot that is 0 no solution is finite.
+    ///
+    /// `operations` are the larger and the smaller of two numbers.
+    ///
+    /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
+    pub(crate) fn growth<V: Scalar>(
+        &self,
+        slopes: &[V],
+        eps: &V,
+        factors: &mut Factors<V>,
+        size: impl Fn(V) -> V,
+        [larger, smaller]: [fn(V, V) -> V; 2],
+    ) -> Option<V> {
+        let Factors { values, row } = factors;
+        values.resize(self.columns.len(), V::zero());
+        row.resize(self.order.len(), V::zero());
+        let couplings = self.couplings();
+        couplings.fill(slopes, eps, values);
+        let mut largest: Vec<Option<V>> = vec![None; self.order.len()];
+        couplings.eliminate(values, row, |turn, factor, _| {
+            let factor = size(factor.clone());
+            largest[turn] = Some(match largest[turn].take() {
+                Some(other) => larger(other, factor),
+                None => factor,
+            });
+        });
+        let of_pivot = |(turn, factor): (usize, Option<V>)| {
+            let (reciprocal, behind) = couplings.pivot(turn, values);
+            let quotient = behind.iter().cloned().map(&size).reduce(larger)? * size(reciprocal.clone());
+            Some(smaller(factor?, quotient))
+        };
+        largest.into_iter().enumerate().filter_map(of_pivot).reduce(larger)
+    }
+
     /// Whether det A is negative.
     pub(super) fn has_negative_determinant(&self, factors: &Factors<f64>) -> bool {
         self.couplings().pivots(&factors.values).filter(|pivot| **pivot < 0.0).count() % 2 == 1

@@ -61,8 +61,8 @@ impl Steps {
 pub(crate) struct Step {
     /// What prepares the constants of a straight line; `None` where the step eliminates.
     prepared: Option<Line>,
-    /// What is run at every state: the kernel of a straight line, else the entries of f′ and the
-    /// field. With `couplings` the entries are those that these place, else all of them.
+    /// What is run at every state: the kernel of a straight line, else the entries of f′ that
+    /// `couplings` place, and the field.
     lines: Vec<Line>,
     couplings: Option<Tables>,
     /// For each component the places of its numerator and its reciprocal among what the step
@@ -85,13 +85,12 @@ impl Step {
     }
 
     fn by_elimination(derived: &Derived) -> Self {
-        let Derived { system, couplings, field, field_jacobian, .. } = derived;
-        let symbols = &system.field.symbols;
-        let slopes = couplings.as_ref().map_or(field_jacobian, |couplings| &couplings.slopes);
+        let symbols = &derived.system.field.symbols;
+        let couplings = derived.couplings().unwrap_or_else(|| unreachable!("there is no straight line"));
         Step {
             prepared: None,
-            lines: [slopes, field].map(|plan| Line::of(plan, symbols)).into(),
-            couplings: couplings.as_ref().map(Tables::of),
+            lines: [&couplings.slopes, &derived.field].map(|plan| Line::of(plan, symbols)).into(),
+            couplings: Some(Tables::of(couplings)),
             quotients: (0..symbols.dimension()).map(|i| (i, None)).collect(),
         }
     }
@@ -101,7 +100,7 @@ impl Step {
         Some([self.prepared.as_ref()?, &self.lines[0]])
     }
 
-    /// The line of the entries of f′ in many variables, and where these stand.
+    /// The line of the entries of f′ where the step eliminates, and where these stand.
     pub(crate) fn couplings(&self) -> Option<(&Line, &Tables)> {
         Some((&self.lines[0], self.couplings.as_ref()?))
     }
@@ -155,6 +154,12 @@ impl Step {
         workspace: &mut Workspace<V>,
     ) {
         self.compute(state, registers, workspace);
+        self.add(rounds, [state, carry], workspace);
+    }
+
+    /// Adds what was computed to the state.
+    #[inline]
+    fn add<V: Scalar + Copy>(&self, rounds: bool, [state, carry]: [&mut [V]; 2], workspace: &Workspace<V>) {
         if carry.is_empty() {
             for (i, x) in state.iter_mut().enumerate() {
                 *x = added(self.quotient(i, rounds, workspace), *x);
@@ -185,10 +190,23 @@ impl Step {
         workspace: &mut Workspace<V>,
         single: impl Fn(V) -> V,
     ) {
+        self.advance_by(kind, [state, carry], registers, workspace, single, Tables::factor);
+    }
+
+    /// The same, with A factored by this function along the couplings of a step that eliminates.
+    pub(crate) fn advance_by<V: Scalar + Copy>(
+        &self,
+        kind: StepKind,
+        [state, carry]: [&mut [V]; 2],
+        registers: &mut [V],
+        workspace: &mut Workspace<V>,
+        single: impl Fn(V) -> V,
+        factor: impl FnOnce(&Tables, &[V], &V, &mut Factors<V>) -> bool,
+    ) {
+        self.compute_by(state, registers, workspace, factor);
         if kind.precision != Precision::SingleThroughDouble {
-            return self.advance(kind.rounds_increments, [state, carry], registers, workspace);
+            return self.add(kind.rounds_increments, [state, carry], workspace);
         }
-        self.compute(state, registers, workspace);
         for (i, x) in state.iter_mut().enumerate() {
             let carry = carry.get_mut(i);
             let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
@@ -252,37 +270,43 @@ impl Step {
     /// Computes numerators and reciprocals.
     #[inline(always)]
     fn compute<V: Scalar + Copy>(&self, state: &[V], registers: &mut [V], workspace: &mut Workspace<V>) {
+        self.compute_by(state, registers, workspace, Tables::factor);
+    }
+
+    /// The same, with A factored by this function where the step eliminates.
+    #[inline(always)]
+    fn compute_by<V: Scalar + Copy>(
+        &self,
+        state: &[V],
+        registers: &mut [V],
+        workspace: &mut Workspace<V>,
+        factor: impl FnOnce(&Tables, &[V], &V, &mut Factors<V>) -> bool,
+    ) {
         let Workspace { outcome, matrix, slopes: entries, factors, is_singular } = workspace;
         outcome.clear();
-        match &self.lines[..] {
-            [slopes, field] => {
-                let (of_slopes, of_field) = registers.split_at_mut(slopes.registers());
-                let eps = slopes.eps(of_slopes);
-                outcome.extend(has_value(field.run(of_field, state)).iter());
-                // Workspace for partial pivoting, which may be wanted at a later step only.
-                matrix.clear();
-                matrix.reserve(state.len() * state.len());
-                entries.clear();
-                entries.extend(has_value(slopes.run(of_slopes, state)).iter());
-                *is_singular = match &self.couplings {
-                    Some(tables) if tables.factor(entries, &eps, factors) => {
-                        tables.solve(factors, outcome, 1, 0);
-                        false
-                    }
-                    _ => {
-                        match &self.couplings {
-                            Some(tables) => tables.spread(entries, matrix),
-                            None => matrix.extend_from_slice(entries),
-                        }
-                        into_matrix(matrix, eps, state.len());
-                        solve(matrix, outcome, state.len())
-                    }
-                };
-                let time_step = eps + eps;
-                outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
-            }
-            kernel => outcome.extend(has_value(kernel[0].run(registers, state)).iter()),
-        }
+        let Some(tables) = &self.couplings else {
+            outcome.extend(has_value(self.lines[0].run(registers, state)).iter());
+            return;
+        };
+        let [slopes, field] = &self.lines[..] else { unreachable!("they are two") };
+        let (of_slopes, of_field) = registers.split_at_mut(slopes.registers());
+        let eps = slopes.eps(of_slopes);
+        outcome.extend(has_value(field.run(of_field, state)).iter());
+        // Workspace for partial pivoting, which may be wanted at a later step only.
+        matrix.clear();
+        matrix.reserve(state.len() * state.len());
+        entries.clear();
+        entries.extend(has_value(slopes.run(of_slopes, state)).iter());
+        *is_singular = if factor(tables, entries, &eps, factors) {
+            tables.solve(factors, outcome, 1, 0);
+            false
+        } else {
+            tables.spread(entries, matrix);
+            into_matrix(matrix, eps, state.len());
+            solve(matrix, outcome, state.len())
+        };
+        let time_step = eps + eps;
+        outcome.iter_mut().for_each(|velocity| *velocity = time_step * *velocity);
     }
 
     /// The factors of an increment, multiplied where increments are rounded.

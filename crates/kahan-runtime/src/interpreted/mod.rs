@@ -78,10 +78,11 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         };
         match self.engine.derived.step() {
             Some(step) => of_plan(step.cost()),
-            None => match &self.engine.derived.couplings {
-                Some(couplings) => of_plan(couplings.cost(&self.engine.derived.field)),
-                None => StepCost::of_elimination(self.variables().len()),
-            },
+            None => {
+                let couplings = self.engine.derived.couplings();
+                let couplings = couplings.unwrap_or_else(|| unreachable!("it is eliminated"));
+                of_plan(couplings.cost(&self.engine.derived.field))
+            }
         }
     }
 

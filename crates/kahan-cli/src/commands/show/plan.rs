@@ -1,5 +1,6 @@
 //! `kahan show --plan`: what each generated function costs, and the step in straight lines.
 
+use kahan_algebra::elimination::MOST_EXPANDED;
 use kahan_algebra::kahan::TERM_BUDGET;
 use kahan_algebra::plan::Operation::{self, Add, Divide, Multiply, MultiplyAdd};
 use kahan_algebra::plan::{LARGEST_SIZE, Node, Plan};
@@ -38,8 +39,7 @@ pub(super) fn text(planned: &Planned) -> String {
     page.prose(&format!(
         "In this run the map was derived in {derived:.2} ms and the step was planned in {written:.2} ms."
     ));
-    let along_couplings = planned.derived.couplings.is_some();
-    if along_couplings {
+    if planned.derived.system.field.dimension() > MOST_EXPANDED {
         page.line("");
         page.prose(
             "Systems of more than eight variables have no closed form here: det A and (N, D) are computed on the numeric matrix.",
@@ -53,8 +53,7 @@ pub(super) fn text(planned: &Planned) -> String {
     }
     match &planned.step {
         Some(step) => step_section(&mut page, "step", step),
-        None if along_couplings => page.section("step", paragraph(ALONG_COUPLINGS)),
-        None => page.section("step", paragraph(ELIMINATION)),
+        None => page.section("step", paragraph(ALONG_COUPLINGS)),
     }
     if let Some(general) = &planned.general_step {
         page.line("");
@@ -106,15 +105,10 @@ fn domain(holds_to: u32) -> Vec<String> {
     ))
 }
 
-/// The same for systems that are eliminated along their couplings.
+/// Why there are no lines to show.
 const ALONG_COUPLINGS: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination along the couplings of the variables, in an order found \
     beforehand; where a pivot is small, with pivoting. What it does depends on the numbers that it meets, so nothing is counted here. \
     det A = 0 counts as a pole, and the Jacobian is A(x,eps)^-1 A(x~,-eps).";
-
-/// Why there are no lines to show.
-const ELIMINATION: &str = "x~ = x + 2 eps A(x,eps)^-1 f(x), by elimination with pivoting in a loop: N and D are beyond the budget, \
-    and so is the elimination of A in straight lines. What it does depends on the numbers that it meets, so nothing is counted \
-    here. det A = 0 counts as a pole, and the Jacobian is A(x,eps)^-1 A(x~,-eps).";
 
 /// What the columns mean.
 fn notes() -> Vec<String> {

@@ -86,7 +86,7 @@ impl Source<'_> {
     }
 
     fn instruction(&mut self, known: usize) -> Instruction {
-        let kind = if known == 0 { self.byte() % 3 } else { self.byte() % 16 };
+        let kind = if known == 0 { self.byte() % 3 } else { self.byte() % 18 };
         match kind {
             0 => return Instruction::State(self.entry()),
             1 => return Instruction::Constant(self.entry()),
@@ -104,6 +104,8 @@ impl Source<'_> {
             12 => Instruction::MultiplySubtract(operand(), operand(), operand()),
             13 => Instruction::SubtractProduct(operand(), operand(), operand()),
             14 => Instruction::Copy(operand()),
+            15 => Instruction::Maximum(operand(), operand()),
+            16 => Instruction::Minimum(operand(), operand()),
             _ => Instruction::RoundToSingle(operand()),
         }
     }
