@@ -149,8 +149,17 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 
     fn advance_checked(&self, x: &mut [T], steps: u64) {
-        if !self.coded.as_ref().is_some_and(|stages| stages.has_advanced(x, steps)) {
-            self.engine().advance(self.kind, &self.stages, [x, &mut []], steps);
+        self.advance_numbers([x, &mut []], steps);
+    }
+
+    fn advance_numbers(&self, numbers: [&mut [T]; 2], steps: u64) {
+        let interpret = |numbers: [&mut [T]; 2], steps| {
+            self.engine().advance(self.kind, &self.stages, numbers, steps);
+        };
+        let carries = !numbers[1].is_empty();
+        match self.coded.as_ref().and_then(|stages| Some((stages, stages.code(self.engine(), carries)?))) {
+            Some((stages, code)) => stages.advance(code, numbers, steps, interpret),
+            None => interpret(numbers, steps),
         }
     }
 
@@ -164,11 +173,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     pub fn advance_with_carry(&self, x: &mut [T], carry: &mut [T], steps: u64) -> Result<(), DimensionError> {
         self.check_state(x)?;
         DimensionError::check(Argument::Carry, carry.len(), self.dimension())?;
-        let engine = self.engine();
-        let by_code = |stages| engine.has_advanced_with_carry(stages, x, carry, steps);
-        if !self.coded.as_ref().is_some_and(by_code) {
-            engine.advance(self.kind, &self.stages, [x, carry], steps);
-        }
+        self.advance_numbers([x, carry], steps);
         Ok(())
     }
 
@@ -214,12 +219,9 @@ impl<T: MachineFloat> MapAt<T> {
     pub fn step(&self, x: &[T], next: &mut [T]) -> Result<(), DimensionError> {
         self.check_out(next, self.dimension())?;
         self.check_state(x)?;
-        match &self.coded {
-            Some(stages) => stages.step(x, next),
-            None => {
-                next.copy_from_slice(x);
-                self.advance_checked(next, 1);
-            }
+        if !self.coded.as_ref().is_some_and(|stages| stages.has_stepped(x, next)) {
+            next.copy_from_slice(x);
+            self.advance_checked(next, 1);
         }
         Ok(())
     }

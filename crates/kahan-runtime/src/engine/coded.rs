@@ -2,6 +2,11 @@
 
 use std::sync::{Arc, OnceLock};
 
+use kahan_core::__private::LARGEST_FACTOR;
+use kahan_core::Scalar;
+use kahan_core::num_traits::Zero;
+
+use crate::follow::is_finite;
 use crate::machine::{OrbitCode, StepKind};
 
 use super::Engine;
@@ -9,6 +14,9 @@ use super::abreast::AbreastOnce;
 use super::floats::{MachineFloat, RuntimeFloat};
 use super::scratch::{Scratch, with_scratch};
 use super::step::Steps;
+
+/// Steps between two looks at the guard of code.
+const GUARDED: u64 = 64;
 
 /// The stages of a step as code, with the constants of those that differ, the middle one last.
 #[derive(Clone, Debug)]
@@ -22,17 +30,75 @@ pub(crate) struct CodedStages<T: RuntimeFloat> {
 }
 
 impl<T: RuntimeFloat> CodedStages<T> {
-    /// Replaces a state by the one so many steps later; `false` where code cannot tell, and the
-    /// state is as before.
-    pub(crate) fn has_advanced(&self, state: &mut [T], steps: u64) -> bool {
-        T::has_run(&self.code, &self.constants, state, steps)
+    /// The code; with `carries` the one that carries what a state lacks.
+    pub(crate) fn code(&self, engine: &Engine, carries: bool) -> Option<&OrbitCode<T::Word>> {
+        let compile = || {
+            let kind = StepKind { compensated: true, ..self.kind };
+            engine.codes.orbit(engine, kind, self.constants.len() > 1)
+        };
+        if carries { self.carrying.get_or_init(compile).as_deref() } else { Some(&self.code) }
+    }
+
+    /// Replaces a state by the one so many steps later, with what it lacks carried along where there
+    /// is a `carry`. Steps that `code` cannot tell are taken by `interpret`.
+    pub(crate) fn advance(
+        &self,
+        code: &OrbitCode<T::Word>,
+        [state, carry]: [&mut [T]; 2],
+        steps: u64,
+        interpret: impl Fn([&mut [T]; 2], u64),
+    ) {
+        let at_once = if code.is_guarded() { GUARDED } else { steps };
+        let mut left = steps;
+        while left > 0 {
+            let now = left.min(at_once);
+            if !self.has_advanced(code, [&mut *state, &mut *carry], now) {
+                interpret([&mut *state, &mut *carry], now);
+            }
+            left -= now;
+        }
+    }
+
+    /// The same; `false` where code cannot tell, and the numbers are as before.
+    fn has_advanced(&self, code: &OrbitCode<T::Word>, [state, carry]: [&mut [T]; 2], steps: u64) -> bool {
+        if carry.is_empty()
+            && !code.is_guarded()
+            && let Some(words) = T::as_words(state)
+        {
+            code.advance(words, &self.constants, steps);
+            return true;
+        }
+        with_scratch(T::Word::single(), |Scratch { state: words, .. }| {
+            words.clear();
+            words.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));
+            let own = words.len();
+            if code.is_guarded() {
+                words.push(T::Word::zero());
+            }
+            code.advance(words, &self.constants, steps);
+            let (words, guard) = words.split_at(own);
+            let is_kept = |guard: &T::Word| guard.approximate() <= LARGEST_FACTOR as f64;
+            let is_told = guard.iter().all(|guard| is_kept(guard) && is_finite(words));
+            if is_told {
+                let words = words.chunks_exact(own / (state.len() + carry.len()));
+                state
+                    .iter_mut()
+                    .chain(carry)
+                    .zip(words)
+                    .for_each(|(number, words)| *number = T::from_words(words));
+            }
+            is_told
+        })
     }
 }
 
 impl<T: MachineFloat> CodedStages<T> {
-    /// The state one step later.
-    pub(crate) fn step(&self, state: &[T], next: &mut [T]) {
-        self.code.step(state, &self.constants, next);
+    /// Writes the state one step later; `false` where that takes a look at a guard.
+    pub(crate) fn has_stepped(&self, state: &[T], next: &mut [T]) -> bool {
+        if !self.code.is_guarded() {
+            self.code.step(state, &self.constants, next);
+        }
+        !self.code.is_guarded()
     }
 }
 
@@ -52,33 +118,12 @@ impl Engine {
         }
         let code = self.codes.orbit(self, kind, own.len() > 1)?;
         let (step, mut registers) = (self.steps().form(is_general), Vec::new());
-        let mut prepared =
-            |own| Some(step.prepared(own, &mut registers)?.iter().flat_map(T::words).collect());
-        let constants = own.iter().map(|own| prepared(own)).collect::<Option<_>>()?;
+        let mut prepared = |own: &Vec<T>| match step.prepared(own, &mut registers) {
+            Some(prepared) => prepared.iter().flat_map(T::words).collect(),
+            // What eliminates takes the parameters and ε.
+            None => own.iter().flat_map(|number| number.words()).collect(),
+        };
+        let constants = own.iter().map(&mut prepared).collect();
         Some(CodedStages { code, kind, constants, carrying: Arc::default(), abreast: Arc::default() })
-    }
-
-    /// The same, with what the state lacks carried along; `false` where there is no code.
-    pub(crate) fn has_advanced_with_carry<T: RuntimeFloat>(
-        &self,
-        stages: &CodedStages<T>,
-        state: &mut [T],
-        carry: &mut [T],
-        steps: u64,
-    ) -> bool {
-        let code = stages.carrying.get_or_init(|| {
-            let kind = StepKind { compensated: true, ..stages.kind };
-            self.codes.orbit(self, kind, stages.constants.len() > 1)
-        });
-        let Some(code) = code else { return false };
-        with_scratch(T::single(), |Scratch { state: numbers, .. }| {
-            numbers.clear();
-            numbers.extend(state.iter().chain(carry.iter()));
-            let has_run = T::has_run(code, &stages.constants, numbers, steps);
-            let (advanced, lacking) = numbers.split_at(state.len());
-            state.copy_from_slice(advanced);
-            carry.copy_from_slice(lacking);
-            has_run
-        })
     }
 }

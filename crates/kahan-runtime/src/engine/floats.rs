@@ -4,10 +4,10 @@ use core::cell::Cell;
 
 use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar, Precision};
 
-use crate::machine::{Coded, OrbitCode};
+use crate::machine::Coded;
 
 use super::lanes::EightLanes;
-use super::scratch::{Local, Scratch, with_scratch};
+use super::scratch::{Local, Scratch};
 use super::{Engine, Object};
 
 /// A float of states: `f32`, `f64`, or [`Dd`].
@@ -18,21 +18,19 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
 
     /// The float that machine code computes it with.
     #[doc(hidden)]
-    type Word: Coded;
+    type Word: MachineFloat;
 
     /// The words of the number.
     #[doc(hidden)]
     fn words(self) -> impl Iterator<Item = Self::Word>;
 
-    /// Replaces numbers by those so many steps later, with the constants of the stages; `false`
-    /// where the code cannot tell, and the numbers are as before.
+    /// The number with these words.
     #[doc(hidden)]
-    fn has_run(
-        code: &OrbitCode<Self::Word>,
-        stages: &[Vec<Self::Word>],
-        numbers: &mut [Self],
-        steps: u64,
-    ) -> bool;
+    fn from_words(words: &[Self::Word]) -> Self;
+
+    /// The words of numbers, in their place, where each is its only word.
+    #[doc(hidden)]
+    fn as_words(numbers: &mut [Self]) -> Option<&mut [Self::Word]>;
 
     /// Writes the results of an object; `false` where it has no code.
     #[doc(hidden)]
@@ -86,14 +84,12 @@ macro_rules! implement_for_float {
                 core::iter::once(self)
             }
 
-            fn has_run(
-                code: &OrbitCode<Self>,
-                stages: &[Vec<Self>],
-                numbers: &mut [Self],
-                steps: u64,
-            ) -> bool {
-                code.advance(numbers, stages, steps);
-                true
+            fn from_words(words: &[Self]) -> Self {
+                words[0]
+            }
+
+            fn as_words(numbers: &mut [Self]) -> Option<&mut [Self]> {
+                Some(numbers)
             }
 
             fn has_evaluated(
@@ -118,9 +114,6 @@ macro_rules! implement_for_float {
 implement_for_float!(f32, Single);
 implement_for_float!(f64, Double);
 
-/// Steps of double-double between two looks at the guard of the code.
-const GUARDED: u64 = 256;
-
 impl RuntimeFloat for Dd {
     const PRECISION: Precision = Precision::DoubleDouble;
 
@@ -133,21 +126,11 @@ impl RuntimeFloat for Dd {
         [self.high(), self.low()].into_iter()
     }
 
-    fn has_run(code: &OrbitCode<f64>, stages: &[Vec<f64>], numbers: &mut [Self], steps: u64) -> bool {
-        with_scratch(f64::single(), |Scratch { state: words, .. }| {
-            words.clear();
-            words.extend(numbers.iter().flat_map(|x| x.words()));
-            words.push(0.0);
-            for first in (0..steps).step_by(GUARDED as usize) {
-                code.advance(words, stages, GUARDED.min(steps - first));
-                // Not a number is no zero.
-                if words.last() != Some(&0.0) {
-                    return false;
-                }
-            }
-            let pairs = words.chunks_exact(2);
-            numbers.iter_mut().zip(pairs).for_each(|(x, pair)| *x = Dd::new(pair[0], pair[1]));
-            true
-        })
+    fn from_words(words: &[f64]) -> Self {
+        Dd::new(words[0], words[1])
+    }
+
+    fn as_words(_numbers: &mut [Self]) -> Option<&mut [f64]> {
+        None
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use kahan_core::FloatScalar;
+use kahan_core::{FloatScalar, Precision};
 use kahan_jit::{
     ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Refusal, Shape, Sweep,
 };
@@ -75,7 +75,13 @@ impl Coded for f64 {
 
 /// The code of an orbit, whose step is one of the map or several of them.
 #[derive(Debug)]
-pub enum OrbitCode<T> {
+pub(crate) struct OrbitCode<T> {
+    step: StepCode<T>,
+    is_guarded: bool,
+}
+
+#[derive(Debug)]
+enum StepCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
 }
@@ -102,7 +108,7 @@ impl Codes {
         Codes { single: CodesOf::new(objects), double: CodesOf::new(objects) }
     }
 
-    /// The code of an orbit; `None` where the step is no straight line, or there can be no code.
+    /// The code of an orbit; `None` where there can be no code.
     pub(crate) fn orbit<T: Coded>(
         &self,
         engine: &Engine,
@@ -110,14 +116,18 @@ impl Codes {
         is_composed: bool,
     ) -> Option<Arc<OrbitCode<T>>> {
         T::of(self).orbits.get((kind, is_composed), || {
-            let program = kind.program::<T>(engine)?;
+            let (program, is_guarded) = match kind.program::<T>(engine) {
+                Some(program) => (program, kind.precision == Precision::DoubleDouble),
+                None => (kind.eliminating::<T>(engine)?, true),
+            };
             let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
             let shape = Shape { instructions, lanes: LaneCount::One, fuses: kind.fuses };
-            Some(if is_composed {
-                ComposedOrbit::compile(&program, shape).map(OrbitCode::Composed)
+            let step = if is_composed {
+                ComposedOrbit::compile(&program, shape).map(StepCode::Composed)
             } else {
-                Orbit::compile(&program, shape).map(OrbitCode::Single)
-            })
+                Orbit::compile(&program, shape).map(StepCode::Single)
+            };
+            Some(step.map(|step| OrbitCode { step, is_guarded }))
         })
     }
 
@@ -168,11 +178,18 @@ impl Codes {
 }
 
 impl<T: Coded> OrbitCode<T> {
+    /// Whether a guard comes behind the numbers of a state, which begins as 0: it is at most
+    /// [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) as long as each step has the
+    /// operations of the interpreter, or leads to a number that is not finite.
+    pub(crate) fn is_guarded(&self) -> bool {
+        self.is_guarded
+    }
+
     /// The numbers of the state one step later; `stages` as for [`advance`](Self::advance).
     pub(crate) fn step(&self, numbers: &[T], stages: &[Vec<T>], next: &mut [T]) {
-        match self {
-            OrbitCode::Single(orbit) => orbit.step(numbers, &stages[0], next),
-            OrbitCode::Composed(_) => {
+        match &self.step {
+            StepCode::Single(orbit) => orbit.step(numbers, &stages[0], next),
+            StepCode::Composed(_) => {
                 next.copy_from_slice(numbers);
                 self.advance(next, stages, 1);
             }
@@ -182,9 +199,9 @@ impl<T: Coded> OrbitCode<T> {
     /// Advances the numbers of a state by so many steps; `stages` are the constants of those that
     /// differ, the middle one last.
     pub(crate) fn advance(&self, numbers: &mut [T], stages: &[Vec<T>], steps: u64) {
-        match self {
-            OrbitCode::Single(orbit) => orbit.run(numbers, &stages[0], steps),
-            OrbitCode::Composed(orbit) => {
+        match &self.step {
+            StepCode::Single(orbit) => orbit.run(numbers, &stages[0], steps),
+            StepCode::Composed(orbit) => {
                 let (middle, before) =
                     stages.split_last().unwrap_or_else(|| unreachable!("there is a stage"));
                 let order = before.iter().chain([middle]).chain(before.iter().rev());

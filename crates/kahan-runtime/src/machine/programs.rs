@@ -11,6 +11,9 @@ use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
 use super::{Coded, StepKind};
 
+/// The most operations of an elimination that is compiled.
+const MOST_OPERATIONS: u32 = 10_000;
+
 impl StepKind {
     /// The program from the numbers of a state to those of the next, for the prepared constants of
     /// the step; `None` where that is no straight line, and for compensated double-double.
@@ -31,6 +34,48 @@ impl StepKind {
         }
         let numbers = if self.compensated { 2 * variables } else { variables };
         traced::program(|| self.next(step, Traced::<T>::states(0..numbers)))
+    }
+
+    /// The same where the step eliminates: `constants` are the parameters and ε, and a guard comes
+    /// last, which stays at most [`LARGEST_FACTOR`] as long as the interpreter finds all pivots large
+    /// enough and all numbers are finite. `None` in double-double, where multiply-adds are not those
+    /// of this build, and where it takes too many operations.
+    ///
+    /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
+    pub(super) fn eliminating<T: Coded>(self, engine: &Engine) -> Option<Program> {
+        let couplings = engine.derived.couplings()?;
+        let operations = couplings.cost(&engine.derived.field).operations;
+        let is_of_build = self.fuses == cfg!(target_feature = "fma");
+        if self.precision == Precision::DoubleDouble || !is_of_build || operations > MOST_OPERATIONS {
+            return None;
+        }
+        let step = engine.steps().form(self.is_general);
+        let variables = engine.dimension();
+        let numbers = if self.compensated { 2 * variables } else { variables };
+        traced::program(|| {
+            let mut numbers = Traced::<T>::states(0..=numbers);
+            let guard = numbers.pop()?;
+            let (mut scratch, mut given) = (Scratch::default(), Vec::new());
+            step.prepare(&constants(engine), &mut scratch.registers, &mut given);
+            scratch.registers.clear();
+            step.open(&given, &mut scratch.registers);
+            let (state, carry) = numbers.split_at_mut(variables);
+            let mut growth = None;
+            step.advance_by(
+                self,
+                [state, carry],
+                &mut scratch.registers,
+                &mut scratch.workspace,
+                Traced::rounded_to_single,
+                |tables, slopes, eps, factors| {
+                    let compare = [Traced::larger, Traced::smaller];
+                    growth = tables.growth(slopes, eps, factors, Traced::magnitude, compare);
+                    true
+                },
+            );
+            numbers.push(growth.map_or(guard, |growth| guard.larger(growth)));
+            Some(numbers)
+        })
     }
 
     /// The program of a point that carries so many tangent vectors, each as many numbers as the

@@ -10,8 +10,8 @@ use kahan_core::{FloatScalar, Scalar, operators};
 use kahan_jit::{Instruction, Program};
 
 use Instruction::{
-    Add, Divide, Literal, Multiply, MultiplyAdd, MultiplySubtract, Negate, RoundToSingle, State, Subtract,
-    SubtractProduct,
+    Add, Divide, Literal, Maximum, Minimum, Multiply, MultiplyAdd, MultiplySubtract, Negate, RoundToSingle,
+    State, Subtract, SubtractProduct,
 };
 
 thread_local! {
@@ -50,6 +50,22 @@ impl<T> Traced<T> {
     /// The number of single precision nearest to it.
     pub(super) fn rounded_to_single(self) -> Self {
         Self::of(RoundToSingle(self.place))
+    }
+
+    /// |self|
+    pub(super) fn magnitude(self) -> Self {
+        let place = self.place;
+        Self::of(Maximum(place, (-self).place))
+    }
+
+    /// The larger of two numbers.
+    pub(super) fn larger(self, other: Self) -> Self {
+        Self::of(Maximum(self.place, other.place))
+    }
+
+    /// The smaller of two numbers.
+    pub(super) fn smaller(self, other: Self) -> Self {
+        Self::of(Minimum(self.place, other.place))
     }
 
     /// The number that it is, where that is known.
