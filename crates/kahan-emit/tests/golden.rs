@@ -15,7 +15,7 @@ use quote::{ToTokens, quote};
 use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
 
 /// The blocks, each with the functions that it is there to show, where these are not all.
-const BLOCKS: [(&str, &[&str]); 7] = [
+const BLOCKS: [(&str, &[&str]); 6] = [
     // A system with claims.
     ("e3", &[]),
     // Parameters and what is divided by them.

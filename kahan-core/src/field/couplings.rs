@@ -1,4 +1,4 @@
-//! Elimination along the couplings of many variables: tables that say where A(x,ε) has entries, and
+//! Elimination along the couplings of variables: tables that say where A(x,ε) has entries, and
 //! loops over them.
 //!
 //! In: numbers at the places of the tables. Out: A = L·U in those places, and solutions of A·X = B.

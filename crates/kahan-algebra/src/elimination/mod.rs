@@ -1,7 +1,7 @@
 //! Elimination along the couplings: which entries of A(x,ε) are solved in which order, found once
 //! for every state.
 //!
-//! In: a field of many variables. Out: an order of elimination, and for each row of A in that order
+//! In: a field whose step is too large for straight lines without pivots. Out: an order of elimination, and for each row of A in that order
 //! where its entries lie, those that elimination fills in among them. A step then costs what the
 //! couplings cost, and not the cube of the number of variables. A variable's pivot is its entry on
 //! the diagonal, 1 − ε ∂fᵢ/∂xᵢ: rows are never exchanged, so whoever computes with floats must look

@@ -30,6 +30,11 @@ pub(crate) struct CodedStages<T: RuntimeFloat> {
 }
 
 impl<T: RuntimeFloat> CodedStages<T> {
+    /// Whether the code may leave steps to the interpreter, as that of elimination does.
+    pub(crate) fn is_guarded(&self) -> bool {
+        self.code.is_guarded()
+    }
+
     /// The code; with `carries` the one that carries what a state lacks.
     pub(crate) fn code(&self, engine: &Engine, carries: bool) -> Option<&OrbitCode<T::Word>> {
         let compile = || {
@@ -95,10 +100,10 @@ impl<T: RuntimeFloat> CodedStages<T> {
 impl<T: MachineFloat> CodedStages<T> {
     /// Writes the state one step later; `false` where that takes a look at a guard.
     pub(crate) fn has_stepped(&self, state: &[T], next: &mut [T]) -> bool {
-        if !self.code.is_guarded() {
+        if !self.is_guarded() {
             self.code.step(state, &self.constants, next);
         }
-        !self.code.is_guarded()
+        !self.is_guarded()
     }
 }
 

@@ -232,23 +232,22 @@ impl Step {
         Some(self.prepared.as_ref()?.values(constants, registers, &[]))
     }
 
-    /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings of many variables; whether it
-    /// could.
+    /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings; whether it could.
     pub(super) fn solves_columns<V: Scalar + Copy>(&self, constants: &[V], state: &[V], b: &mut [V]) -> bool {
         let Some((tables, mut factors)) = self.factors(constants, state) else { return false };
         (0..state.len()).for_each(|column| tables.solve(&mut factors, b, state.len(), column));
         true
     }
 
-    /// Whether det A(x,ε) is negative, along the couplings of many variables; `None` where there
-    /// are none, or a pivot is too small.
+    /// Whether det A(x,ε) is negative, along the couplings; `None` where there are
+    /// none, or a pivot is too small.
     pub(super) fn has_negative_determinant(&self, constants: &[f64], state: &[f64]) -> Option<bool> {
         let (tables, factors) = self.factors(constants, state)?;
         Some(tables.has_negative_determinant(&factors))
     }
 
-    /// The factors of A(x,ε) along the couplings of many variables; `None` where there are none, or
-    /// a pivot is too small.
+    /// The factors of A(x,ε) along the couplings; `None` where there are none, or a
+    /// pivot is too small.
     fn factors<V: Scalar + Copy>(&self, constants: &[V], state: &[V]) -> Option<(&Tables, Factors<V>)> {
         let (slopes, tables) = self.couplings()?;
         let entries: Vec<V> = slopes.values(constants, &mut Vec::new(), state).iter().collect();

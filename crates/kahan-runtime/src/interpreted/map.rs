@@ -30,7 +30,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         })
     }
 
-    /// A(x,ε)⁻¹·A(x̃,−ε) along the couplings of many variables; `None` in few, and where a pivot is
+    /// A(x,ε)⁻¹·A(x̃,−ε) along the couplings; `None` where there are none, and where a pivot is
     /// too small.
     fn jacobian_along_couplings(&self, x: &SVector<T, N>, eps: &T) -> Option<SMatrix<T, N, N>> {
         let (tables, mut factors) = self.factors(x.as_slice(), eps)?;

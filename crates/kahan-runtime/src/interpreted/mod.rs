@@ -119,7 +119,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         self.engine.single_integrals().iter().map(value).collect()
     }
 
-    /// x̃ − x along the couplings of many variables; `None` in few, and where a pivot is too small.
+    /// x̃ − x along the couplings; `None` where there are none, and where a pivot is too small.
     fn along_couplings(&self, state: &[T], eps: &T) -> Option<Vec<T>> {
         let (tables, mut factors) = self.factors(state, eps)?;
         let mut velocity = self.list(self.engine.known_line(Object::Field), state, eps);

@@ -1,4 +1,4 @@
-//! The step of a field of many variables, by elimination along its couplings.
+//! The step of a field whose map is too large to be reduced, by elimination along its couplings.
 //!
 //! In: the entries of f′ and f as the macro writes them, and tables of where they stand. Out:
 //! increments x̃ − x = 2ε·A(x,ε)⁻¹f(x), Jacobians, and a step with a small backward error. Where a

@@ -145,6 +145,5 @@ pub(in crate::plan) fn cheap_order(pattern: &[Vec<bool>], rank: usize) -> Vec<us
 
 /// The most minors of one size.
 const MOST_MINORS: usize = 4096;
-/// The most operations of Cramer's rule in one block; beyond, elimination with pivoting in a loop
-/// is faster.
+/// The most operations of Cramer's rule in one block; beyond, elimination is faster.
 pub(in crate::plan) const MOST_OPERATIONS: usize = 600;
