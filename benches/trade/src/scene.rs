@@ -4,9 +4,9 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use kahan_core::prelude::*;
-use kahan_core::{Composition, Dd, FloatScalar, ExtendScalars, Need, Precision, Scheme, ThroughF64};
-use kahan_study::reference::Reference;
+use kahan_core::{Composition, Dd, ExtendScalars, FloatScalar, Need, Precision, Scheme, ThroughF64};
 use kahan_runtime::interpreted::round;
+use kahan_study::reference::Reference;
 
 /// A scheme at an ε.
 #[derive(Clone, Copy, Debug)]
