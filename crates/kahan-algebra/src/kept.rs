@@ -163,8 +163,9 @@ impl Values {
         of_values: &mut Vec<Option<Gradient>>,
     ) -> Gradient {
         let mut gradient = Gradient::default();
-        for variable in polynomial.variables() {
-            let slope = polynomial.derivative(variable);
+        let slopes =
+            polynomial.gradient(|variable| symbols.is_state(variable) || self.place(variable).is_some());
+        for (variable, slope) in slopes {
             if symbols.is_state(variable) {
                 gradient.add(usize::from(variable.0), slope);
             } else if let Some(place) = self.place(variable) {

@@ -2,7 +2,7 @@
 //! is read from the table, and a block at it is taken, one beyond it refused.
 
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
-use kahan_algebra::elimination::too_many_couplings;
+use kahan_algebra::elimination::{too_many_couplings, too_many_parameters};
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::Span;
 use kahan_algebra::{read, read_unproved};
@@ -67,7 +67,7 @@ fn every_limit_of_the_language_is_that_of_its_table() {
         ("offsets of neighbours", AtTheLimit(|n| format!("for i in open {{ x[i]dot = x[i+{n}]; }}"))),
         ("levels of parentheses", AtTheLimit(|n| format!("xdot = {}x{};", "(".repeat(n), ")".repeat(n)))),
         (
-            "exponents of parameters, and in claims",
+            "exponents of parameters, expanded",
             AtTheLimit(|n| format!("xdot = a^{n}; ydot = a^{n}; integral I = (x - y)^{n};")),
         ),
         ("decimal exponents", AtTheLimit(|n| format!("xdot = 1e{n}*x;"))),
@@ -124,6 +124,9 @@ fn every_limit_of_the_language_is_that_of_its_table() {
 
     let variables = limit("variables of a block that is compiled");
     assert!(compiles(&coupled(variables, variables)) && !compiles(&coupled(variables + 1, variables)));
+    let parameters = limit("parameters of a block that is compiled");
+    let has_too_many = |count| too_many_parameters(count, Span::token(0)).is_some();
+    assert!(!has_too_many(parameters) && has_too_many(parameters + 1));
     let couplings = limit("couplings of a block that is compiled");
     assert!(compiles(&coupled(100, couplings)) && !compiles(&coupled(100, couplings + 1)));
     let degree = limit("degree of a claim with its map put in");
@@ -150,4 +153,36 @@ fn many_large_expansions_are_one_mistake() {
     assert_eq!(only(&format!("xdot = {};", sum(20_000))), Kind::TooLarge);
     let numbers = listed(20_000, |k| format!("1/{}", k + 1), " + ");
     assert_eq!(only(&format!("xdot = x*({numbers});")), Kind::TooLarge);
+}
+
+/// Equations may leave too little of the block's budget for the claims; the mistake names that
+/// budget, and is told once.
+#[test]
+fn a_claim_that_the_budget_of_the_block_does_not_reach_says_so() {
+    // Some 170 000 products.
+    let power = "(1 + a + b + c)^30";
+    let equations = |array: &str| listed(11, |k| format!("x{k}{array}dot = {power}*x{k}{array};"), " ");
+    let system = |claims: &str| format!("{} ydot = d*x0; {claims}", equations(""));
+    let family = |claims: &str| format!("for i in periodic {{ {} }} {claims}", equations("[i]"));
+    let condition = format!("integral I = x0 when d = {power}; integral J = x1 when d = {power};");
+    let sums = format!("integral S = sum({power}*x0[i]); hamiltonian H = sum({power}*x1[i]);");
+    assert_eq!(mistakes(&system("")), []);
+    assert_eq!(mistakes(&family("")), []);
+    for block in [system(&condition), family(&sums)] {
+        let [mistake] = &mistakes(&block)[..] else { panic!("one mistake: {block}") };
+        assert!(mistake.message.contains(" 2000000 products "), "{mistake:?}");
+    }
+}
+
+/// Products and powers of powers count as they are expanded.
+#[test]
+fn exponents_of_parameters_count_after_expansion() {
+    for equation in ["a^40*a^24*x", "(a^8)^8*x", "a^64*a^36/a^40*x"] {
+        assert_eq!(mistakes(&format!("xdot = {equation}; ydot = x;")), [], "{equation}");
+    }
+    for equation in ["a^40*a^25*x", "(a^8)^9*x", "(a*b)^64*b*x", "x/(a^64*a)", "(x*a)*a^64"] {
+        let [mistake] = &mistakes(&format!("xdot = {equation}; ydot = x;"))[..] else { panic!("{equation}") };
+        assert_eq!(mistake.kind, Kind::TooLarge, "{equation}");
+        assert!(mistake.message.starts_with("exponents of parameters go to 64"), "{mistake:?}");
+    }
 }

@@ -100,9 +100,9 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
     let count = Literal::usize_unsuffixed(plan.outputs.len());
     let parts = plan.operations.len().div_ceil(MOST_OPERATIONS);
     let results = plan.outputs.len().div_ceil(parts);
-    let parts = plan.outputs.chunks(results).zip((0..).step_by(results)).map(|(outputs, start)| {
-        let part = Plan { operations: plan.operations.clone(), outputs: outputs.to_vec() };
-        let (bindings, results) = emit_part(context, &Plan::together([&part]));
+    let parts = (0..plan.outputs.len()).step_by(results).map(|start| {
+        let end = plan.outputs.len().min(start + results);
+        let (bindings, results) = emit_part(context, &plan.part(start..end));
         let places = (start..).map(Literal::usize_unsuffixed);
         let lines =
             places.zip(results).map(|(place, result)| quote! { __kahan::put(&mut __out[#place], #result); });

@@ -1,5 +1,7 @@
 //! The part of a header that only Rust understands: attributes, documentation, visibility.
 
+use std::collections::BTreeMap;
+
 use kahan_algebra::syntax::Header;
 use proc_macro2::TokenStream;
 use syn::parse::Parser;
@@ -13,7 +15,7 @@ use super::tokens::Flat;
 pub(super) struct RustHeader {
     pub(super) attributes: Vec<Attribute>,
     pub(super) visibility: TokenStream,
-    parameters: Vec<(Vec<Attribute>, String)>,
+    parameters: BTreeMap<String, Vec<Attribute>>,
 }
 
 impl RustHeader {
@@ -28,14 +30,13 @@ impl RustHeader {
         Self {
             attributes: own,
             visibility: input.rust(&header.visibility),
-            parameters: described.zip(names).collect(),
+            parameters: names.zip(described).collect(),
         }
     }
 
     /// The user's attributes of the parameter `name`.
     pub(super) fn attributes_of(&self, name: &str) -> &[Attribute] {
-        let found = self.parameters.iter().find(|(_, parameter)| parameter == name);
-        found.map_or(&[], |(attributes, _)| attributes)
+        self.parameters.get(name).map_or(&[], Vec::as_slice)
     }
 }
 

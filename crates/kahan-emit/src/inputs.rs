@@ -34,7 +34,8 @@ pub(super) fn emit_inputs(plan: &Plan, symbols: &Symbols) -> TokenStream {
     bindings
 }
 
-/// Binds the parameters that are read to what `read` makes of their fields.
+/// Binds the parameters among the `inputs`, which are in order, to what `read` makes of their
+/// fields.
 pub(super) fn emit_bound_parameters(
     inputs: &[Variable],
     symbols: &Symbols,
@@ -46,7 +47,7 @@ pub(super) fn emit_bound_parameters(
         let (name, value) = (binding(symbols, variable), read(field));
         quote! { let #name = #value; }
     };
-    given.filter(|(variable, _)| inputs.contains(variable)).map(binds).collect()
+    given.filter(|(variable, _)| inputs.binary_search(variable).is_ok()).map(binds).collect()
 }
 
 /// Binds the states that a kernel reads: `let [__s_x, _, __s_z] = __state;`.
@@ -59,7 +60,8 @@ pub(super) fn emit_owned_states(plan: &Plan, symbols: &Symbols) -> TokenStream {
     states.map(|states| quote! { let #states = __state; }).unwrap_or_default()
 }
 
-/// A point's components, those that are not read without a name; `None` if none is.
+/// A point's components, those without a name that are not among the `inputs`, which are in order;
+/// `None` if none is.
 pub(super) fn emit_pattern(
     inputs: &[Variable],
     symbols: &Symbols,
@@ -67,8 +69,9 @@ pub(super) fn emit_pattern(
     dimension: usize,
 ) -> Option<TokenStream> {
     let variables = (0..dimension).map(|i| symbols.variable(symbol(i)));
-    let names: Vec<Option<Ident>> =
-        variables.map(|variable| inputs.contains(&variable).then(|| binding(symbols, variable))).collect();
+    let names: Vec<Option<Ident>> = variables
+        .map(|variable| inputs.binary_search(&variable).ok().map(|_| binding(symbols, variable)))
+        .collect();
     let shown = names.iter().map(|name| name.as_ref().map_or_else(|| quote!(_), |name| quote!(#name)));
     names.iter().any(Option::is_some).then(|| quote!([#(#shown),*]))
 }

@@ -99,11 +99,14 @@ impl<'a> Type<'a> {
             return items.clone();
         }
         let name = &self.name;
+        let mut spans: BTreeMap<&str, Span> = BTreeMap::new();
+        for (token, span) in input.tokens.iter().zip(&input.spans) {
+            spans.entry(&token.text).or_insert(*span);
+        }
         let captured = |parameter: &String| {
             let field = identifier(parameter, Span::call_site());
-            let place = input.tokens.iter().position(|token| token.text == *parameter);
-            let captured =
-                identifier(parameter, place.map_or_else(Span::call_site, |place| input.spans[place]));
+            let span = spans.get(parameter.as_str()).copied();
+            let captured = identifier(parameter, span.unwrap_or_else(Span::call_site));
             quote!(#field: ::core::clone::Clone::clone(&#captured))
         };
         let fields = self.parameters.iter().chain(self.site_parameters).map(captured);

@@ -52,7 +52,7 @@ use std::path::{Path, PathBuf};
 
 use kahan_algebra::check::{Broken, Checked, StandIn};
 use kahan_algebra::diagnostics::Diagnostic;
-use kahan_algebra::elimination::too_many_couplings;
+use kahan_algebra::elimination::{too_many_couplings, too_many_parameters};
 use kahan_algebra::render::report;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::system::System;
@@ -148,17 +148,24 @@ fn name(header: Option<&Header>) -> String {
 
 /// Emits a block: what the front end read, and the tokens that it read.
 fn emit(core: &TokenStream, checked: Checked, input: &Flat) -> TokenStream {
-    match checked {
-        Checked::System(system) => {
-            let place = system.header.as_ref().map_or(Span::token(0), |header| header.name.span);
-            match too_many_couplings(&system.field, place) {
-                Some(mistake) => {
-                    let stand_in = StandIn::of_type(system.header);
-                    emit_broken(core, &Broken { diagnostics: vec![mistake], stand_in }, input)
-                }
-                None => emit_system(core, &derive(&system), input, true),
-            }
+    let place = checked.header().map_or(Span::token(0), |header| header.name.span);
+    let mistake = match &checked {
+        Checked::System(system) => too_many_parameters(system.field.symbols.parameters.len(), place)
+            .or_else(|| too_many_couplings(&system.field, place)),
+        Checked::Family(family) => {
+            too_many_parameters(family.parameters.len() + family.site_parameters.len(), place)
         }
+        Checked::Broken(Broken { stand_in, .. }) => {
+            too_many_parameters(stand_in.symbols.parameters.len() + stand_in.site_parameters.len(), place)
+        }
+    };
+    if let Some(mistake) = mistake {
+        let stand_in = StandIn::of_type(checked.header().cloned());
+        let diagnostics = [&[mistake], checked.diagnostics()].concat();
+        return emit_broken(core, &Broken { diagnostics, stand_in }, input);
+    }
+    match checked {
+        Checked::System(system) => emit_system(core, &derive(&system), input, true),
         Checked::Family(family) => family::emit_family(core, &family, input),
         Checked::Broken(broken) => emit_broken(core, &broken, input),
     }

@@ -152,6 +152,25 @@ fn a_block_of_too_many_couplings_is_told_of_families() {
     }
 }
 
+/// Of systems, families and blocks with another mistake: rustc would overflow its stack instead of
+/// telling it.
+#[test]
+fn a_block_of_too_many_parameters_is_told_so() {
+    for (count, is_refused) in [(2000, false), (2001, true)] {
+        let sum = (0..count).map(|k| format!("a{k}")).collect::<Vec<_>>().join(" + ");
+        for block in [
+            format!("xdot = ({sum})*x;"),
+            format!("for i in periodic {{ x[i]dot = ({sum})*x[i+1]; }}"),
+            format!("xdot = ({sum})*x; ydot = y^3;"),
+        ] {
+            let tokens =
+                expand(&quote!(::kahan_core), block.parse().expect("Rust tokens")).tokens.to_string();
+            assert_eq!(tokens.contains("parameters are too many to compile"), is_refused, "{count}");
+            assert_eq!(tokens.contains("derive"), !is_refused, "{count}");
+        }
+    }
+}
+
 #[test]
 fn nothing_is_said_to_be_proved_of_a_block_with_mistakes() {
     let core = quote!(::kahan_core);

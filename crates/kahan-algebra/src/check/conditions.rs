@@ -17,7 +17,7 @@ use crate::render::{Notation, Text};
 use crate::symbols::Symbols;
 use crate::system::Condition;
 
-use super::expand::{Expansion, expand_as_written};
+use super::expand::{Expansion, expand_as_written, is_spent};
 use super::names::Scope;
 
 /// The relations behind `when`, solved; `None` if one is broken.
@@ -50,7 +50,7 @@ fn one_relation(
     components: &[Component],
     scope: &mut Scope,
 ) -> Result<Option<Variable>, Diagnostic> {
-    let Some(names) = names(condition, scope)? else { return Ok(None) };
+    let Some(names) = names(condition, scope)?.filter(|_| !is_spent(scope)) else { return Ok(None) };
     let span = condition.span();
     let wrong = |message: &str, help: &str| Diagnostic::new(Kind::Claim, span, message, help);
     let over_budget = |_: OverBudget| too_large(span);

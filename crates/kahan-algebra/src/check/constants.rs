@@ -5,7 +5,7 @@ use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Block, Expr};
 use kahan_syntax::token::Span;
 
-use super::expand::{expand_unkept, spent};
+use super::expand::{expand_unkept, is_spent};
 use super::names::Scope;
 
 /// Evaluates the constants in order and enters them into the scope.
@@ -15,22 +15,13 @@ pub(super) fn evaluate(
     diagnostics: &mut Diagnostics,
 ) -> Vec<(String, Rational)> {
     let mut values = Vec::new();
-    let mut is_spent = false;
     for constant in &block.constants {
         if !scope.is_free(&constant.name, "constant", diagnostics) {
             continue;
         }
-        let value = constant.value.as_ref().filter(|_| !is_spent).and_then(|expr| {
-            let value = constant_value(expr, scope);
-            let spent = spent(scope, expr.span);
-            is_spent = spent.is_some();
-            match spent.map_or(value, Err) {
-                Ok(value) => value,
-                Err(diagnostic) => {
-                    diagnostics.push(diagnostic);
-                    None
-                }
-            }
+        let value = constant.value.as_ref().filter(|_| !is_spent(scope));
+        let value = value.and_then(|expr| {
+            constant_value(expr, scope).map_err(|diagnostic| diagnostics.push(diagnostic)).ok()?
         });
         if let Some(value) = &value {
             values.push((constant.name.text.clone(), value.clone()));

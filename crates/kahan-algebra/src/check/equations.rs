@@ -11,7 +11,7 @@ use crate::kept::{Kept, Values};
 use crate::poly::Monomial;
 use crate::render::{Notation, Text};
 
-use super::expand::{Expansion, expand, expand_unkept, spent, too_high};
+use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
 use super::names::Scope;
 
 /// Expands every equation, and keeps what is written of it; a broken one becomes zero.
@@ -23,19 +23,13 @@ pub(super) fn expand_all(
     let mut values = Values::of(&scope.symbols);
     let (mut components, mut kept) = (Vec::new(), Vec::new());
     let mut seen: FxHashSet<&str> = FxHashSet::default();
-    let mut is_spent = false;
     for equation in &block.equations {
         let sound = equation.value.as_ref().filter(|value| scope.resolve(value, false, diagnostics));
         if !seen.insert(&equation.state.text) {
             continue;
         }
-        let expansion = sound.filter(|_| !is_spent).and_then(|value| {
+        let expansion = sound.filter(|_| !is_spent(scope)).and_then(|value| {
             let expansion = expand(value, scope, &mut values);
-            if let Some(mistake) = spent(scope, value.span) {
-                is_spent = true;
-                diagnostics.push(mistake);
-                return None;
-            }
             let expansion = expansion.and_then(|expansion| check_degree(value, expansion, scope));
             expansion.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
         });

@@ -19,6 +19,7 @@ use crate::kept::Values;
 use crate::poly::{Budget, Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::render::{Notation, Text};
+use crate::symbols::Symbols;
 
 use super::lower::{HIGHEST_EXPONENT, MOST_BITS, Target, lower};
 use super::names::{Meaning, Scope};
@@ -102,19 +103,10 @@ fn budget(scope: &Scope) -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK.min(MOST_WORK_OF_BLOCK.saturating_sub(scope.products.get())))
 }
 
-/// The mistake of a block whose expansions have taken all that they may; `span` is where it stands.
-pub(super) fn spent(scope: &Scope, span: Span) -> Option<Diagnostic> {
-    let is_spent = scope.products.get() >= MOST_WORK_OF_BLOCK;
-    is_spent.then(|| {
-        Diagnostic::new(
-            Kind::TooLarge,
-            span,
-            format!(
-                "the expressions of this block take more than {MOST_WORK_OF_BLOCK} products of terms to expand"
-            ),
-            "give powers and products of long sums names of their own: parameters, or states with an equation",
-        )
-    })
+/// Whether the expansions of the block have taken all that they may. The expression at which they
+/// did was reported, and no other is looked at.
+pub(super) fn is_spent(scope: &Scope) -> bool {
+    scope.products.get() >= MOST_WORK_OF_BLOCK
 }
 
 struct Fractions<'a> {
@@ -226,15 +218,10 @@ impl Target for Fractions<'_> {
     }
 
     fn power(&mut self, base: Expansion, exponent: u64, span: Span) -> Result<Expansion, Diagnostic> {
-        let wrong = |kind, message: String, help: &str| Err(Diagnostic::new(kind, span, message, help));
         let degree = self.scope.symbols.degree(&base.numerator);
         let number = base.as_constant();
         if degree == 0 && number.is_none() && exponent > HIGHEST_EXPONENT.unsigned_abs() {
-            return wrong(
-                Kind::TooLarge,
-                format!("exponents of parameters go to {HIGHEST_EXPONENT}"),
-                "declare the power as a parameter of its own",
-            );
+            return Err(exponent_too_high(span, ""));
         }
         if let Some(value) = number {
             if value.is_zero() || value.bits() <= 1 {
@@ -243,11 +230,12 @@ impl Target for Fractions<'_> {
                 return Ok(self.number(&if one { Rational::one() } else { value }));
             }
             if value.bits().saturating_mul(exponent) > MOST_BITS {
-                return wrong(
+                return Err(Diagnostic::new(
                     Kind::TooLarge,
-                    "this number is too large".to_owned(),
+                    span,
+                    "this number is too large",
                     "rescale the variables or the time",
-                );
+                ));
             }
             let exponent = i32::try_from(exponent).expect("it is no more than the bits");
             return Ok(self.number(&value.pow(exponent).expect("the exponent is not negative")));
@@ -288,7 +276,17 @@ impl Fractions<'_> {
         let before = self.budget.work_left();
         let expansion = lower(expr, &mut self);
         self.scope.products.set(self.scope.products.get() + before - self.budget.work_left());
-        expansion
+        if is_spent(self.scope) {
+            return Err(block_too_large(expr.span));
+        }
+        let expansion = expansion?;
+        match highest_power(&expansion, &self.scope.symbols) {
+            Some((parameter, exponent)) if i64::from(exponent) > HIGHEST_EXPONENT => {
+                let power = Text.power(&self.scope.symbols.name(parameter), exponent.into());
+                Err(exponent_too_high(expr.span, &format!(", and this holds `{power}`")))
+            }
+            _ => Ok(expansion),
+        }
     }
 
     fn sum_of(&mut self, terms: &[(bool, Polynomial)], span: Span) -> Result<Polynomial, Diagnostic> {
@@ -443,5 +441,34 @@ fn too_large(span: Span) -> Diagnostic {
             "the expansion has more than {MOST_TERMS} terms, or takes more than {MOST_WORK} products of terms"
         ),
         "write the field in fewer terms, with shorter numbers",
+    )
+}
+
+/// The parameter, or ε, with the highest power in an expansion.
+fn highest_power(expansion: &Expansion, symbols: &Symbols) -> Option<(Variable, u32)> {
+    let terms = expansion.numerator.terms().chain(expansion.denominator.terms());
+    let powers = terms.flat_map(|(monomial, _)| monomial.powers().iter().copied());
+    powers.filter(|(variable, _)| !symbols.is_state(*variable)).max_by_key(|(_, exponent)| *exponent)
+}
+
+/// The mistake of a power of a parameter that is too high; `place` says where it stands.
+fn exponent_too_high(span: Span, place: &str) -> Diagnostic {
+    Diagnostic::new(
+        Kind::TooLarge,
+        span,
+        format!("exponents of parameters go to {HIGHEST_EXPONENT}{place}"),
+        "declare the power as a parameter of its own",
+    )
+}
+
+/// The mistake of the expression at which the expansions of its block have taken all that they may.
+fn block_too_large(span: Span) -> Diagnostic {
+    Diagnostic::new(
+        Kind::TooLarge,
+        span,
+        format!(
+            "the expressions of this block take more than {MOST_WORK_OF_BLOCK} products of terms to expand"
+        ),
+        "give powers and products of long sums names of their own: parameters, or states with an equation",
     )
 }

@@ -11,7 +11,7 @@ use crate::symbols::Symbols;
 
 use super::constants;
 use super::equations;
-use super::expand::expand_in_claim;
+use super::expand::{expand_in_claim, is_spent};
 use super::names::{Scope, references};
 use super::outside::values_beyond_the_ends;
 use super::stand_in::StandIn;
@@ -182,7 +182,7 @@ fn sum(
     }
     scope.claims.push(name.text.clone());
     let Some(ClaimBody::Function(written)) = &claim.body else { return None };
-    if !scope.resolve(written, true, diagnostics) {
+    if !scope.resolve(written, true, diagnostics) || is_spent(scope) {
         return None;
     }
     let density = density(written, scope).map_err(|mistake| diagnostics.push(mistake)).ok()?;

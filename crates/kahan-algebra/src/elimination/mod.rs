@@ -34,6 +34,8 @@ pub const MOST_EXPANDED: usize = 8;
 
 /// The most variables of a block that is compiled.
 const MOST_VARIABLES: usize = 200;
+/// The most parameters of a block that is compiled.
+const MOST_PARAMETERS: usize = 2000;
 /// The most entries of f′ that are not identically zero in a block of many variables that is
 /// compiled.
 const MOST_SLOPES: usize = 1500;
@@ -70,6 +72,20 @@ pub struct Row {
     pub diagonal: usize,
     /// Behind the last.
     pub end: usize,
+}
+
+/// What is wrong with a block that is to be compiled and has so many parameters: rustc compares two
+/// values of its type by an expression that nests once for each, on a stack of its own.
+#[must_use]
+pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
+    (parameters > MOST_PARAMETERS).then(|| {
+        Diagnostic::new(
+            Kind::TooLarge,
+            span,
+            format!("{parameters} parameters are too many to compile: a block has at most {MOST_PARAMETERS}"),
+            "write numbers for parameters that do not change",
+        )
+    })
 }
 
 /// What is wrong with a field that is to be compiled and has too many couplings for that.

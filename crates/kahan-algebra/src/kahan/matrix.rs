@@ -2,18 +2,20 @@
 
 use kahan_syntax::rational::Rational;
 
-use crate::field::Field;
+use crate::field::{Component, Field};
 use crate::poly::{Polynomial, Variable};
 
 /// The numerators of f′(x): entry (i, j) is ∂pᵢ/∂xⱼ, over qᵢ.
 #[must_use]
 pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
-    let n = field.dimension();
-    field
-        .components
-        .iter()
-        .map(|component| (0..n).map(|j| component.numerator.derivative(field.symbols.state(j))).collect())
-        .collect()
+    let row = |component: &Component| {
+        let mut row = vec![Polynomial::zero(); field.dimension()];
+        for (state, slope) in component.numerator.gradient(|variable| field.symbols.is_state(variable)) {
+            row[usize::from(state.0)] = slope;
+        }
+        row
+    };
+    field.components.iter().map(row).collect()
 }
 
 /// Where the entries of a matrix are not identically zero.

@@ -74,6 +74,8 @@ pub use step::kernel::Kernel;
 pub use step::{LARGEST_SIZE, StepCost, StepPlan};
 pub(crate) use words::{descriptions, kind};
 
+use std::ops::Range;
+
 use kahan_syntax::table::distinct;
 
 use crate::arithmetic::Arithmetic;
@@ -116,9 +118,9 @@ impl Plan {
         for output in outputs {
             needed[output.0] = true;
         }
-        for index in (0..steps.len()).rev() {
+        for (index, step) in steps.iter().enumerate().rev() {
             if needed[index] {
-                for operand in steps[index].operands() {
+                for operand in step.operands() {
                     needed[operand.0] = true;
                 }
             }
@@ -137,7 +139,13 @@ impl Plan {
     /// The plan of one result.
     #[must_use]
     pub fn result(&self, index: usize) -> Self {
-        Plan::together([&Plan { operations: self.operations.clone(), outputs: vec![self.outputs[index]] }])
+        self.part(index..index + 1)
+    }
+
+    /// The plan of these results.
+    #[must_use]
+    pub fn part(&self, results: Range<usize>) -> Self {
+        Plan::of_results(&self.operations, &self.outputs[results])
     }
 
     /// Runs the plan; `input` gives the value of each variable. A result that divides by zero on

@@ -19,6 +19,22 @@ impl Polynomial {
         Self::from_sorted(terms)
     }
 
+    /// The partial derivatives by these variables that are not zero, in the order of the variables.
+    /// Looks at each term once.
+    pub fn gradient(&self, is_wanted: impl Fn(Variable) -> bool) -> Table<Variable, Self> {
+        let mut slopes: Table<Variable, Vec<Term>> = Table::new();
+        for (monomial, coefficient) in &self.terms {
+            for &(variable, exponent) in monomial.powers() {
+                if let Some(lowered) = monomial.lowered(variable).filter(|_| is_wanted(variable)) {
+                    let slope = coefficient * &Rational::from(i64::from(exponent));
+                    // Dividing by the variable keeps the order of the terms that have it.
+                    slopes.or_insert_with(variable, |_| Vec::new()).push((lowered, slope));
+                }
+            }
+        }
+        slopes.into_iter().map(|(variable, terms)| (variable, Self::from_sorted(terms))).collect()
+    }
+
     /// The polynomial with `variable` replaced by a number. Forms only the powers that occur.
     pub fn substitute(&self, variable: Variable, value: &Rational) -> Self {
         let mut powers: Table<u32, Rational> = Table::new();

@@ -3,6 +3,7 @@
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::table::sorted_by_key;
@@ -151,14 +152,31 @@ impl Draft {
         factors.into_iter().reduce(|a, b| self.multiply(a, b)).expect("there is a factor")
     }
 
-    /// Two factors whose product is an operation already; first those of a factor that has no other
-    /// such partner.
+    /// Two factors, of which equal ones stand side by side, whose product is an operation already;
+    /// first those of a factor that has no other such partner.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
-        let pairs = (0..factors.len()).flat_map(|i| (i + 1..factors.len()).map(move |j| (i, j)));
-        let known: Vec<(usize, usize)> =
-            pairs.filter(|&(i, j)| self.builder.has_product(factors[i], factors[j])).collect();
-        let partners = |i: usize| known.iter().filter(|&&(a, b)| a == i || b == i).count();
-        known.iter().copied().min_by_key(|&(i, j)| partners(i).min(partners(j)))
+        // Powers are long runs of one factor.
+        let mut runs: Vec<Range<usize>> = Vec::new();
+        for run in factors.chunk_by(|a, b| a == b) {
+            let start = runs.last().map_or(0, |last| last.end);
+            runs.push(start..start + run.len());
+        }
+        let mut known: Vec<(usize, usize)> = Vec::new();
+        let mut partners = vec![0; runs.len()];
+        for (i, one) in runs.iter().enumerate() {
+            for (j, other) in runs.iter().enumerate().skip(i) {
+                let is_pair = i != j || one.len() > 1;
+                if is_pair && self.builder.has_product(factors[one.start], factors[other.start]) {
+                    known.push((i, j));
+                    partners[i] += other.len() - usize::from(i == j);
+                    if i != j {
+                        partners[j] += one.len();
+                    }
+                }
+            }
+        }
+        let (i, j) = known.into_iter().min_by_key(|&(i, j)| partners[i].min(partners[j]))?;
+        Some((runs[i].start, runs[j].start + usize::from(i == j)))
     }
 
     /// The sum of all, each with its sign, the earliest two first.
@@ -226,5 +244,21 @@ impl Signed {
     /// The same value, or its negation.
     pub(in crate::plan) fn flipped(self, flip: bool) -> Self {
         Signed { negative: self.negative != flip, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::writing::scaling::scalings;
+
+    /// Pairs of a thousand equal factors, compared with each other, would never end.
+    #[test]
+    fn a_long_power_is_made_by_squaring() {
+        let field = crate::read(&crate::lexer::lex("xdot = a*x;").tokens).system().expect("a system").field;
+        let mut draft = Draft::new(&scalings(&field)[0]);
+        let factor = draft.input(field.symbols.parameter(0));
+        draft.product(&vec![factor; 1 << 10]);
+        assert_eq!(draft.length(), 11);
     }
 }
