@@ -67,7 +67,7 @@ use tokens::{Flat, Source};
 use claims::EmittedClaims;
 use items::Type;
 #[cfg(feature = "text")]
-pub use text::text;
+pub use text::{NoText, text};
 
 /// The input of every part of the emitter.
 struct Context<'a> {

@@ -1,17 +1,66 @@
 //! The expansion as text that one reads.
 
-use proc_macro2::{LexError, TokenStream};
+use std::error::Error;
+use std::fmt;
+
+use proc_macro2::{LexError, TokenStream, TokenTree};
 use quote::quote;
 
 use super::expand;
+
+/// The most tokens that are formatted.
+const MOST_TOKENS: usize = 500_000;
+
+/// Why an expansion has no text.
+#[derive(Debug)]
+pub enum NoText {
+    /// The block is not made of Rust tokens, as `x²` is not.
+    NotRust(LexError),
+    /// The expansion has too many tokens to be formatted.
+    TooLong {
+        /// The number of its tokens.
+        tokens: usize,
+        /// The most that are formatted.
+        most: usize,
+    },
+}
+
+impl fmt::Display for NoText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoText::NotRust(why) => {
+                write!(f, "the text is not made of Rust's tokens, so no macro can read it: {why}")
+            }
+            NoText::TooLong { tokens, most } => {
+                write!(f, "the macro makes {tokens} tokens of this block, and at most {most} are shown")
+            }
+        }
+    }
+}
+
+impl Error for NoText {}
 
 /// What `kahan! { block }` expands to, formatted; a block without a header stands where an
 /// expression may.
 ///
 /// # Errors
-/// Where the block is not made of Rust tokens, as `x²` is not.
-pub fn text(core: &TokenStream, block: &str) -> Result<String, LexError> {
-    Ok(formatted(&expand(core, block.parse()?).tokens))
+/// [`NoText`]: the block is not made of Rust tokens, or the expansion is too long.
+pub fn text(core: &TokenStream, block: &str) -> Result<String, NoText> {
+    let expansion = expand(core, block.parse().map_err(NoText::NotRust)?);
+    let tokens = count(&expansion.tokens);
+    if tokens > MOST_TOKENS {
+        return Err(NoText::TooLong { tokens, most: MOST_TOKENS });
+    }
+    Ok(formatted(&expansion.tokens))
+}
+
+/// The number of tokens, a pair of brackets being one.
+fn count(tokens: &TokenStream) -> usize {
+    let inside = |token| match token {
+        TokenTree::Group(group) => 1 + count(&group.stream()),
+        _ => 1,
+    };
+    tokens.clone().into_iter().map(inside).sum()
 }
 
 /// Items as a file; a value stands in a function.

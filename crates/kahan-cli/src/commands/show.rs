@@ -120,11 +120,8 @@ impl Show {
         } else {
             Block::of_text(macro_block(&study.specialised()?), "--macro".to_owned()).text().to_owned()
         };
-        let expansion = kahan_emit::text(&core, &block).map_err(|why| {
-            Refusal::new(format!(
-                "--expand: the text is not made of Rust's tokens, so no macro can read it: {why}"
-            ))
-        })?;
+        let expansion =
+            kahan_emit::text(&core, &block).map_err(|why| Refusal::new(format!("--expand: {why}")))?;
         Ok(match self.json {
             true => Answer::json(&json!({ "system": study.name(), "expansion": expansion })),
             false => Answer::verbatim(expansion),

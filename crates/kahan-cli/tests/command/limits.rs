@@ -32,6 +32,9 @@ fn every_limit_of_a_question_is_that_of_its_table() {
     let (rows, out) = (path("rows.csv"), path("out.svg"));
     std::fs::write(&rows, "a,b,sali\n0,0,1\n1,1,2\n").expect("a file");
     let (large, nine, four, ones) = (ring(501), ring(9), ring(4), ["1"; 9].join(","));
+    let products: Vec<String> =
+        (0..9000).map(|k| format!("{}*x{}*x{}", k % 7 + 2, k / 87, k % 200)).collect();
+    let dense = format!("x0dot = {}; {}", products.join(" + "), &ring(200)["x0dot = x1;".len()..]);
     let chain = ["--field", "for i in periodic { x[i]dot = x[i+1]; }"];
     let scanned = ["--field", "xdot = a*y + b; ydot = c*x + b*y^2;"];
     let charted =
@@ -39,7 +42,7 @@ fn every_limit_of_a_question_is_that_of_its_table() {
     let pictured = ["picture", "e6", "--eps", "1/20", "--at", "1,2,3", "--out", &out];
     let lv = |command| [command, "lv", "--eps", "0.1", "--at", "0.6,1"];
     let beyond_doubles = ["--steps", "9007199254740993"];
-    let calls: [(&str, Vec<&str>); 19] = [
+    let calls: [(&str, Vec<&str>); 20] = [
         ("variables of a chain that", [&["show"], &chain[..], &["--sites", "201"]].concat()),
         (
             "numbers of the state of a chain",
@@ -47,6 +50,7 @@ fn every_limit_of_a_question_is_that_of_its_table() {
                 .concat(),
         ),
         ("variables of a field whose matrices", vec!["show", "--field", &large]),
+        ("tokens of an expansion", vec!["show", "--field", &dense, "--expand"]),
         (
             "variables of an orbit through poles",
             vec!["orbit", "--field", &nine, "--eps", "0.1", "--at", &ones, "--steps", "2", "--projective"],

@@ -153,13 +153,19 @@ impl Draft {
     }
 
     /// Two factors, of which equal ones stand side by side, whose product is an operation already;
-    /// first those of a factor that has no other such partner.
+    /// first those of a factor that has no other such partner. Products of very many different
+    /// factors are taken as they stand.
     fn known_pair(&self, factors: &[Node]) -> Option<(usize, usize)> {
+        const MOST_COMPARED: usize = 64;
+
         // Powers are long runs of one factor.
         let mut runs: Vec<Range<usize>> = Vec::new();
         for run in factors.chunk_by(|a, b| a == b) {
             let start = runs.last().map_or(0, |last| last.end);
             runs.push(start..start + run.len());
+        }
+        if runs.len() > MOST_COMPARED {
+            return None;
         }
         let mut known: Vec<(usize, usize)> = Vec::new();
         let mut partners = vec![0; runs.len()];
@@ -252,13 +258,24 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
+    /// The draft of the product of these factors, each so many times.
+    fn product_of(names: u16, times: usize) -> Draft {
+        let field = crate::read(&crate::lexer::lex("xdot = x;").tokens).system().expect("a system").field;
+        let mut draft = Draft::new(&scalings(&field)[0]);
+        let factors: Vec<Node> = (1..=names).map(|name| draft.input(Variable(name))).collect();
+        draft.product(&factors.repeat(times));
+        draft
+    }
+
     /// Pairs of a thousand equal factors, compared with each other, would never end.
     #[test]
     fn a_long_power_is_made_by_squaring() {
-        let field = crate::read(&crate::lexer::lex("xdot = a*x;").tokens).system().expect("a system").field;
-        let mut draft = Draft::new(&scalings(&field)[0]);
-        let factor = draft.input(field.symbols.parameter(0));
-        draft.product(&vec![factor; 1 << 10]);
-        assert_eq!(draft.length(), 11);
+        assert_eq!(product_of(1, 1 << 10).length(), 11);
+    }
+
+    /// Comparing pairs of four thousand factors before each product would never end.
+    #[test]
+    fn a_long_product_is_made_factor_by_factor() {
+        assert_eq!(product_of(4000, 1).length(), 4000 + 3999);
     }
 }
