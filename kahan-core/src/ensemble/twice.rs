@@ -7,7 +7,8 @@ use core::ops::Neg;
 
 use num_traits::{One, Zero};
 
-use crate::{Constant, Scalar, operators};
+use crate::scalar::operators;
+use crate::{Constant, Scalar};
 
 use super::lanes::{Lanes, Square};
 use super::sweep::Register;

@@ -8,8 +8,7 @@
 use num_traits::{One, Zero};
 
 use super::tuning::fenced;
-use super::{Constant, Scalar};
-use crate::operators;
+use super::{Constant, Scalar, operators};
 
 /// A value with its derivative along one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -12,8 +12,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
-use super::{Constant, Scalar};
-use crate::assignments;
+use super::{Constant, Scalar, assignments};
 
 /// A value with its derivatives along N directions.
 #[derive(Clone, Copy, Debug, PartialEq)]

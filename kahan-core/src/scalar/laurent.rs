@@ -10,8 +10,7 @@ use std::vec::Vec;
 
 use num_traits::{One, Zero};
 
-use super::{Constant, Scalar};
-use crate::operators;
+use super::{Constant, Scalar, operators};
 
 /// A number, or a series with its first terms known.
 #[derive(Clone, Debug, PartialEq)]

@@ -43,3 +43,5 @@ macro_rules! assignments {
         $crate::assignments!(one $generics $type, DivAssign div_assign /);
     };
 }
+
+pub(crate) use {assignments, operators};

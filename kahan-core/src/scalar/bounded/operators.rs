@@ -4,7 +4,8 @@ use core::ops::Neg;
 
 use num_traits::{One, Zero};
 
-use crate::{Constant, Scalar, operators};
+use crate::scalar::operators;
+use crate::{Constant, Scalar};
 
 use super::pair::Pair;
 use super::{Bounded, Working};

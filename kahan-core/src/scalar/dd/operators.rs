@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::ops::Neg;
 
 use super::{Dd, arithmetic};
-use crate::operators;
+use crate::scalar::operators;
 
 impl Neg for Dd {
     type Output = Self;

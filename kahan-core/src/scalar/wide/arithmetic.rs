@@ -10,7 +10,7 @@ use num_traits::{One, Zero};
 
 use super::rows::DigitRow;
 use super::{Digits, Size};
-use crate::operators;
+use crate::scalar::operators;
 
 /// The greatest common divisor.
 fn common(mut a: u64, mut b: u64) -> u64 {

@@ -10,7 +10,7 @@ use std::boxed::Box;
 use num_traits::{One, Zero};
 
 use super::{Digits, Size, Wide};
-use crate::operators;
+use crate::scalar::operators;
 use crate::{Constant, Scalar};
 
 /// How many digits the numbers of an elimination may have.
