@@ -10,6 +10,9 @@ use super::floats::{MachineFloat, RuntimeFloat};
 use super::scratch::{Scratch, with_scratch};
 use super::step::Steps;
 
+/// Code, once it was asked for; `None` where there is none.
+type CodeOnce<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
+
 /// The stages of a step as code, with the constants of those that differ, the middle one last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T: RuntimeFloat> {
@@ -17,7 +20,7 @@ pub(crate) struct CodedStages<T: RuntimeFloat> {
     pub(super) kind: StepKind,
     pub(super) constants: Arc<[Vec<T::Word>]>,
     /// The code that carries what a state lacks, once it was asked for.
-    carrying: Arc<OnceLock<Option<Arc<OrbitCode<T::Word>>>>>,
+    carrying: Arc<CodeOnce<T::Word>>,
     pub(super) abreast: Arc<AbreastOnce<T::Word>>,
 }
 
