@@ -18,6 +18,9 @@ use super::step::Steps;
 /// Steps between two looks at the guard of code.
 const GUARDED: u64 = 64;
 
+/// Code, once it was asked for; `None` where there is none.
+type CodeOnce<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
+
 /// The stages of a step as code, with the constants of those that differ, the middle one last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T: RuntimeFloat> {
@@ -25,7 +28,7 @@ pub(crate) struct CodedStages<T: RuntimeFloat> {
     pub(super) kind: StepKind,
     pub(super) constants: Arc<[Vec<T::Word>]>,
     /// The code that carries what a state lacks, once it was asked for.
-    carrying: Arc<OnceLock<Option<Arc<OrbitCode<T::Word>>>>>,
+    carrying: Arc<CodeOnce<T::Word>>,
     pub(super) abreast: Arc<AbreastOnce<T::Word>>,
 }
 
