@@ -152,17 +152,18 @@ fn the_jacobian_of_sixty_variables_is_that_of_differences() {
 /// Orbits in chunks by machine code, at ε from tiny ones to those whose pivots are refused, against
 /// one interpreted step after another.
 fn follows_the_interpreter<T: MachineFloat, const N: usize>(text: &str) {
-    let map = map(text);
-    let typed: Interpreted<T, N> = map.as_kahan_map().unwrap();
+    let large = map(text);
+    let typed: Interpreted<T, N> = large.as_kahan_map().unwrap();
     let mut random = Random(31);
     for eps in [1e-3, 0.05, 0.3, 2.0, 40.0].map(number::<T>) {
         let mut x: Vec<T> = random.point(N);
         let (mut point, mut next) = (SVector::<T, N>::from_column_slice(&x), x.clone());
-        let at = map.at(eps);
+        let at = large.at(eps);
+        assert_eq!(at.is_code(), map("xdot = a*x^2;").at(eps).is_code(), "where there is code at all");
         for steps in [1, 3, 100] {
             at.advance(&mut x, steps).unwrap();
             for _ in 0..steps {
-                at.step(&point.as_slice().to_vec(), &mut next).unwrap();
+                at.step(point.as_slice(), &mut next).unwrap();
                 point = typed.step(&point, eps);
                 assert_same(&next, point.as_slice(), ("step", N, eps));
             }
