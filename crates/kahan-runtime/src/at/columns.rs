@@ -11,9 +11,9 @@ use kahan_algebra::arithmetic::Float64;
 use kahan_core::Scalar;
 use smallvec::SmallVec;
 
-use super::{MachineFloat, MapAt, RuntimePoint, fitting};
+use super::{MachineFloat, MapAt};
 use crate::dimension::Argument;
-use crate::engine::{CodedStages, Columns};
+use crate::engine::{CodedStages, Columns, with_scratch};
 use crate::follow::is_finite;
 use crate::machine::StepKind;
 use crate::{DimensionError, End, Follow, Followed};
@@ -66,8 +66,9 @@ impl<T: MachineFloat> MapAt<T> {
         parameters: &[&[T]],
         steps: u64,
     ) {
-        if self.coded.as_ref().is_some_and(CodedStages::is_guarded) {
-            return fitting(self.advance_one_by_one(columns, eps, parameters, steps));
+        let is_eliminated_by_code = self.coded.as_ref().is_some_and(CodedStages::is_guarded);
+        if is_eliminated_by_code && eps.is_empty() && parameters.is_empty() {
+            return self.advance_one_by_one(columns, steps);
         }
         let (own, own_eps) = self.own();
         let eps = if eps.is_empty() { &[own_eps] } else { eps };
@@ -80,27 +81,17 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Advances columns that fit by the code of single orbits.
-    fn advance_one_by_one(
-        &self,
-        columns: &mut [&mut [T]],
-        eps: &[T],
-        parameters: &[&[T]],
-        steps: u64,
-    ) -> Result<(), DimensionError> {
-        let are_shared = eps.len() <= 1 && parameters.iter().all(|values| values.len() == 1);
-        let (mut maps, mut x) = (Vec::new(), RuntimePoint::<T>::new());
+    /// Advances columns that fit by this map, one trajectory after another.
+    fn advance_one_by_one(&self, columns: &mut [&mut [T]], steps: u64) {
+        // No step needs this list of the thread's scratch.
+        let mut x = with_scratch(T::single(), |scratch| std::mem::take(&mut scratch.given));
         for k in 0..columns.first().map_or(0, |column| column.len()) {
-            if k == 0 || !are_shared {
-                let parameters: Vec<&[T]> = parameters.iter().map(|values| own(values, k..k + 1)).collect();
-                maps = self.each(own(eps, k..k + 1), &parameters)?;
-            }
             x.clear();
             x.extend(columns.iter().map(|column| column[k]));
-            maps.iter().for_each(|map| map.advance_checked(&mut x, steps));
+            self.advance_checked(&mut x, steps);
             columns.iter_mut().zip(&x).for_each(|(column, x)| column[k] = *x);
         }
-        Ok(())
+        with_scratch(T::single(), |scratch| scratch.given = x);
     }
 
     /// Where the field divides by zero at a trajectory's parameters there is no map; its code,
