@@ -134,7 +134,7 @@ impl Instruction {
             State(_) | Constant(_) | Literal(_) => {}
             Negate(a) | Copy(a) | RoundToSingle(a) => *a = rename(*a),
             Add(a, b) | Subtract(a, b) | Multiply(a, b) | Divide(a, b) | Maximum(a, b) | Minimum(a, b) => {
-                (*a, *b) = (rename(*a), rename(*b))
+                (*a, *b) = (rename(*a), rename(*b));
             }
             MultiplyAdd(a, b, c) | MultiplySubtract(a, b, c) | SubtractProduct(a, b, c) => {
                 (*a, *b, *c) = (rename(*a), rename(*b), rename(*c));
