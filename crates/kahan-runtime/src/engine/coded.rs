@@ -128,7 +128,7 @@ impl Engine {
         let (step, mut registers) = (self.steps().form(is_general), Vec::new());
         let mut prepared = |own: &Vec<T>| match step.prepared(own, &mut registers) {
             Some(prepared) => prepared.iter().flat_map(T::words).collect(),
-            // What eliminates takes the parameters and ε.
+            // Elimination takes the parameters and ε.
             None => own.iter().flat_map(|number| number.words()).collect(),
         };
         let constants = own.iter().map(&mut prepared).collect();

@@ -59,7 +59,7 @@ impl Tables {
         couplings.factor(values, row)
     }
 
-    /// The same whatever the pivots are. Returns a number that is larger than [`LARGEST_FACTOR`]
+    /// Factors A(x,ε) whatever its pivots are. Returns a number that is larger than [`LARGEST_FACTOR`]
     /// where [`factor`](Self::factor) finds a pivot too small: for each pivot the smaller one of its
     /// largest factor and of its largest quotient of an entry in its row, and of those the largest.
     /// `None` where nothing is eliminated. Behind a pivot that is 0 no solution is finite.

@@ -61,7 +61,7 @@ impl Steps {
 pub(crate) struct Step {
     /// What prepares the constants of a straight line; `None` where the step eliminates.
     prepared: Option<Line>,
-    /// What is run at every state: the kernel of a straight line, else the entries of f′ that
+    /// The lines of every state: the kernel of a straight line, else the entries of f′ that
     /// `couplings` place, and the field.
     lines: Vec<Line>,
     couplings: Option<Tables>,

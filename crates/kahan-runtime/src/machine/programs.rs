@@ -36,7 +36,7 @@ impl StepKind {
         traced::program(|| self.next(step, Traced::<T>::states(0..numbers)))
     }
 
-    /// The same where the step eliminates: `constants` are the parameters and ε, and a guard comes
+    /// The program of a step that eliminates: constants are the parameters and ε, and a guard comes
     /// last, which stays at most [`LARGEST_FACTOR`] as long as the interpreter finds all pivots large
     /// enough and all numbers are finite. `None` in double-double, where multiply-adds are not those
     /// of this build, and where it takes too many operations.
