@@ -33,13 +33,14 @@ pub type RuntimePoint<T> = SmallVec<[T; 8]>;
 /// Kahan's map at one ε, half the time step; made by [`Map::at`].
 ///
 /// States are slices, an entry a variable. Bits are those of the code that `kahan!` writes, for
-/// single steps and for columns (where those are ensembles at [`Level::Baseline`]), unless
-/// [another level](Self::at_level) is asked for. It runs as machine code where that can be had, and
-/// else interpreted, by the same calls and with the same bits; code of [`Dd`](kahan_core::Dd) leaves
-/// steps from huge and tiny numbers to the interpreter. Nothing panics, whatever the numbers
-/// are: a pole shows as numbers that are not finite. After the first call on a thread no step
-/// allocates. A map can be used from any number of threads at once. What is compiled or planned at
-/// its first use is made by one thread, for which the others wait; steps wait for nobody.
+/// single steps and for columns (where those are ensembles at [`Level::Baseline`]), unless [another
+/// level](Self::at_level) is asked for. It runs as machine code where that can be had, and else
+/// interpreted, by the same calls and with the same bits. Code leaves some steps to the
+/// interpreter: in [`Dd`](kahan_core::Dd) those from huge and tiny numbers, and where it eliminates
+/// those that need other pivots. Nothing panics, whatever the numbers are: a pole shows as numbers
+/// that are not finite. After the first call on a thread no step allocates. A map can be used from
+/// any number of threads at once. What is compiled or planned at its first use is made by one
+/// thread, for which the others wait; steps wait for nobody.
 #[derive(Clone, Debug)]
 pub struct MapAt<T: RuntimeFloat> {
     map: Map,

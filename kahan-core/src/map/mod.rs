@@ -126,8 +126,8 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// nothing is allocated. Only ε chooses between two forms, where a field has a faster one that
     /// divides by ε: that is used for |ε| from 2⁻⁶⁴ to 2⁶⁴ (`f32`: 2⁻¹⁶ to 2¹⁶), the other beyond.
     /// Where the map is too large to be reduced a step eliminates along the couplings, in an order
-    /// found while compiling. A pivot that is smaller than an entry of its row and one of its column by more
-    /// than a factor of 16 sends that step to partial pivoting on the whole matrix.
+    /// found while compiling. A pivot that is smaller than an entry of its row and one of its
+    /// column by more than a factor of 16 sends that step to partial pivoting on the whole matrix.
     ///
     /// In a loop with one ε use [`at`](Self::at) or [`orbit`](Self::orbit): they compute what
     /// depends on ε and the parameters once, and give the same numbers bit for bit.

@@ -174,7 +174,8 @@ impl Derived {
 
     /// How A(x,ε) is eliminated where the step is not written in straight lines.
     ///
-    /// Cost: as that of [`step`](Self::step); then the first call looks for an order of elimination.
+    /// Cost: the first call plans the [`step`](Self::step), and then looks for an order of
+    /// elimination.
     pub fn couplings(&self) -> Option<&Couplings> {
         let found = || {
             let System { field, kept, .. } = &self.system;

@@ -3,8 +3,8 @@
 //!
 //! In: a field whose step is too large for straight lines without pivots. Out: an order of
 //! elimination, and for each row of A in that order where its entries lie, those that elimination
-//! fills in among them. A step then costs what the couplings cost, and not the cube of the number of
-//! variables. A variable's pivot is its entry on the diagonal, 1 − ε ∂fᵢ/∂xᵢ: rows are never
+//! fills in among them. A step then costs what the couplings cost, and not the cube of the number
+//! of variables. A variable's pivot is its entry on the diagonal, 1 − ε ∂fᵢ/∂xᵢ: rows are never
 //! exchanged, so whoever computes with floats must look at what the pivots are.
 //!
 //! - `graph` knows which variables act on each other, and what an order fills in.
@@ -74,8 +74,8 @@ pub struct Row {
     pub end: usize,
 }
 
-/// The mistake of a block that is to be compiled and has so many parameters: rustc compares two
-/// values of its type by an expression that nests once for each, on a stack of its own.
+/// The error of a block that has too many parameters to be compiled; `None` for fewer. Derived
+/// comparisons nest one expression a parameter, and rustc overflows its stack on deep ones.
 #[must_use]
 pub fn too_many_parameters(parameters: usize, span: Span) -> Option<Diagnostic> {
     (parameters > MOST_PARAMETERS).then(|| {

@@ -18,7 +18,7 @@ use super::step::Steps;
 /// Steps between two looks at the guard of code.
 const GUARDED: u64 = 64;
 
-/// Code, once it was asked for; `None` where there is none.
+/// Machine code, compiled at its first use; `None` if it cannot be compiled.
 type CodeOnce<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
 /// The stages of a step as code, with the constants of those that differ, the middle one last.
@@ -47,8 +47,9 @@ impl<T: RuntimeFloat> CodedStages<T> {
         if carries { self.carrying.get_or_init(compile).as_deref() } else { Some(&self.code) }
     }
 
-    /// Replaces a state by the one so many steps later, with what it lacks carried along where there
-    /// is a `carry`. Steps that `code` cannot tell are taken by `interpret`.
+    /// Advances a state by `steps` steps of `code`. A `carry` that is not empty holds the rounding
+    /// errors of the state, and is advanced with it. `interpret` takes the steps that the guard of
+    /// `code` refuses.
     pub(crate) fn advance(
         &self,
         code: &OrbitCode<T::Word>,
@@ -67,7 +68,8 @@ impl<T: RuntimeFloat> CodedStages<T> {
         }
     }
 
-    /// The same; `false` where code cannot tell, and the numbers are as before.
+    /// Advances a state and its `carry` by `code`. Returns `false` and changes nothing where the
+    /// guard of `code` refuses the steps.
     fn has_advanced(&self, code: &OrbitCode<T::Word>, [state, carry]: [&mut [T]; 2], steps: u64) -> bool {
         if carry.is_empty()
             && !code.is_guarded()

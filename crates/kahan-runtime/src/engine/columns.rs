@@ -8,6 +8,7 @@ use kahan_core::{Composition, Scalar};
 
 use crate::machine::{InstructionSet, StepKind};
 
+use super::couplings::Tables;
 use super::floats::MachineFloat;
 use super::lanes::{EightLanes, LANES};
 use super::scratch::{Local, Scratch, with_scratch};
@@ -64,7 +65,8 @@ impl<T: MachineFloat> Lanes<T> for EightLanes<T> {
 }
 
 impl Engine {
-    /// Advances every trajectory by so many steps of a composition, on these instructions.
+    /// Advances every trajectory by `steps` steps of a composition. `set` says which instructions
+    /// machine code has; `None` stands for the largest set of this processor.
     pub(crate) fn advance_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
@@ -138,7 +140,7 @@ fn advance<T, V>(
                 in_turn(stages, |k| {
                     let registers = &mut registers[k * size..][..size];
                     let stored = |x: V| V::gather(|place| kind.stored(x.of(place)));
-                    step.advance_as(kind, [state, &mut []], registers, workspace, stored);
+                    step.advance_as(kind, [state, &mut []], registers, workspace, stored, Tables::factor);
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {

@@ -59,12 +59,13 @@ impl Tables {
         couplings.factor(values, row)
     }
 
-    /// Factors A(x,ε) whatever its pivots are. Returns a number that is larger than [`LARGEST_FACTOR`]
-    /// where [`factor`](Self::factor) finds a pivot too small: for each pivot the smaller one of its
-    /// largest factor and of its largest quotient of an entry in its row, and of those the largest.
-    /// `None` where nothing is eliminated. Behind a pivot that is 0 no solution is finite.
+    /// Factors A(x,ε) whatever its pivots are. Returns a number that is larger than
+    /// [`LARGEST_FACTOR`] where [`factor`](Self::factor) finds a pivot too small; `None` where
+    /// nothing is eliminated. For each pivot there are two numbers: its largest factor, and the
+    /// largest quotient of an entry of its row by it. The result is the largest of the smaller ones
+    /// of these pairs. A pivot that is 0 leads to a solution that is not finite.
     ///
-    /// `operations` are the larger and the smaller of two numbers.
+    /// `size` is the magnitude of a number; `larger` and `smaller` choose one of two.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     pub(crate) fn growth<V: Scalar>(

@@ -184,8 +184,8 @@ impl Engine {
         Stage { is_general, given }
     }
 
-    /// Replaces a state by the one so many steps of a kind later, with what it lacks carried along
-    /// where there is a `carry`.
+    /// Advances a state by `steps` interpreted steps of a kind. A `carry` that is not empty holds
+    /// the rounding errors of the state, and is advanced with it.
     pub(crate) fn advance<T: RuntimeFloat>(
         &self,
         kind: StepKind,
@@ -196,7 +196,14 @@ impl Engine {
         with_scratch(T::single(), |scratch| {
             self.run(stages, steps, scratch, |step, rounds_increments, registers, workspace| {
                 let kind = StepKind { rounds_increments, ..kind };
-                step.advance_as(kind, [state, carry], registers, workspace, |x| kind.stored(x));
+                step.advance_as(
+                    kind,
+                    [state, carry],
+                    registers,
+                    workspace,
+                    |x| kind.stored(x),
+                    Tables::factor,
+                );
             });
         });
     }

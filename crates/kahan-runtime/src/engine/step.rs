@@ -180,21 +180,11 @@ impl Step {
         }
     }
 
-    /// The step of a kind. In a wider precision for a state of single precision, `single` rounds
-    /// each number once.
+    /// Advances a state by a step of a kind. `single` rounds each number once where a wider
+    /// precision serves a state of single precision. A step that eliminates factors A(x,ε) by
+    /// `factor`, which is [`Tables::factor`] in all but programs that are written for machine code;
+    /// where it returns `false`, partial pivoting takes over.
     pub(crate) fn advance_as<V: Scalar + Copy>(
-        &self,
-        kind: StepKind,
-        [state, carry]: [&mut [V]; 2],
-        registers: &mut [V],
-        workspace: &mut Workspace<V>,
-        single: impl Fn(V) -> V,
-    ) {
-        self.advance_by(kind, [state, carry], registers, workspace, single, Tables::factor);
-    }
-
-    /// The same, with A factored by this function along the couplings of a step that eliminates.
-    pub(crate) fn advance_by<V: Scalar + Copy>(
         &self,
         kind: StepKind,
         [state, carry]: [&mut [V]; 2],
@@ -272,7 +262,7 @@ impl Step {
         self.compute_by(state, registers, workspace, Tables::factor);
     }
 
-    /// The same, with A factored by this function where the step eliminates.
+    /// Computes numerators and reciprocals. A step that eliminates factors A(x,ε) by `factor`.
     #[inline(always)]
     fn compute_by<V: Scalar + Copy>(
         &self,

@@ -4,7 +4,7 @@ use kahan_core::{Precision, Scalar};
 use kahan_jit::Instruction::{Constant, State};
 use kahan_jit::Program;
 
-use crate::engine::{Engine, Object, Scratch, Step, into_matrix, jacobian_by_duals};
+use crate::engine::{Engine, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals};
 use crate::line::Line;
 
 use super::double_double::{self, Pair};
@@ -37,9 +37,9 @@ impl StepKind {
     }
 
     /// The program of a step that eliminates: constants are the parameters and ε, and a guard comes
-    /// last, which stays at most [`LARGEST_FACTOR`] as long as the interpreter finds all pivots large
-    /// enough and all numbers are finite. `None` in double-double, where multiply-adds are not those
-    /// of this build, and where it takes too many operations.
+    /// last. The guard stays at most [`LARGEST_FACTOR`] as long as the interpreter finds all pivots
+    /// large enough and all numbers are finite. `None` in double-double, where multiply-adds are not
+    /// those of this build, and where it takes too many operations.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     pub(super) fn eliminating<T: Coded>(self, engine: &Engine) -> Option<Program> {
@@ -61,7 +61,7 @@ impl StepKind {
             step.open(&given, &mut scratch.registers);
             let (state, carry) = numbers.split_at_mut(variables);
             let mut growth = None;
-            step.advance_by(
+            step.advance_as(
                 self,
                 [state, carry],
                 &mut scratch.registers,
@@ -114,7 +114,8 @@ impl StepKind {
         let mut registers = vec![V::zero(); kernel.registers()];
         kernel.give((0..).map(constant), &mut registers);
         let (state, carry) = numbers.split_at_mut(step.quotients.len());
-        step.advance_as(self, [state, carry], &mut registers, &mut Scratch::default().workspace, single);
+        let workspace = &mut Scratch::default().workspace;
+        step.advance_as(self, [state, carry], &mut registers, workspace, single, Tables::factor);
         Some(numbers)
     }
 }

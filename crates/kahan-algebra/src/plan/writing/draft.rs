@@ -258,7 +258,7 @@ mod tests {
     use super::*;
     use crate::plan::writing::scaling::scalings;
 
-    /// The draft of the product of these factors, each so many times.
+    /// The draft of a product of `names` inputs, each to the power `times`.
     fn product_of(names: u16, times: usize) -> Draft {
         let field = crate::read(&crate::lexer::lex("xdot = x;").tokens).system().expect("a system").field;
         let mut draft = Draft::new(&scalings(&field)[0]);

@@ -91,7 +91,7 @@ pub(super) fn moment(variables: usize, every: u64) -> usize {
     (steps / every).clamp(1, MOST) as usize
 }
 
-/// Makes so many steps, and tells the watch of each.
+/// Makes `steps` steps, and reports each to `progress`.
 pub(super) fn one_by_one(
     steps: u64,
     progress: &Count<'_>,
