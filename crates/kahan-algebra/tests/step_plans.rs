@@ -199,14 +199,14 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     assert!(next(&step, &at(Rational::from(-2))).is_some());
 }
 
-/// One division serves all components, but in E1, where x waits for 1 + 2εx alone, and E5, and
-/// where there are two, which are divided at once; lanes have one everywhere.
+/// One division serves all components, but in E1, where x waits for 1 + 2εx alone, and E5; lanes
+/// have one everywhere.
 #[test]
 fn divisions_are_as_few_as_possible() {
     for (name, text) in &FIELDS[..8] {
         let step = StepPlan::of(&field(text)).expect("the fields are small");
         let divisions = step.kernel.plan.cost().divisions;
-        let has_two = ["Lotka–Volterra", "E1, reduced", "E5"].contains(name);
+        let has_two = ["E1, reduced", "E5"].contains(name);
         assert_eq!(divisions, if has_two { 2 } else { 1 }, "{name}");
         assert_eq!(step.general.is_some(), divisions > 1 || step.has_inverse_step, "{name}");
         assert_eq!(step.general.map_or(1, |lanes| lanes.kernel.plan.cost().divisions), 1, "{name}");

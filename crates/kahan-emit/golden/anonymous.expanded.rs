@@ -39,35 +39,41 @@ fn scope() {
                 pub const PARAMETERS: [&'static __kahan::str; 1] = ["mu"];
             }
             pub struct __Step;
-            impl __kahan::Kernel<2, 6> for __Step {
-                const COST: __kahan::StepCost = __kahan::StepCost::of(16, 2, 25);
+            impl __kahan::Kernel<2, 5> for __Step {
+                const COST: __kahan::StepCost = __kahan::StepCost::of(17, 1, 29);
                 #[inline(always)]
                 fn quotients<T: __kahan::Scalar>(
-                    __constants: &[__kahan::Padded<T>; 6],
+                    __constants: &[__kahan::Padded<T>; 5],
                     __state: [T; 2],
                 ) -> __kahan::Option<__kahan::Quotients<T, 2>> {
-                    let [__e_mu_half_eps, __e_mu_half_eps_plus_half_mu,
-                    __e_half_plus_half_over_eps, __e_eps, __e_eps_mu, __e_mu] = __constants;
+                    let [__e_mu_eps, __e_mu_plus_mu_eps, __e_one_plus_one_over_eps,
+                    __e_eps, __e_mu] = __constants;
                     let [__s_x, __s_y] = __state;
-                    let __sum_1 = __e_half_plus_half_over_eps
-                        .get()
-                        .subtract_product(__e_mu_half_eps.get(), __s_x.clone())
-                        .subtract_product(
-                            __e_mu_half_eps_plus_half_mu.get(),
-                            __s_y.clone(),
-                        );
-                    let __quotient_1 = (__e_eps
-                        .get()
-                        .multiply_add(__s_x.clone(), __s_y.clone())
-                        * (__e_mu.get() * __s_x.clone()))
-                        .quotient(__sum_1.clone())?;
-                    let __quotient_2 = __s_y
-                        .clone()
-                        .multiply_add(__s_y.clone() * __e_eps_mu.get(), __s_x - __s_y)
-                        .quotient(__sum_1)?;
-                    __kahan::Some(
-                        __kahan::Quotients::whole([__quotient_1, __quotient_2]),
-                    )
+                    let __reciprocal_1 = __kahan::integer::<T>(-2)
+                        .quotient(
+                            __e_mu_plus_mu_eps
+                                .get()
+                                .multiply_add(
+                                    __s_y.clone(),
+                                    __e_mu_eps
+                                        .get()
+                                        .multiply_subtract(
+                                            __s_x.clone(),
+                                            __e_one_plus_one_over_eps.get(),
+                                        ),
+                                ),
+                        )?;
+                    let __numerators = [
+                        __e_eps.get().multiply_add(__s_x.clone(), __s_y.clone())
+                            * (__e_mu.get() * __s_x.clone()),
+                        __s_y
+                            .clone()
+                            .multiply_add(
+                                __e_mu_eps.get() * __s_y.clone(),
+                                __s_x - __s_y,
+                            ),
+                    ];
+                    __kahan::over(__numerators, __reciprocal_1)
                 }
             }
             pub struct __General;
@@ -103,22 +109,20 @@ fn scope() {
                 }
             }
             impl<T: __kahan::Scalar> __kahan::KahanMap<T, 2> for Field<T> {
-                type Prepared = __kahan::StepOverEps<__Step, __General, T, 6, 3>;
+                type Prepared = __kahan::StepOverEps<__Step, __General, T, 5, 3>;
                 #[inline(always)]
                 fn prepare(&self, eps: &T) -> Self::Prepared {
                     Self::Prepared::new(
                         eps,
                         || {
                             let __p_mu = &self.mu;
-                            let __c_1_2 = __kahan::ratio::<T>(1, 2);
-                            let __t_mu_half_eps = __p_mu.clone()
-                                * (__c_1_2.clone() * eps.clone());
+                            let __t_mu_eps = __p_mu.clone() * eps.clone();
+                            let __c_1 = __kahan::integer::<T>(1);
                             [
-                                __t_mu_half_eps.clone(),
-                                __t_mu_half_eps + __c_1_2.clone() * __p_mu.clone(),
-                                __c_1_2.clone() + __c_1_2 / eps.clone(),
+                                __t_mu_eps.clone(),
+                                __p_mu.clone() + __t_mu_eps,
+                                __c_1.clone() + __c_1 / eps.clone(),
                                 eps.clone(),
-                                eps.clone() * __p_mu.clone(),
                                 __p_mu.clone(),
                             ]
                         },

@@ -1,8 +1,6 @@
 //! Which form of a step is taken: the cheapest, the one that an orbit waits least for, or a steady
 //! one where the cheapest loses digits.
 
-use std::iter::once;
-
 use crate::field::Field;
 use crate::kahan::RationalMap;
 use crate::kept::Kept;
@@ -33,10 +31,8 @@ impl StepPlan {
         let cheapest = plan(&forms.best);
         let recurrence = cheapest.recurrence();
         let one_orbit = forms.of_one_orbit(recurrence);
-        let one_orbit: Vec<StepPlan> = once(cheapest.clone()).chain(one_orbit.iter().map(plan)).collect();
-        let single: Vec<StepPlan> = one_orbit.iter().filter_map(Self::with_single_divisions).collect();
-        let others = one_orbit.into_iter().skip(1).chain(single);
-        let shortest = others.min_by_key(|plan| (plan.recurrence(), plan.operations()));
+        let one_orbit = one_orbit.iter().map(plan);
+        let shortest = one_orbit.min_by_key(|plan| (plan.recurrence(), plan.operations()));
         let shortest = shortest.filter(|shortest| shortest.recurrence() < recurrence);
         // Where the cheapest form loses digits in long steps, a steadier one takes its place.
         let mut loss = accuracy.loss(&cheapest);
@@ -76,8 +72,7 @@ mod tests {
         let forms = candidates::forms(field, None, Some(map)).expect("the field is small");
         let limit = plan(&forms.best).recurrence();
         let made: Vec<StepPlan> = forms.of_one_orbit(recurrence(limit)).iter().map(plan).collect();
-        let single = made.iter().filter_map(StepPlan::with_single_divisions);
-        let shorter = made.iter().cloned().chain(single).filter(|plan| plan.recurrence() < limit);
+        let shorter = made.iter().filter(|plan| plan.recurrence() < limit).cloned();
         (shorter.collect(), made.len())
     }
 

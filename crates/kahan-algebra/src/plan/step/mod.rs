@@ -3,15 +3,15 @@
 //!
 //! - `split` separates prepared constants from the `kernel`.
 //! - `fuse`, `signs` and `reciprocals` rewrite the kernel: multiply-adds, signs.
-//!   `single_divisions` gives each component a division of its own.
+//! - `increment` divides the increment of a single variable at once.
 //! - `recurrence` measures the way from a state to the next.
 
 pub(in crate::plan) mod fuse;
+mod increment;
 pub(in crate::plan) mod kernel;
 pub(in crate::plan) mod reciprocals;
 pub(in crate::plan) mod recurrence;
 pub(in crate::plan) mod signs;
-pub(in crate::plan) mod single_divisions;
 pub(in crate::plan) mod split;
 
 use crate::arithmetic::Arithmetic;
@@ -19,7 +19,7 @@ use crate::field::Field;
 use crate::symbols::Symbols;
 
 use crate::plan::step::reciprocals::with_signs_of_reciprocals;
-use crate::plan::step::signs::{Wanted, with_signs};
+use crate::plan::step::signs::with_signs;
 use crate::plan::{Kernel, Node, Operation, Plan, PlanBuilder};
 
 /// The largest ‖εf′‖∞ at which the planner looks at what a step loses.
@@ -133,6 +133,14 @@ impl StepPlan {
         numerators: &[Node],
         reciprocals: &[Option<Node>],
     ) -> Self {
+        if let ([numerator], [Some(reciprocal)]) = (numerators, reciprocals)
+            && recurrence::earliest(builder.operations(), *reciprocal, field.symbols.state(0)).is_some()
+        {
+            let mut builder = builder.clone();
+            if let Some(increment) = builder.increment(*numerator, *reciprocal) {
+                return Self::new(&builder, field, &[increment], &[None]);
+            }
+        }
         let mut distinct: Vec<Node> = Vec::new();
         let places = reciprocals.iter().map(|reciprocal| {
             let reciprocal = (*reciprocal)?;
@@ -146,7 +154,7 @@ impl StepPlan {
         let (constants, kernel) = builder
             .finish(&outputs)
             .split(field.symbols.epsilon(), |variable| field.symbols.is_state(variable));
-        let (constants, kernel) = with_signs(constants, kernel.fused(), Wanted::TurnedConstants);
+        let (constants, kernel) = with_signs(constants, kernel.fused());
         let kernel = with_signs_of_reciprocals(Kernel { plan: kernel, reciprocal_of: places });
         // Reciprocals of parameters are still inputs here; `mapped` puts them in later. So a
         // division that is found now is one by ε.

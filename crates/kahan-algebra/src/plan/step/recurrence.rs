@@ -6,7 +6,6 @@
 use crate::poly::Variable;
 
 use crate::plan::cost::{ADD, FUSED, MULTIPLY};
-use crate::plan::step::single_divisions::TOGETHER;
 use crate::plan::{Node, Operation, PlanBuilder, StepPlan};
 
 impl StepPlan {
@@ -68,14 +67,14 @@ impl StepPlan {
 /// by multiples of one reciprocal, whatever the multiples are and however sums are fused.
 pub(in crate::plan) fn least_recurrence(builder: &PlanBuilder, reciprocal: Node, moving: &[Variable]) -> u64 {
     let through = |state: &Variable| earliest(builder.operations(), reciprocal, *state);
-    // Where each component has a division of its own, nothing is multiplied after it.
-    let product = if moving.len() > TOGETHER { MULTIPLY } else { 0 };
+    // A single component is divided at once.
+    let product = if moving.len() > 1 { MULTIPLY } else { 0 };
     let back = moving.iter().filter_map(through).max().map_or(0, |ready| ready + product + ADD);
     u64::from(back) * UNIT
 }
 
 /// The cycles from a variable to an operation at least; `None` where it does not depend on it.
-fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<u32> {
+pub(super) fn earliest(operations: &[Operation], node: Node, variable: Variable) -> Option<u32> {
     let mut arrival: Vec<Option<u32>> = Vec::with_capacity(node.0 + 1);
     for operation in &operations[..=node.0] {
         let ready = match *operation {

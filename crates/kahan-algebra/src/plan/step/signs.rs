@@ -16,21 +16,11 @@ const NEGATION: usize = 4;
 /// Rounds of changing one sign after the other; it settles earlier in all but contrived plans.
 const ROUNDS: usize = 4;
 
-/// For what a kernel is written anew.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::plan) enum Wanted {
-    /// A constant with the other sign.
-    TurnedConstants,
-    /// Results that are added to the state rather than subtracted: where each is a quotient, there
-    /// is no reciprocal to take a sign.
-    Additions,
-}
-
 /// The constants and the kernel with their signs chosen; neither operations nor critical path are
 /// more than before. Cost: operations² for each difference among the constants and each sum that
 /// subtracts, a few times over.
 #[must_use]
-pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan, wanted: Wanted) -> (Plan, Plan) {
+pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan) -> (Plan, Plan) {
     let search = Search::new(&constants, &kernel);
     if search.prepared.iter().all(Option::is_none) {
         return (constants, kernel);
@@ -42,8 +32,7 @@ pub(in crate::plan) fn with_signs(constants: Plan, kernel: Plan, wanted: Wanted)
     let (before, after) = (kernel.cost(), rebuilt.cost());
     let is_no_worse =
         after.operations() <= before.operations() && after.critical_path <= before.critical_path;
-    let is_wanted = wanted == Wanted::Additions || turned.contains(&true);
-    if !is_wanted || !is_no_worse {
+    if !turned.contains(&true) || !is_no_worse {
         return (constants, kernel);
     }
     (turn_constants(&constants, &turned), rebuilt)
