@@ -199,6 +199,24 @@ fn poles_of_the_reduced_map_are_poles_of_the_plan_and_removable_ones_are_not() {
     assert!(next(&step, &at(Rational::from(-2))).is_some());
 }
 
+/// The increment of a single variable is a quotient, where its divisor depends on the state. A
+/// constant divisor keeps its reciprocal, which one division gives for all states.
+#[test]
+fn a_single_variable_is_divided_at_once() {
+    for (text, divisions, reciprocals) in [
+        ("xdot = x^2;", 1, 0),
+        ("xdot = a*x - x^2/3 + b;", 1, 0),
+        ("xdot = a - x;", 1, 1),
+        ("xdot = 2;", 0, 1),
+    ] {
+        let step = StepPlan::of(&field(text)).expect("the fields are small");
+        for form in [Some(&step), step.general.as_deref()].into_iter().flatten() {
+            let found = (form.kernel.plan.cost().divisions, form.kernel.reciprocals().len());
+            assert_eq!(found, (divisions, reciprocals), "{text}");
+        }
+    }
+}
+
 /// One division serves all components, but in E1, where x waits for 1 + 2εx alone, and E5; lanes
 /// have one everywhere.
 #[test]

@@ -37,11 +37,12 @@
 //! | signs of constants (`step::signs`) | 27 | 1.00; 1.01 | 1.00; 1.02 | 1.05; 1.43 | 1.01; 1.12 |
 //! | signs of reciprocals (`step::reciprocals`) | 30 | 1.01; 1.05 | 0.99; 1.02 | 1.02; 1.56 | 1.01; 1.15 |
 //!
-//! Two more were measured with them, and went: (2ε)x as εx + εx (27 steps: 1.00, 0.99, 1.00 and 1.00
-//! in the mean), and a division a component in place of a shared reciprocal (6 steps: 1.00; 1.03,
-//! 1.00; 1.01, 0.97; 1.06 and 0.84; 0.93). For Lotka and Volterra's step, compiled for any x86-64
-//! processor, the latter saved a fifth of the instructions and 6 % of the time; ensembles whose ends
-//! are those of single orbits took twice the time with it, as lanes are bound by the divider.
+//! Two more were measured with them. (2ε)x as εx + εx went (27 steps: 1.00, 0.99, 1.00 and 1.00 in
+//! the mean). A division a component in place of a shared reciprocal is left to fields of one
+//! variable (`step::increment`); it changed 6 steps (1.00; 1.03, 1.00; 1.01, 0.97; 1.06 and 0.84;
+//! 0.93). For Lotka and Volterra's step, compiled for any x86-64 processor, it saved a fifth of the
+//! instructions and 6 % of the time. Ensembles that report how they ended took twice the time with
+//! it: they take the form of single orbits, and two divisions bound the lanes.
 
 mod operation;
 
