@@ -17,6 +17,11 @@ pub use nalgebra::{SMatrix, SVector};
 #[cfg(feature = "std")]
 pub use std::vec::{self, Vec};
 
+/// The step of a dense field that is read at run time: `kahan-runtime` calls it.
+#[cfg(feature = "std")]
+pub mod dense {
+    pub use crate::dense::{Float, Workspace, assemble, coefficients, pack, velocity};
+}
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
 /// What steps chains whose sizes are known at run time only: `kahan-runtime` calls them.

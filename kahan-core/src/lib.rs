@@ -88,6 +88,9 @@ mod composition;
 #[cfg(feature = "std")]
 mod ensemble;
 
+#[cfg(feature = "std")]
+mod dense;
+
 pub mod observe;
 
 #[cfg(feature = "std")]

@@ -519,26 +519,26 @@ const _: () = {
             let __b8 = __b8 * __a38;
             let __b7 = __b7.subtract_product(__a33.clone(), __b8.clone()) * __a32;
             let __b3 = __b3
-                .subtract_product(__a27.clone(), __b7.clone())
-                .subtract_product(__a28.clone(), __b8.clone()) * __a26;
+                .subtract_product(__a28.clone(), __b8.clone())
+                .subtract_product(__a27.clone(), __b7.clone()) * __a26;
             let __b5 = __b5
-                .subtract_product(__a20.clone(), __b3.clone())
-                .subtract_product(__a21.clone(), __b7.clone()) * __a19;
+                .subtract_product(__a21.clone(), __b7.clone())
+                .subtract_product(__a20.clone(), __b3.clone()) * __a19;
             let __b1 = __b1
-                .subtract_product(__a15.clone(), __b3.clone())
-                .subtract_product(__a16.clone(), __b8.clone()) * __a14;
+                .subtract_product(__a16.clone(), __b8.clone())
+                .subtract_product(__a15.clone(), __b3.clone()) * __a14;
             let __b6 = __b6
-                .subtract_product(__a10.clone(), __b5.clone())
-                .subtract_product(__a11.clone(), __b7.clone()) * __a9;
+                .subtract_product(__a11.clone(), __b7.clone())
+                .subtract_product(__a10.clone(), __b5.clone()) * __a9;
             let __b4 = __b4
-                .subtract_product(__a7.clone(), __b5.clone())
-                .subtract_product(__a8.clone(), __b3.clone()) * __a6;
+                .subtract_product(__a8.clone(), __b3.clone())
+                .subtract_product(__a7.clone(), __b5.clone()) * __a6;
             let __b2 = __b2
-                .subtract_product(__a4.clone(), __b1.clone())
-                .subtract_product(__a5.clone(), __b3.clone()) * __a3;
+                .subtract_product(__a5.clone(), __b3.clone())
+                .subtract_product(__a4.clone(), __b1.clone()) * __a3;
             let __b0 = __b0
-                .subtract_product(__a1.clone(), __b1.clone())
-                .subtract_product(__a2.clone(), __b8.clone()) * __a0;
+                .subtract_product(__a2.clone(), __b8.clone())
+                .subtract_product(__a1.clone(), __b1.clone()) * __a0;
             __kahan::Some([__b0, __b1, __b2, __b3, __b4, __b5, __b6, __b7, __b8])
         }
     }

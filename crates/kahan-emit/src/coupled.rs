@@ -10,8 +10,6 @@
 //!
 //! Nothing here grows faster than the couplings: no function holds a whole matrix.
 
-use std::ops::Range;
-
 use kahan_algebra::elimination::{Couplings, Row};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::symbols::Symbol;
@@ -260,7 +258,7 @@ fn emit_factors(couplings: &Couplings, mut is_there: Vec<bool>) -> TokenStream {
 fn emit_solution(couplings: &Couplings) -> TokenStream {
     let Couplings { order, rows, columns, .. } = couplings;
     let right = |turn: usize| format_ident!("__b{}", order[turn]);
-    let reduced = |start: TokenStream, places: Range<usize>| {
+    let reduced = |start: TokenStream, places: &mut dyn Iterator<Item = usize>| {
         places.fold(start, |sum, place| {
             let (value, known) = (entry(place), right(columns[place]));
             quote!(#sum.subtract_product(#value.clone(), #known.clone()))
@@ -271,12 +269,12 @@ fn emit_solution(couplings: &Couplings) -> TokenStream {
     for &end in &couplings.blocks {
         for turn in (first..end).filter(|&turn| rows[turn].start < rows[turn].diagonal) {
             let (row, own) = (&rows[turn], right(turn));
-            let value = reduced(quote!(#own), row.start..row.diagonal);
+            let value = reduced(quote!(#own), &mut (row.start..row.diagonal));
             lines.extend(quote! { let #own = #value; });
         }
         for turn in (first..end).rev() {
             let (row, own, reciprocal) = (&rows[turn], right(turn), entry(rows[turn].diagonal));
-            let value = reduced(quote!(#own), row.diagonal + 1..row.end);
+            let value = reduced(quote!(#own), &mut (row.diagonal + 1..row.end).rev());
             lines.extend(quote! { let #own = #value * #reciprocal; });
         }
         first = end;

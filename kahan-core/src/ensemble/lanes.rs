@@ -40,7 +40,7 @@ pub trait OverLanes<T> {
 }
 
 /// A float that fills lanes.
-pub(crate) trait InLanes: Sized {
+pub trait InLanes: Sized {
     /// Numbers in a register of 512 bits, the widest there is.
     const MOST: usize = 64 / size_of::<Self>();
 

@@ -141,7 +141,7 @@ impl Couplings<'_> {
     }
 
     /// Replaces b by the solution of A·x = b, both in the order of elimination; `values` are
-    /// factors.
+    /// factors. Behind the diagonal, columns that are solved first are subtracted first.
     pub fn solve<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let mut first = 0;
         for end in self.blocks {
@@ -151,7 +151,7 @@ impl Couplings<'_> {
             }
             for i in block.rev() {
                 let row = &self.rows[i];
-                b[i] = self.reduced(row.right(), i, values, b) * values[row.diagonal as usize].clone();
+                b[i] = self.reduced(row.right().rev(), i, values, b) * values[row.diagonal as usize].clone();
             }
             first = *end as usize;
         }
@@ -159,10 +159,9 @@ impl Couplings<'_> {
 
     /// bᵢ without the products at these places.
     #[inline]
-    fn reduced<T: Scalar>(&self, places: core::ops::Range<usize>, i: usize, values: &[T], b: &[T]) -> T {
-        let columns = &self.columns[places.clone()];
-        columns.iter().zip(&values[places]).fold(b[i].clone(), |sum, (column, value)| {
-            sum.subtract_product(value.clone(), b[*column as usize].clone())
+    fn reduced<T: Scalar>(&self, places: impl Iterator<Item = usize>, i: usize, values: &[T], b: &[T]) -> T {
+        places.fold(b[i].clone(), |sum, place| {
+            sum.subtract_product(values[place].clone(), b[self.columns[place] as usize].clone())
         })
     }
 

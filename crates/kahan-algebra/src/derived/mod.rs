@@ -24,7 +24,7 @@ use crate::arithmetic::Arithmetic;
 use crate::elimination::{Couplings, MOST_EXPANDED};
 use crate::kahan::{RationalMap, bilinear_form, matrix_of, polarization, scaled_rhs};
 use crate::kept::WithConstants;
-use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
+use crate::plan::{DenseField, Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
 use crate::symbols::{Symbol, Symbols};
 use crate::system::{Claim, System};
@@ -87,6 +87,7 @@ pub fn derive(system: &System) -> Derived {
     let planned = Planned::of(system, map.as_ref());
     let with = &planned.with_constants;
     let (values, slopes) = kept.jacobian(&field.symbols);
+    let (dense, n) = (DenseField::of(kept, &field.symbols), field.dimension());
     let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
     let single = |plan: &Plan| Plan::together([plan]);
     let over_divisors = |polynomials: Vec<Polynomial>| {
@@ -95,8 +96,11 @@ pub fn derive(system: &System) -> Derived {
     };
     Derived {
         divisors: kept.divisors(),
-        field: kept.plan(),
-        field_jacobian: values.plan(slopes.iter().flatten()),
+        field: dense.as_ref().map_or_else(|| kept.plan(), DenseField::field),
+        field_jacobian: match &dense {
+            Some(dense) => dense.slopes((0..n).flat_map(|i| (0..n).map(move |j| (i, j)))),
+            None => values.plan(slopes.iter().flatten()),
+        },
         bilinear: over_divisors(bilinear_form(&with.field)),
         polarized: over_divisors(polarization(&with.field)),
         matrix: values
@@ -180,7 +184,7 @@ impl Derived {
         let found = || {
             let System { field, kept, .. } = &self.system;
             let (values, slopes) = kept.jacobian(&field.symbols);
-            Couplings::of(&values, &slopes)
+            Couplings::of(&values, &slopes, DenseField::of(kept, &field.symbols).as_ref())
         };
         self.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }

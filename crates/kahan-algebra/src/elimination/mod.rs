@@ -22,7 +22,7 @@ use kahan_syntax::token::Span;
 use crate::field::Field;
 use crate::kahan::{field_jacobian, pattern};
 use crate::kept::Values;
-use crate::plan::{Plan, StepCost, triangular_blocks};
+use crate::plan::{DenseField, Plan, StepCost, triangular_blocks};
 use crate::poly::Polynomial;
 
 use graph::Graph;
@@ -59,6 +59,12 @@ pub struct Couplings {
     pub places: Vec<usize>,
     /// The entries of f′(x) that are not identically zero.
     pub slopes: Plan,
+    /// Of a field with very many products of variables the coefficients, if elimination fills A: for
+    /// each component the constant, those of the variables, and those of their products xⱼxₖ with
+    /// j ≤ k, row after row of that triangle. With them f is cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with
+    /// k ≥ j, and an entry of f′ is bᵢⱼ + Σₖ qᵢⱼₖxₖ, in which k = j counts twice; all sums are in
+    /// this order.
+    pub dense: Option<Plan>,
 }
 
 /// The places of a row's entries.
@@ -110,9 +116,10 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// The couplings of a field, from f′ over its values.
+    /// The couplings of a field, from f′ over its values; `dense` are its coefficients if it is
+    /// dense.
     #[must_use]
-    pub(crate) fn of(values: &Values, slopes: &[Vec<Polynomial>]) -> Self {
+    pub(crate) fn of(values: &Values, slopes: &[Vec<Polynomial>], dense: Option<&DenseField>) -> Self {
         let is_coupled = pattern(slopes);
         let graph = Graph::of(&is_coupled);
         let blocks: Vec<Vec<usize>> =
@@ -133,18 +140,25 @@ impl Couplings {
             }
             ends.push(rows.len());
         }
-        let (mut places, mut written) = (Vec::new(), Vec::new());
+        let (mut places, mut written, mut entries) = (Vec::new(), Vec::new(), Vec::new());
         for (row, &i) in rows.iter().zip(&order) {
             for place in row.start..row.end {
-                let slope = &slopes[i][order[columns[place]]];
+                let j = order[columns[place]];
+                let slope = &slopes[i][j];
                 if !slope.is_zero() {
                     places.push(place);
+                    entries.push((i, j));
                     written.push(slope);
                 }
             }
         }
-        let slopes = values.plan(written);
-        Couplings { order, rows, columns, blocks: ends, places, slopes }
+        let slopes = match dense {
+            Some(dense) => dense.slopes(entries),
+            None => values.plan(written),
+        };
+        let is_full = columns.len() == order.len().pow(2) && order.is_sorted();
+        let dense = dense.filter(|_| is_full).map(DenseField::coefficients);
+        Couplings { order, rows, columns, blocks: ends, places, slopes, dense }
     }
 
     /// Whether elimination is written as a straight line.

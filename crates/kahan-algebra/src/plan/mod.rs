@@ -14,7 +14,8 @@
 //! 4. `forms` decides what is computed: which ways there are to solve A·x̃ = b, and the cheapest.
 //! 5. `choice` chooses the form for one orbit, and that for lanes.
 //!
-//! `values` puts in what a field keeps as it was written, `cost` says what operations cost, `words`
+//! `values` puts in what a field keeps as it was written, `dense` writes the sums of fields with very
+//! many products, `cost` says what operations cost, `words`
 //! what they are called.
 //!
 //! # What each optimisation buys
@@ -56,6 +57,8 @@ mod horner;
 
 mod values;
 
+mod dense;
+
 mod step;
 
 mod words;
@@ -70,6 +73,7 @@ mod choice;
 
 pub use builder::PlanBuilder;
 pub use cost::Cost;
+pub(crate) use dense::DenseField;
 pub(crate) use forms::structure::blocks as triangular_blocks;
 pub use operation::Operation;
 pub use step::kernel::Kernel;

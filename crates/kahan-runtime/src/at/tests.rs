@@ -3,6 +3,7 @@
 use core::array::from_fn;
 use core::ops::ControlFlow;
 
+use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
 use kahan_core::num_rational::BigRational;
@@ -271,6 +272,72 @@ fn columns_through_f64_are_rounded_as_single_orbits_are() {
             at.advance(&mut x, 50).expect("a number a variable");
             assert_eq!(x, columns.map(|column| column[k]), "{composition:?}");
             assert_eq!(x, x.map(|x| f64::from(x as f32)), "{composition:?}");
+        }
+    }
+}
+
+fn below(end: u64, random: &mut SplitMix64) -> u64 {
+    random.next_u64() % end
+}
+
+/// A field of n variables with products of two at random, so many of a hundred.
+fn dense(n: usize, percent: u64, random: &mut SplitMix64) -> Field {
+    let coefficient = |random: &mut SplitMix64| format!("{}/64", below(255, random) as i64 - 127);
+    let component = |i: usize| {
+        let mut terms = vec![format!("{}*p", coefficient(random))];
+        for j in 0..n {
+            terms.push(format!("{}*x{j}", coefficient(random)));
+            for k in j..n {
+                if below(100, random) < percent {
+                    terms.push(format!("{}*x{j}*x{k}", coefficient(random)));
+                }
+            }
+        }
+        format!("x{i}dot = {};", terms.join(" + ").replace("+ -", "- "))
+    };
+    Field::parse(&(0..n).map(component).collect::<String>()).expect("a field")
+}
+
+/// Loops over packed coefficients have the bits of the interpreter: at ordinary ε, where pivots of
+/// the static order are refused, at zeros of both signs, and where numbers leave the range.
+#[test]
+fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
+    fn agree<T: RuntimeFloat>(at: &MapAt<T>, start: &[T], steps: u64)
+    where
+        Dd: From<T>,
+    {
+        let interpreted = MapAt { coded: None, ..at.clone() };
+        let [mut x, mut y] = [start.to_vec(), start.to_vec()];
+        at.advance(&mut x, steps).expect("a state");
+        interpreted.advance(&mut y, steps).expect("a state");
+        let words = |state: &[T]| -> Vec<Dd> { state.iter().map(|x| Dd::from(*x)).collect() };
+        assert!(same(&words(&x), &words(&y)), "{x:?} {y:?}");
+
+        let [mut carry, mut other] = [vec![T::zero(); start.len()], vec![T::zero(); start.len()]];
+        let [mut x, mut y] = [start.to_vec(), start.to_vec()];
+        at.advance_with_carry(&mut x, &mut carry, steps).expect("a state");
+        interpreted.advance_with_carry(&mut y, &mut other, steps).expect("a state");
+        assert!(same(&words(&x), &words(&y)) && same(&words(&carry), &words(&other)), "{x:?} {y:?}");
+    }
+    let mut random = SplitMix64::new(55);
+    for (n, percent) in [(10, 100), (11, 100), (13, 60), (16, 30), (17, 25), (24, 15)] {
+        let map = dense(n, percent, &mut random).with([("p", 0.75)]).expect("its parameter");
+        let number = |random: &mut SplitMix64| (below(2001, random) as f64 - 1000.0) / 1024.0;
+        for eps in [1e-3, 0.05, 0.7, 30.0] {
+            let mut start: Vec<f64> = (0..n).map(|_| number(&mut random)).collect();
+            let at = map.at(eps);
+            assert!(at.coded.is_some());
+            agree(&at, &start, 20);
+            agree(&at.composed(Composition::SUZUKI_4), &start, 5);
+            agree(&map.through_f64(eps as f32), &start, 5);
+            let single: Vec<f32> = start.iter().map(|x| *x as f32).collect();
+            agree(&map.at(eps as f32), &single, 20);
+            [start[0], start[1]] = [0.0, -0.0];
+            agree(&at, &start, 3);
+            start[2] = 1e200;
+            agree(&at, &start, 3);
+            start[2] = f64::INFINITY;
+            agree(&at, &start, 2);
         }
     }
 }

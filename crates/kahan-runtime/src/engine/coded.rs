@@ -12,7 +12,7 @@ use crate::machine::{OrbitCode, StepKind};
 use super::Engine;
 use super::abreast::AbreastOnce;
 use super::floats::{MachineFloat, RuntimeFloat};
-use super::scratch::{Scratch, with_scratch};
+use super::scratch::with_scratch;
 use super::step::Steps;
 
 /// Steps between two looks at the guard of code.
@@ -42,7 +42,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     pub(crate) fn code(&self, engine: &Engine, carries: bool) -> Option<&OrbitCode<T::Word>> {
         let compile = || {
             let kind = StepKind { compensated: true, ..self.kind };
-            engine.codes.orbit(engine, kind, self.constants.len() > 1)
+            engine.orbit_code::<T>(kind, self.constants.len() > 1)
         };
         if carries { self.carrying.get_or_init(compile).as_deref() } else { Some(&self.code) }
     }
@@ -78,27 +78,25 @@ impl<T: RuntimeFloat> CodedStages<T> {
             code.advance(words, &self.constants, steps);
             return true;
         }
-        with_scratch(T::Word::single(), |Scratch { state: words, .. }| {
-            words.clear();
-            words.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));
-            let own = words.len();
-            if code.is_guarded() {
-                words.push(T::Word::zero());
-            }
-            code.advance(words, &self.constants, steps);
-            let (words, guard) = words.split_at(own);
-            let is_kept = |guard: &T::Word| guard.approximate() <= LARGEST_FACTOR as f64;
-            let is_told = guard.iter().all(|guard| is_kept(guard) && is_finite(words));
-            if is_told {
-                let words = words.chunks_exact(own / (state.len() + carry.len()));
-                state
-                    .iter_mut()
-                    .chain(carry)
-                    .zip(words)
-                    .for_each(|(number, words)| *number = T::from_words(words));
-            }
-            is_told
-        })
+        // The loops of dense fields work in the thread's scratch, too.
+        let mut numbers = with_scratch(T::Word::single(), |scratch| std::mem::take(&mut scratch.state));
+        numbers.clear();
+        numbers.extend(state.iter().chain(&*carry).flat_map(|number| number.words()));
+        let own = numbers.len();
+        if code.is_guarded() {
+            numbers.push(T::Word::zero());
+        }
+        code.advance(&mut numbers, &self.constants, steps);
+        let (words, guard) = numbers.split_at(own);
+        let is_kept = |guard: &T::Word| guard.approximate() <= LARGEST_FACTOR as f64;
+        let is_told = guard.iter().all(|guard| is_kept(guard) && is_finite(words));
+        if is_told {
+            let words = words.chunks_exact(own / (state.len() + carry.len()));
+            let advanced = state.iter_mut().chain(carry).zip(words);
+            advanced.for_each(|(number, words)| *number = T::from_words(words));
+        }
+        with_scratch(T::Word::single(), |scratch| scratch.state = numbers);
+        is_told
     }
 }
 
@@ -113,6 +111,18 @@ impl<T: MachineFloat> CodedStages<T> {
 }
 
 impl Engine {
+    /// The code of an orbit, or the loops of a dense field.
+    fn orbit_code<T: RuntimeFloat>(
+        &self,
+        kind: StepKind,
+        is_composed: bool,
+    ) -> Option<Arc<OrbitCode<T::Word>>> {
+        if self.has_loops(kind) {
+            return Some(Arc::new(OrbitCode::loops(kind)));
+        }
+        self.codes.orbit(self, kind, is_composed)
+    }
+
     /// The stages of a composition as code, where there is some and they are all of one form; `own`
     /// are the parameters and ε of those that differ.
     pub(crate) fn coded_stages<T: RuntimeFloat>(
@@ -126,7 +136,19 @@ impl Engine {
         if general.any(|other| other != is_general) {
             return None;
         }
-        let code = self.codes.orbit(self, kind, own.len() > 1)?;
+        let code = self.orbit_code::<T>(kind, own.len() > 1)?;
+        if self.has_loops(kind) {
+            let packed =
+                |own: &Vec<T>| self.packed(&own.iter().flat_map(|number| number.words()).collect::<Vec<_>>());
+            let constants = own.iter().map(packed).collect::<Option<_>>()?;
+            return Some(CodedStages {
+                code,
+                kind,
+                constants,
+                carrying: Arc::default(),
+                abreast: Arc::default(),
+            });
+        }
         let (step, mut registers) = (self.steps().form(is_general), Vec::new());
         let mut prepared = |own: &Vec<T>| match step.prepared(own, &mut registers) {
             Some(prepared) => prepared.iter().flat_map(T::words).collect(),

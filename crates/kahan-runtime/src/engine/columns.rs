@@ -119,7 +119,7 @@ fn advance<T, V>(
 {
     let trajectories = columns.first().map_or(0, |column| column.len());
     let (stages, size) = (distinct(&composition).len(), step.registers());
-    with_scratch(local, |Scratch { registers, workspace, constants, given, state }| {
+    with_scratch(local, |Scratch { registers, workspace, constants, given, state, .. }| {
         for first in (0..trajectories).step_by(V::WIDTH) {
             let last = trajectories.min(first + V::WIDTH) - 1;
             let gather = |values: &[T]| {

@@ -2,6 +2,7 @@
 
 use core::cell::Cell;
 
+use kahan_core::__private::dense;
 use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar, Precision};
 
 use crate::machine::Coded;
@@ -54,7 +55,7 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
 }
 
 /// A float of the machine: `f64` or `f32`.
-pub trait MachineFloat: RuntimeFloat<Word = Self> + Coded {
+pub trait MachineFloat: RuntimeFloat<Word = Self> + Coded + dense::Float {
     /// The scratch for several states side by side.
     #[doc(hidden)]
     fn lanes() -> Local<EightLanes<Self>>;

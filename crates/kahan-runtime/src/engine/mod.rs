@@ -9,6 +9,7 @@ mod coded;
 mod coded_columns;
 mod columns;
 mod couplings;
+mod dense;
 mod elimination;
 mod floats;
 mod lanes;
@@ -33,6 +34,7 @@ pub(crate) use abreast::Abreast;
 pub(crate) use coded::CodedStages;
 pub(crate) use columns::Columns;
 pub(crate) use couplings::{Factors, Tables};
+pub(crate) use dense::advance as advance_dense;
 pub use floats::{MachineFloat, RuntimeFloat};
 use scratch::Workspace;
 pub(crate) use scratch::{Scratch, with_scratch};
@@ -98,6 +100,8 @@ pub struct Engine {
     /// The integrals, each by itself.
     single_integrals: OnceLock<Vec<Line>>,
     variational: OnceLock<Arc<Engine>>,
+    /// From the parameters to the coefficients of a dense field.
+    coefficients: OnceLock<Option<Line>>,
     pub(crate) codes: Codes,
 }
 
@@ -133,6 +137,7 @@ impl Engine {
             steps: OnceLock::new(),
             single_integrals: OnceLock::new(),
             variational: OnceLock::new(),
+            coefficients: OnceLock::new(),
         }
     }
 
@@ -353,7 +358,7 @@ pub(crate) fn jacobian_by_duals<V: Scalar + Copy>(
     out: &mut [V],
     scratch: &mut Scratch<Dual<V, 1>>,
 ) {
-    let Scratch { registers, workspace, constants: extended, given, state: point } = scratch;
+    let Scratch { registers, workspace, constants: extended, given, state: point, .. } = scratch;
     [&mut *extended, given, point].into_iter().for_each(Vec::clear);
     extended.extend(constants.iter().map(|constant| Dual::from_value(*constant)));
     step.prepare(extended, registers, given);

@@ -6,6 +6,8 @@
 use core::cell::Cell;
 use std::thread::LocalKey;
 
+use kahan_core::__private::dense;
+
 use super::couplings::Factors;
 
 /// The vectors that steps over V are computed in; what they hold between two calls means nothing.
@@ -20,6 +22,8 @@ pub struct Scratch<V> {
     pub(crate) given: Vec<V>,
     /// The state, where it is not the caller's.
     pub(super) state: Vec<V>,
+    /// For the loops of dense fields.
+    pub(super) dense: dense::Workspace<V>,
 }
 
 /// Where a step leaves what it is about to add.
@@ -45,6 +49,7 @@ impl<V> Default for Scratch<V> {
             constants,
             given,
             state,
+            dense: dense::Workspace::default(),
         }
     }
 }

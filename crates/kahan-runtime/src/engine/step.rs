@@ -11,6 +11,7 @@ use crate::machine::StepKind;
 
 use super::couplings::{Factors, Tables};
 use super::elimination::solve;
+use super::floats::RuntimeFloat;
 use super::scratch::Workspace;
 
 /// The forms of a step.
@@ -167,16 +168,7 @@ impl Step {
             return;
         }
         for (i, (x, carry)) in state.iter_mut().zip(carry).enumerate() {
-            let quotient = self.quotient(i, rounds, workspace);
-            let base = *x + *carry;
-            let rest = *carry - (base - *x);
-            let next = added(quotient, base);
-            let distance = next - base;
-            let lacks = match quotient {
-                (numerator, Some(reciprocal)) => numerator.multiply_subtract(reciprocal, distance),
-                (increment, None) => increment - distance,
-            };
-            (*x, *carry) = (next, rest + lacks);
+            add_with_carry(self.quotient(i, rounds, workspace), x, carry);
         }
     }
 
@@ -198,13 +190,8 @@ impl Step {
             return self.add(kind.rounds_increments, [state, carry], workspace);
         }
         for (i, x) in state.iter_mut().enumerate() {
-            let carry = carry.get_mut(i);
-            let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
-            let next = added(self.quotient(i, kind.rounds_increments, workspace), base);
-            *x = single(next);
-            if let Some(carry) = carry {
-                *carry = single(next - *x);
-            }
+            let quotient = self.quotient(i, kind.rounds_increments, workspace);
+            add_through_double(quotient, x, carry.get_mut(i), &single);
         }
     }
 
@@ -323,6 +310,49 @@ fn added<V: Scalar>((numerator, reciprocal): (V, Option<V>), x: V) -> V {
     match reciprocal {
         Some(reciprocal) => numerator.multiply_add(reciprocal, x),
         None => x + numerator,
+    }
+}
+
+/// Adds an increment to a component and to what it lacks.
+#[inline(always)]
+fn add_with_carry<V: Scalar + Copy>(quotient: (V, Option<V>), x: &mut V, carry: &mut V) {
+    let base = *x + *carry;
+    let rest = *carry - (base - *x);
+    let next = added(quotient, base);
+    let distance = next - base;
+    let lacks = match quotient {
+        (numerator, Some(reciprocal)) => numerator.multiply_subtract(reciprocal, distance),
+        (increment, None) => increment - distance,
+    };
+    (*x, *carry) = (next, rest + lacks);
+}
+
+/// Adds an increment to a component of single precision, and keeps what that lacks in `carry`, if
+/// there is one.
+#[inline(always)]
+fn add_through_double<V: Scalar + Copy>(
+    quotient: (V, Option<V>),
+    x: &mut V,
+    carry: Option<&mut V>,
+    single: impl Fn(V) -> V,
+) {
+    let base = carry.as_ref().map_or(*x, |carry| *x + **carry);
+    let next = added(quotient, base);
+    *x = single(next);
+    if let Some(carry) = carry {
+        *carry = single(next - *x);
+    }
+}
+
+/// Adds an increment to a component as a step of a kind does.
+#[inline(always)]
+pub(super) fn add_increment<T: RuntimeFloat>(kind: StepKind, increment: T, x: &mut T, carry: Option<&mut T>) {
+    match (kind.precision, carry) {
+        (Precision::SingleThroughDouble, carry) => {
+            add_through_double((increment, None), x, carry, |x| kind.stored(x));
+        }
+        (_, Some(carry)) => add_with_carry((increment, None), x, carry),
+        (_, None) => *x = added((increment, None), *x),
     }
 }
 

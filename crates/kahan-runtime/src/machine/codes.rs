@@ -9,7 +9,7 @@ use kahan_jit::{
     ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Refusal, Shape, Sweep,
 };
 
-use crate::engine::{Engine, Object};
+use crate::engine::{Engine, MachineFloat, Object, advance_dense};
 
 use super::{SideBySide, StepKind, programs};
 
@@ -84,6 +84,8 @@ pub(crate) struct OrbitCode<T> {
 enum StepCode<T> {
     Single(Orbit<T>),
     Composed(ComposedOrbit<T>),
+    /// No code of its own: the loops of dense fields.
+    Loops(StepKind),
 }
 
 /// The code of columns.
@@ -177,7 +179,12 @@ impl Codes {
     }
 }
 
-impl<T: Coded> OrbitCode<T> {
+impl<T: MachineFloat> OrbitCode<T> {
+    /// The loops of a dense field.
+    pub(crate) fn loops(kind: StepKind) -> Self {
+        OrbitCode { step: StepCode::Loops(kind), is_guarded: true }
+    }
+
     /// Whether a guard comes behind the numbers of a state, which begins as 0: it is at most
     /// [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) as long as each step has the
     /// operations of the interpreter, or leads to a number that is not finite.
@@ -189,7 +196,7 @@ impl<T: Coded> OrbitCode<T> {
     pub(crate) fn step(&self, numbers: &[T], stages: &[Vec<T>], next: &mut [T]) {
         match &self.step {
             StepCode::Single(orbit) => orbit.step(numbers, &stages[0], next),
-            StepCode::Composed(_) => {
+            StepCode::Composed(_) | StepCode::Loops(_) => {
                 next.copy_from_slice(numbers);
                 self.advance(next, stages, 1);
             }
@@ -207,6 +214,7 @@ impl<T: Coded> OrbitCode<T> {
                 let order = before.iter().chain([middle]).chain(before.iter().rev());
                 orbit.run(numbers, order.map(Vec::as_slice), steps);
             }
+            StepCode::Loops(kind) => advance_dense(*kind, numbers, stages, steps),
         }
     }
 }

@@ -1,0 +1,426 @@
+//! Elimination of a field in which nearly all products of two variables occur: coefficients packed
+//! in the order in which they are read, and loops over rows.
+//!
+//! In: packed coefficients, a state and ε. Out: A(x,ε)⁻¹f(x), by the operations of the field's plans
+//! and of [`Couplings`](crate::__private::Couplings), in their order. Rows are computed side by
+//! side, so lanes of any number give the same bits. The zeros that stand for products without a
+//! coefficient change the sign of a zero at most, as long as all numbers are finite.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+use std::vec::Vec;
+
+use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
+use crate::field::couplings::LARGEST_FACTOR;
+use crate::{Constant, Level, Scalar};
+
+/// The pivots that are eliminated together.
+const PIVOTS: usize = 8;
+/// The columns that are computed together.
+const COLUMNS: usize = 4;
+
+/// A float that the loops run over.
+pub trait Float: InLanes + Scalar + Copy {
+    /// The rows that stand together: as many as a register of 256 bits holds.
+    const ROWS: usize = Self::MOST / 2;
+}
+
+impl Float for f32 {}
+impl Float for f64 {}
+
+/// How many coefficients a component of a field has: the constant, those of the variables, and
+/// those of their products xⱼxₖ with j ≤ k, row after row of that triangle.
+#[must_use]
+pub const fn coefficients(variables: usize) -> usize {
+    1 + variables + variables * (variables + 1) / 2
+}
+
+/// The place of xⱼxₖ, j ≤ k, among the coefficients of a component.
+const fn place(variables: usize, j: usize, k: usize) -> usize {
+    1 + variables + j * variables - j * (j + 1) / 2 + k
+}
+
+/// The rows of a column, those that fill up registers included.
+const fn height<T: Float>(variables: usize) -> usize {
+    variables.next_multiple_of(T::ROWS)
+}
+
+/// Blocks of as many columns as are computed together, and then the columns that are left, one by
+/// one.
+fn blocks(columns: Range<usize>) -> impl Iterator<Item = Range<usize>> {
+    let whole = columns.end - columns.len() % COLUMNS;
+    let blocks = (columns.start..whole).step_by(COLUMNS).map(|first| first..first + COLUMNS);
+    blocks.chain((whole..columns.end).map(|column| column..column + 1))
+}
+
+/// Appends the coefficients of a field in the order in which [`velocity`] reads them. Those of a
+/// component are `coefficients(variables)` numbers of `field`, one component after the other.
+pub fn pack<T: Float>(variables: usize, field: &[T], packed: &mut Vec<T>) {
+    let mut places: Vec<usize> = (0..=variables).collect();
+    for block in blocks(0..variables) {
+        for j in block.clone() {
+            places.extend((j..block.end).map(|k| place(variables, j, k)));
+        }
+        for k in block.end..variables {
+            places.extend(block.clone().map(|j| place(variables, j, k)));
+        }
+    }
+    for first in (0..variables).step_by(T::ROWS) {
+        for place in &places {
+            let of_row = |row: usize| {
+                if row < variables { field[row * coefficients(variables) + place] } else { T::zero() }
+            };
+            packed.extend((first..first + T::ROWS).map(of_row));
+        }
+    }
+}
+
+/// The numbers that a step is computed in.
+#[derive(Clone, Debug)]
+pub struct Workspace<T> {
+    /// A(x,ε), column by column, and f(x) behind it.
+    columns: Vec<T>,
+    /// The factors that rows are reduced by, for each of the pivots that are eliminated together.
+    factors: Vec<T>,
+    /// The pivots that have a large factor.
+    suspects: Vec<usize>,
+}
+
+impl<T> Default for Workspace<T> {
+    fn default() -> Self {
+        Workspace { columns: Vec::new(), factors: Vec::new(), suspects: Vec::new() }
+    }
+}
+
+impl<T: Float> Workspace<T> {
+    /// The last column: f(x), or the solution.
+    #[must_use]
+    pub fn last(&self, variables: usize) -> &[T] {
+        &self.columns[height::<T>(variables) * variables..][..variables]
+    }
+
+    /// An entry of A(x,ε), which was [assembled](assemble).
+    #[must_use]
+    pub fn entry(&self, variables: usize, [i, j]: [usize; 2]) -> T {
+        self.columns[height::<T>(variables) * j + i]
+    }
+}
+
+/// Computes A(x,ε)⁻¹f(x) for the field with these [packed](pack) coefficients; the result is the
+/// [last](Workspace::last) column. Returns `false` where a pivot is 0 or too small, as
+/// [`Couplings::factor`](crate::__private::Couplings::factor) does.
+#[must_use]
+pub fn velocity<T: Float>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
+    run(Work { packed, x, eps, eliminates: true, workspace })
+}
+
+/// Computes A(x,ε), and f(x) behind it.
+pub fn assemble<T: Float>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) {
+    run(Work { packed, x, eps, eliminates: false, workspace });
+}
+
+fn run<T: Float>(work: Work<'_, T>) -> bool {
+    let (n, height) = (work.x.len(), height::<T>(work.x.len()));
+    work.workspace.columns.resize(height * (n + 1), T::zero());
+    work.workspace.factors.resize(height * PIVOTS, T::zero());
+    T::run(work, Level::Avx2)
+}
+
+struct Work<'a, T> {
+    packed: &'a [T],
+    x: &'a [T],
+    eps: T,
+    eliminates: bool,
+    workspace: &'a mut Workspace<T>,
+}
+
+impl<T: Float> OverLanes<T> for Work<'_, T> {
+    type Output = bool;
+    const IS_SMALL: bool = false;
+
+    #[inline(always)]
+    fn run<L: Lanes<T>>(self) -> bool {
+        let Work { packed, x, eps, eliminates, workspace } = self;
+        let loops = Loops { variables: x.len(), height: height::<T>(x.len()), lanes: PhantomData::<(T, L)> };
+        loops.assemble(packed, x, eps, &mut workspace.columns);
+        !eliminates || loops.eliminate(workspace)
+    }
+}
+
+/// The loops over lanes L of T.
+#[derive(Clone, Copy)]
+struct Loops<T, L> {
+    variables: usize,
+    height: usize,
+    lanes: PhantomData<(T, L)>,
+}
+
+impl<T: Float, L: Lanes<T>> Loops<T, L> {
+    /// Where column j begins.
+    #[inline(always)]
+    fn column(self, j: usize) -> usize {
+        j * self.height
+    }
+
+    #[inline(always)]
+    fn assemble(self, packed: &[T], x: &[T], eps: T, columns: &mut [T]) {
+        let n = self.variables;
+        for (chunk, packed) in packed.chunks_exact(coefficients(n) * T::ROWS).enumerate() {
+            for part in (0..T::ROWS).step_by(L::WIDTH) {
+                let row = chunk * T::ROWS + part;
+                let linear = |j: usize| L::load(packed, (1 + j) * T::ROWS + part);
+                (0..n).for_each(
+                    #[inline(always)]
+                    |j| linear(j).store(columns, self.column(j) + row),
+                );
+                let mut field = L::load(packed, part);
+                let mut next = (1 + n) * T::ROWS + part;
+                let whole = n - n % COLUMNS;
+                for first in (0..whole).step_by(COLUMNS) {
+                    let mut cofactors = [field; COLUMNS];
+                    for w in 0..COLUMNS {
+                        cofactors[w] = linear(first + w);
+                    }
+                    self.block::<COLUMNS>([first, row], packed, &mut next, x, cofactors, &mut field, columns);
+                }
+                for first in whole..n {
+                    self.block::<1>([first, row], packed, &mut next, x, [linear(first)], &mut field, columns);
+                }
+                field.store(columns, self.column(n) + row);
+            }
+        }
+        let negated = L::spread(&-eps);
+        for place in (0..self.column(n)).step_by(L::WIDTH) {
+            (L::load(columns, place) * negated).store(columns, place);
+        }
+        for k in 0..n {
+            let diagonal = &mut columns[self.column(k) + k];
+            *diagonal = T::one() + *diagonal;
+        }
+    }
+
+    /// Adds the products with W variables, from `first` on, to the slopes in the rows of a register,
+    /// and what these variables contribute to the field.
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "one loop nest")]
+    fn block<const W: usize>(
+        self,
+        [first, row]: [usize; 2],
+        packed: &[T],
+        next: &mut usize,
+        x: &[T],
+        mut cofactors: [L; W],
+        field: &mut L,
+        columns: &mut [T],
+    ) {
+        let place = |w: usize| self.column(first + w) + row;
+        let (mut own, mut slopes) = (cofactors, cofactors);
+        for w in 0..W {
+            own[w] = L::spread(&x[first + w]);
+            slopes[w] = L::load(columns, place(w));
+        }
+        for j in 0..W {
+            for k in j..W {
+                let coefficient = L::load(packed, *next);
+                *next += T::ROWS;
+                let product = coefficient * own[k];
+                cofactors[j] = cofactors[j] + product;
+                if j == k {
+                    slopes[j] = slopes[j] + (product + product);
+                } else {
+                    slopes[j] = slopes[j] + product;
+                    slopes[k] = slopes[k] + coefficient * own[j];
+                }
+            }
+        }
+        let others =
+            columns[self.column(first + W)..self.column(self.variables)].chunks_exact_mut(self.height);
+        let groups = packed[*next..].chunks_exact(W * T::ROWS);
+        for ((other, factor), group) in others.zip(&x[first + W..]).zip(groups) {
+            let (mut sum, factor) = (L::load(other, row), L::spread(factor));
+            for w in 0..W {
+                let coefficient = L::load(group, w * T::ROWS);
+                let product = coefficient * factor;
+                cofactors[w] = cofactors[w] + product;
+                slopes[w] = slopes[w] + product;
+                sum = sum + coefficient * own[w];
+            }
+            sum.store(other, row);
+        }
+        *next += (x.len() - first - W) * W * T::ROWS;
+        for w in 0..W {
+            *field = *field + own[w] * cofactors[w];
+            slopes[w].store(columns, place(w));
+        }
+    }
+
+    /// Replaces the last column by the solution; `false` where a pivot is 0 or too small.
+    #[inline(always)]
+    fn eliminate(self, workspace: &mut Workspace<T>) -> bool {
+        let Workspace { columns, factors, suspects } = workspace;
+        let n = self.variables;
+        let most = T::constant(&Constant::integer(LARGEST_FACTOR));
+        suspects.clear();
+        for first in (0..n).step_by(PIVOTS) {
+            let end = n.min(first + PIVOTS);
+            for k in first..end {
+                match self.factors([k, k - first], most, columns, factors) {
+                    None => return false,
+                    Some(true) => suspects.push(k),
+                    Some(false) => {}
+                }
+                for column in k + 1..end {
+                    self.subtract::<1>(columns, factors, column, self.height, [k, k - first]);
+                }
+            }
+            for block in blocks(end..n + 1) {
+                if block.len() == COLUMNS {
+                    self.reduce::<COLUMNS>(columns, factors, block.start, first..end);
+                } else {
+                    self.reduce::<1>(columns, factors, block.start, first..end);
+                }
+            }
+        }
+        let is_too_small = |&k: &usize| {
+            let mut row = (k + 1..n).map(|j| columns[self.column(j) + k]);
+            row.any(|entry| (entry * columns[self.column(k) + k]).is_better_pivot(&most))
+        };
+        if suspects.iter().any(is_too_small) {
+            return false;
+        }
+        self.substitute_back(columns);
+        true
+    }
+
+    /// The place of the factors of a register of rows, by a pivot of those that are eliminated
+    /// together.
+    #[inline(always)]
+    fn place_of_factors(row: usize, pivot: usize) -> usize {
+        row * PIVOTS + pivot * T::ROWS
+    }
+
+    /// Writes the factors of a pivot, 0 for the rows up to it, and replaces the pivot by its
+    /// reciprocal. Returns whether a factor is larger than `most`; `None` where the pivot is 0.
+    #[inline(always)]
+    fn factors(self, [k, pivot]: [usize; 2], most: T, columns: &mut [T], factors: &mut [T]) -> Option<bool> {
+        let own = &mut columns[self.column(k)..][..self.height];
+        if own[k].is_zero() {
+            return None;
+        }
+        let reciprocal = own[k].reciprocal()?;
+        own[k] = reciprocal;
+        let start = k - k % T::ROWS;
+        let mut is_large = false;
+        for (r, factor) in factors[Self::place_of_factors(start, pivot)..][..T::ROWS].iter_mut().enumerate() {
+            *factor = if start + r > k { own[start + r] * reciprocal } else { T::zero() };
+            is_large |= factor.is_better_pivot(&most);
+        }
+        let (reciprocal, mut largest) = (L::spread(&reciprocal), L::spread(&T::zero()));
+        for chunk in (start + T::ROWS..self.height).step_by(T::ROWS) {
+            for part in (0..T::ROWS).step_by(L::WIDTH) {
+                let factor = L::load(own, chunk + part) * reciprocal;
+                largest = L::choose(factor.exceeds(largest), factor, largest);
+                factor.store(factors, Self::place_of_factors(chunk, pivot) + part);
+            }
+        }
+        Some(is_large || L::any(largest.exceeds(L::spread(&most))))
+    }
+
+    /// Reduces W columns, from this one on, by pivots whose factors are known.
+    #[inline(always)]
+    fn reduce<const W: usize>(self, columns: &mut [T], factors: &[T], column: usize, pivots: Range<usize>) {
+        // Rows of pivots are reduced by those before them.
+        let below = pivots.end.next_multiple_of(T::ROWS);
+        for k in pivots.clone() {
+            self.subtract::<W>(columns, factors, column, below, [k, k - pivots.start]);
+        }
+        if below < self.height {
+            self.subtract_all::<W>(columns, factors, column, below, pivots.start);
+        }
+    }
+
+    /// Subtracts the row of a pivot, times its factors, from the rows between it and `end` of W
+    /// columns, from this one on.
+    #[inline(always)]
+    fn subtract<const W: usize>(
+        self,
+        columns: &mut [T],
+        factors: &[T],
+        column: usize,
+        end: usize,
+        [k, pivot]: [usize; 2],
+    ) {
+        for column in columns[self.column(column)..][..W * self.height].chunks_exact_mut(self.height) {
+            let upper = L::spread(&column[k]);
+            for chunk in (k - k % T::ROWS..end).step_by(T::ROWS) {
+                for part in (0..T::ROWS).step_by(L::WIDTH) {
+                    let factor = L::load(factors, Self::place_of_factors(chunk, pivot) + part);
+                    minus_product(L::load(column, chunk + part), factor, upper).store(column, chunk + part);
+                }
+            }
+        }
+    }
+
+    /// Subtracts the rows of as many pivots as are eliminated together, times their factors, from
+    /// the rows of W columns, from this row and this column on.
+    #[inline(always)]
+    fn subtract_all<const W: usize>(
+        self,
+        columns: &mut [T],
+        factors: &[T],
+        column: usize,
+        below: usize,
+        first: usize,
+    ) {
+        let columns = &mut columns[self.column(column)..][..W * self.height];
+        let mut upper = [[T::zero(); W]; PIVOTS];
+        for (k, upper) in upper.iter_mut().enumerate() {
+            for w in 0..W {
+                upper[w] = columns[self.column(w) + first + k];
+            }
+        }
+        let groups = factors.chunks_exact(PIVOTS * T::ROWS).skip(below / T::ROWS);
+        for (chunk, group) in (below..self.height).step_by(T::ROWS).zip(groups) {
+            for part in (0..T::ROWS).step_by(L::WIDTH) {
+                let mut own = [L::spread(&T::zero()); W];
+                for w in 0..W {
+                    own[w] = L::load(columns, self.column(w) + chunk + part);
+                }
+                for k in 0..PIVOTS {
+                    let factor = L::load(group, k * T::ROWS + part);
+                    for w in 0..W {
+                        own[w] = minus_product(own[w], factor, L::spread(&upper[k][w]));
+                    }
+                }
+                for w in 0..W {
+                    own[w].store(columns, self.column(w) + chunk + part);
+                }
+            }
+        }
+    }
+
+    /// Solves the last column by the rows of the pivots, the last one first.
+    #[inline(always)]
+    fn substitute_back(self, columns: &mut [T]) {
+        let (columns, solution) = columns.split_at_mut(self.column(self.variables));
+        for k in (0..self.variables).rev() {
+            let column = &columns[self.column(k)..][..self.height];
+            let value = solution[k] * column[k];
+            solution[k] = value;
+            let whole = k - k % T::ROWS;
+            let spread = L::spread(&value);
+            for row in (0..whole).step_by(L::WIDTH) {
+                minus_product(L::load(solution, row), L::load(column, row), spread).store(solution, row);
+            }
+            for row in whole..k {
+                solution[row] = minus_product(solution[row], column[row], value);
+            }
+        }
+    }
+}
+
+/// c − a·b, fused as the scalars of this build do it: those of AVX2 always fuse.
+#[inline(always)]
+fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
+    if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }
+}
