@@ -1,5 +1,6 @@
 //! Many trajectories at once, over all processors.
 
+use std::mem::discriminant;
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
@@ -261,22 +262,26 @@ impl Many<f64> {
 /// steps.
 type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
 
-fn ends(py: Python<'_>, steps: u64, ends: impl Iterator<Item = End>) -> Ends<'_> {
-    let (mut words, mut made) = (Vec::new(), Vec::new());
-    let place = |end: End| {
+fn ends(py: Python<'_>, steps: u64, ends: impl ExactSizeIterator<Item = End>) -> Ends<'_> {
+    let mut kinds: Vec<End> = Vec::new();
+    let (mut places, mut made) = (Vec::with_capacity(ends.len()), Vec::with_capacity(ends.len()));
+    for end in ends {
         made.push(end.steps(steps) as i64);
-        let known = words.iter().position(|word| *word == end.name());
-        known.unwrap_or_else(|| {
-            words.push(end.name());
-            words.len() - 1
-        }) as u8
-    };
-    let places = ends.map(place).collect();
+        let known = kinds.iter().position(|kind| discriminant(kind) == discriminant(&end));
+        places.push(known.unwrap_or(kinds.len()) as u8);
+        if known.is_none() {
+            kinds.push(end);
+        }
+    }
+    let words = kinds.into_iter().map(End::name).collect();
     (words, PyArray1::from_vec(py, places), PyArray1::from_vec(py, made))
 }
 
 /// How trajectories ended that went on after so many steps; one that had ended stays so.
 fn together(before: &[End], more: Vec<End>, steps: u64) -> Vec<End> {
+    if before.is_empty() {
+        return more;
+    }
     let own = |(k, end): (usize, End)| match before.get(k) {
         Some(ended) if *ended != End::Complete => *ended,
         _ => end.after(steps),

@@ -4,7 +4,7 @@
 //! steps later, and how far each trajectory went; or the map of each. A trajectory has the same
 //! bits whatever stands beside it.
 
-use core::ops::{ControlFlow, Range};
+use core::ops::ControlFlow;
 use core::slice;
 
 use kahan_algebra::arithmetic::Float64;
@@ -13,7 +13,7 @@ use smallvec::SmallVec;
 
 use super::{MachineFloat, MapAt};
 use crate::dimension::Argument;
-use crate::engine::{CodedStages, Columns, with_scratch};
+use crate::engine::{CodedStages, Columns, given, with_scratch};
 use crate::follow::is_finite;
 use crate::machine::StepKind;
 use crate::{DimensionError, End, Follow, Followed};
@@ -66,8 +66,8 @@ impl<T: MachineFloat> MapAt<T> {
         parameters: &[&[T]],
         steps: u64,
     ) {
-        let is_eliminated_by_code = self.coded.as_ref().is_some_and(CodedStages::is_guarded);
-        if is_eliminated_by_code && eps.is_empty() && parameters.is_empty() {
+        let has_loops = self.coded.as_ref().is_some_and(CodedStages::has_loops);
+        if has_loops && eps.is_empty() && parameters.is_empty() {
             return self.advance_one_by_one(columns, steps);
         }
         let (own, own_eps) = self.own();
@@ -99,7 +99,7 @@ impl<T: MachineFloat> MapAt<T> {
     fn forget_undefined(&self, Columns { columns, parameters, .. }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
-            let values = parameters.iter().flat_map(|values| own(values, k..k + 1));
+            let values = parameters.iter().flat_map(|values| given(values, &(k..k + 1)));
             let values: Vec<f64> = values.map(Scalar::approximate).collect();
             if !self.map.field().derived().is_defined_at(&Float64, &values) {
                 columns.iter_mut().for_each(|column| column[k] = nothing());
@@ -151,8 +151,8 @@ impl<T: MachineFloat> MapAt<T> {
             let piece = first..trajectories.min(first + TOGETHER);
             let mut columns: Vec<&mut [T]> =
                 columns.iter_mut().map(|column| &mut column[piece.clone()]).collect();
-            let parameters: Vec<&[T]> = parameters.iter().map(|values| own(values, piece.clone())).collect();
-            let constants = (own(eps, piece.clone()), &parameters[..]);
+            let parameters: Vec<&[T]> = parameters.iter().map(|values| given(values, &piece)).collect();
+            let constants = (given(eps, &piece), &parameters[..]);
             self.follow_piece(kind, &mut columns, constants, steps, &mut before, &mut ends[piece]);
         }
         Ok(ends)
@@ -281,11 +281,11 @@ impl<T: MachineFloat> MapAt<T> {
         let (own_parameters, own_eps) = self.own();
         let field = self.map.field();
         let map = |k: usize| {
-            let eps = own(eps, k..k + 1).first().copied().unwrap_or(own_eps);
+            let eps = given(eps, &(k..k + 1)).first().copied().unwrap_or(own_eps);
             if parameters.is_empty() {
                 return self.at_constants(self.map.clone(), own_parameters.iter().copied(), eps);
             }
-            let values = parameters.iter().flat_map(|values| own(values, k..k + 1)).copied();
+            let values = parameters.iter().flat_map(|values| given(values, &(k..k + 1))).copied();
             let named = field.parameters().iter().zip(values.clone().map(|value| value.approximate()));
             match field.with(named) {
                 Ok(map) => self.at_constants(map, values, eps),
@@ -344,9 +344,4 @@ fn lost<T: MachineFloat>(columns: &[&mut [T]], ends: &[End]) -> Vec<usize> {
     }
     let is_lost = |k: usize| !columns.iter().all(|column| is_finite(&column[k..=k]));
     (0..ends.len()).filter(|&k| ends[k] == End::Complete && is_lost(k)).collect()
-}
-
-/// Of what is given once for all trajectories, or once each, or not at all, what these have.
-fn own<T>(values: &[T], trajectories: Range<usize>) -> &[T] {
-    if values.len() > 1 { &values[trajectories] } else { values }
 }

@@ -16,7 +16,7 @@ use super::scratch::with_scratch;
 use super::step::Steps;
 
 /// Steps between two looks at the guard of code.
-const GUARDED: u64 = 64;
+pub(super) const GUARDED: u64 = 64;
 
 /// Machine code, compiled at its first use; `None` if it cannot be compiled.
 type CodeOnce<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
@@ -33,8 +33,13 @@ pub(crate) struct CodedStages<T: RuntimeFloat> {
 }
 
 impl<T: RuntimeFloat> CodedStages<T> {
+    /// Whether it is the loops of a dense field, which step one state at a time.
+    pub(crate) fn has_loops(&self) -> bool {
+        self.code.has_loops()
+    }
+
     /// Whether the code may leave steps to the interpreter, as that of elimination does.
-    pub(crate) fn is_guarded(&self) -> bool {
+    fn is_guarded(&self) -> bool {
         self.code.is_guarded()
     }
 

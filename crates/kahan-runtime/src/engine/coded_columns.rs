@@ -5,11 +5,17 @@
 //! filled up with copies of the last trajectory. However the columns are divided, each trajectory
 //! goes through the same operations.
 
-use kahan_core::Composition;
+use std::ops::Range;
 
+use kahan_core::__private::LARGEST_FACTOR;
+use kahan_core::Composition;
+use smallvec::SmallVec;
+
+use crate::follow::is_finite;
 use crate::machine::{ColumnsCode, InstructionSet, StepKind};
 
-use super::columns::Columns;
+use super::coded::GUARDED;
+use super::columns::{Columns, advance, given};
 use super::floats::MachineFloat;
 use super::scratch::with_scratch;
 use super::{Engine, distinct, in_turn};
@@ -35,55 +41,129 @@ impl Engine {
     ) -> bool {
         let Some(set) = set.or_else(InstructionSet::best) else { return false };
         let Some(code) = self.codes.columns(self, kind, set) else { return false };
-        with_scratch(T::single(), |scratch| {
-            let mut prepared =
-                Prepared { code: &code, kind, composition, constants: &mut scratch.given, length: 0 };
-            let is_one = |values: &[T]| values.len() == 1;
-            let are_shared = is_one(columns.eps) && columns.parameters.iter().all(|values| is_one(values));
-            if are_shared {
-                prepared.of_registers(columns, 0, 1, &mut scratch.constants);
-            }
-            let (trajectories, width) =
-                (columns.columns.first().map_or(0, |column| column.len()), code.width());
-            let whole = trajectories / width * width;
-            for first in (0..whole).step_by(TILE) {
-                let end = whole.min(first + TILE);
-                if !are_shared {
-                    prepared.of_registers(columns, first, (end - first) / width, &mut scratch.constants);
-                }
-                let mut tile: Tile<'_, T> =
-                    columns.columns.iter_mut().map(|column| &mut column[first..end]).collect();
-                let crosses = |column: &&mut [T]| column.as_ptr().align_offset(LINE) != 0;
-                if steps >= WORTH_MOVING && tile.iter().any(crosses) {
-                    run_in_lines(&mut tile, &mut scratch.state, |moved| {
-                        prepared.run(moved, are_shared, steps);
-                    });
-                } else {
-                    prepared.run(&mut tile, are_shared, steps);
-                }
-            }
-            if whole < trajectories {
-                if !are_shared {
-                    prepared.of_registers(columns, whole, 1, &mut scratch.constants);
-                }
-                let rest = &mut scratch.state;
-                rest.clear();
-                for column in columns.columns.iter() {
-                    let last = column[trajectories - 1];
-                    rest.extend(column[whole..].iter().copied().chain(core::iter::repeat(last)).take(width));
-                }
-                {
-                    let mut tile: Tile<'_, T> = rest.chunks_exact_mut(width).collect();
-                    prepared.run(&mut tile, are_shared, steps);
-                }
-                for (column, advanced) in columns.columns.iter_mut().zip(rest.chunks_exact(width)) {
-                    let rest = &mut column[whole..];
-                    rest.copy_from_slice(&advanced[..rest.len()]);
-                }
-            }
-        });
+        if code.is_guarded() {
+            self.advance_guarded(&code, columns, composition, steps, kind);
+        } else {
+            run(&code, columns, composition, steps, kind);
+        }
         true
     }
+
+    /// Advances every trajectory by code that is guarded; the interpreter makes the steps of those
+    /// that the guard refuses.
+    fn advance_guarded<T: MachineFloat>(
+        &self,
+        code: &ColumnsCode<T>,
+        Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>,
+        composition: Composition,
+        steps: u64,
+        kind: StepKind,
+    ) {
+        let step = (self.steps().form(kind.is_general), kind);
+        let trajectories = columns.first().map_or(0, |column| column.len());
+        let (mut guard, mut before) = (Vec::new(), Vec::new());
+        for first in (0..trajectories).step_by(TILE) {
+            let piece = first..trajectories.min(first + TILE);
+            for made in (0..steps).step_by(GUARDED as usize) {
+                let now = GUARDED.min(steps - made);
+                guard.clear();
+                guard.resize(piece.len(), T::zero());
+                before.clear();
+                columns.iter().for_each(|column| before.extend_from_slice(&column[piece.clone()]));
+                {
+                    let mut own = part(columns, &piece);
+                    own.push(&mut guard);
+                    let own_eps = given(eps, &piece);
+                    let own_parameters: Parameters<'_, T> =
+                        parameters.iter().map(|values| given(values, &piece)).collect();
+                    let columns =
+                        &mut Columns { columns: &mut own, eps: own_eps, parameters: &own_parameters };
+                    run(code, columns, composition, now, kind);
+                }
+                for k in piece.clone() {
+                    let is_kept = guard[k - first].approximate() <= LARGEST_FACTOR as f64;
+                    if is_kept && columns.iter().all(|column| is_finite(&column[k..=k])) {
+                        continue;
+                    }
+                    for (column, before) in columns.iter_mut().zip(before.chunks_exact(piece.len())) {
+                        column[k] = before[k - first];
+                    }
+                    let alone = k..k + 1;
+                    let own_parameters: Parameters<'_, T> =
+                        parameters.iter().map(|values| given(values, &alone)).collect();
+                    let columns = &mut Columns {
+                        columns: &mut part(columns, &alone),
+                        eps: given(eps, &alone),
+                        parameters: &own_parameters,
+                    };
+                    advance(step, T::single(), columns, composition, now);
+                }
+            }
+        }
+    }
+}
+
+/// Values of all parameters.
+type Parameters<'a, T> = SmallVec<[&'a [T]; 8]>;
+
+/// Some trajectories of all columns.
+fn part<'a, T>(columns: &'a mut [&mut [T]], trajectories: &Range<usize>) -> Tile<'a, T> {
+    columns.iter_mut().map(|column| &mut column[trajectories.clone()]).collect()
+}
+
+/// Advances every trajectory by code; a guard of the code is one of the columns.
+fn run<T: MachineFloat>(
+    code: &ColumnsCode<T>,
+    columns: &mut Columns<'_, '_, T>,
+    composition: Composition,
+    steps: u64,
+    kind: StepKind,
+) {
+    with_scratch(T::single(), |scratch| {
+        let mut prepared = Prepared { code, kind, composition, constants: &mut scratch.given, length: 0 };
+        let is_one = |values: &[T]| values.len() == 1;
+        let are_shared = is_one(columns.eps) && columns.parameters.iter().all(|values| is_one(values));
+        if are_shared {
+            prepared.of_registers(columns, 0, 1, &mut scratch.constants);
+        }
+        let (trajectories, width) = (columns.columns.first().map_or(0, |column| column.len()), code.width());
+        let whole = trajectories / width * width;
+        for first in (0..whole).step_by(TILE) {
+            let end = whole.min(first + TILE);
+            if !are_shared {
+                prepared.of_registers(columns, first, (end - first) / width, &mut scratch.constants);
+            }
+            let mut tile: Tile<'_, T> =
+                columns.columns.iter_mut().map(|column| &mut column[first..end]).collect();
+            let crosses = |column: &&mut [T]| column.as_ptr().align_offset(LINE) != 0;
+            if steps >= WORTH_MOVING && tile.iter().any(crosses) {
+                run_in_lines(&mut tile, &mut scratch.state, |moved| {
+                    prepared.run(moved, are_shared, steps);
+                });
+            } else {
+                prepared.run(&mut tile, are_shared, steps);
+            }
+        }
+        if whole < trajectories {
+            if !are_shared {
+                prepared.of_registers(columns, whole, 1, &mut scratch.constants);
+            }
+            let rest = &mut scratch.state;
+            rest.clear();
+            for column in columns.columns.iter() {
+                let last = column[trajectories - 1];
+                rest.extend(column[whole..].iter().copied().chain(core::iter::repeat(last)).take(width));
+            }
+            {
+                let mut tile: Tile<'_, T> = rest.chunks_exact_mut(width).collect();
+                prepared.run(&mut tile, are_shared, steps);
+            }
+            for (column, advanced) in columns.columns.iter_mut().zip(rest.chunks_exact(width)) {
+                let rest = &mut column[whole..];
+                rest.copy_from_slice(&advanced[..rest.len()]);
+            }
+        }
+    });
 }
 
 /// Runs a tile where its columns begin with cache lines, in `workspace`, and takes the results
@@ -115,7 +195,7 @@ fn run_in_lines<T: MachineFloat>(
 }
 
 /// A stretch of every column; few columns take no allocation.
-type Tile<'a, T> = smallvec::SmallVec<[&'a mut [T]; 16]>;
+type Tile<'a, T> = SmallVec<[&'a mut [T]; 16]>;
 
 /// The constants of the stages that differ, one stage after the other.
 struct Prepared<'a, T> {

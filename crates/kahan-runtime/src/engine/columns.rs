@@ -4,6 +4,8 @@
 //! steps later. Trajectories go side by side through the form of the step that ensembles or single
 //! orbits take; a step by elimination, which compares numbers, moves one after the other.
 
+use core::ops::Range;
+
 use kahan_core::{Composition, Scalar};
 
 use crate::machine::{InstructionSet, StepKind};
@@ -26,8 +28,13 @@ pub(crate) struct Columns<'a, 'b, T> {
     pub(crate) parameters: &'a [&'a [T]],
 }
 
+/// Of what is given once for all trajectories, or once each, or not at all, what these have.
+pub(crate) fn given<'a, T>(values: &'a [T], trajectories: &Range<usize>) -> &'a [T] {
+    if values.len() > 1 { &values[trajectories.clone()] } else { values }
+}
+
 /// Numbers of as many trajectories as go side by side.
-trait Lanes<T>: Scalar + Copy {
+pub(super) trait Lanes<T>: Scalar + Copy {
     /// How many.
     const WIDTH: usize;
 
@@ -107,7 +114,7 @@ impl Engine {
 
 /// Advances the trajectories in groups of as many as go side by side; where the last are fewer,
 /// copies of the last one fill the group.
-fn advance<T, V>(
+pub(super) fn advance<T, V>(
     (step, kind): (&Step, StepKind),
     local: Local<V>,
     Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>,

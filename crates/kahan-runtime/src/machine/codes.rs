@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use kahan_core::{FloatScalar, Precision};
+use kahan_core::FloatScalar;
 use kahan_jit::{
     ComposedOrbit, Constants, Function, InstructionSet, LaneCount, Orbit, Refusal, Shape, Sweep,
 };
@@ -95,6 +95,7 @@ pub(crate) struct ColumnsCode<T> {
     constants: Function<T>,
     shared: Sweep<T>,
     own: Sweep<T>,
+    is_guarded: bool,
 }
 
 impl<T> CodesOf<T> {
@@ -118,10 +119,7 @@ impl Codes {
         is_composed: bool,
     ) -> Option<Arc<OrbitCode<T>>> {
         T::of(self).orbits.get((kind, is_composed), || {
-            let (program, is_guarded) = match kind.program::<T>(engine) {
-                Some(program) => (program, kind.precision == Precision::DoubleDouble),
-                None => (kind.eliminating::<T>(engine)?, true),
-            };
+            let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
             let instructions = if kind.fuses { InstructionSet::Avx2 } else { InstructionSet::Avx };
             let shape = Shape { instructions, lanes: LaneCount::One, fuses: kind.fuses };
             let step = if is_composed {
@@ -185,6 +183,11 @@ impl<T: MachineFloat> OrbitCode<T> {
         OrbitCode { step: StepCode::Loops(kind), is_guarded: true }
     }
 
+    /// Whether it is the loops of a dense field.
+    pub(crate) fn has_loops(&self) -> bool {
+        matches!(self.step, StepCode::Loops(_))
+    }
+
     /// Whether a guard comes behind the numbers of a state, which begins as 0: it is at most
     /// [`LARGEST_FACTOR`](kahan_core::__private::LARGEST_FACTOR) as long as each step has the
     /// operations of the interpreter, or leads to a number that is not finite.
@@ -222,16 +225,22 @@ impl<T: MachineFloat> OrbitCode<T> {
 impl<T: Coded> ColumnsCode<T> {
     fn compile(engine: &Engine, kind: StepKind, shape: Shape) -> Option<Result<Self, Refusal>> {
         let prepared = programs::prepared::<T>(engine, kind.is_general)?;
-        let program = kind.program::<T>(engine)?;
+        let (program, is_guarded) = kind.guarded_program::<T>(engine)?;
         let compile = || {
             Ok(ColumnsCode {
                 // Constants are rounded once each, whatever the step does.
                 constants: Function::compile(&prepared, Shape { fuses: false, ..shape })?,
                 shared: Sweep::compile(&program, shape, Constants::Shared)?,
                 own: Sweep::compile(&program, shape, Constants::Own)?,
+                is_guarded,
             })
         };
         Some(compile())
+    }
+
+    /// Whether a guard comes behind the columns of a state, as behind a state of [`OrbitCode`].
+    pub(crate) fn is_guarded(&self) -> bool {
+        self.is_guarded
     }
 
     /// How many trajectories go side by side.

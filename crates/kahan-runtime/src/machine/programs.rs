@@ -36,13 +36,21 @@ impl StepKind {
         traced::program(|| self.next(step, Traced::<T>::states(0..numbers)))
     }
 
+    /// The program of a step, and whether a guard comes last.
+    pub(super) fn guarded_program<T: Coded>(self, engine: &Engine) -> Option<(Program, bool)> {
+        match self.program::<T>(engine) {
+            Some(program) => Some((program, self.precision == Precision::DoubleDouble)),
+            None => Some((self.eliminating::<T>(engine)?, true)),
+        }
+    }
+
     /// The program of a step that eliminates: constants are the parameters and ε, and a guard comes
     /// last. The guard stays at most [`LARGEST_FACTOR`] as long as the interpreter finds all pivots
     /// large enough and all numbers are finite. `None` in double-double, where multiply-adds are not
     /// those of this build, and where it takes too many operations.
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
-    pub(super) fn eliminating<T: Coded>(self, engine: &Engine) -> Option<Program> {
+    fn eliminating<T: Coded>(self, engine: &Engine) -> Option<Program> {
         let couplings = engine.derived.couplings()?;
         let operations = couplings.cost(&engine.derived.field).operations;
         let is_of_build = self.fuses == cfg!(target_feature = "fma");
@@ -144,10 +152,17 @@ pub(super) fn object<T: Coded>(object: Object, engine: &Engine) -> Option<Progra
     })
 }
 
-/// The program of the constants that the step of columns is prepared with.
+/// The program of the constants that the step of columns is prepared with; a step that eliminates
+/// takes the parameters and ε as they are.
 pub(super) fn prepared<T: Coded>(engine: &Engine, is_general: bool) -> Option<Program> {
-    let [prepared, _] = engine.steps().form(is_general).lines()?;
-    traced::program(|| Some(results(prepared, &constants::<T>(engine), &[])))
+    let lines = engine.steps().form(is_general).lines();
+    traced::program(|| {
+        let constants = constants::<T>(engine);
+        Some(match lines {
+            Some([prepared, _]) => results(prepared, &constants, &[]),
+            None => constants,
+        })
+    })
 }
 
 /// The program of a state that stays as it is, and the integrals behind it.
