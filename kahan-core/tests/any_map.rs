@@ -7,7 +7,7 @@ use kahan_core::prelude::*;
 use kahan_core::{Compensated, Increments, LatticeAt, Level, Orbit, Step, Tangent, Workspace};
 
 use super::lattices::{Kdv, Ring, Shore, Toda};
-use super::systems::E6;
+use super::systems::{Burst, E6, Turn};
 
 const EPS: f64 = 0.03;
 const STEPS: u64 = 9;
@@ -179,13 +179,9 @@ fn an_orbit_of_another_length_panics() {
 
 #[test]
 fn a_run_stops_at_a_pole_of_an_exact_scalar() {
-    kahan! {
-        /// ẋ = x², with a pole at x = 1/ε.
-        struct Growth;
-        xdot = x^2;
-    }
+    // The map has a pole at x = 1/ε.
     let [eps, start] = [(1, 8), (2, 1)].map(|(p, q): (i64, i64)| BigRational::new(p.into(), q.into()));
-    let map = Growth.at(eps.clone());
+    let map = Burst.at(eps.clone());
     let mut x = [start.clone()];
     let stopped = map.advance(&mut x, 9, &mut Workspace::new()).unwrap_err();
     let points: Vec<_> = map.orbit([start].into()).collect();
@@ -206,12 +202,6 @@ fn a_state_of_another_length_panics() {
 /// A circle with the angle 2 arctan ε a step: x = 0 first after a quarter of it.
 #[test]
 fn a_first_crossing_is_told_of_any_map() {
-    kahan! {
-        /// A circle around the origin.
-        struct Turn;
-        xdot = y;
-        ydot = -x;
-    }
     let map = Turn.at(EPS);
     let crossing = first_crossing(&map, vector![1.0, 0.0], 1000, |x| x[0]).unwrap();
     // θ steps of ε turn by 2 arctan(θε) each.
@@ -312,12 +302,6 @@ fn escapes_and_crossings_can_end_a_run() {
 /// On a circle the map turns by 2 arctan ε a step, and by 2 arctan θε a part of it.
 #[test]
 fn orbits_are_told_by_time() {
-    kahan! {
-        /// A circle around the origin.
-        struct Turn;
-        xdot = y;
-        ydot = -x;
-    }
     // Times are whole numbers of steps of ¼, and halves.
     let eps = 0.125_f64;
     let start = vector![0.6, 0.8];

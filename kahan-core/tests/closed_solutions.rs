@@ -3,14 +3,11 @@
 use kahan_core::prelude::*;
 use kahan_core::{Flow, FlowScalar, NoFlow, QuadraticField};
 
+use super::systems::Burst;
+
 kahan! {
     struct Logistic;
     xdot = x*(1 - x);
-}
-
-kahan! {
-    struct Burst;
-    xdot = x^2;
 }
 
 kahan! {

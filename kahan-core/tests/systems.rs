@@ -41,6 +41,13 @@ kahan! {
 }
 
 kahan! {
+    /// A circle around the origin: a step turns by 2 arctan ε.
+    pub(crate) struct Turn;
+    xdot = y;
+    ydot = -x;
+}
+
+kahan! {
     /// Its solution 1/(1/x₀ − t) ends at t = 1/x₀.
     pub(crate) struct Burst;
     xdot = x^2;

@@ -3,8 +3,8 @@
 use kahan_core::prelude::*;
 use kahan_core::{Axis, Ensemble, Level};
 
-use crate::ensemble::in_lanes::LotkaVolterra;
 use crate::ensemble::points;
+use crate::systems::LotkaVolterra;
 
 #[test]
 fn points_come_back_in_order() {

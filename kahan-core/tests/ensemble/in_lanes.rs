@@ -1,17 +1,14 @@
-//! What the ensembles run: one to six variables, with and without parameters, one by elimination.
+//! Maps that ensembles run beside those of `systems`: one to six variables, with and without parameters,
+//! one by elimination.
 
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, QuadraticField};
 
+use crate::systems::LotkaVolterra;
+
 kahan! {
     pub(crate) struct Logistic { rate }
     xdot = rate*x*(1 - x);
-}
-
-kahan! {
-    pub(crate) struct LotkaVolterra;
-    xdot = x*(1 - y);
-    ydot = y*(x - 1);
 }
 
 kahan! {
@@ -27,13 +24,6 @@ kahan! {
     xdot = x*y;
     ydot = -x^2;
     zdot = y*(2*x - z);
-}
-
-kahan! {
-    pub(crate) struct EulerTop { a1, a2, a3 }
-    xdot = a1*y*z;
-    ydot = a2*z*x;
-    zdot = a3*x*y;
 }
 
 kahan! {

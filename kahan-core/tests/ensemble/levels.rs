@@ -4,8 +4,9 @@ use kahan_core::prelude::*;
 use kahan_core::{Constant, Ensemble, EnsembleScalar, KahanAt, Level, PreparedStep, Reciprocal, WideStep};
 
 use crate::ensemble::fused::Fused;
-use crate::ensemble::in_lanes::{ByElimination, Clebsch, E3, E5, EulerTop, Logistic, LotkaVolterra};
+use crate::ensemble::in_lanes::{ByElimination, Clebsch, E3, E5, Logistic};
 use crate::ensemble::{assert_same, fuses, levels, points};
+use crate::systems::{EulerTop, LotkaVolterra};
 
 /// Around the widths of all registers, and around tiles.
 #[cfg(not(miri))]

@@ -5,15 +5,8 @@ use kahan_core::prelude::*;
 use kahan_core::{Advances, Composition, Dd, Ensemble, EnsembleScalar};
 
 use super::levels;
+use crate::observe::Lorenz;
 use crate::systems::{E6, EulerTop};
-
-kahan! {
-    /// Lorenz' system, whose step has a second form, over ε.
-    struct Lorenz { sigma, rho, beta }
-    xdot = sigma*(y - x);
-    ydot = x*(rho - z) - y;
-    zdot = x*y - beta*z;
-}
 
 kahan! {
     /// A chain of nine, which is eliminated and has no lanes.

@@ -3,8 +3,9 @@
 use kahan_core::prelude::*;
 use kahan_core::{Ensemble, Reciprocal};
 
-use crate::ensemble::in_lanes::{E3, LotkaVolterra};
+use crate::ensemble::in_lanes::E3;
 use crate::ensemble::{assert_same, levels, points};
+use crate::systems::LotkaVolterra;
 
 const STEPS: u64 = if cfg!(miri) { 1 } else { 10 };
 

@@ -3,7 +3,7 @@
 use kahan_core::observe::{Escape, Extrema, Period, Residence};
 use kahan_core::prelude::*;
 
-use crate::systems::E6;
+use crate::systems::{E6, Turn};
 
 #[test]
 fn step_0_is_the_first_point_and_the_orbit_goes_on_where_it_was_left() {
@@ -32,13 +32,6 @@ fn compensated_and_scaled_orbits_show_the_points_that_they_yield() {
     let seen = scaled().observe(100, vec![Extrema::of(last)]);
     let greatest = scaled().take(101).map(|x| x[1]).fold(f64::NEG_INFINITY, f64::max);
     assert_eq!(seen[0].unwrap().greatest, greatest);
-}
-
-kahan! {
-    /// A quarter turn a step with ε = 1.
-    struct Turn;
-    xdot = y;
-    ydot = -x;
 }
 
 #[test]

@@ -7,6 +7,7 @@ use kahan_core::{Dd, FloatScalar, LatticeMap, Orbit, PointOf, Step};
 
 use super::HenonHeiles;
 use crate::lattices::Ring;
+use crate::systems::{Burst, Turn};
 
 kahan! {
     /// The angle of the tangent x grows by arctan 2ε a step, so x rises through 0 and falls through
@@ -17,22 +18,9 @@ kahan! {
 }
 
 kahan! {
-    /// A circle around the origin.
-    pub(crate) struct Turn;
-    xdot = y;
-    ydot = -x;
-}
-
-kahan! {
     /// A point that moves along a line.
     pub(crate) struct Straight;
     xdot = 1;
-}
-
-kahan! {
-    /// Reaches infinity in finite time.
-    pub(crate) struct Riccati;
-    xdot = x^2;
 }
 
 const START: [f64; 4] = [0.0, 0.1, 0.45, 0.1];
@@ -273,8 +261,8 @@ fn projective_orbits_jump_at_infinity() {
         assert_eq!((found.points.all, found.jumps), expected);
     }
     // A point at infinity is not shown: its neighbours are no neighbours of each other.
-    let map = Riccati.at(0.25);
+    let map = Burst.at(0.25);
     let both = Section::new(&map, |x: &[f64]| x[0], Direction::Both, AtMost::new(9));
-    let found = Riccati.orbit(vector![1.0], 0.25).projective().observe(4, both);
+    let found = Burst.orbit(vector![1.0], 0.25).projective().observe(4, both);
     assert_eq!((found.points.all, found.jumps), (0, 1));
 }

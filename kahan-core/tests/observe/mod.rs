@@ -10,7 +10,7 @@ mod sections;
 use kahan_core::prelude::*;
 
 kahan! {
-    /// Lorenz' system.
+    /// Lorenz' system, whose step has a second form, over ε.
     pub(crate) struct Lorenz { sigma, rho, beta }
     xdot = sigma*(y - x);
     ydot = x*(rho - z) - y;

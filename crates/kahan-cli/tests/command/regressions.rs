@@ -17,8 +17,12 @@ fn a_parameter_that_cancels_is_not_printed_into_the_block() {
 
 #[test]
 fn beyond_the_budget_a_pole_is_said_to_be_one_by_convention() {
-    let output = kahan(&["eval", "--field", BEYOND_THE_BUDGET, "--eps", "1/2", "--at", "1,0,0,0,0"]);
-    assert_eq!(output.status.code(), Some(1));
-    let complaint = text(&output.stderr);
-    assert!(complaint.contains("det A = 0") && complaint.contains("budget"), "{complaint}");
+    let steps = ["--steps", "2", "--scalar", "exact"];
+    for (command, further) in [("eval", &[][..]), ("orbit", &steps)] {
+        let at_a_pole = [command, "--field", BEYOND_THE_BUDGET, "--eps", "1/2", "--at", "1,0,0,0,0"];
+        let output = kahan(&[&at_a_pole, further].concat());
+        assert_eq!(output.status.code(), Some(1), "{command}");
+        let complaint = text(&output.stderr);
+        assert!(complaint.contains("det A = 0") && complaint.contains("budget"), "{complaint}");
+    }
 }

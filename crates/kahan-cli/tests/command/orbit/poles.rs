@@ -1,7 +1,6 @@
 //! Poles on the way, and what is said of them.
 
 use super::*;
-use crate::running::BEYOND_THE_BUDGET;
 
 /// E6 at ε = 1: det A = 0 at (1/2, 0, 1/2).
 const AT_A_POLE: [&str; 7] = ["e6", "--eps", "1", "--at", "1/2,0,1/2", "--steps", "5"];
@@ -119,25 +118,6 @@ fn a_float_orbit_that_overflows_ends_with_finite_rows() {
         kahan(&with(&arguments[..8], &["--scalar".to_owned(), "exact".to_owned()])).status.code(),
         Some(0)
     );
-}
-
-#[test]
-fn beyond_the_budget_a_pole_is_said_to_be_one_by_convention() {
-    let output = kahan(&[
-        "--field",
-        BEYOND_THE_BUDGET,
-        "--eps",
-        "1/2",
-        "--at",
-        "1,0,0,0,0",
-        "--steps",
-        "2",
-        "--scalar",
-        "exact",
-    ]);
-    assert_eq!(output.status.code(), Some(1));
-    let complaint = text(&output.stderr);
-    assert!(complaint.contains("det A = 0") && complaint.contains("budget"), "{complaint}");
 }
 
 #[test]
