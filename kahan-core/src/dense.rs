@@ -111,19 +111,19 @@ impl<T: Float> Workspace<T> {
 /// [`Couplings::factor`](crate::__private::Couplings::factor) does.
 #[must_use]
 pub fn velocity<T: Float>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) -> bool {
-    run(Work { packed, x, eps, eliminates: true, workspace })
+    run(Work { packed, x, eps, eliminates: true, workspace }, Level::Avx2)
 }
 
 /// Computes A(x,ε), and f(x) behind it.
 pub fn assemble<T: Float>(packed: &[T], x: &[T], eps: T, workspace: &mut Workspace<T>) {
-    run(Work { packed, x, eps, eliminates: false, workspace });
+    run(Work { packed, x, eps, eliminates: false, workspace }, Level::Avx2);
 }
 
-fn run<T: Float>(work: Work<'_, T>) -> bool {
+fn run<T: Float>(work: Work<'_, T>, level: Level) -> bool {
     let (n, height) = (work.x.len(), height::<T>(work.x.len()));
     work.workspace.columns.resize(height * (n + 1), T::zero());
     work.workspace.factors.resize(height * PIVOTS, T::zero());
-    T::run(work, Level::Avx2)
+    T::run(work, level)
 }
 
 struct Work<'a, T> {
@@ -162,35 +162,41 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
         j * self.height
     }
 
+    /// The registers between two places that begin one. Ranges of other steps are not always inlined.
+    #[inline(always)]
+    fn registers(self, start: usize, end: usize) -> Range<usize> {
+        start / L::WIDTH..end / L::WIDTH
+    }
+
+    /// The coefficients of a variable in the rows of a register.
+    #[inline(always)]
+    fn linear(self, packed: &[T], row: usize, j: usize) -> L {
+        L::load(packed, (1 + j) * T::ROWS + row % T::ROWS)
+    }
+
     #[inline(always)]
     fn assemble(self, packed: &[T], x: &[T], eps: T, columns: &mut [T]) {
         let n = self.variables;
-        for (chunk, packed) in packed.chunks_exact(coefficients(n) * T::ROWS).enumerate() {
-            for part in (0..T::ROWS).step_by(L::WIDTH) {
-                let row = chunk * T::ROWS + part;
-                let linear = |j: usize| L::load(packed, (1 + j) * T::ROWS + part);
-                (0..n).for_each(
-                    #[inline(always)]
-                    |j| linear(j).store(columns, self.column(j) + row),
-                );
-                let mut field = L::load(packed, part);
-                let mut next = (1 + n) * T::ROWS + part;
-                let whole = n - n % COLUMNS;
-                for first in (0..whole).step_by(COLUMNS) {
-                    let mut cofactors = [field; COLUMNS];
-                    for w in 0..COLUMNS {
-                        cofactors[w] = linear(first + w);
-                    }
-                    self.block::<COLUMNS>([first, row], packed, &mut next, x, cofactors, &mut field, columns);
-                }
-                for first in whole..n {
-                    self.block::<1>([first, row], packed, &mut next, x, [linear(first)], &mut field, columns);
-                }
-                field.store(columns, self.column(n) + row);
+        let together = coefficients(n) * T::ROWS;
+        for register in self.registers(0, self.height) {
+            let row = register * L::WIDTH;
+            let packed = &packed[row / T::ROWS * together..][..together];
+            for j in 0..n {
+                self.linear(packed, row, j).store(columns, self.column(j) + row);
             }
+            let mut field = L::load(packed, row % T::ROWS);
+            let mut next = (1 + n) * T::ROWS;
+            for block in 0..n / COLUMNS {
+                self.block::<COLUMNS>([block * COLUMNS, row], packed, &mut next, x, &mut field, columns);
+            }
+            for first in n - n % COLUMNS..n {
+                self.block::<1>([first, row], packed, &mut next, x, &mut field, columns);
+            }
+            field.store(columns, self.column(n) + row);
         }
         let negated = L::spread(&-eps);
-        for place in (0..self.column(n)).step_by(L::WIDTH) {
+        for register in self.registers(0, self.column(n)) {
+            let place = register * L::WIDTH;
             (L::load(columns, place) * negated).store(columns, place);
         }
         for k in 0..n {
@@ -202,54 +208,55 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
     /// Adds the products with W variables, from `first` on, to the slopes in the rows of a register,
     /// and what these variables contribute to the field.
     #[inline(always)]
-    #[expect(clippy::too_many_arguments, reason = "one loop nest")]
     fn block<const W: usize>(
         self,
         [first, row]: [usize; 2],
         packed: &[T],
         next: &mut usize,
         x: &[T],
-        mut cofactors: [L; W],
         field: &mut L,
         columns: &mut [T],
     ) {
         let place = |w: usize| self.column(first + w) + row;
+        let mut cofactors = [*field; W];
         let (mut own, mut slopes) = (cofactors, cofactors);
         for w in 0..W {
+            cofactors[w] = self.linear(packed, row, first + w);
             own[w] = L::spread(&x[first + w]);
             slopes[w] = L::load(columns, place(w));
         }
         for j in 0..W {
             for k in j..W {
-                let coefficient = L::load(packed, *next);
+                let coefficient = L::load(packed, *next + row % T::ROWS);
                 *next += T::ROWS;
                 let product = coefficient * own[k];
-                cofactors[j] = cofactors[j] + product;
+                cofactors[j] += product;
                 if j == k {
-                    slopes[j] = slopes[j] + (product + product);
+                    slopes[j] += product + product;
                 } else {
-                    slopes[j] = slopes[j] + product;
-                    slopes[k] = slopes[k] + coefficient * own[j];
+                    slopes[j] += product;
+                    slopes[k] += coefficient * own[j];
                 }
             }
         }
-        let others =
-            columns[self.column(first + W)..self.column(self.variables)].chunks_exact_mut(self.height);
-        let groups = packed[*next..].chunks_exact(W * T::ROWS);
-        for ((other, factor), group) in others.zip(&x[first + W..]).zip(groups) {
-            let (mut sum, factor) = (L::load(other, row), L::spread(factor));
+        let others = &mut columns[self.column(first + W)..self.column(self.variables)];
+        let groups = &packed[*next..];
+        for k in 0..self.variables - first - W {
+            let other = &mut others[self.column(k)..][..self.height];
+            let group = &groups[k * W * T::ROWS..][..W * T::ROWS];
+            let (mut sum, factor) = (L::load(other, row), L::spread(&x[first + W + k]));
             for w in 0..W {
-                let coefficient = L::load(group, w * T::ROWS);
+                let coefficient = L::load(group, w * T::ROWS + row % T::ROWS);
                 let product = coefficient * factor;
-                cofactors[w] = cofactors[w] + product;
-                slopes[w] = slopes[w] + product;
-                sum = sum + coefficient * own[w];
+                cofactors[w] += product;
+                slopes[w] += product;
+                sum += coefficient * own[w];
             }
             sum.store(other, row);
         }
         *next += (x.len() - first - W) * W * T::ROWS;
         for w in 0..W {
-            *field = *field + own[w] * cofactors[w];
+            *field += own[w] * cofactors[w];
             slopes[w].store(columns, place(w));
         }
     }
@@ -296,7 +303,7 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
     /// together.
     #[inline(always)]
     fn place_of_factors(row: usize, pivot: usize) -> usize {
-        row * PIVOTS + pivot * T::ROWS
+        (row / T::ROWS * PIVOTS + pivot) * T::ROWS + row % T::ROWS
     }
 
     /// Writes the factors of a pivot, 0 for the rows up to it, and replaces the pivot by its
@@ -316,12 +323,11 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
             is_large |= factor.is_better_pivot(&most);
         }
         let (reciprocal, mut largest) = (L::spread(&reciprocal), L::spread(&T::zero()));
-        for chunk in (start + T::ROWS..self.height).step_by(T::ROWS) {
-            for part in (0..T::ROWS).step_by(L::WIDTH) {
-                let factor = L::load(own, chunk + part) * reciprocal;
-                largest = L::choose(factor.exceeds(largest), factor, largest);
-                factor.store(factors, Self::place_of_factors(chunk, pivot) + part);
-            }
+        for register in self.registers(start + T::ROWS, self.height) {
+            let row = register * L::WIDTH;
+            let factor = L::load(own, row) * reciprocal;
+            largest = L::choose(factor.exceeds(largest), factor, largest);
+            factor.store(factors, Self::place_of_factors(row, pivot));
         }
         Some(is_large || L::any(largest.exceeds(L::spread(&most))))
     }
@@ -350,13 +356,13 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
         end: usize,
         [k, pivot]: [usize; 2],
     ) {
-        for column in columns[self.column(column)..][..W * self.height].chunks_exact_mut(self.height) {
+        for w in 0..W {
+            let column = &mut columns[self.column(column + w)..][..self.height];
             let upper = L::spread(&column[k]);
-            for chunk in (k - k % T::ROWS..end).step_by(T::ROWS) {
-                for part in (0..T::ROWS).step_by(L::WIDTH) {
-                    let factor = L::load(factors, Self::place_of_factors(chunk, pivot) + part);
-                    minus_product(L::load(column, chunk + part), factor, upper).store(column, chunk + part);
-                }
+            for register in self.registers(k - k % T::ROWS, end) {
+                let row = register * L::WIDTH;
+                let factor = L::load(factors, Self::place_of_factors(row, pivot));
+                minus_product(L::load(column, row), factor, upper).store(column, row);
             }
         }
     }
@@ -364,6 +370,7 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
     /// Subtracts the rows of as many pivots as are eliminated together, times their factors, from
     /// the rows of W columns, from this row and this column on.
     #[inline(always)]
+    #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn subtract_all<const W: usize>(
         self,
         columns: &mut [T],
@@ -374,27 +381,26 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
     ) {
         let columns = &mut columns[self.column(column)..][..W * self.height];
         let mut upper = [[T::zero(); W]; PIVOTS];
-        for (k, upper) in upper.iter_mut().enumerate() {
+        for k in 0..PIVOTS {
             for w in 0..W {
-                upper[w] = columns[self.column(w) + first + k];
+                upper[k][w] = columns[self.column(w) + first + k];
             }
         }
-        let groups = factors.chunks_exact(PIVOTS * T::ROWS).skip(below / T::ROWS);
-        for (chunk, group) in (below..self.height).step_by(T::ROWS).zip(groups) {
-            for part in (0..T::ROWS).step_by(L::WIDTH) {
-                let mut own = [L::spread(&T::zero()); W];
+        for register in self.registers(below, self.height) {
+            let row = register * L::WIDTH;
+            let group = &factors[Self::place_of_factors(row, 0) - row % T::ROWS..][..PIVOTS * T::ROWS];
+            let mut own = [L::spread(&T::zero()); W];
+            for w in 0..W {
+                own[w] = L::load(columns, self.column(w) + row);
+            }
+            for k in 0..PIVOTS {
+                let factor = L::load(group, k * T::ROWS + row % T::ROWS);
                 for w in 0..W {
-                    own[w] = L::load(columns, self.column(w) + chunk + part);
+                    own[w] = minus_product(own[w], factor, L::spread(&upper[k][w]));
                 }
-                for k in 0..PIVOTS {
-                    let factor = L::load(group, k * T::ROWS + part);
-                    for w in 0..W {
-                        own[w] = minus_product(own[w], factor, L::spread(&upper[k][w]));
-                    }
-                }
-                for w in 0..W {
-                    own[w].store(columns, self.column(w) + chunk + part);
-                }
+            }
+            for w in 0..W {
+                own[w].store(columns, self.column(w) + row);
             }
         }
     }
@@ -409,7 +415,8 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
             solution[k] = value;
             let whole = k - k % T::ROWS;
             let spread = L::spread(&value);
-            for row in (0..whole).step_by(L::WIDTH) {
+            for register in self.registers(0, whole) {
+                let row = register * L::WIDTH;
                 minus_product(L::load(solution, row), L::load(column, row), spread).store(solution, row);
             }
             for row in whole..k {
@@ -423,4 +430,43 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
 #[inline(always)]
 fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
     if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::{Float, Work, Workspace, coefficients, pack, run};
+    use crate::Level;
+
+    /// Lanes of two and of four numbers have the same bits, whatever is left over at the end of
+    /// registers, blocks of columns, and groups of pivots.
+    #[test]
+    fn lanes_of_any_number_have_the_same_bits() {
+        fn agree<T: Float + From<f32>>(bits: impl Fn(T) -> u64) {
+            let mut state = 1_u32;
+            let mut number = || {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                T::from((state >> 8) as f32 / 16_777_216.0 - 0.5)
+            };
+            for n in 1..40 {
+                let field: Vec<T> = (0..n * coefficients(n)).map(|_| number()).collect();
+                let x: Vec<T> = (0..n).map(|_| number()).collect();
+                let mut packed = Vec::new();
+                pack(n, &field, &mut packed);
+                for eps in [0.01, 0.3].map(T::from) {
+                    let at = |level: Level| {
+                        let mut workspace = Workspace::default();
+                        let work =
+                            Work { packed: &packed, x: &x, eps, eliminates: true, workspace: &mut workspace };
+                        let is_solved = run(work, level);
+                        (is_solved, workspace.last(n).iter().map(|entry| bits(*entry)).collect::<Vec<_>>())
+                    };
+                    assert_eq!(at(Level::Baseline), at(Level::Avx2), "{n}");
+                }
+            }
+        }
+        agree(f64::to_bits);
+        agree(|x: f32| u64::from(x.to_bits()));
+    }
 }

@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 import kahan
+from dense import dense_fields
 from peers import lorenz_grid, scenes
 
 HERE = Path(__file__).resolve().parent
@@ -122,6 +123,7 @@ def main() -> None:
     against_rust(s)
     calls(s)
     start_up()
+    dense_fields(limit, skipped)
     lorenz_grid(limit)
     scenes()
     for line in missed:

@@ -66,29 +66,41 @@ impl<T: MachineFloat> MapAt<T> {
         parameters: &[&[T]],
         steps: u64,
     ) {
-        let has_loops = self.coded.as_ref().is_some_and(CodedStages::has_loops);
-        if has_loops && eps.is_empty() && parameters.is_empty() {
-            return self.advance_one_by_one(columns, steps);
-        }
         let (own, own_eps) = self.own();
         let eps = if eps.is_empty() { &[own_eps] } else { eps };
         let own: SmallVec<[&[T]; 8]> = own.iter().map(slice::from_ref).collect();
         let are_own = parameters.is_empty();
         let mut columns = Columns { columns, eps, parameters: if are_own { &own } else { parameters } };
-        self.engine().advance_columns(&mut columns, self.composition, steps, kind, self.set);
+        if !self.engine().has_advanced_columns(&mut columns, self.composition, steps, kind, self.set) {
+            if self.coded.as_ref().is_some_and(CodedStages::has_loops) {
+                self.advance_one_by_one(&mut columns, are_own, steps);
+            } else {
+                self.engine().interpret_columns(&mut columns, self.composition, steps, kind);
+            }
+        }
         if !are_own && self.map.field().has_divisors() {
             self.forget_undefined(&mut columns);
         }
     }
 
-    /// Advances columns that fit by this map, one trajectory after another.
-    fn advance_one_by_one(&self, columns: &mut [&mut [T]], steps: u64) {
+    /// Advances columns that fit, one trajectory after another, by this map, or by that at their own
+    /// constants.
+    fn advance_one_by_one(&self, all: &mut Columns<'_, '_, T>, are_own: bool, steps: u64) {
+        let Columns { columns, eps, parameters } = all;
+        let is_this = are_own && eps.len() == 1 && eps[0] == self.own().1;
         // No step needs this list of the thread's scratch.
         let mut x = with_scratch(T::single(), |scratch| std::mem::take(&mut scratch.given));
         for k in 0..columns.first().map_or(0, |column| column.len()) {
             x.clear();
             x.extend(columns.iter().map(|column| column[k]));
-            self.advance_checked(&mut x, steps);
+            if is_this {
+                self.advance_checked(&mut x, steps);
+            } else {
+                let alone = k..k + 1;
+                let values = parameters.iter().map(|values| given(values, &alone)[0]);
+                self.at_constants(self.map.clone(), values, given(eps, &alone)[0])
+                    .advance_checked(&mut x, steps);
+            }
             columns.iter_mut().zip(&x).for_each(|(column, x)| column[k] = *x);
         }
         with_scratch(T::single(), |scratch| scratch.given = x);

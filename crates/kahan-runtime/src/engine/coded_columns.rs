@@ -30,8 +30,10 @@ const PAGE: usize = 4096;
 const WORTH_MOVING: u64 = 8;
 
 impl Engine {
-    /// Advances every trajectory by code; `false` where there is none.
-    pub(super) fn has_advanced_columns<T: MachineFloat>(
+    /// Advances every trajectory by `steps` steps of a composition by code; `false` where there is
+    /// none. `set` says which instructions it has; `None` stands for the largest set of this
+    /// processor.
+    pub(crate) fn has_advanced_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
         composition: Composition,
@@ -61,18 +63,19 @@ impl Engine {
     ) {
         let step = (self.steps().form(kind.is_general), kind);
         let trajectories = columns.first().map_or(0, |column| column.len());
-        let (mut guard, mut before) = (Vec::new(), Vec::new());
+        let mut kept = with_scratch(T::single(), |scratch| std::mem::take(&mut scratch.guarded));
         for first in (0..trajectories).step_by(TILE) {
             let piece = first..trajectories.min(first + TILE);
             for made in (0..steps).step_by(GUARDED as usize) {
                 let now = GUARDED.min(steps - made);
-                guard.clear();
-                guard.resize(piece.len(), T::zero());
-                before.clear();
-                columns.iter().for_each(|column| before.extend_from_slice(&column[piece.clone()]));
+                kept.clear();
+                columns.iter().for_each(|column| kept.extend_from_slice(&column[piece.clone()]));
+                let length = kept.len();
+                kept.resize(length + piece.len(), T::zero());
+                let (before, guard) = kept.split_at_mut(length);
                 {
                     let mut own = part(columns, &piece);
-                    own.push(&mut guard);
+                    own.push(guard);
                     let own_eps = given(eps, &piece);
                     let own_parameters: Parameters<'_, T> =
                         parameters.iter().map(|values| given(values, &piece)).collect();
@@ -100,6 +103,7 @@ impl Engine {
                 }
             }
         }
+        with_scratch(T::single(), |scratch| scratch.guarded = kept);
     }
 }
 
@@ -195,7 +199,7 @@ fn run_in_lines<T: MachineFloat>(
 }
 
 /// A stretch of every column; few columns take no allocation.
-type Tile<'a, T> = SmallVec<[&'a mut [T]; 16]>;
+type Tile<'a, T> = SmallVec<[&'a mut [T]; 64]>;
 
 /// The constants of the stages that differ, one stage after the other.
 struct Prepared<'a, T> {

@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use kahan_core::{Composition, Scalar};
 
-use crate::machine::{InstructionSet, StepKind};
+use crate::machine::StepKind;
 
 use super::couplings::Tables;
 use super::floats::MachineFloat;
@@ -72,19 +72,14 @@ impl<T: MachineFloat> Lanes<T> for EightLanes<T> {
 }
 
 impl Engine {
-    /// Advances every trajectory by `steps` steps of a composition. `set` says which instructions
-    /// machine code has; `None` stands for the largest set of this processor.
-    pub(crate) fn advance_columns<T: MachineFloat>(
+    /// Advances every trajectory by `steps` interpreted steps of a composition.
+    pub(crate) fn interpret_columns<T: MachineFloat>(
         &self,
         columns: &mut Columns<'_, '_, T>,
         composition: Composition,
         steps: u64,
         kind: StepKind,
-        set: Option<InstructionSet>,
     ) {
-        if self.has_advanced_columns(columns, composition, steps, kind, set) {
-            return;
-        }
         let step = (self.steps().form(kind.is_general), kind);
         if step.0.has_lanes() {
             advance(step, T::lanes(), columns, composition, steps);

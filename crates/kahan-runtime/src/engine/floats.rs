@@ -8,7 +8,7 @@ use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar, Precision};
 use crate::machine::Coded;
 
 use super::lanes::EightLanes;
-use super::scratch::{Local, Scratch};
+use super::scratch::{Kept, Local};
 use super::{Engine, Object};
 
 /// A float of states: `f32`, `f64`, or [`Dd`].
@@ -65,7 +65,7 @@ pub trait MachineFloat: RuntimeFloat<Word = Self> + Coded + dense::Float {
 macro_rules! scratch {
     ($name:ident, $scalar:ty) => {
         fn $name() -> Local<$scalar> {
-            thread_local!(static SCRATCH: Cell<Scratch<$scalar>> = Cell::default());
+            thread_local!(static SCRATCH: Kept<$scalar> = const { Cell::new(None) });
             &SCRATCH
         }
     };

@@ -22,6 +22,8 @@ pub struct Scratch<V> {
     pub(crate) given: Vec<V>,
     /// The state, where it is not the caller's.
     pub(super) state: Vec<V>,
+    /// Columns before steps that a guard may refuse, and the guard.
+    pub(super) guarded: Vec<V>,
     /// For the loops of dense fields.
     pub(super) dense: dense::Workspace<V>,
 }
@@ -42,25 +44,30 @@ pub(crate) struct Workspace<V> {
 
 impl<V> Default for Scratch<V> {
     fn default() -> Self {
-        let [registers, outcome, matrix, slopes, constants, given, state] = [const { Vec::new() }; 7];
+        let [registers, outcome, matrix, slopes, constants, given, state, guarded] =
+            [const { Vec::new() }; 8];
         Scratch {
             registers,
             workspace: Workspace { outcome, matrix, slopes, factors: Factors::default(), is_singular: false },
             constants,
             given,
             state,
+            guarded,
             dense: dense::Workspace::default(),
         }
     }
 }
 
-/// The scratch of a thread.
-pub(super) type Local<V> = &'static LocalKey<Cell<Scratch<V>>>;
+/// The scratch of a thread; `None` while it is lent, and before its first use.
+pub(super) type Kept<V> = Cell<Option<Box<Scratch<V>>>>;
+
+/// How a thread finds its scratch.
+pub(super) type Local<V> = &'static LocalKey<Kept<V>>;
 
 /// Does the work with the scratch of this thread; a thread that is ending gets a new one.
 pub(crate) fn with_scratch<V, R>(local: Local<V>, work: impl FnOnce(&mut Scratch<V>) -> R) -> R {
-    let mut scratch = local.try_with(Cell::take).unwrap_or_default();
+    let mut scratch = local.try_with(Cell::take).ok().flatten().unwrap_or_default();
     let result = work(&mut scratch);
-    let _ = local.try_with(|kept| kept.set(scratch));
+    let _ = local.try_with(|kept| kept.set(Some(scratch)));
     result
 }
