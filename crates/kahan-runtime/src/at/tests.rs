@@ -280,10 +280,14 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
     random.next_u64() % end
 }
 
-/// A field of n variables with products of two at random, so many of a hundred.
+/// A field of n variables with products of two at random, so many of a hundred. What x1 gains has
+/// one product only, and stays a zero where x1 is one.
 fn dense(n: usize, percent: u64, random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}/64", below(255, random) as i64 - 127);
     let component = |i: usize| {
+        if i == 1 {
+            return "x1dot = x0*x1;".to_owned();
+        }
         let mut terms = vec![format!("{}*p", coefficient(random))];
         for j in 0..n {
             terms.push(format!("{}*x{j}", coefficient(random)));
