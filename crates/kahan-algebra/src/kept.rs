@@ -8,8 +8,10 @@
 //! those of the [`Field`], which stays the one that is proved, reduced and printed.
 
 use kahan_syntax::rational::Rational;
+use kahan_syntax::table::sorted_by_key;
 
 use crate::field::{Component, Field};
+use crate::kahan::SparseRows;
 use crate::numbered::Numbered;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::Symbols;
@@ -264,9 +266,8 @@ impl Kept {
             Some(place) => moved.variable(place).expect("values are fewer than 16 bits can number"),
             None => tangent.variable(symbols.symbol(variable)),
         };
-        let along = |row: &Vec<Polynomial>| {
-            let slopes = row.iter().enumerate().filter(|(_, slope)| !slope.is_zero());
-            slopes.fold(Polynomial::zero(), |sum, (k, slope)| {
+        let along = |row: &Vec<(usize, Polynomial)>| {
+            row.iter().fold(Polynomial::zero(), |sum, (k, slope)| {
                 let entry = Polynomial::variable(tangent.state(symbols.dimension() + k));
                 &sum + &(&slope.map_variables(rename) * &entry)
             })
@@ -277,16 +278,14 @@ impl Kept {
         Kept::new(Values::of(tangent).with(renamed), components)
     }
 
-    /// f′(x) over the values, row by row, and the values with what it has besides.
-    pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Values, Vec<Vec<Polynomial>>) {
+    /// The entries of f′(x) over the values that are not identically zero, row by row in the order
+    /// of their columns, and the values with what it has besides.
+    pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Values, SparseRows) {
         let mut values = self.values.clone();
         let mut of_values = Vec::new();
         let row = |component: &Polynomial| {
-            let mut row = vec![Polynomial::zero(); symbols.dimension()];
-            for (state, slope) in values.gradient(component, symbols, &mut of_values).0 {
-                row[state] = slope;
-            }
-            row
+            let Gradient(slopes) = values.gradient(component, symbols, &mut of_values);
+            sorted_by_key(slopes.into_iter().filter(|(_, slope)| !slope.is_zero()), |(state, _)| *state)
         };
         let rows = self.components.iter().map(row).collect();
         (values, rows)
