@@ -309,7 +309,7 @@ impl Kept {
         let (mut places, mut moving) = (Vec::new(), Vec::new());
         for (place, value) in self.values.values.iter().enumerate() {
             let is_moving = |variable: &Variable| match self.values.place(*variable) {
-                Some(place) => moving.contains(&place),
+                Some(place) => moving.binary_search(&place).is_ok(),
                 None => varies(*variable),
             };
             if value.polynomial().variables().iter().any(is_moving) {

@@ -23,9 +23,7 @@ use kahan_syntax::syntax::ClaimKind;
 use crate::arithmetic::Arithmetic;
 use crate::elimination::{Couplings, MOST_EXPANDED};
 use crate::field::Field;
-use crate::kahan::{
-    RationalMap, SparseRows, bilinear_form, dense, matrix_of, polarization, scaled_rhs,
-};
+use crate::kahan::{RationalMap, SparseRows, bilinear_form, dense, matrix_of, polarization, scaled_rhs};
 use crate::kept::{Values, WithConstants};
 use crate::plan::{Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
@@ -237,7 +235,7 @@ impl Derived {
             let System { field, kept, .. } = self.system.variational();
             let with = kept.with_constants(&field);
             let plan = Plan::of_tangent(&with.field)?;
-            Some((field.symbols, with.put_into(&plan)))
+            Some((field.symbols.clone(), with.put_into(&plan)))
         };
         let has_other_poles = self.reduced_map.is_some();
         let planned = || if has_other_poles || self.step().is_none() { None } else { plan() };

@@ -130,7 +130,8 @@ impl Couplings {
         for (block, filled) in blocks.iter().zip(all_filled) {
             let first = rows.len();
             for (filled, &i) in filled.rows.iter().zip(block) {
-                let by_turns = sorted_by_key(slopes[i].iter().map(|(j, slope)| (turns[*j], slope)), |of| of.0);
+                let by_turns =
+                    sorted_by_key(slopes[i].iter().map(|(j, slope)| (turns[*j], slope)), |of| of.0);
                 let start = columns.len();
                 columns.extend(by_turns.iter().map(|of| of.0).take_while(|&turn| turn < first));
                 let own = columns.len();

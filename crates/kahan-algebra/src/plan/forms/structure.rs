@@ -160,9 +160,8 @@ mod tests {
                         None => expected.push(vec![i]),
                     }
                 }
-                let others = |block: &[usize]| {
-                    (0..n).filter(|j| reaches[block[0]][*j] && !block.contains(j)).count()
-                };
+                let others =
+                    |block: &[usize]| (0..n).filter(|j| reaches[block[0]][*j] && !block.contains(j)).count();
                 expected.sort_by_key(|block| (others(block), block[0]));
                 assert_eq!(blocks(&depends), expected, "{depends:?}");
             }
