@@ -109,6 +109,6 @@ fn read_with(tokens: &[Token], proves: bool) -> Checked {
 /// and one that nobody can steer, so that no claim can be written for the points it is tested at.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
-    let text: Vec<&str> = tokens.iter().map(|token| token.text.as_str()).collect();
+    let text: Vec<&str> = tokens.iter().map(|token| &*token.text).collect();
     Shake256::new(text.join(" ").as_bytes()).next_seed()
 }

@@ -7,9 +7,10 @@ use std::sync::{Arc, OnceLock};
 use kahan_algebra::check::{Broken, Checked};
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::family::Family;
-use kahan_algebra::lexer::{Lexed, lex};
+use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::check_claims;
 use kahan_algebra::system::System;
+use kahan_algebra::token::Token;
 use kahan_algebra::{read, read_unproved};
 
 use crate::diagnostics::Diagnostics;
@@ -59,18 +60,20 @@ impl FieldText {
 
     /// The tokens of the block. They take several times the memory of the text, so nobody keeps
     /// them.
-    fn lexed(&self) -> Lexed {
-        let mut lexed = lex(self.text());
+    fn tokens(&self) -> Vec<Token> {
+        lex(self.text()).tokens
+    }
+
+    /// Where each token stands in the text.
+    fn ranges(&self) -> Vec<Range<usize>> {
         let before = self.shared.body.start;
-        for range in &mut lexed.ranges {
-            *range = range.start + before..range.end + before;
-        }
-        lexed
+        let ranges = lex(self.text()).ranges;
+        ranges.into_iter().map(|range| range.start + before..range.end + before).collect()
     }
 
     /// The block, its claims read but not proved. It is read once.
     fn unproved(&self) -> &Checked {
-        self.shared.unproved.get_or_init(|| read_unproved(&self.lexed().tokens))
+        self.shared.unproved.get_or_init(|| read_unproved(&self.tokens()))
     }
 
     /// The system, with its claims proved as the macro does it.
@@ -78,7 +81,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn system(&self) -> Result<System, Diagnostics> {
-        self.accept(read(&self.lexed().tokens).system())
+        self.accept(read(&self.tokens()).system())
     }
 
     /// The family, with its claims proved for every number of sites; `None` where the block has
@@ -87,7 +90,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn family(&self) -> Result<Option<Family>, Diagnostics> {
-        self.accept(read(&self.lexed().tokens).family())
+        self.accept(read(&self.tokens()).family())
     }
 
     /// The system, its claims read but not proved.
@@ -137,11 +140,11 @@ impl FieldText {
     /// The seed of the macro's proof.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
-        kahan_algebra::seed(&self.lexed().tokens)
+        kahan_algebra::seed(&self.tokens())
     }
 
     fn accept<T>(&self, read: Result<T, Vec<Diagnostic>>) -> Result<T, Diagnostics> {
         let Shared { text, origin, .. } = &*self.shared;
-        read.map_err(|mistakes| Diagnostics::new(mistakes, text, &self.lexed().ranges, origin))
+        read.map_err(|mistakes| Diagnostics::new(mistakes, text, &self.ranges(), origin))
     }
 }
