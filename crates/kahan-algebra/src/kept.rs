@@ -219,6 +219,9 @@ impl Gradient {
 impl Kept {
     /// These components over values, of which those that none needs are left out.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
+        if values.values.is_empty() {
+            return Kept { values, components };
+        }
         let mut kept = Values { first: values.first, values: Numbered::default() };
         let mut renamed: Vec<Option<Variable>> = vec![None; values.values.len()];
         let mut is_needed = vec![false; values.values.len()];

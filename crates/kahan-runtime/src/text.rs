@@ -11,7 +11,7 @@ use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::check_claims;
 use kahan_algebra::system::System;
 use kahan_algebra::token::Token;
-use kahan_algebra::{read, read_unproved};
+use kahan_algebra::{read, read_unproved_text};
 
 use crate::diagnostics::Diagnostics;
 
@@ -73,7 +73,7 @@ impl FieldText {
 
     /// The block, its claims read but not proved. It is read once.
     fn unproved(&self) -> &Checked {
-        self.shared.unproved.get_or_init(|| read_unproved(&self.tokens()))
+        self.shared.unproved.get_or_init(|| read_unproved_text(self.text()))
     }
 
     /// The system, with its claims proved as the macro does it.

@@ -64,7 +64,7 @@ impl Values {
             Some(place) => nodes.value(builder, place),
             None => builder.input(variable),
         });
-        builder.finish(&outputs)
+        builder.into_plan(&outputs)
     }
 
     /// The plan of polynomials over the values, one result each.
