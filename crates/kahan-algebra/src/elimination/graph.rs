@@ -39,10 +39,6 @@ impl FilledRow {
     }
 }
 
-impl Price {
-    const HIGHEST: Self = Price { products: usize::MAX, critical_path: usize::MAX };
-}
-
 impl Graph {
     /// The graph of each block; `depends` lists for each variable those that fᵢ depends on.
     pub(super) fn of_blocks(depends: &[Vec<usize>], blocks: &[Vec<usize>]) -> Vec<Self> {
@@ -90,7 +86,7 @@ impl Graph {
     /// J. W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). Where all couplings are mutual,
     /// the cost is the number of entries.
     pub(super) fn filled(&self, order: &[usize], bound: Option<Price>) -> Option<Filled> {
-        let most_products = bound.unwrap_or(Price::HIGHEST).products;
+        let most_products = bound.map_or(usize::MAX, |bound| bound.products);
         let turns = turns(order);
         let mut rows: Vec<FilledRow> = Vec::with_capacity(order.len());
         let mut seen_in = vec![usize::MAX; order.len()];
