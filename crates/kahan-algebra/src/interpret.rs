@@ -89,7 +89,7 @@ impl Interpreter {
         let rows = |entries: Vec<A::Value>| -> Vec<Vec<A::Value>> {
             entries.chunks(point.state.len()).map(<[A::Value]>::to_vec).collect()
         };
-        let matrix = rows(vector(&derived.matrix)?);
+        let matrix = rows(vector(derived.matrix())?);
         let det_matrix = match &derived.det_matrix {
             Some(plan) => vector(plan)?.pop(),
             None => determinant(arithmetic, &matrix),
@@ -99,10 +99,10 @@ impl Interpreter {
         let det_jacobian = jacobian.as_ref().and_then(|jacobian| determinant(arithmetic, jacobian));
         let integrals = self.run_partly(arithmetic, &derived.integrals, point, None);
         Ok(Evaluation {
-            field: vector(&derived.field)?,
-            field_jacobian: rows(vector(&derived.field_jacobian)?),
+            field: vector(derived.field())?,
+            field_jacobian: rows(vector(derived.field_jacobian())?),
             matrix,
-            rhs: vector(&derived.rhs)?,
+            rhs: vector(derived.rhs())?,
             det_matrix: det_matrix.ok_or(UndefinedField)?,
             next,
             jacobian,
@@ -120,7 +120,7 @@ impl Interpreter {
         x: &Point<A::Value>,
         y: &[A::Value],
     ) -> Option<Vec<A::Value>> {
-        self.run(arithmetic, &self.derived.bilinear, x, Some(y))
+        self.run(arithmetic, self.derived.bilinear(), x, Some(y))
     }
 
     /// Q(x,y) + ½B(x+y) + c.
@@ -130,12 +130,12 @@ impl Interpreter {
         x: &Point<A::Value>,
         y: &[A::Value],
     ) -> Option<Vec<A::Value>> {
-        self.run(arithmetic, &self.derived.polarized, x, Some(y))
+        self.run(arithmetic, self.derived.polarized(), x, Some(y))
     }
 
     /// A(x,ε), row by row.
     fn matrix<A: Arithmetic>(&self, arithmetic: &A, point: &Point<A::Value>) -> Option<Vec<Vec<A::Value>>> {
-        let entries = self.run(arithmetic, &self.derived.matrix, point, None)?;
+        let entries = self.run(arithmetic, self.derived.matrix(), point, None)?;
         Some(entries.chunks(point.state.len()).map(<[A::Value]>::to_vec).collect())
     }
 

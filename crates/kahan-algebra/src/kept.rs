@@ -8,8 +8,10 @@
 //! those of the [`Field`], which stays the one that is proved, reduced and printed.
 
 use kahan_syntax::rational::Rational;
+use kahan_syntax::table::sorted_by_key;
 
 use crate::field::{Component, Field};
+use crate::kahan::SparseRows;
 use crate::numbered::Numbered;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::Symbols;
@@ -217,6 +219,9 @@ impl Gradient {
 impl Kept {
     /// These components over values, of which those that none needs are left out.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
+        if values.values.is_empty() {
+            return Kept { values, components };
+        }
         let mut kept = Values { first: values.first, values: Numbered::default() };
         let mut renamed: Vec<Option<Variable>> = vec![None; values.values.len()];
         let mut is_needed = vec![false; values.values.len()];
@@ -264,9 +269,8 @@ impl Kept {
             Some(place) => moved.variable(place).expect("values are fewer than 16 bits can number"),
             None => tangent.variable(symbols.symbol(variable)),
         };
-        let along = |row: &Vec<Polynomial>| {
-            let slopes = row.iter().enumerate().filter(|(_, slope)| !slope.is_zero());
-            slopes.fold(Polynomial::zero(), |sum, (k, slope)| {
+        let along = |row: &Vec<(usize, Polynomial)>| {
+            row.iter().fold(Polynomial::zero(), |sum, (k, slope)| {
                 let entry = Polynomial::variable(tangent.state(symbols.dimension() + k));
                 &sum + &(&slope.map_variables(rename) * &entry)
             })
@@ -277,16 +281,14 @@ impl Kept {
         Kept::new(Values::of(tangent).with(renamed), components)
     }
 
-    /// f′(x) over the values, row by row, and the values with what it has besides.
-    pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Values, Vec<Vec<Polynomial>>) {
+    /// The entries of f′(x) over the values that are not identically zero, row by row in the order
+    /// of their columns, and the values with what it has besides.
+    pub(crate) fn jacobian(&self, symbols: &Symbols) -> (Values, SparseRows) {
         let mut values = self.values.clone();
         let mut of_values = Vec::new();
         let row = |component: &Polynomial| {
-            let mut row = vec![Polynomial::zero(); symbols.dimension()];
-            for (state, slope) in values.gradient(component, symbols, &mut of_values).0 {
-                row[state] = slope;
-            }
-            row
+            let Gradient(slopes) = values.gradient(component, symbols, &mut of_values);
+            sorted_by_key(slopes.into_iter().filter(|(_, slope)| !slope.is_zero()), |(state, _)| *state)
         };
         let rows = self.components.iter().map(row).collect();
         (values, rows)
@@ -310,7 +312,7 @@ impl Kept {
         let (mut places, mut moving) = (Vec::new(), Vec::new());
         for (place, value) in self.values.values.iter().enumerate() {
             let is_moving = |variable: &Variable| match self.values.place(*variable) {
-                Some(place) => moving.contains(&place),
+                Some(place) => moving.binary_search(&place).is_ok(),
                 None => varies(*variable),
             };
             if value.polynomial().variables().iter().any(is_moving) {

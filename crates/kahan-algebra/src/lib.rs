@@ -61,27 +61,40 @@ pub use kahan_syntax::{diagnostics, lexer, parse, rational, syntax, table, token
 use check::{Broken, Checked};
 use diagnostics::Diagnostics;
 use prime_field::Shake256;
+use syntax::Block;
 use token::Token;
 
 /// Reads a block: parse, check, prove.
 #[must_use]
 pub fn read(tokens: &[Token]) -> Checked {
-    read_with(tokens, true)
+    let mut diagnostics = Diagnostics::default();
+    let block = parse::parse(tokens, &mut diagnostics);
+    checked(block, Some(tokens), diagnostics)
 }
 
 /// Reads a block without a proof of its claims: parse, check.
 #[must_use]
 pub fn read_unproved(tokens: &[Token]) -> Checked {
-    read_with(tokens, false)
-}
-
-fn read_with(tokens: &[Token], proves: bool) -> Checked {
     let mut diagnostics = Diagnostics::default();
     let block = parse::parse(tokens, &mut diagnostics);
+    checked(block, None, diagnostics)
+}
+
+/// Reads a block without a proof of its claims: lex, parse, check. The tokens, which take several
+/// times the memory of the text, are gone before the check.
+#[must_use]
+pub fn read_unproved_text(text: &str) -> Checked {
+    let mut diagnostics = Diagnostics::default();
+    let block = parse::parse(&lexer::lex(text).tokens, &mut diagnostics);
+    checked(block, None, diagnostics)
+}
+
+/// Checks a block; proves its claims if it is given the tokens.
+fn checked(block: Block, tokens: Option<&[Token]>, mut diagnostics: Diagnostics) -> Checked {
     let (stand_in, checked) = match &block.family {
         Some(head) => {
             let (stand_in, family) = check::check_family(&block, head, &mut diagnostics);
-            if let Some(family) = family.as_ref().filter(|_| proves) {
+            if let Some(family) = family.as_ref().filter(|_| tokens.is_some()) {
                 family::conserved::check_claims(family, &mut diagnostics);
             }
             (stand_in, family.map(Checked::Family))
@@ -89,7 +102,7 @@ fn read_with(tokens: &[Token], proves: bool) -> Checked {
         None => {
             let (stand_in, system) = check::check_system(block, &mut diagnostics);
             // A wrong field makes every claim wrong: only its own mistakes are worth reporting.
-            if let Some(system) = system.as_ref().filter(|_| proves) {
+            if let (Some(system), Some(tokens)) = (&system, tokens) {
                 prove::check_claims(system, seed(tokens), &mut diagnostics);
             }
             (stand_in, system.map(Checked::System))
@@ -109,6 +122,6 @@ fn read_with(tokens: &[Token], proves: bool) -> Checked {
 /// and one that nobody can steer, so that no claim can be written for the points it is tested at.
 #[must_use]
 pub fn seed(tokens: &[Token]) -> [u8; 32] {
-    let text: Vec<&str> = tokens.iter().map(|token| token.text.as_str()).collect();
+    let text: Vec<&str> = tokens.iter().map(|token| &*token.text).collect();
     Shake256::new(text.join(" ").as_bytes()).next_seed()
 }

@@ -38,6 +38,13 @@ impl<T> Deref for Numbered<T> {
     }
 }
 
+impl<T> Numbered<T> {
+    /// All items, in their order.
+    pub(crate) fn into_items(self) -> Vec<T> {
+        self.items
+    }
+}
+
 impl<T: Hash + PartialEq> Numbered<T> {
     /// The number of an item.
     pub(crate) fn find(&self, item: &T) -> Option<usize> {

@@ -1,6 +1,8 @@
 //! A system on which some of its parameters have values: a smaller system, reduced after the values
 //! are put in.
 
+use std::sync::Arc;
+
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
 
@@ -63,9 +65,9 @@ impl System {
         Some(System {
             header: self.header.clone(),
             constants: self.constants.clone(),
-            kept: kept.unwrap_or_else(|| Kept::of(&field)),
-            field,
-            written: Vec::new(),
+            kept: kept.unwrap_or_else(|| Kept::of(&field)).into(),
+            field: field.into(),
+            written: Arc::default(),
             claims: Vec::new(),
         })
     }

@@ -2,6 +2,7 @@
 //! the prover's question).
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{self, ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
@@ -15,7 +16,7 @@ use crate::rational_function::RationalFunction;
 use crate::relations::Relations;
 use crate::symbols::Symbols;
 
-/// A field with its claims.
+/// A field with its claims. Clones share the field.
 #[derive(Clone, Debug)]
 pub struct System {
     /// The header, where the block has one.
@@ -23,12 +24,12 @@ pub struct System {
     /// Constants in the order of their declaration, evaluated.
     pub constants: Vec<(String, Rational)>,
     /// The vector field.
-    pub field: Field,
+    pub field: Arc<Field>,
     /// The same field as plans are made of it: with the sums and divisors that were written.
-    pub kept: Kept,
+    pub kept: Arc<Kept>,
     /// The right-hand sides of its equations as they were written, in order; none where it was made
     /// of another field.
-    pub written: Vec<Expr>,
+    pub written: Arc<[Expr]>,
     /// The claims, in order.
     pub claims: Vec<Claim>,
 }

@@ -3,6 +3,8 @@
 //! In: ẋ = f(x). Out: ẋ = f(x), v̇ = f′(x)·v, which is quadratic, too. Kahan's map of it is x ↦ x̃
 //! with v ↦ (∂x̃/∂x)·v: to polarise and to differentiate along v is the same in either order.
 
+use std::sync::Arc;
+
 use crate::field::{Component, Field};
 use crate::poly::{Polynomial, gcd};
 use crate::symbols::Symbols;
@@ -40,9 +42,9 @@ impl System {
         System {
             header: None,
             constants: self.constants.clone(),
-            kept: self.kept.variational(&field.symbols, &symbols),
-            field: Field { components: components.collect(), symbols },
-            written: Vec::new(),
+            kept: self.kept.variational(&field.symbols, &symbols).into(),
+            field: Field { components: components.collect(), symbols }.into(),
+            written: Arc::default(),
             claims: Vec::new(),
         }
     }

@@ -221,7 +221,7 @@ fn relations_that_cannot_be_solved_are_explained_at_their_place() {
         let own = diagnostics.iter().find(|d| !d.message.contains("`S` does not hold"));
         let Some(own) = own else { panic!("{when}: nothing is reported") };
         assert!(own.message.contains(message), "{when}: {}", own.message);
-        let tokens = lexed.tokens[own.span.first..=own.span.last].iter().map(|token| token.text.as_str());
+        let tokens = lexed.tokens[own.span.first..=own.span.last].iter().map(|token| &*token.text);
         let found = tokens.collect::<Vec<_>>().join(" ");
         assert!(at.is_empty() || at.ends_with(' ') || found == at, "{when}: at `{found}`");
     }

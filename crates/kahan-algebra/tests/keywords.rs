@@ -12,7 +12,7 @@ fn mistake(item: &str) -> (String, String, String) {
     let diagnostics = read.diagnostics();
     let [diagnostic] = diagnostics else { panic!("one mistake in {item}: {diagnostics:?}") };
     assert_eq!(diagnostic.span.first, diagnostic.span.last, "{item}");
-    let word = lexed.tokens[diagnostic.span.first].text.clone();
+    let word = lexed.tokens[diagnostic.span.first].text.to_string();
     (diagnostic.message.clone(), diagnostic.help.clone(), word)
 }
 

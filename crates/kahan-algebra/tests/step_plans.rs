@@ -58,7 +58,7 @@ const FIELDS: [(&str, &str); 19] = [
 fn field(text: &str) -> Field {
     let reading = read(&lex(text).tokens);
     assert!(reading.diagnostics().is_empty(), "{text}: {:?}", reading.diagnostics());
-    reading.system().expect("a system").field
+    reading.system().expect("a system").field.as_ref().clone()
 }
 
 /// Random numbers of height up to 9, not zero.

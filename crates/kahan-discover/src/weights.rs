@@ -127,7 +127,7 @@ mod tests {
 
     fn weights(text: &str, eps_is_fixed: bool) -> (Weights, Field) {
         let field = read(&lexer::lex(text).tokens).system().expect("a system").field;
-        (Weights::of(&field, eps_is_fixed), field)
+        (Weights::of(&field, eps_is_fixed), field.as_ref().clone())
     }
 
     fn rank(weights: &Weights) -> usize {

@@ -28,11 +28,11 @@ use super::step::emit_cost;
 pub(super) fn emit_coupled(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
-    let (tables, cost) = (emit_tables(couplings), emit_cost(couplings.cost(&context.derived.field)));
-    let field = emit_entries(context, &context.derived.field);
+    let (tables, cost) = (emit_tables(couplings), emit_cost(couplings.cost(context.derived.field())));
+    let field = emit_entries(context, context.derived.field());
     let entries = emit_entries(context, &couplings.slopes);
     let table = |plan| emit_formulas(plan, &context.system.field.symbols);
-    let [field_table, slopes_table] = [&context.derived.field, &couplings.slopes].map(table);
+    let [field_table, slopes_table] = [context.derived.field(), &couplings.slopes].map(table);
     let velocity = couplings.is_straight().then(|| emit_velocity(context, couplings));
     quote! {
         pub struct __Coupled;

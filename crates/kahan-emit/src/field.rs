@@ -15,14 +15,14 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     let derived = context.derived;
     let (value, slope) = match derived.couplings() {
         Some(couplings) => emit_coupled_field(context, couplings),
-        None => (emit_vector(context, &derived.field), emit_matrix(context, &derived.field_jacobian)),
+        None => (emit_vector(context, derived.field()), emit_matrix(context, derived.field_jacobian())),
     };
-    let bilinear = emit_vector(context, &derived.bilinear);
+    let bilinear = emit_vector(context, derived.bilinear());
     // Without a linear and a constant part the two forms are one.
-    let polarized = if derived.polarized == derived.bilinear {
+    let polarized = if derived.polarized() == derived.bilinear() {
         quote!(__kahan::QuadraticField::bilinear(self, x, y))
     } else {
-        emit_vector(context, &derived.polarized)
+        emit_vector(context, derived.polarized())
     };
     let (this, scalar, dimension) = (context.this.path(), &context.this.scalar, &context.dimension);
     let (vector, matrix) = (context.vector(), context.matrix());

@@ -96,7 +96,7 @@ impl Flat {
     }
 
     fn push(&mut self, kind: TokenKind, text: String, span: Span, touches_next: bool) {
-        self.tokens.push(Token { kind, text, touches_next, docs: Vec::new() });
+        self.tokens.push(Token { kind, text: text.into(), touches_next, docs: Box::default() });
         self.spans.push(span);
     }
 

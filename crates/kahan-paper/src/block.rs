@@ -90,7 +90,7 @@ pub fn failing_mutation(system: &System, index: usize) -> (usize, Option<String>
 fn field_of(block: &str) -> &str {
     let lexed = lex(block);
     let begins_claim = |index: usize| {
-        matches!(lexed.tokens[index].text.as_str(), "integral" | "density" | "bracket")
+        matches!(&*lexed.tokens[index].text, "integral" | "density" | "bracket")
             && lexed.tokens.get(index + 1).is_some_and(|next| next.kind == TokenKind::Identifier)
     };
     let end = (0..lexed.tokens.len()).find(|&index| begins_claim(index));

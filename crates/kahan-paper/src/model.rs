@@ -85,10 +85,10 @@ impl Model {
         here: Values<'_, A::Value>,
     ) -> Option<Vec<A::Value>> {
         let plan = match object {
-            "f" => &self.derived.field,
-            "Df" => &self.derived.field_jacobian,
-            "A" => &self.derived.matrix,
-            "b" => &self.derived.rhs,
+            "f" => self.derived.field(),
+            "Df" => self.derived.field_jacobian(),
+            "A" => self.derived.matrix(),
+            "b" => self.derived.rhs(),
             _ => return self.jacobian(arithmetic, here),
         };
         run(arithmetic, plan, here)
@@ -106,8 +106,8 @@ impl Model {
         here: Values<'_, A::Value>,
     ) -> Option<Vec<A::Value>> {
         let Some(plan) = self.derived.reduced_map.as_ref().or(self.derived.rational_map.as_ref()) else {
-            let right = run(arithmetic, &self.derived.rhs, here)?.into_iter().map(|value| vec![value]);
-            let matrix = self.rows(&run(arithmetic, &self.derived.matrix, here)?);
+            let right = run(arithmetic, self.derived.rhs(), here)?.into_iter().map(|value| vec![value]);
+            let matrix = self.rows(&run(arithmetic, self.derived.matrix(), here)?);
             let solved = solve(arithmetic, &matrix, &right.collect::<Vec<_>>())?;
             return Some(solved.solution.into_iter().flatten().collect());
         };

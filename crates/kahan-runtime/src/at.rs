@@ -52,8 +52,8 @@ pub struct MapAt<T: RuntimeFloat> {
     kind: StepKind,
     /// On what columns run; `None` for the widest that there are.
     set: Option<InstructionSet>,
-    /// Those that differ.
-    stages: Arc<[Stage<T>]>,
+    /// Those that differ, interpreted, once a step is.
+    stages: Arc<OnceLock<Vec<Stage<T>>>>,
     /// The same as machine code, where there is some.
     coded: Option<CodedStages<T>>,
     /// The map of the variational field, which carries tangent vectors, once one is carried.
@@ -91,10 +91,10 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// map itself at ε.
     #[must_use]
     pub fn composed(&self, composition: Composition) -> Self {
-        let (engine, own) = (self.engine(), stage_constants(self.kind, &self.constants, composition));
-        let (stages, coded) = (engine.stages(&own).into(), engine.coded_stages(self.kind, &own));
+        let own = stage_constants(self.kind, &self.constants, composition);
+        let coded = self.engine().coded_stages(self.kind, &own);
         let of_integrals = integral_constants(&self.constants, composition).into();
-        let (variational, poles) = Default::default();
+        let (stages, variational, poles) = Default::default();
         MapAt { of_integrals, composition, stages, coded, variational, poles, ..self.clone() }
     }
 
@@ -155,7 +155,7 @@ impl<T: RuntimeFloat> MapAt<T> {
 
     fn advance_numbers(&self, numbers: [&mut [T]; 2], steps: u64) {
         let interpret = |numbers: [&mut [T]; 2], steps| {
-            self.engine().advance(self.kind, &self.stages, numbers, steps);
+            self.engine().advance(self.kind, self.stages(), numbers, steps);
         };
         let carries = !numbers[1].is_empty();
         match self.coded.as_ref().and_then(|stages| Some((stages, stages.code(self.engine(), carries)?))) {
@@ -186,13 +186,19 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// [`DimensionError`] if `x` has not an entry a variable.
     pub fn divides_by_zero(&self, x: &[T]) -> Result<bool, DimensionError> {
         self.check_state(x)?;
-        Ok(self.engine().divides_by_zero(&self.stages, &mut x.to_vec()))
+        Ok(self.engine().divides_by_zero(self.stages(), &mut x.to_vec()))
     }
 
     /// The same, of the map of this field at other parameters, and at another ε.
     fn at_constants(&self, map: Map, parameters: impl Iterator<Item = T>, eps: T) -> Self {
         let constants = parameters.chain([eps]).collect();
         MapAt { map, constants, ..self.clone() }.composed(self.composition)
+    }
+
+    /// The stages that differ, interpreted.
+    fn stages(&self) -> &[Stage<T>] {
+        let own = || stage_constants(self.kind, &self.constants, self.composition);
+        self.stages.get_or_init(|| self.engine().stages(&own()))
     }
 
     fn engine(&self) -> &Engine {

@@ -2,26 +2,41 @@
 //! [`Diagnostics`].
 
 use std::ops::Range;
+use std::sync::{Arc, OnceLock};
 
 use kahan_algebra::check::{Broken, Checked};
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::family::Family;
-use kahan_algebra::lexer::{Lexed, lex};
+use kahan_algebra::lexer::lex;
 use kahan_algebra::prove::check_claims;
 use kahan_algebra::system::System;
-use kahan_algebra::{read, read_unproved};
+use kahan_algebra::token::Token;
+use kahan_algebra::{read, read_unproved_text};
 
 use crate::diagnostics::Diagnostics;
 
-/// A block of the language in a text.
+/// A block of the language in a text. Clones share the text and its equations, once they are read.
 #[derive(Clone, Debug)]
 pub struct FieldText {
+    shared: Arc<Shared>,
+}
+
+#[derive(Debug)]
+struct Shared {
     text: String,
     /// Where in the text the block stands.
     body: Range<usize>,
-    lexed: Lexed,
     /// What the text is called in reports.
     origin: String,
+    unproved: OnceLock<Checked>,
+}
+
+/// The same text at the same place, called the same.
+impl PartialEq for FieldText {
+    fn eq(&self, other: &Self) -> bool {
+        let Shared { text, body, origin, .. } = &*self.shared;
+        (text, body, origin) == (&other.shared.text, &other.shared.body, &other.shared.origin)
+    }
 }
 
 impl FieldText {
@@ -40,11 +55,25 @@ impl FieldText {
     pub fn part(text: String, mut body: Range<usize>, origin: String) -> Self {
         // A mark of the byte order, as some editors put it in front.
         body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-        let mut lexed = lex(&text[body.clone()]);
-        for range in &mut lexed.ranges {
-            *range = range.start + body.start..range.end + body.start;
-        }
-        FieldText { text, body, lexed, origin }
+        FieldText { shared: Arc::new(Shared { text, body, origin, unproved: OnceLock::new() }) }
+    }
+
+    /// The tokens of the block. They take several times the memory of the text, so nobody keeps
+    /// them.
+    fn tokens(&self) -> Vec<Token> {
+        lex(self.text()).tokens
+    }
+
+    /// Where each token stands in the text.
+    fn ranges(&self) -> Vec<Range<usize>> {
+        let before = self.shared.body.start;
+        let ranges = lex(self.text()).ranges;
+        ranges.into_iter().map(|range| range.start + before..range.end + before).collect()
+    }
+
+    /// The block, its claims read but not proved. It is read once.
+    fn unproved(&self) -> &Checked {
+        self.shared.unproved.get_or_init(|| read_unproved_text(self.text()))
     }
 
     /// The system, with its claims proved as the macro does it.
@@ -52,7 +81,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn system(&self) -> Result<System, Diagnostics> {
-        self.accept(read(&self.lexed.tokens).system())
+        self.accept(read(&self.tokens()).system())
     }
 
     /// The family, with its claims proved for every number of sites; `None` where the block has
@@ -61,7 +90,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn family(&self) -> Result<Option<Family>, Diagnostics> {
-        self.accept(read(&self.lexed.tokens).family())
+        self.accept(read(&self.tokens()).family())
     }
 
     /// The system, its claims read but not proved.
@@ -69,7 +98,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn unproved_system(&self) -> Result<System, Diagnostics> {
-        self.accept(read_unproved(&self.lexed.tokens).system())
+        self.accept(self.unproved().clone().system())
     }
 
     /// Proves the claims of a system that was read of this text, as the macro does it.
@@ -77,6 +106,9 @@ impl FieldText {
     /// # Errors
     /// The claims that do not hold.
     pub fn prove(&self, system: &System) -> Result<(), Diagnostics> {
+        if system.claims.is_empty() {
+            return Ok(());
+        }
         let mut mistakes = kahan_algebra::diagnostics::Diagnostics::default();
         check_claims(system, self.seed(), &mut mistakes);
         let mistakes = mistakes.finish();
@@ -87,13 +119,13 @@ impl FieldText {
     /// without a header. Mistakes of the text do not matter here.
     #[must_use]
     pub fn undeclared(&self) -> Vec<String> {
-        match read_unproved(&self.lexed.tokens) {
-            Checked::System(System { header: None, field, .. }) => field.symbols.parameters,
+        match self.unproved() {
+            Checked::System(System { header: None, field, .. }) => field.symbols.parameters.clone(),
             Checked::Family(Family { header: None, parameters, site_parameters, .. }) => {
-                [parameters, site_parameters].concat()
+                [&parameters[..], site_parameters].concat()
             }
             Checked::Broken(Broken { stand_in, .. }) if stand_in.header.is_none() => {
-                [stand_in.symbols.parameters, stand_in.site_parameters].concat()
+                [&stand_in.symbols.parameters[..], &stand_in.site_parameters].concat()
             }
             _ => Vec::new(),
         }
@@ -102,16 +134,17 @@ impl FieldText {
     /// The text of the block, as it was given.
     #[must_use]
     pub fn text(&self) -> &str {
-        &self.text[self.body.clone()]
+        &self.shared.text[self.shared.body.clone()]
     }
 
     /// The seed of the macro's proof.
     #[must_use]
     pub fn seed(&self) -> [u8; 32] {
-        kahan_algebra::seed(&self.lexed.tokens)
+        kahan_algebra::seed(&self.tokens())
     }
 
     fn accept<T>(&self, read: Result<T, Vec<Diagnostic>>) -> Result<T, Diagnostics> {
-        read.map_err(|mistakes| Diagnostics::new(mistakes, &self.text, &self.lexed.ranges, &self.origin))
+        let Shared { text, origin, .. } = &*self.shared;
+        read.map_err(|mistakes| Diagnostics::new(mistakes, text, &self.ranges(), origin))
     }
 }

@@ -5,13 +5,14 @@
 //! …`, `x²`, `3eps`) becomes a token that carries its explanation, so that the command reports it
 //! like any other mistake.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::rational::numeral::Numeral;
 use crate::spelling::derivative;
-use crate::token::{Token, TokenKind};
+use crate::token::{Token, TokenKind, Unreadable};
 
 /// The tokens of a text and the byte range of each.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +37,9 @@ pub fn lex(text: &str) -> Lexed {
     while lexer.next_token() {}
     lexer.out
 }
+
+/// The punctuation of the language and of Rust, and brackets.
+const SIGNS: &str = "+-*/^=;,.:<>!?&|%#@~$()[]{}";
 
 struct Lexer<'a> {
     text: &'a str,
@@ -71,8 +75,16 @@ impl Lexer<'_> {
             TokenKind::Punctuation(';') | TokenKind::Open('{') => false,
             _ => self.is_right,
         };
-        let docs = std::mem::take(&mut self.docs);
-        self.out.tokens.push(Token { kind, text: text.to_owned(), touches_next: false, docs });
+        let docs = std::mem::take(&mut self.docs).into();
+        let text_of_sign = match kind {
+            // Half of the tokens of a field, none of which allocates.
+            TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c) => {
+                SIGNS.find(c).map(|place| Cow::Borrowed(&SIGNS[place..=place]))
+            }
+            _ => None,
+        };
+        let text = text_of_sign.unwrap_or_else(|| Cow::Owned(text.to_owned()));
+        self.out.tokens.push(Token { kind, text, touches_next: false, docs });
         self.out.ranges.push(range);
         self.at += length;
     }
@@ -93,7 +105,10 @@ impl Lexer<'_> {
         } else if c == '#' && !matches!(self.peek(1), Some('[' | '!')) {
             let (message, help) =
                 ("`#` begins no comment here".to_owned(), "write `//` before a comment".to_owned());
-            self.push(TokenKind::Unreadable { message, help }, self.run(self.at, |c| c != '\n'));
+            self.push(
+                TokenKind::Unreadable(Box::new(Unreadable { message, help })),
+                self.run(self.at, |c| c != '\n'),
+            );
         } else if c.is_ascii_digit() {
             let length = self.number_length();
             self.push(TokenKind::Literal, length);
@@ -109,16 +124,16 @@ impl Lexer<'_> {
             self.push(TokenKind::Open(c), 1);
         } else if matches!(c, ')' | ']' | '}') {
             self.push(TokenKind::Close(c), 1);
-        } else if "+-*/^=;,.:<>!?&|%#@~$".contains(c) {
+        } else if SIGNS.contains(c) {
             self.push(TokenKind::Punctuation(c), 1);
         } else if let Some(order) = primes(c) {
             let length = self.run(self.at, |c| primes(c).is_some());
             let order = order.max(self.text[self.at..][..length].chars().filter_map(primes).sum());
             let (message, help) = self.explain_prime(c, order);
-            self.push(TokenKind::Unreadable { message, help }, length);
+            self.push(TokenKind::Unreadable(Box::new(Unreadable { message, help })), length);
         } else {
             let (message, help) = explain_unreadable(c);
-            self.push(TokenKind::Unreadable { message, help }, c.len_utf8());
+            self.push(TokenKind::Unreadable(Box::new(Unreadable { message, help })), c.len_utf8());
         }
         true
     }
@@ -127,7 +142,7 @@ impl Lexer<'_> {
     fn explain_prime(&self, prime: char, order: usize) -> (String, String) {
         let touches = self.out.ranges.last().is_some_and(|last| last.end == self.at);
         let before = self.out.tokens.last().filter(|token| touches && token.kind == TokenKind::Identifier);
-        let state = before.map_or("x", |token| token.text.as_str());
+        let state = before.map_or("x", |token| &*token.text);
         let words = || self.text.split(|c| !continues_identifier(c)).collect();
         let help = if self.is_right {
             format!("a right-hand side has no derivatives: put in what `{state}dot` is equal to")
@@ -159,7 +174,7 @@ impl Lexer<'_> {
         }
         let (message, help) =
             ("this comment is not closed".to_owned(), "write `*/` where it ends".to_owned());
-        self.push(TokenKind::Unreadable { message, help }, 2);
+        self.push(TokenKind::Unreadable(Box::new(Unreadable { message, help })), 2);
         self.at = self.text.len();
     }
 

@@ -5,6 +5,7 @@
 //! of 20 000 terms is as shallow as one of two.
 
 use core::fmt;
+use std::borrow::Cow;
 
 use crate::rational::Rational;
 use crate::token::Span;
@@ -371,6 +372,17 @@ pub enum Reference<'a> {
         /// How far from site i.
         offset: i64,
     },
+}
+
+impl<'a> Reference<'a> {
+    /// The text by which it is looked up, as it is written.
+    #[must_use]
+    pub fn key(self) -> Cow<'a, str> {
+        match self {
+            Reference::Name(name) => Cow::Borrowed(name),
+            Reference::Site { .. } => Cow::Owned(self.to_string()),
+        }
+    }
 }
 
 /// As it is written.

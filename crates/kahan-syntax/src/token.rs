@@ -5,6 +5,8 @@
 //! indices into the token list ([`Span`]), and whoever made the list keeps the map from index to
 //! byte range or compiler span. So one parser and one set of messages serve both.
 
+use std::borrow::Cow;
+
 /// A run of tokens, from `first` to `last` inclusive, as indices into the token list of its block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
@@ -42,12 +44,16 @@ pub enum TokenKind {
     /// `)`, `]` or `}`.
     Close(char),
     /// Something that no token of the language begins with; the lexer says what to write instead.
-    Unreadable {
-        /// What is wrong.
-        message: String,
-        /// What to write instead.
-        help: String,
-    },
+    Unreadable(Box<Unreadable>),
+}
+
+/// Why a token is none of the language.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unreadable {
+    /// What is wrong.
+    pub message: String,
+    /// What to write instead.
+    pub help: String,
 }
 
 /// One token.
@@ -56,9 +62,9 @@ pub struct Token {
     /// What it is.
     pub kind: TokenKind,
     /// Its text as written.
-    pub text: String,
+    pub text: Cow<'static, str>,
     /// Whether the next token follows without white space (`**` is two touching stars).
     pub touches_next: bool,
     /// Lines of documentation before it, `/// …` as written; for rustc they are attributes.
-    pub docs: Vec<String>,
+    pub docs: Box<[String]>,
 }

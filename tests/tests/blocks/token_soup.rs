@@ -126,7 +126,8 @@ fn soup(length: Range<usize>) -> impl Strategy<Value = String> {
 fn mutated() -> impl Strategy<Value = String> {
     let changes = proptest::collection::vec((any::<prop::sample::Index>(), 0..4u8, 0..WORDS.len()), 1..5);
     (0..VALID.len(), changes).prop_map(|(block, changes)| {
-        let mut words: Vec<String> = lex(VALID[block]).tokens.into_iter().map(|token| token.text).collect();
+        let mut words: Vec<String> =
+            lex(VALID[block]).tokens.into_iter().map(|token| token.text.into_owned()).collect();
         for (place, change, word) in changes {
             let length = words.len();
             let place = place.index(length);

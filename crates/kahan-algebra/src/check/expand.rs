@@ -127,7 +127,7 @@ impl Target for Fractions<'_> {
     }
 
     fn named(&mut self, reference: Reference<'_>, _: Span) -> Result<Expansion, Diagnostic> {
-        Ok(Expansion::polynomial(match self.scope.meaning(&reference.to_string()) {
+        Ok(Expansion::polynomial(match self.scope.meaning(&reference.key()) {
             Some(Meaning::Variable(variable)) => Polynomial::variable(variable),
             Some(Meaning::Constant(value)) => Polynomial::constant(value),
             None => Polynomial::zero(),
@@ -182,7 +182,10 @@ impl Target for Fractions<'_> {
         }
         let kept = self.kept_product(&a, &b);
         let numerator = self.product(&a.numerator, &b.numerator, span)?;
-        let denominator = self.product(&a.denominator, &b.denominator, span)?;
+        let denominator = match a.denominator.is_one() {
+            true => b.denominator,
+            false => self.product(&a.denominator, &b.denominator, span)?,
+        };
         self.reduced(Expansion { numerator, denominator, kept, order: Vec::new() }, span)
     }
 

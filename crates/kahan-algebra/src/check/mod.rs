@@ -185,6 +185,7 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
     };
     scope.report_unused(&block, diagnostics);
     let written = block.equations.into_iter().filter_map(|equation| equation.value).collect();
+    let (field, kept) = (field.into(), kept.into());
     let system = System { header: block.header, constants, field, kept, written, claims };
     (stand_in, is_sound.then_some(system))
 }

@@ -97,12 +97,14 @@ impl Scope {
         expr.visit_names(&mut |reference, span| references.push((reference, span)));
         let mut sound = true;
         for (reference, span) in references {
-            let name = reference.to_string();
-            self.used.insert(name.clone());
+            let name = &*reference.key();
+            if !self.used.contains(name) {
+                self.mark_used(name);
+            }
             let (Reference::Name(base) | Reference::Site { array: base, .. }) = reference;
-            if self.is_poisoned(&name) || self.is_poisoned(base) {
+            if self.is_poisoned(name) || self.is_poisoned(base) {
                 sound = false;
-            } else if is_epsilon(&name) && !in_claim {
+            } else if is_epsilon(name) && !in_claim {
                 sound = false;
                 diagnostics.report(
                     Kind::Name,
@@ -110,11 +112,13 @@ impl Scope {
                     format!("`{name}` is the half time step and belongs to the map, not to the field"),
                     "rename the parameter",
                 );
-                self.poison(&name);
-            } else if self.meaning(&name).is_none() && !(in_claim && self.claims.contains(&name)) {
+                self.poison(name);
+            } else if self.meaning(name).is_none()
+                && !(in_claim && self.claims.iter().any(|claim| claim == name))
+            {
                 sound = false;
                 // A constant without a value has been reported at its declaration.
-                if !self.constants.contains_key(&name) && !diagnostics.is_full() {
+                if !self.constants.contains_key(name) && !diagnostics.is_full() {
                     self.report_unknown(reference, span, in_claim, diagnostics);
                 }
             }

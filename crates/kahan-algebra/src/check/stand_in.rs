@@ -1,6 +1,8 @@
 //! What stands in for a block with mistakes, so that the rest of a program is checked against its
 //! type: the names that were found, and nothing that could be computed.
 
+use std::sync::Arc;
+
 use kahan_syntax::diagnostics::Diagnostic;
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{ClaimBody, ClaimKind, Expr, ExprKind, Header, Name};
@@ -56,9 +58,9 @@ impl StandIn {
         System {
             header: self.header.clone(),
             constants: Vec::new(),
-            kept: Kept::of(&field),
-            field,
-            written: Vec::new(),
+            kept: Kept::of(&field).into(),
+            field: field.into(),
+            written: Arc::default(),
             claims: self.claims.iter().map(|claim| self.claim(claim)).collect(),
         }
     }

@@ -22,8 +22,9 @@ use kahan_syntax::syntax::ClaimKind;
 
 use crate::arithmetic::Arithmetic;
 use crate::elimination::{Couplings, MOST_EXPANDED};
-use crate::kahan::{RationalMap, bilinear_form, matrix_of, polarization, scaled_rhs};
-use crate::kept::WithConstants;
+use crate::field::Field;
+use crate::kahan::{RationalMap, SparseRows, bilinear_form, matrix_of, polarization, scaled_rhs};
+use crate::kept::{Values, WithConstants};
 use crate::plan::{DenseField, Node, Plan, PlanBuilder, StepPlan};
 use crate::poly::Polynomial;
 use crate::symbols::{Symbol, Symbols};
@@ -37,18 +38,6 @@ pub struct Derived {
     /// What each component of the field divides by, free of states: where one is zero there is no
     /// field.
     pub divisors: Plan,
-    /// f(x), one result for each component.
-    pub field: Plan,
-    /// f′(x), row by row.
-    pub field_jacobian: Plan,
-    /// Q(x,y), one result for each component; y are the second states.
-    pub bilinear: Plan,
-    /// Q(x,y) + ½B(x+y) + c, one result for each component.
-    pub polarized: Plan,
-    /// A(x,ε), row by row.
-    pub matrix: Plan,
-    /// b(x,ε), one result for each component.
-    pub rhs: Plan,
     /// The map as polynomials; `None` beyond the budget of terms.
     pub map: Option<RationalMap>,
     /// det A(x,ε), expanded; `None` beyond the budget.
@@ -70,7 +59,15 @@ pub struct Derived {
     /// The claims that are made `when` something holds, in their order: each where it does, with
     /// the values of the names that are solved for.
     pub conditional: Vec<Plan>,
-    planned: Planned,
+    planned: OnceLock<Planned>,
+    dense: OnceLock<Option<DenseField>>,
+    field: OnceLock<Plan>,
+    coefficients: OnceLock<Option<Plan>>,
+    field_jacobian: OnceLock<Plan>,
+    matrix: OnceLock<Plan>,
+    bilinear: OnceLock<Plan>,
+    polarized: OnceLock<Plan>,
+    rhs: OnceLock<Plan>,
     step: OnceLock<Option<StepPlan>>,
     couplings: OnceLock<Option<Couplings>>,
     carry: OnceLock<Option<(Symbols, Plan)>>,
@@ -78,40 +75,31 @@ pub struct Derived {
 
 /// Derives the plans of a system.
 ///
-/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog; the step is
-/// planned when it is first asked for.
+/// Cost: that of [`RationalMap::of`], some milliseconds for a system of the catalog. Plans that are
+/// methods are made when they are first asked for.
 #[must_use]
 pub fn derive(system: &System) -> Derived {
     let System { field, kept, .. } = system;
     let map = if field.dimension() > MOST_EXPANDED { None } else { RationalMap::of(field) };
-    let planned = Planned::of(system, map.as_ref());
-    let with = &planned.with_constants;
-    let (values, slopes) = kept.jacobian(&field.symbols);
-    let (dense, n) = (DenseField::of(kept, &field.symbols), field.dimension());
+    let planned = map.as_ref().map(|map| Planned::of(system, Some(map)));
+    let of_map = |plan: &dyn Fn(&RationalMap) -> Plan| planned.as_ref()?.with_map(plan);
     let claims = |kind| system.accessors(kind).map(|claim| (claim.name.text.clone(), &claim.plan));
     let single = |plan: &Plan| Plan::together([plan]);
-    let over_divisors = |polynomials: Vec<Polynomial>| {
-        let divisors = with.field.components.iter().map(|component| &component.denominator);
-        with.put_into(&quotients(polynomials.iter().zip(divisors)))
-    };
     Derived {
         divisors: kept.divisors(),
-        field: dense.as_ref().map_or_else(|| kept.plan(), DenseField::field),
-        field_jacobian: match &dense {
-            Some(dense) => dense.slopes((0..n).flat_map(|i| (0..n).map(move |j| (i, j)))),
-            None => values.plan(slopes.iter().flatten()),
-        },
-        bilinear: over_divisors(bilinear_form(&with.field)),
-        polarized: over_divisors(polarization(&with.field)),
-        matrix: values
-            .plan(matrix_of(slopes.clone(), field.symbols.epsilon(), |_| Polynomial::one()).iter().flatten()),
-        rhs: over_divisors(scaled_rhs(&with.field)),
-        det_matrix: planned.with_map(|map| over_product(map, [&map.denominator])),
-        rational_map: planned
-            .with_map(|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
-        reduced_map: planned.reduced_map(),
+        det_matrix: of_map(&|map| over_product(map, [&map.denominator])),
+        rational_map: of_map(&|map| over_product(map, map.numerators.iter().chain([&map.denominator]))),
+        reduced_map: planned.as_ref().and_then(Planned::reduced_map),
         map,
-        planned,
+        planned: planned.map_or_else(OnceLock::new, OnceLock::from),
+        dense: OnceLock::new(),
+        field: OnceLock::new(),
+        coefficients: OnceLock::new(),
+        field_jacobian: OnceLock::new(),
+        matrix: OnceLock::new(),
+        bilinear: OnceLock::new(),
+        polarized: OnceLock::new(),
+        rhs: OnceLock::new(),
         integrals: Plan::together(claims(ClaimKind::Integral).map(|(_, plan)| plan)),
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
@@ -161,12 +149,90 @@ impl Planned {
 }
 
 impl Derived {
+    /// f(x), one result for each component.
+    pub fn field(&self) -> &Plan {
+        self.field.get_or_init(|| match self.dense() {
+            Some(dense) => dense.field(),
+            None => self.system.kept.plan(),
+        })
+    }
+
+    /// The coefficients of a field in which very many products of variables occur, from its
+    /// parameters; `None` for other fields. For each component there are the constant, those of the
+    /// variables, and those of their products xⱼxₖ with j ≤ k, row after row of that triangle.
+    ///
+    /// With them fᵢ is cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with k ≥ j, and ∂fᵢ/∂xⱼ is bᵢⱼ + Σₖ qᵢⱼₖxₖ, in
+    /// which k = j counts twice. The plans compute the sums in this order, without the terms whose
+    /// coefficient is 0.
+    pub fn coefficients(&self) -> Option<&Plan> {
+        let coefficients = || Some(self.dense()?.coefficients());
+        self.coefficients.get_or_init(coefficients).as_ref()
+    }
+
+    fn dense(&self) -> Option<&DenseField> {
+        let System { field, kept, .. } = &self.system;
+        self.dense.get_or_init(|| DenseField::of(kept, &field.symbols)).as_ref()
+    }
+
+    /// f′(x), row by row.
+    pub fn field_jacobian(&self) -> &Plan {
+        self.field_jacobian.get_or_init(|| match self.dense() {
+            Some(dense) => dense.slopes(dense.entries()),
+            None => {
+                let (values, slopes) = self.slopes();
+                values.plan(crate::kahan::dense(slopes).iter().flatten())
+            }
+        })
+    }
+
+    /// A(x,ε), row by row.
+    pub fn matrix(&self) -> &Plan {
+        self.matrix.get_or_init(|| {
+            let (values, slopes) = self.slopes();
+            let epsilon = self.system.field.symbols.epsilon();
+            values
+                .plan(matrix_of(crate::kahan::dense(slopes), epsilon, |_| Polynomial::one()).iter().flatten())
+        })
+    }
+
+    /// Q(x,y), one result for each component; y are the second states.
+    pub fn bilinear(&self) -> &Plan {
+        self.bilinear.get_or_init(|| self.over_divisors(bilinear_form))
+    }
+
+    /// Q(x,y) + ½B(x+y) + c, one result for each component.
+    pub fn polarized(&self) -> &Plan {
+        self.polarized.get_or_init(|| self.over_divisors(polarization))
+    }
+
+    /// b(x,ε), one result for each component.
+    pub fn rhs(&self) -> &Plan {
+        self.rhs.get_or_init(|| self.over_divisors(scaled_rhs))
+    }
+
+    /// f′(x) over the values of the field.
+    fn slopes(&self) -> (Values, SparseRows) {
+        let System { field, kept, .. } = &self.system;
+        kept.jacobian(&field.symbols)
+    }
+
+    fn planned(&self) -> &Planned {
+        self.planned.get_or_init(|| Planned::of(&self.system, self.map.as_ref()))
+    }
+
+    /// Polynomials that belong to the components of a field, each over the divisor of its component.
+    fn over_divisors(&self, polynomials: impl FnOnce(&Field) -> Vec<Polynomial>) -> Plan {
+        let with = &self.planned().with_constants;
+        let divisors = with.field.components.iter().map(|component| &component.denominator);
+        with.put_into(&quotients(polynomials(&with.field).iter().zip(divisors)))
+    }
+
     /// The step in straight lines; `None` where every step eliminates.
     ///
     /// Cost: the first call plans it, which takes some milliseconds for a system of the catalog.
     pub fn step(&self) -> Option<&StepPlan> {
-        let Planned { with_constants: with, map } = &self.planned;
         let plan = || {
+            let Planned { with_constants: with, map } = self.planned();
             Some(
                 StepPlan::of_map(&with.field, with.kept.as_ref(), map.as_ref())?
                     .mapped(&|plan| with.put_into(plan)),
@@ -182,9 +248,11 @@ impl Derived {
     /// elimination.
     pub fn couplings(&self) -> Option<&Couplings> {
         let found = || {
-            let System { field, kept, .. } = &self.system;
-            let (values, slopes) = kept.jacobian(&field.symbols);
-            Couplings::of(&values, &slopes, DenseField::of(kept, &field.symbols).as_ref())
+            let of_all = self.dense().map(Couplings::of_all);
+            of_all.unwrap_or_else(|| {
+                let (values, slopes) = self.slopes();
+                Couplings::of(&values, &slopes)
+            })
         };
         self.couplings.get_or_init(|| self.step().is_none().then(found)).as_ref()
     }
@@ -202,7 +270,7 @@ impl Derived {
             let System { field, kept, .. } = self.system.variational();
             let with = kept.with_constants(&field);
             let plan = Plan::of_tangent(&with.field)?;
-            Some((field.symbols, with.put_into(&plan)))
+            Some((field.symbols.clone(), with.put_into(&plan)))
         };
         let has_other_poles = self.reduced_map.is_some();
         let planned = || if has_other_poles || self.step().is_none() { None } else { plan() };
@@ -231,10 +299,10 @@ impl Derived {
         let constants = |step: &StepPlan| step.constants.clone();
         let next = |step: &StepPlan| step.next(symbols);
         let mut functions = vec![
-            some("field f", &self.field),
-            some("f'(x)", &self.field_jacobian),
-            some("Q(x,x')", &self.bilinear),
-            some("polarised field", &self.polarized),
+            some("field f", self.field()),
+            some("f'(x)", self.field_jacobian()),
+            some("Q(x,x')", self.bilinear()),
+            some("polarised field", self.polarized()),
             ("prepared constants".to_owned(), step.map(constants)),
             ("step".to_owned(), step.map(next)),
         ];

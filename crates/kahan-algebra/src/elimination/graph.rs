@@ -1,8 +1,7 @@
-//! Which variables act on each other, and what elimination in some order fills in.
+//! Which variables of a block act on each other, and what elimination in some order fills in.
 
-use kahan_syntax::table::distinct;
-
-/// The entries of f′ beside the diagonal that are not identically zero, by rows.
+/// The entries of f′ in a block beside the diagonal, by rows. Variables are numbered by their
+/// places in the block.
 pub(super) struct Graph {
     rows: Vec<Vec<usize>>,
 }
@@ -16,74 +15,186 @@ pub(super) struct Price {
     critical_path: usize,
 }
 
+/// The entries of a block in some order of elimination, with those that elimination fills in.
+pub(super) struct Filled {
+    pub(super) rows: Vec<FilledRow>,
+    pub(super) price: Price,
+}
+
+/// The entries of a row.
+pub(super) struct FilledRow {
+    /// The columns in order, the diagonal included.
+    pub(super) columns: Vec<usize>,
+    /// The index of the diagonal among them.
+    pub(super) diagonal: usize,
+    /// The end of the columns that a later row has to look at. The next rows take over those behind
+    /// from the row of the last column before, which has them all.
+    looked_at: Option<usize>,
+}
+
+impl FilledRow {
+    /// The number of columns right of the diagonal.
+    fn right(&self) -> usize {
+        self.columns.len() - self.diagonal - 1
+    }
+}
+
 impl Graph {
-    /// Of the matrix that says whether fᵢ depends on xⱼ.
-    pub(super) fn of(depends: &[Vec<bool>]) -> Self {
-        let row = |(i, row): (usize, &Vec<bool>)| (0..row.len()).filter(|&j| j != i && row[j]).collect();
-        Graph { rows: depends.iter().enumerate().map(row).collect() }
+    /// The graph of each block; `depends` lists for each variable those that fᵢ depends on.
+    pub(super) fn of_blocks(depends: &[Vec<usize>], blocks: &[Vec<usize>]) -> Vec<Self> {
+        let mut places = vec![(0, 0); depends.len()];
+        for (number, block) in blocks.iter().enumerate() {
+            block.iter().enumerate().for_each(|(place, &i)| places[i] = (number, place));
+        }
+        let inside = |number: usize, i: usize| {
+            let others = depends[i].iter().filter(|&&j| j != i && places[j].0 == number);
+            others.map(|&j| places[j].1).collect()
+        };
+        let graph = |(number, block): (usize, &Vec<usize>)| Graph {
+            rows: block.iter().map(|&i| inside(number, i)).collect(),
+        };
+        blocks.iter().enumerate().map(graph).collect()
     }
 
-    /// The columns of a row's entries beside the diagonal.
-    pub(super) fn row(&self, i: usize) -> &[usize] {
-        &self.rows[i]
+    /// The number of variables.
+    pub(super) fn len(&self) -> usize {
+        self.rows.len()
     }
 
-    /// For each variable of a block, by its place in it, which others act on it or are acted on.
-    pub(super) fn neighbours(&self, block: &[usize]) -> Vec<Vec<usize>> {
-        let places = self.places(block);
-        let mut neighbours = vec![Vec::new(); block.len()];
-        for (a, &i) in block.iter().enumerate() {
-            for b in self.rows[i].iter().filter_map(|&j| places[j]) {
+    /// For each variable, which others act on it or are acted on.
+    pub(super) fn neighbours(&self) -> Vec<Vec<usize>> {
+        let mut neighbours = vec![Vec::new(); self.len()];
+        for (a, row) in self.rows.iter().enumerate() {
+            for &b in row {
                 neighbours[a].push(b);
                 neighbours[b].push(a);
             }
         }
-        neighbours.into_iter().map(distinct).collect()
+        for list in &mut neighbours {
+            list.sort_unstable();
+            list.dedup();
+        }
+        neighbours
     }
 
-    /// For each row of a block in this order the columns of its entries, filled ones and the
-    /// diagonal included.
-    pub(super) fn filled(&self, block: &[usize]) -> Vec<Vec<usize>> {
-        let places = self.places(block);
-        let mut rows: Vec<Vec<usize>> = Vec::with_capacity(block.len());
-        for (k, &i) in block.iter().enumerate() {
-            let mut is_there = vec![false; block.len()];
-            is_there[k] = true;
-            self.rows[i].iter().filter_map(|&j| places[j]).for_each(|j| is_there[j] = true);
-            for pivot in 0..k {
-                if is_there[pivot] {
-                    right_of(&rows[pivot], pivot).for_each(|j| is_there[j] = true);
+    /// The entries of the block in this order, filled ones included; `None` where elimination takes
+    /// more products than `bound` says.
+    ///
+    /// A row takes over all columns right of the diagonal from the rows of its pivots. Row p may
+    /// have an entry in column q and row q one in column p. Then row q has taken over what row p
+    /// has right of q, and rows below q look at row p up to column q only (S. C. Eisenstat and
+    /// J. W. H. Liu, SIAM J. Matrix Anal. Appl. 13 (1992) 202–211). Where all couplings are mutual,
+    /// the cost is the number of entries.
+    pub(super) fn filled(&self, order: &[usize], bound: Option<Price>) -> Option<Filled> {
+        let most_products = bound.map_or(usize::MAX, |bound| bound.products);
+        let turns = turns(order);
+        let mut rows: Vec<FilledRow> = Vec::with_capacity(order.len());
+        let mut seen_in = vec![usize::MAX; order.len()];
+        let mut chains: Vec<usize> = Vec::with_capacity(order.len());
+        let mut products = 0;
+        for (k, &i) in order.iter().enumerate() {
+            let mut columns = vec![k];
+            columns.extend(self.rows[i].iter().map(|&j| turns[j]));
+            columns.iter().for_each(|&j| seen_in[j] = k);
+            let mut next = 0;
+            while next < columns.len() {
+                if let Some(FilledRow { columns: above, diagonal, looked_at }) =
+                    rows.get(columns[next]).filter(|_| columns[next] < k)
+                {
+                    for &j in &above[diagonal + 1..looked_at.unwrap_or(above.len())] {
+                        if seen_in[j] != k {
+                            seen_in[j] = k;
+                            columns.push(j);
+                        }
+                    }
+                }
+                next += 1;
+            }
+            columns.sort_unstable();
+            let diagonal = columns.partition_point(|&j| j < k);
+            let mut chain = 0;
+            for &pivot in &columns[..diagonal] {
+                let above = &mut rows[pivot];
+                products += 1 + above.right();
+                chain = chain.max(1 + chains[pivot]);
+                if above.looked_at.is_none() {
+                    above.looked_at = above.columns.binary_search(&k).ok().map(|place| place + 1);
                 }
             }
-            rows.push((0..block.len()).filter(|&j| is_there[j]).collect());
+            if products > most_products {
+                return None;
+            }
+            chains.push(chain);
+            rows.push(FilledRow { columns, diagonal, looked_at: None });
         }
-        rows
-    }
-
-    /// The price of eliminating a block in this order.
-    pub(super) fn price(&self, block: &[usize]) -> Price {
-        let filled = self.filled(block);
-        let lengths: Vec<usize> =
-            filled.iter().enumerate().map(|(k, row)| right_of(row, k).count()).collect();
-        let mut chains: Vec<usize> = Vec::with_capacity(block.len());
-        let mut products = 0;
-        for (k, row) in filled.iter().enumerate() {
-            let left = || row.iter().copied().take_while(|&j| j < k);
-            products += left().map(|pivot| 1 + lengths[pivot]).sum::<usize>();
-            chains.push(left().map(|pivot| 1 + chains[pivot]).max().unwrap_or(0));
-        }
-        Price { products, critical_path: chains.into_iter().max().unwrap_or(0) }
-    }
-
-    /// The place of each variable in a block.
-    fn places(&self, block: &[usize]) -> Vec<Option<usize>> {
-        let mut places = vec![None; self.rows.len()];
-        block.iter().enumerate().for_each(|(place, &i)| places[i] = Some(place));
-        places
+        let critical_path = chains.into_iter().max().unwrap_or(0);
+        Some(Filled { rows, price: Price { products, critical_path } })
     }
 }
 
-/// The columns right of the diagonal.
-fn right_of(row: &[usize], diagonal: usize) -> impl Iterator<Item = usize> {
-    row.iter().copied().filter(move |&j| j > diagonal)
+/// The turn of each variable in an order.
+pub(super) fn turns(order: &[usize]) -> Vec<usize> {
+    let mut turns = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(turn, &i)| turns[i] = turn);
+    turns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elimination::tests::{permutation, random_rows};
+    use crate::prime_field::SplitMix64;
+
+    /// The rows filled in as elimination does it, one pivot after the other.
+    fn by_definition(graph: &Graph, order: &[usize]) -> Vec<Vec<usize>> {
+        let (n, turns) = (order.len(), turns(order));
+        let mut is_there = vec![vec![false; n]; n];
+        for (k, &i) in order.iter().enumerate() {
+            is_there[k][k] = true;
+            graph.rows[i].iter().for_each(|&j| is_there[k][turns[j]] = true);
+            for pivot in 0..k {
+                if is_there[k][pivot] {
+                    (pivot..n).for_each(|j| is_there[k][j] |= is_there[pivot][j]);
+                }
+            }
+        }
+        is_there.iter().map(|row| (0..n).filter(|&j| row[j]).collect()).collect()
+    }
+
+    #[test]
+    fn rows_are_filled_as_elimination_fills_them() {
+        let mut random = SplitMix64::new(7);
+        for n in 1..40 {
+            for mutual in [false, true] {
+                let rows = random_rows(&mut random, n, mutual);
+                let graph = Graph::of_blocks(&rows, &[(0..n).collect()]).remove(0);
+                let order = permutation(&mut random, n);
+                let filled = graph.filled(&order, None).unwrap();
+                let expected = by_definition(&graph, &order);
+                let found: Vec<_> = filled.rows.iter().map(|row| row.columns.clone()).collect();
+                assert_eq!(found, expected, "{rows:?} in the order {order:?}");
+
+                let left = |k: usize| expected[k].iter().copied().take_while(move |&j| j < k);
+                let right = |k: usize| expected[k].iter().filter(|&&j| j > k).count();
+                let products = (0..n).flat_map(left).map(|pivot| 1 + right(pivot)).sum();
+                let mut chains: Vec<usize> = Vec::new();
+                (0..n).for_each(|k| chains.push(left(k).map(|pivot| 1 + chains[pivot]).max().unwrap_or(0)));
+                let critical_path = chains.into_iter().max().unwrap();
+                assert_eq!(filled.price, Price { products, critical_path });
+
+                assert!(graph.filled(&order, Some(filled.price)).is_some());
+                let less = products.checked_sub(1).map(|products| Price { products, critical_path });
+                assert!(less.is_none_or(|less| graph.filled(&order, Some(less)).is_none()));
+            }
+        }
+    }
+
+    #[test]
+    fn the_graph_of_a_block_has_its_couplings_alone() {
+        let depends = [vec![0, 2, 3], vec![1], vec![0, 1], vec![1, 3]];
+        let graphs = Graph::of_blocks(&depends, &[vec![1], vec![3], vec![0, 2]]);
+        let rows: Vec<_> = graphs.iter().map(|graph| graph.rows.clone()).collect();
+        assert_eq!(rows, [vec![vec![]], vec![vec![]], vec![vec![1], vec![0]]]);
+        assert_eq!(graphs[2].neighbours(), [[1], [0]]);
+    }
 }

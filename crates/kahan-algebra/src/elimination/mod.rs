@@ -16,16 +16,15 @@ mod graph;
 mod orders;
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
-use kahan_syntax::table::distinct;
+use kahan_syntax::table::sorted_by_key;
 use kahan_syntax::token::Span;
 
 use crate::field::Field;
-use crate::kahan::{field_jacobian, pattern};
+use crate::kahan::SparseRows;
 use crate::kept::Values;
 use crate::plan::{DenseField, Plan, StepCost, triangular_blocks};
-use crate::poly::Polynomial;
 
-use graph::Graph;
+use graph::{Graph, turns};
 use orders::cheapest;
 
 /// The most variables of a field whose map is written out where that is possible. Beyond, every
@@ -59,12 +58,6 @@ pub struct Couplings {
     pub places: Vec<usize>,
     /// The entries of f′(x) that are not identically zero.
     pub slopes: Plan,
-    /// Of a field with very many products of variables the coefficients, if elimination fills A: for
-    /// each component the constant, those of the variables, and those of their products xⱼxₖ with
-    /// j ≤ k, row after row of that triangle. With them f is cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ) with
-    /// k ≥ j, and an entry of f′ is bᵢⱼ + Σₖ qᵢⱼₖxₖ, in which k = j counts twice; all sums are in
-    /// this order.
-    pub dense: Option<Plan>,
 }
 
 /// The places of a row's entries.
@@ -101,7 +94,9 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
     if variables <= MOST_EXPANDED {
         return None;
     }
-    let slopes = field_jacobian(field).iter().flatten().filter(|slope| !slope.is_zero()).count();
+    let is_state = |variable| field.symbols.is_state(variable);
+    let slopes = field.components.iter().map(|component| component.numerator.gradient(is_state).len());
+    let slopes: usize = slopes.sum();
     (variables > MOST_VARIABLES || slopes > MOST_SLOPES).then(|| {
         Diagnostic::new(
             Kind::TooLarge,
@@ -116,49 +111,58 @@ pub fn too_many_couplings(field: &Field, span: Span) -> Option<Diagnostic> {
 }
 
 impl Couplings {
-    /// The couplings of a field, from f′ over its values; `dense` are its coefficients if it is
-    /// dense.
+    /// The couplings of a field, from f′ over its values.
     #[must_use]
-    pub(crate) fn of(values: &Values, slopes: &[Vec<Polynomial>], dense: Option<&DenseField>) -> Self {
-        let is_coupled = pattern(slopes);
-        let graph = Graph::of(&is_coupled);
-        let blocks: Vec<Vec<usize>> =
-            triangular_blocks(&is_coupled).iter().map(|block| cheapest(&graph, block)).collect();
+    pub(crate) fn of(values: &Values, slopes: &SparseRows) -> Self {
+        let depends: Vec<Vec<usize>> =
+            slopes.iter().map(|row| row.iter().map(|(j, _)| *j).collect()).collect();
+        let mut blocks = triangular_blocks(&depends);
+        let mut all_filled = Vec::with_capacity(blocks.len());
+        for (graph, block) in Graph::of_blocks(&depends, &blocks).iter().zip(&mut blocks) {
+            let (order, filled) = cheapest(graph);
+            *block = order.into_iter().map(|place| block[place]).collect();
+            all_filled.push(filled);
+        }
         let order = blocks.concat();
-        let mut turns = vec![0; order.len()];
-        order.iter().enumerate().for_each(|(turn, &i)| turns[i] = turn);
+        let turns = turns(&order);
         let (mut rows, mut columns, mut ends) = (Vec::new(), Vec::new(), Vec::new());
-        for block in &blocks {
+        let (mut places, mut written) = (Vec::new(), Vec::new());
+        for (block, filled) in blocks.iter().zip(all_filled) {
             let first = rows.len();
-            for (k, (row, &i)) in graph.filled(block).iter().zip(block).enumerate() {
+            for (filled, &i) in filled.rows.iter().zip(block) {
+                let by_turns =
+                    sorted_by_key(slopes[i].iter().map(|(j, slope)| (turns[*j], slope)), |of| of.0);
                 let start = columns.len();
-                columns.extend(distinct(graph.row(i).iter().map(|&j| turns[j]).filter(|&turn| turn < first)));
+                columns.extend(by_turns.iter().map(|of| of.0).take_while(|&turn| turn < first));
                 let own = columns.len();
-                let diagonal = own + row.iter().take_while(|&&j| j < k).count();
-                columns.extend(row.iter().map(|j| first + j));
-                rows.push(Row { start, own, diagonal, end: columns.len() });
+                columns.extend(filled.columns.iter().map(|j| first + j));
+                for (turn, slope) in by_turns {
+                    let place = columns[start..].binary_search(&turn).expect("each entry has a place");
+                    places.push(start + place);
+                    written.push(slope);
+                }
+                rows.push(Row { start, own, diagonal: own + filled.diagonal, end: columns.len() });
             }
             ends.push(rows.len());
         }
-        let (mut places, mut written, mut entries) = (Vec::new(), Vec::new(), Vec::new());
-        for (row, &i) in rows.iter().zip(&order) {
-            for place in row.start..row.end {
-                let j = order[columns[place]];
-                let slope = &slopes[i][j];
-                if !slope.is_zero() {
-                    places.push(place);
-                    entries.push((i, j));
-                    written.push(slope);
-                }
-            }
+        let slopes = values.plan(written);
+        Couplings { order, rows, columns, blocks: ends, places, slopes }
+    }
+
+    /// The couplings of a dense field: every entry of A in the order of the variables.
+    #[must_use]
+    pub(crate) fn of_all(dense: &DenseField) -> Self {
+        let n = dense.dimension();
+        let row = |i: usize| Row { start: i * n, own: i * n, diagonal: i * n + i, end: (i + 1) * n };
+        let entries: Vec<(usize, usize)> = dense.entries().filter(|entry| dense.depends(*entry)).collect();
+        Couplings {
+            order: (0..n).collect(),
+            rows: (0..n).map(row).collect(),
+            columns: (0..n * n).map(|place| place % n).collect(),
+            blocks: vec![n],
+            places: entries.iter().map(|(i, j)| i * n + j).collect(),
+            slopes: dense.slopes(entries),
         }
-        let slopes = match dense {
-            Some(dense) => dense.slopes(entries),
-            None => values.plan(written),
-        };
-        let is_full = columns.len() == order.len().pow(2) && order.is_sorted();
-        let dense = dense.filter(|_| is_full).map(DenseField::coefficients);
-        Couplings { order, rows, columns, blocks: ends, places, slopes, dense }
     }
 
     /// Whether elimination is written as a straight line.
@@ -202,5 +206,39 @@ impl Couplings {
             chains.push(before.unwrap_or(0) + PIVOT);
         }
         chains.into_iter().max().unwrap_or(0)
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    //! Random couplings for the tests of blocks, orders and what they fill in.
+
+    use kahan_syntax::table::distinct;
+
+    use crate::prime_field::SplitMix64;
+
+    /// A number below `end`.
+    pub(crate) fn below(random: &mut SplitMix64, end: usize) -> usize {
+        usize::try_from(random.below(end as u64)).expect("below a usize")
+    }
+
+    /// The numbers below n in some order.
+    pub(crate) fn permutation(random: &mut SplitMix64, n: usize) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..n).collect();
+        (1..n).for_each(|k| order.swap(k, below(random, k + 1)));
+        order
+    }
+
+    /// For each of n variables, in order, those that it depends on: up to three of them on average.
+    pub(crate) fn random_rows(random: &mut SplitMix64, n: usize, mutual: bool) -> Vec<Vec<usize>> {
+        let mut rows = vec![Vec::new(); n];
+        for _ in 0..n * (1 + below(random, 5)) / 2 {
+            let (i, j) = (below(random, n), below(random, n));
+            rows[i].push(j);
+            if mutual {
+                rows[j].push(i);
+            }
+        }
+        rows.into_iter().map(distinct).collect()
     }
 }

@@ -1,16 +1,25 @@
 //! Orders in which a block may be eliminated, and the choice among them by what they fill in.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use kahan_syntax::table::sorted_by_key;
 
-use super::graph::Graph;
+use super::graph::{Filled, Graph};
 
-/// The cheapest of the orders below; of equals, that whose pivots wait least for each other.
-pub(super) fn cheapest(graph: &Graph, block: &[usize]) -> Vec<usize> {
-    let neighbours = graph.neighbours(block);
+/// The cheapest of the orders below, and what it fills in; of equals, that whose pivots wait least
+/// for each other.
+pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, Filled) {
+    let neighbours = graph.neighbours();
     let proposals =
-        [as_written(block.len()), folded(block.len()), in_bands(&neighbours), by_degree(&neighbours)];
-    let named = proposals.map(|order| order.into_iter().map(|place| block[place]).collect::<Vec<usize>>());
-    named.into_iter().min_by_key(|order| graph.price(order)).expect("four orders are proposed")
+        [as_written(graph.len()), folded(graph.len()), in_bands(&neighbours), by_degree(&neighbours)];
+    let [.., of_degree] = &proposals;
+    // The order by degree is cheap almost always, so that the others are soon found to be dearer.
+    let bound = graph.filled(of_degree, None).map(|filled| filled.price);
+    let filled = |order: Vec<usize>| Some((graph.filled(&order, bound)?, order));
+    let cheapest = proposals.into_iter().filter_map(filled).min_by_key(|(filled, _)| filled.price);
+    let (filled, order) = cheapest.expect("four orders are proposed");
+    (order, filled)
 }
 
 /// Best where a variable acts on the next few only.
@@ -30,7 +39,10 @@ fn in_bands(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let degree = |&place: &usize| neighbours[place].len();
     let mut is_placed = vec![false; neighbours.len()];
     let mut order: Vec<usize> = Vec::with_capacity(neighbours.len());
-    while let Some(start) = (0..neighbours.len()).filter(|&place| !is_placed[place]).min_by_key(degree) {
+    for start in sorted_by_key(0..neighbours.len(), degree) {
+        if is_placed[start] {
+            continue;
+        }
         is_placed[start] = true;
         let mut next = order.len();
         order.push(start);
@@ -51,18 +63,110 @@ fn in_bands(neighbours: &[Vec<usize>]) -> Vec<usize> {
 fn by_degree(neighbours: &[Vec<usize>]) -> Vec<usize> {
     let mut around = neighbours.to_vec();
     let mut waits = vec![0_usize; around.len()];
-    let mut left: Vec<usize> = (0..around.len()).collect();
+    let mut is_left = vec![true; around.len()];
     let mut order = Vec::with_capacity(around.len());
-    while let Some(chosen) = left.iter().copied().min_by_key(|&place| (around[place].len(), waits[place])) {
-        left.retain(|&place| place != chosen);
+    let all = (0..around.len()).map(|place| Reverse((around[place].len(), 0, place)));
+    let mut queue: BinaryHeap<_> = all.collect();
+    while let Some(Reverse((degree, turn, chosen))) = queue.pop() {
+        // A variable that has been tied anew stands further on in the queue, too.
+        if !is_left[chosen] || (degree, turn) != (around[chosen].len(), waits[chosen]) {
+            continue;
+        }
+        is_left[chosen] = false;
+        order.push(chosen);
         let tied = std::mem::take(&mut around[chosen]);
         for &place in &tied {
-            waits[place] = waits[place].max(waits[chosen] + 1);
-            let others = tied.iter().chain(&around[place]).copied();
-            let others = others.filter(|&other| other != place && other != chosen);
-            around[place] = kahan_syntax::table::distinct(others);
+            waits[place] = waits[place].max(turn + 1);
         }
-        order.push(chosen);
+        if order.len() + tied.len() == around.len() {
+            append_by_waits(tied, &mut waits, &mut order);
+            return order;
+        }
+        for &place in &tied {
+            around[place] = united(&around[place], &tied, |other| other != place && other != chosen);
+            queue.push(Reverse((around[place].len(), waits[place], place)));
+        }
     }
     order
+}
+
+/// Appends variables that are all neighbours of each other, always one that waits for the fewest
+/// pivots.
+fn append_by_waits(mut left: Vec<usize>, waits: &mut [usize], order: &mut Vec<usize>) {
+    while let Some(chosen) = left.iter().copied().min_by_key(|&place| waits[place]) {
+        left.retain(|&place| place != chosen);
+        left.iter().for_each(|&place| waits[place] = waits[place].max(waits[chosen] + 1));
+        order.push(chosen);
+    }
+}
+
+/// The numbers in either of two ordered lists that are kept, in order.
+fn united(left: &[usize], right: &[usize], is_kept: impl Fn(usize) -> bool) -> Vec<usize> {
+    let mut united = Vec::with_capacity(left.len() + right.len());
+    let (mut a, mut b) = (0, 0);
+    while a < left.len() || b < right.len() {
+        let next = match (left.get(a), right.get(b)) {
+            (Some(&own), Some(&other)) => own.min(other),
+            (Some(&next), None) | (None, Some(&next)) => next,
+            (None, None) => unreachable!("one list has a number left"),
+        };
+        a += usize::from(left.get(a) == Some(&next));
+        b += usize::from(right.get(b) == Some(&next));
+        if is_kept(next) {
+            united.push(next);
+        }
+    }
+    united
+}
+
+#[cfg(test)]
+mod tests {
+    use kahan_syntax::table::distinct;
+
+    use super::*;
+    use crate::elimination::tests::random_rows;
+    use crate::prime_field::SplitMix64;
+
+    /// The order by degree as its description says it.
+    fn by_definition(neighbours: &[Vec<usize>]) -> Vec<usize> {
+        let mut around = neighbours.to_vec();
+        let mut waits = vec![0_usize; around.len()];
+        let mut left: Vec<usize> = (0..around.len()).collect();
+        let mut order = Vec::new();
+        while let Some(chosen) = left.iter().copied().min_by_key(|&place| (around[place].len(), waits[place]))
+        {
+            left.retain(|&place| place != chosen);
+            let tied = std::mem::take(&mut around[chosen]);
+            for &place in &tied {
+                waits[place] = waits[place].max(waits[chosen] + 1);
+                let others = tied.iter().chain(&around[place]).copied();
+                around[place] = distinct(others.filter(|&other| other != place && other != chosen));
+            }
+            order.push(chosen);
+        }
+        order
+    }
+
+    #[test]
+    fn the_order_by_degree_always_takes_one_with_the_fewest_neighbours() {
+        let mut random = SplitMix64::new(11);
+        for n in 1..60 {
+            let rows = random_rows(&mut random, n, false);
+            let neighbours = Graph::of_blocks(&rows, &[(0..n).collect()])[0].neighbours();
+            assert_eq!(by_degree(&neighbours), by_definition(&neighbours), "{neighbours:?}");
+        }
+    }
+
+    #[test]
+    fn the_first_of_the_cheapest_orders_is_chosen() {
+        let mut random = SplitMix64::new(13);
+        for n in 1..40 {
+            let rows = random_rows(&mut random, n, n % 2 == 0);
+            let graph = Graph::of_blocks(&rows, &[(0..n).collect()]).remove(0);
+            let neighbours = graph.neighbours();
+            let orders = [as_written(n), folded(n), in_bands(&neighbours), by_degree(&neighbours)];
+            let first = orders.into_iter().min_by_key(|order| graph.filled(order, None).unwrap().price);
+            assert_eq!(Some(cheapest(&graph).0), first, "{rows:?}");
+        }
+    }
 }

@@ -1,5 +1,7 @@
 //! A family at a given number of sites, as the plain system that a block of equations gives.
 
+use std::sync::Arc;
+
 use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Boundary, ClaimBody, ClaimKind, Expr, ExprKind, Factor, Term};
 use kahan_syntax::token::Span;
@@ -59,9 +61,9 @@ impl Family {
         System {
             header: self.header.clone(),
             constants: self.constants.clone(),
-            kept: Kept::new(values, kept),
-            field,
-            written: Vec::new(),
+            kept: Kept::new(values, kept).into(),
+            field: field.into(),
+            written: Arc::default(),
             claims,
         }
     }

@@ -52,7 +52,7 @@ impl Interpreter {
         point: &Point<A::Value>,
     ) -> Option<Vec<A::Value>> {
         let matrix = self.matrix(arithmetic, point)?;
-        let field = self.run(arithmetic, &self.derived.field, point, None)?;
+        let field = self.run(arithmetic, self.derived.field(), point, None)?;
         let right: Vec<Vec<A::Value>> = field.into_iter().map(|component| vec![component]).collect();
         let slopes = solve(arithmetic, &matrix, &right)?.solution;
         let two_eps = arithmetic.add(&point.eps, &point.eps);

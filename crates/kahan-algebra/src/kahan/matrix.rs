@@ -18,6 +18,22 @@ pub fn field_jacobian(field: &Field) -> Vec<Vec<Polynomial>> {
     field.components.iter().map(row).collect()
 }
 
+/// A matrix whose rows list the entries that are not identically zero, each behind its column.
+pub(crate) type SparseRows = Vec<Vec<(usize, Polynomial)>>;
+
+/// All entries of a matrix, zeros included.
+pub(crate) fn dense(rows: SparseRows) -> Vec<Vec<Polynomial>> {
+    let columns = rows.len();
+    let row = |entries: Vec<(usize, Polynomial)>| {
+        let mut row = vec![Polynomial::zero(); columns];
+        for (column, entry) in entries {
+            row[column] = entry;
+        }
+        row
+    };
+    rows.into_iter().map(row).collect()
+}
+
 /// Where the entries of a matrix are not identically zero.
 pub(crate) fn pattern(rows: &[Vec<Polynomial>]) -> Vec<Vec<bool>> {
     rows.iter().map(|row| row.iter().map(|entry| !entry.is_zero()).collect()).collect()

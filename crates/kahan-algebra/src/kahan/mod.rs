@@ -11,7 +11,7 @@ mod minors;
 mod rational_map;
 
 pub use bilinear::{bilinear_form, polarization};
+pub(crate) use matrix::{SparseRows, dense, matrix_of, pattern};
 pub use matrix::{field_jacobian, scaled_matrix, scaled_rhs};
-pub(crate) use matrix::{matrix_of, pattern};
 pub use minors::maximal_minors;
 pub use rational_map::{RationalMap, Reduced, TERM_BUDGET};

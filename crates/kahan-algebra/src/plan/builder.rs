@@ -25,6 +25,12 @@ impl PlanBuilder {
         Plan::of_results(self.operations(), outputs)
     }
 
+    /// Becomes the plan with these results, in the memory of its operations.
+    #[must_use]
+    pub fn into_plan(self, outputs: &[Node]) -> Plan {
+        Plan::into_results(self.operations.into_items(), outputs)
+    }
+
     /// A prepared constant.
     pub(super) fn prepared(&mut self, index: usize) -> Node {
         self.intern(Operation::Prepared(index))

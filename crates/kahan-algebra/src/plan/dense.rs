@@ -17,6 +17,7 @@ const FEWEST_PRODUCTS: usize = 300;
 const SPARSEST: usize = 10;
 
 /// The coefficients of a dense field.
+#[derive(Clone, Debug)]
 pub(crate) struct DenseField {
     states: Vec<Variable>,
     /// For each component its coefficients: the constant, those of the variables, and those of
@@ -56,6 +57,24 @@ impl DenseField {
             field.components.push(coefficients);
         }
         (found >= fewest).then_some(field)
+    }
+
+    /// How many variables it has.
+    pub(crate) fn dimension(&self) -> usize {
+        self.states.len()
+    }
+
+    /// The places of the entries of f′, row by row.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let n = self.dimension();
+        (0..n * n).map(move |place| (place / n, place % n))
+    }
+
+    /// Whether ∂fᵢ/∂xⱼ is not identically zero.
+    pub(crate) fn depends(&self, (i, j): (usize, usize)) -> bool {
+        let coefficients = &self.components[i];
+        let product = |k: usize| &coefficients[self.place(j.min(k), j.max(k))];
+        !coefficients[1 + j].is_zero() || (0..self.dimension()).any(|k| !product(k).is_zero())
     }
 
     /// The place of the coefficient of xⱼxₖ, j ≤ k.

@@ -20,31 +20,41 @@ impl PlanBuilder {
     /// A polynomial in nested form: content and common monomial first, then v·q + r in the variable
     /// v of most terms; where that takes too long, Σ vᵢ·qᵢ + r in all variables.
     pub fn polynomial(&mut self, polynomial: &Polynomial) -> Node {
+        self.nested(polynomial.clone())
+    }
+
+    fn nested(&mut self, polynomial: Polynomial) -> Node {
+        if let (1, Some((monomial, coefficient))) = (polynomial.len(), polynomial.leading_term()) {
+            return self.term(monomial, coefficient);
+        }
         self.looked_at += polynomial.len();
-        if let Some(value) = polynomial.as_constant() {
-            return self.constant(&value);
+        if polynomial.is_zero() {
+            return self.constant(&Rational::ZERO);
         }
         let common = polynomial.monomial_content();
-        if !common.is_one() || polynomial.len() == 1 {
-            return self.scaled_by_monomial(polynomial, &common);
+        if !common.is_one() {
+            let quotient = polynomial.div_monomial(&common).expect("all terms have it in common");
+            let inner = self.nested(quotient);
+            return self.times_monomial(inner, &common);
         }
         let content = polynomial.content();
         if !content.is_one() {
-            let inner = self.polynomial(&polynomial.primitive_part());
+            let inverse = content.recip().expect("a content is not zero");
+            let inner = self.nested(polynomial.scale(&inverse));
             let factor = self.constant(&content);
             return self.multiply(factor, inner);
         }
-        let Some(variable) = most_frequent_variable(polynomial) else {
-            return self.sum_of_terms(polynomial);
+        let Some(variable) = most_frequent_variable(&polynomial) else {
+            return self.sum_of_terms(&polynomial);
         };
         if self.looked_at > MOST_LOOKED_AT {
-            return self.sum_of_products(polynomial);
+            return self.sum_of_products(&polynomial);
         }
         let (quotient, rest) = polynomial.split_at(variable);
-        let quotient = self.polynomial(&quotient);
+        let quotient = self.nested(quotient);
         let input = self.input(variable);
         let product = self.multiply(input, quotient);
-        let rest = self.polynomial(&rest);
+        let rest = self.nested(rest);
         self.add(rest, product)
     }
 
@@ -55,9 +65,14 @@ impl PlanBuilder {
         self.divide(above, below)
     }
 
-    fn scaled_by_monomial(&mut self, polynomial: &Polynomial, common: &Monomial) -> Node {
-        let quotient = polynomial.div_monomial(common).expect("all terms have it in common");
-        let inner = self.polynomial(&quotient);
+    /// A single term; it counts as two that are looked at, one for its coefficient.
+    fn term(&mut self, monomial: &Monomial, coefficient: &Rational) -> Node {
+        self.looked_at += if monomial.is_one() { 1 } else { 2 };
+        let coefficient = self.constant(coefficient);
+        self.times_monomial(coefficient, monomial)
+    }
+
+    fn times_monomial(&mut self, inner: Node, common: &Monomial) -> Node {
         let mut product: Option<Node> = None;
         for &(variable, exponent) in common.powers() {
             let input = self.input(variable);
@@ -70,9 +85,9 @@ impl PlanBuilder {
 
     fn sum_of_products(&mut self, polynomial: &Polynomial) -> Node {
         let (products, rest) = by_frequency(polynomial, |_| true);
-        let rest = self.polynomial(&rest);
+        let rest = self.nested(rest);
         products.into_iter().rev().fold(rest, |sum, (variable, quotient)| {
-            let quotient = self.polynomial(&quotient);
+            let quotient = self.nested(quotient);
             let input = self.input(variable);
             let product = self.multiply(input, quotient);
             self.add(sum, product)
@@ -82,7 +97,7 @@ impl PlanBuilder {
     fn sum_of_terms(&mut self, polynomial: &Polynomial) -> Node {
         let mut sum: Option<Node> = None;
         for (monomial, coefficient) in polynomial.terms() {
-            let term = self.polynomial(&Polynomial::from_terms([(monomial.clone(), coefficient.clone())]));
+            let term = self.term(monomial, coefficient);
             sum = Some(match sum {
                 Some(sum) => self.add(sum, term),
                 None => term,

@@ -80,6 +80,7 @@ pub use step::kernel::Kernel;
 pub use step::{LARGEST_SIZE, StepCost, StepPlan};
 pub(crate) use words::{descriptions, kind};
 
+use std::borrow::Borrow;
 use std::ops::Range;
 
 use kahan_syntax::table::distinct;
@@ -107,7 +108,7 @@ impl Plan {
         let mut builder = PlanBuilder::default();
         let nodes: Vec<Node> =
             polynomials.into_iter().map(|polynomial| builder.polynomial(polynomial)).collect();
-        builder.finish(&nodes)
+        builder.into_plan(&nodes)
     }
 
     /// Several plans as one, their results one after another; what they share is computed once.
@@ -115,31 +116,28 @@ impl Plan {
     pub fn together<'a>(plans: impl IntoIterator<Item = &'a Plan>) -> Self {
         let mut builder = PlanBuilder::default();
         let outputs: Vec<Node> = plans.into_iter().flat_map(|plan| builder.include(plan)).collect();
-        builder.finish(&outputs)
+        builder.into_plan(&outputs)
     }
 
     /// The plan of these results, with those of the operations that they need.
     pub(super) fn of_results(steps: &[Operation], outputs: &[Node]) -> Self {
-        let mut needed = vec![false; steps.len()];
-        for output in outputs {
-            needed[output.0] = true;
-        }
-        for (index, step) in steps.iter().enumerate().rev() {
-            if needed[index] {
-                for operand in step.operands() {
-                    needed[operand.0] = true;
-                }
-            }
-        }
-        let mut renamed = vec![Node(0); steps.len()];
-        let mut operations = Vec::new();
-        for (index, operation) in steps.iter().enumerate() {
-            if needed[index] {
-                renamed[index] = Node(operations.len());
-                operations.push(operation.with_operands(|node| renamed[node.0]));
-            }
-        }
-        Plan { operations, outputs: outputs.iter().map(|output| renamed[output.0]).collect() }
+        Plan::of_needed(&places_of_needed(steps, outputs), steps, outputs)
+    }
+
+    /// The plan of these results in the memory of the operations.
+    pub(super) fn into_results(steps: Vec<Operation>, outputs: &[Node]) -> Self {
+        Plan::of_needed(&places_of_needed(&steps, outputs), steps, outputs)
+    }
+
+    fn of_needed(
+        places: &[Option<Node>],
+        steps: impl IntoIterator<Item = impl Borrow<Operation>>,
+        outputs: &[Node],
+    ) -> Self {
+        let place = |node: Node| places[node.0].expect("operands of what is needed are needed");
+        let needed = steps.into_iter().zip(places).filter(|(_, place)| place.is_some());
+        let operations = needed.map(|(step, _)| step.borrow().with_operands(place)).collect();
+        Plan { operations, outputs: outputs.iter().copied().map(place).collect() }
     }
 
     /// The plan of one result.
@@ -204,4 +202,25 @@ impl Plan {
         }
         uses
     }
+}
+
+/// The place of each operation among those that the results need; `None` for the others.
+fn places_of_needed(steps: &[Operation], outputs: &[Node]) -> Vec<Option<Node>> {
+    let mut needed = vec![false; steps.len()];
+    for output in outputs {
+        needed[output.0] = true;
+    }
+    for (index, step) in steps.iter().enumerate().rev() {
+        if needed[index] {
+            for operand in step.operands() {
+                needed[operand.0] = true;
+            }
+        }
+    }
+    let mut count = 0;
+    let place = |is_needed: bool| {
+        count += usize::from(is_needed);
+        is_needed.then(|| Node(count - 1))
+    };
+    needed.into_iter().map(place).collect()
 }

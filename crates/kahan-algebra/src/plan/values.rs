@@ -9,7 +9,7 @@ use crate::kept::{Kept, Value, Values, WithConstants};
 use crate::poly::{Polynomial, Variable};
 use crate::symbols::Symbol;
 
-use super::{Node, Plan, PlanBuilder};
+use super::{Node, Operation, Plan, PlanBuilder};
 
 /// Values in a plan under construction, each written once.
 struct Nodes<'a> {
@@ -50,19 +50,26 @@ impl<'a> Nodes<'a> {
 
 impl Values {
     /// The same plan with each input that is a value replaced by what it is.
-    pub(crate) fn put_into(&self, plan: &Plan) -> Plan {
+    pub(crate) fn put_into(&self, plan: Plan) -> Plan {
+        let is_value = |operation: &Operation| match operation {
+            Operation::Input(variable) => self.place(*variable).is_some(),
+            _ => false,
+        };
+        if !plan.operations.iter().any(is_value) {
+            return plan;
+        }
         let mut builder = PlanBuilder::default();
         let mut nodes = Nodes::of(self, &|variable| variable);
-        let outputs = builder.include_mapped(plan, |builder, variable| match self.place(variable) {
+        let outputs = builder.include_mapped(&plan, |builder, variable| match self.place(variable) {
             Some(place) => nodes.value(builder, place),
             None => builder.input(variable),
         });
-        builder.finish(&outputs)
+        builder.into_plan(&outputs)
     }
 
     /// The plan of polynomials over the values, one result each.
     pub(crate) fn plan<'a>(&self, polynomials: impl IntoIterator<Item = &'a Polynomial>) -> Plan {
-        self.put_into(&Plan::of(polynomials))
+        self.put_into(Plan::of(polynomials))
     }
 }
 

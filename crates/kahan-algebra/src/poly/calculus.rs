@@ -86,13 +86,13 @@ impl Polynomial {
     }
 
     /// q and r of self = v·q + r with r free of v.
-    pub fn split_at(&self, variable: Variable) -> (Self, Self) {
+    pub fn split_at(self, variable: Variable) -> (Self, Self) {
         let (mut quotient, mut rest) = (Vec::new(), Vec::new());
-        for (monomial, coefficient) in &self.terms {
+        for (monomial, coefficient) in self.terms {
             // Dividing by the variable keeps the order of the terms that have it.
             match monomial.lowered(variable) {
-                Some(lowered) => quotient.push((lowered, coefficient.clone())),
-                None => rest.push((monomial.clone(), coefficient.clone())),
+                Some(lowered) => quotient.push((lowered, coefficient)),
+                None => rest.push((monomial, coefficient)),
             }
         }
         (Self::from_sorted(quotient), Self::from_sorted(rest))

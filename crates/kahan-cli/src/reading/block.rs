@@ -1,6 +1,7 @@
 //! A text with a block in it, `--file`, and `--block`, which part of that is the field; what is
 //! wrong becomes a [`Refusal`].
 
+use std::cell::RefCell;
 use std::ops::Range;
 use std::path::Path;
 use std::{fs, io};
@@ -15,8 +16,14 @@ use kahan_systems::registry::find;
 use super::rust_file::{RustBlock, blocks};
 use crate::printing::{Refusal, joined};
 
+thread_local! {
+    /// The block that was read last, until it is read again: a command reads its field twice, for
+    /// the note on names that nothing declares and for its answer.
+    static LAST: RefCell<Option<Block>> = const { RefCell::new(None) };
+}
+
 /// A text with a block in it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Block {
     /// The catalog's entry, where it is one.
     pub(crate) entry: Option<&'static Entry>,
@@ -47,7 +54,12 @@ impl Block {
     /// A part of a text.
     pub(super) fn within(text: String, body: Range<usize>, origin: String) -> Self {
         let is_rust = body != (0..text.len());
-        Block { entry: None, text: FieldText::part(text, body, origin), is_rust }
+        let block = Block { entry: None, text: FieldText::part(text, body, origin), is_rust };
+        if let Some(last) = LAST.take().filter(|last| last.text == block.text && last.is_rust == is_rust) {
+            return last;
+        }
+        LAST.set(Some(block.clone()));
+        block
     }
 
     /// The block as what a question is about.

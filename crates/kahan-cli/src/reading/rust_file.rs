@@ -11,6 +11,9 @@ use std::ops::Range;
 
 use rustc_lexer::{FrontmatterAllowed, TokenKind, tokenize};
 
+/// The name of the macro.
+const MACRO: &str = "kahan";
+
 /// One call of the macro.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct RustBlock {
@@ -31,13 +34,17 @@ struct Piece<'a> {
 
 /// The blocks of a file, in order; none where it is no Rust file, or has none.
 pub(super) fn blocks(text: &str) -> Vec<RustBlock> {
+    // Most texts are fields alone, and may be long.
+    if !text.contains(MACRO) {
+        return Vec::new();
+    }
     let pieces = pieces(text);
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(rest) = pieces.get(at..)
         && let [macro_name, bang, bracket, inside @ ..] = rest
     {
-        let is_call = macro_name.text == "kahan" && bang.kind == TokenKind::Bang && opens(bracket.kind);
+        let is_call = macro_name.text == MACRO && bang.kind == TokenKind::Bang && opens(bracket.kind);
         if !is_call {
             at += 1;
             continue;

@@ -7,7 +7,7 @@ use super::*;
 use crate::matrix::Echelon;
 
 fn field(text: &str) -> Field {
-    read(&lexer::lex(text).tokens).system().expect("a system").field
+    read(&lexer::lex(text).tokens).system().expect("a system").field.as_ref().clone()
 }
 
 /// Clebsch's case of a rigid body in a fluid: four integrals in six variables, only one of them

@@ -132,7 +132,7 @@ pub fn poles(
         work.show(&Progress { what: "curves", done: done as u64, of: Some(count as u64) });
         patterns.push(follower.pattern(curve, &mut random));
     }
-    let symbols = field.symbols;
+    let symbols = field.symbols.clone();
     let with_degrees: Vec<(usize, &[Image])> = patterns
         .iter()
         .map(|pattern| {

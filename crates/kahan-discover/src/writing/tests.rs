@@ -10,7 +10,7 @@ fn polynomials(expression: &str) -> (Symbols, [Polynomial; 2]) {
     let tokens = lexer::lex(&text).tokens;
     let system = kahan_algebra::read_unproved(&tokens).system().expect("a system");
     let function = crate::tests::function(&system.claims[0]);
-    (system.field.symbols, [function.numerator().clone(), function.denominator().clone()])
+    (system.field.symbols.clone(), [function.numerator().clone(), function.denominator().clone()])
 }
 
 /// Writes it, and reads it again.

@@ -24,7 +24,7 @@ pub fn mutations(text: &str) -> Vec<String> {
     let mut doubled = Vec::new();
     let mut inverted = Vec::new();
     for (index, (token, range)) in tokens.iter().zip(&lexed.ranges).enumerate() {
-        match (&token.kind, token.text.as_str()) {
+        match (&token.kind, &*token.text) {
             (TokenKind::Literal, literal) => {
                 numbers.extend(raised(literal).map(|next| replace(range, &next)));
             }

@@ -23,7 +23,7 @@ fn item(tokens: &[Token]) -> Result<Item, String> {
     // No formula holds one of these.
     let is_sign = |token: &Token| matches!(token.kind, TokenKind::Punctuation(':' | '~' | '!' | '='));
     let (left, rest) = tokens.split_at(tokens.iter().position(is_sign).unwrap_or(tokens.len()));
-    let sign = |index: usize| rest.get(index).map_or("", |token| token.text.as_str());
+    let sign = |index: usize| rest.get(index).map_or("", |token| &*token.text);
     let (relation, right) = match (sign(0), sign(1)) {
         (":", "=") => {
             let (name, parameters) = signature(formula(left)?)?;

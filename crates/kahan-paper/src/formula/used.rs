@@ -41,7 +41,7 @@ fn identifiers(text: &str) -> BTreeSet<String> {
 
 fn identifier_tokens(text: &str) -> Vec<String> {
     let tokens = lex(text).tokens.into_iter();
-    tokens.filter(|token| token.kind == TokenKind::Identifier).map(|token| token.text).collect()
+    tokens.filter(|token| token.kind == TokenKind::Identifier).map(|token| token.text.into_owned()).collect()
 }
 
 #[cfg(test)]

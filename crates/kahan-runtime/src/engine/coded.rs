@@ -116,6 +116,16 @@ impl<T: MachineFloat> CodedStages<T> {
 }
 
 impl Engine {
+    /// The stages of a composition by the loops of a dense field.
+    fn looped_stages<T: RuntimeFloat>(&self, kind: StepKind, own: &[Vec<T>]) -> Option<CodedStages<T>> {
+        let packed = |own: &Vec<T>| -> Option<Vec<T::Word>> {
+            self.packed(&own.iter().flat_map(|number| number.words()).collect::<Vec<_>>())
+        };
+        let constants = own.iter().map(packed).collect::<Option<_>>()?;
+        let code = self.orbit_code::<T>(kind, own.len() > 1)?;
+        Some(CodedStages { code, kind, constants, carrying: Arc::default(), abreast: Arc::default() })
+    }
+
     /// The code of an orbit, or the loops of a dense field.
     fn orbit_code<T: RuntimeFloat>(
         &self,
@@ -135,6 +145,9 @@ impl Engine {
         kind: StepKind,
         own: &[Vec<T>],
     ) -> Option<CodedStages<T>> {
+        if self.has_loops(kind) {
+            return self.looped_stages(kind, own);
+        }
         let mut general = own.iter().map(|constants| self.steps().are_general(&super::split(constants).1));
         let is_general = general.next()?;
         let kind = StepKind { is_general, rounds_increments: Steps::rounds::<T>(is_general), ..kind };
@@ -142,18 +155,6 @@ impl Engine {
             return None;
         }
         let code = self.orbit_code::<T>(kind, own.len() > 1)?;
-        if self.has_loops(kind) {
-            let packed =
-                |own: &Vec<T>| self.packed(&own.iter().flat_map(|number| number.words()).collect::<Vec<_>>());
-            let constants = own.iter().map(packed).collect::<Option<_>>()?;
-            return Some(CodedStages {
-                code,
-                kind,
-                constants,
-                carrying: Arc::default(),
-                abreast: Arc::default(),
-            });
-        }
         let (step, mut registers) = (self.steps().form(is_general), Vec::new());
         let mut prepared = |own: &Vec<T>| match step.prepared(own, &mut registers) {
             Some(prepared) => prepared.iter().flat_map(T::words).collect(),

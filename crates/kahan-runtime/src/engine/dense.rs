@@ -20,10 +20,7 @@ use super::{Engine, in_turn};
 impl Engine {
     /// The line of the coefficients of a dense field, from its parameters.
     fn coefficients(&self) -> Option<&Line> {
-        let line = || {
-            let dense = self.derived.couplings()?.dense.as_ref()?;
-            Some(Line::of(dense, &self.derived.system.field.symbols))
-        };
+        let line = || Some(Line::of(self.derived.coefficients()?, &self.derived.system.field.symbols));
         self.coefficients.get_or_init(line).as_ref()
     }
 

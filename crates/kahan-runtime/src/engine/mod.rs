@@ -75,14 +75,14 @@ impl Object {
     /// where the field has none, and for what is computed from others.
     pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
-            Object::Field => (0, Some(&derived.field)),
-            Object::FieldJacobian => (1, Some(&derived.field_jacobian)),
+            Object::Field => (0, Some(derived.field())),
+            Object::FieldJacobian => (1, Some(derived.field_jacobian())),
             Object::Integrals => (2, Some(&derived.integrals)),
             Object::Density => (3, derived.density.as_ref()),
             Object::Matrix => (4, None),
             Object::Jacobian => (5, None),
-            Object::Bilinear => (6, Some(&derived.bilinear)),
-            Object::Polarized => (7, Some(&derived.polarized)),
+            Object::Bilinear => (6, Some(derived.bilinear())),
+            Object::Polarized => (7, Some(derived.polarized())),
             Object::DetMatrix => (8, derived.det_matrix.as_ref()),
             Object::RationalMap => (9, derived.rational_map.as_ref()),
             Object::ReducedMap => (10, derived.reduced_map.as_ref()),

@@ -90,7 +90,7 @@ impl Step {
         let couplings = derived.couplings().unwrap_or_else(|| unreachable!("there is no straight line"));
         Step {
             prepared: None,
-            lines: [&couplings.slopes, &derived.field].map(|plan| Line::of(plan, symbols)).into(),
+            lines: [&couplings.slopes, derived.field()].map(|plan| Line::of(plan, symbols)).into(),
             couplings: Some(Tables::of(couplings)),
             quotients: (0..symbols.dimension()).map(|i| (i, None)).collect(),
         }

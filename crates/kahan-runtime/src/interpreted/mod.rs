@@ -81,7 +81,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
             None => {
                 let couplings = self.engine.derived.couplings();
                 let couplings = couplings.unwrap_or_else(|| unreachable!("it is eliminated"));
-                of_plan(couplings.cost(&self.engine.derived.field))
+                of_plan(couplings.cost(self.engine.derived.field()))
             }
         }
     }

@@ -52,7 +52,7 @@ impl StepKind {
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     fn eliminating<T: Coded>(self, engine: &Engine) -> Option<Program> {
         let couplings = engine.derived.couplings()?;
-        let operations = couplings.cost(&engine.derived.field).operations;
+        let operations = couplings.cost(engine.derived.field()).operations;
         let is_of_build = self.fuses == cfg!(target_feature = "fma");
         if self.precision == Precision::DoubleDouble || !is_of_build || operations > MOST_OPERATIONS {
             return None;

@@ -110,7 +110,7 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
         );
     }
     let text = left.text.clone();
-    if cursor.peek(0).is_some_and(|next| matches!(next.kind, TokenKind::Unreadable { .. })) {
+    if cursor.peek(0).is_some_and(|next| matches!(next.kind, TokenKind::Unreadable(_))) {
         block.misspelt_states.push(left);
         return Err(cursor.unreadable().expect("the next token is unreadable"));
     }

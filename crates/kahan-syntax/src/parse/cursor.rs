@@ -57,7 +57,7 @@ impl<'a> Cursor<'a> {
                 if token.kind == TokenKind::Identifier {
                     let next = self.tokens.get(place + 1).map(|next| &next.kind);
                     let is_used = next != Some(&TokenKind::Punctuation('='));
-                    *names.entry(token.text.as_str()).or_default() |= is_used;
+                    *names.entry(&*token.text).or_default() |= is_used;
                 }
             }
             names
@@ -115,7 +115,7 @@ impl<'a> Cursor<'a> {
     }
 
     pub(super) fn identifier(&self, ahead: usize) -> Option<&'a str> {
-        self.peek(ahead).filter(|token| token.kind == TokenKind::Identifier).map(|token| token.text.as_str())
+        self.peek(ahead).filter(|token| token.kind == TokenKind::Identifier).map(|token| &*token.text)
     }
 
     /// The identifier `ahead` tokens from here, with its place.
@@ -252,8 +252,8 @@ impl<'a> Cursor<'a> {
     /// The mistake that the next token is, if the lexer could not read it.
     pub(super) fn unreadable(&self) -> Option<Diagnostic> {
         match &self.peek(0)?.kind {
-            TokenKind::Unreadable { message, help } => {
-                Some(Diagnostic::new(Kind::Syntax, self.here(), message.clone(), help.clone()))
+            TokenKind::Unreadable(why) => {
+                Some(Diagnostic::new(Kind::Syntax, self.here(), why.message.clone(), why.help.clone()))
             }
             _ => None,
         }

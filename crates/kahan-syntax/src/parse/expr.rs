@@ -69,13 +69,17 @@ fn chain<X>(
     join: impl Fn(Vec<(bool, Expr<X>)>) -> ExprKind<X>,
 ) -> Parsed<Expr<X>> {
     let first = operand(cursor, depth)?;
+    let goes_on =
+        |cursor: &Cursor<'_>| cursor.is_punctuation(0, operator) || cursor.is_punctuation(0, inverse);
+    if !goes_on(cursor) {
+        return Ok(first);
+    }
     let mut span = first.span;
-    let mut operands = vec![(false, first)];
-    loop {
+    // Most chains are products of two or three factors.
+    let mut operands = Vec::with_capacity(3);
+    operands.push((false, first));
+    while goes_on(cursor) {
         let is_inverse = cursor.is_punctuation(0, inverse);
-        if !is_inverse && !cursor.is_punctuation(0, operator) {
-            break;
-        }
         if cursor.is_pair('*', '*') {
             let span = cursor.here().to(Span::token(cursor.position() + 1));
             return error(Kind::Syntax, span, "`**` is not a power here", "write `^`, as in `x^2`");
@@ -85,10 +89,7 @@ fn chain<X>(
         span = span.to(next.span);
         operands.push((is_inverse, next));
     }
-    match operands.len() {
-        1 => Ok(operands.swap_remove(0).1),
-        _ => Ok(Expr { kind: join(operands), span }),
-    }
+    Ok(Expr { kind: join(operands), span })
 }
 
 fn unary<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
@@ -160,7 +161,7 @@ pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<
         TokenKind::Identifier => {
             cursor.advance();
             let special = X::behind_name(cursor, &token.text, span, depth)?;
-            let kind = special.map_or_else(|| ExprKind::Name(token.text.clone()), ExprKind::Special);
+            let kind = special.map_or_else(|| ExprKind::Name(token.text.to_string()), ExprKind::Special);
             Ok(Expr { kind, span: span.to(cursor.behind()) })
         }
         TokenKind::Open('(') => {
@@ -177,7 +178,7 @@ pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<
             )
         }
         TokenKind::Punctuation('.') if cursor.peek(1).is_some_and(|next| next.kind == TokenKind::Literal) => {
-            let digits = cursor.peek(1).map_or("", |next| next.text.as_str());
+            let digits = cursor.peek(1).map_or("", |next| &*next.text);
             let span = span.to(Span::token(span.last + 1));
             error(Kind::Number, span, format!("`.{digits}` is not a number"), format!("write `0.{digits}`"))
         }
@@ -187,7 +188,7 @@ pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<
             "a `+` needs an operand on its left",
             "remove the `+`, or write the operand",
         ),
-        TokenKind::Unreadable { message, help } => error(Kind::Syntax, span, message.clone(), help.clone()),
+        TokenKind::Unreadable(why) => error(Kind::Syntax, span, why.message.clone(), why.help.clone()),
         _ => missing_operand(cursor),
     }
 }

@@ -145,9 +145,7 @@ fn offset(cursor: &mut Cursor<'_>, array: &str, span: Span) -> Parsed<i64> {
     };
     let token = |place: usize| cursor.before(end - place).filter(|_| place + 1 < end);
     let index = token(opening + 1);
-    if index
-        .is_none_or(|index| index.kind != TokenKind::Identifier || Some(index.text.as_str()) != cursor.index)
-    {
+    if index.is_none_or(|index| index.kind != TokenKind::Identifier || Some(&*index.text) != cursor.index) {
         return wrong("the index of a site is `i`, or `i` and an integer");
     }
     match end - opening {

@@ -183,7 +183,7 @@ fn attributes(cursor: &mut Cursor<'_>) -> Written {
 
 /// The documentation before the next token.
 fn docs(cursor: &Cursor<'_>) -> Vec<String> {
-    cursor.peek(0).map_or_else(Vec::new, |token| token.docs.clone())
+    cursor.peek(0).map_or_else(Vec::new, |token| token.docs.to_vec())
 }
 
 fn skip_to_comma(cursor: &mut Cursor<'_>) {

@@ -198,7 +198,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
     let span = operand.span.to(cursor.here());
     match &token.kind {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
-        TokenKind::Unreadable { .. } => Ok(operand),
+        TokenKind::Unreadable(_) => Ok(operand),
         // What compares is reported where `=` is expected.
         TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == End::Equals => Ok(operand),
         TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),

@@ -32,6 +32,9 @@ impl Rational {
 
 /// A decimal without a sign. Beyond what the language reads, as people type it: `.5`, `5.e3`.
 fn decimal(text: &str) -> Option<Rational> {
+    if let Some(value) = short_decimal(text) {
+        return Some(value);
+    }
     let text = without_separators(text).replacen(".e", "e", 1).replacen(".E", "E", 1);
     let Numeral { whole, fraction, exponent, rest } = Numeral::scan(&text);
     if !rest.is_empty() {
@@ -40,6 +43,26 @@ fn decimal(text: &str) -> Option<Rational> {
     let exponent = if exponent.is_empty() { 0 } else { decimal_exponent(exponent)? };
     let power = exponent - i64::try_from(fraction.len()).ok()?;
     Some(&natural(&format!("{whole}{fraction}"))? * &Rational::from(10).pow(i32::try_from(power).ok()?)?)
+}
+
+/// A decimal of up to 18 digits without an exponent and separators, as most are; `None` for
+/// others.
+fn short_decimal(text: &str) -> Option<Rational> {
+    const MOST_DIGITS: usize = 18;
+
+    let (mut numerator, mut denominator, mut digits, mut has_point) = (0, 1, 0, false);
+    for byte in text.bytes() {
+        match byte {
+            b'0'..=b'9' if digits < MOST_DIGITS => {
+                digits += 1;
+                numerator = 10 * numerator + i64::from(byte - b'0');
+                denominator *= if has_point { 10 } else { 1 };
+            }
+            b'.' if !has_point => has_point = true,
+            _ => return None,
+        }
+    }
+    (digits > 0).then(|| Rational::new(numerator, denominator))
 }
 
 /// A non-empty string of digits.

@@ -8,7 +8,7 @@
 use kahan_syntax::rational::Rational;
 
 use crate::field::Field;
-use crate::kahan::{matrix_of, pattern};
+use crate::kahan::{dense, matrix_of, pattern};
 use crate::kept::Kept;
 use crate::poly::Polynomial;
 
@@ -24,7 +24,7 @@ pub(in crate::plan) fn candidates(field: &Field, kept: &Kept) -> Vec<Candidate> 
     let epsilon = field.symbols.epsilon();
     let (values, slopes) = kept.jacobian(&field.symbols);
     let eps = Polynomial::variable(epsilon);
-    let mut rows = matrix_of(slopes, epsilon, |_| Polynomial::one());
+    let mut rows = matrix_of(dense(slopes), epsilon, |_| Polynomial::one());
     for (row, component) in rows.iter_mut().zip(&kept.components) {
         row.push(&eps * component);
     }

@@ -27,7 +27,8 @@ impl Structure {
 
     /// The blocks in whose order A is block triangular.
     pub(in crate::plan) fn blocks(&self) -> Vec<Vec<usize>> {
-        blocks(&self.depends)
+        let row = |row: &Vec<bool>| (0..row.len()).filter(|&j| row[j]).collect();
+        blocks(&self.depends.iter().map(row).collect::<Vec<_>>())
     }
 
     /// States of a block that do not act on each other or themselves: their rows and columns of A
@@ -47,34 +48,123 @@ impl Structure {
 }
 
 /// The strongly connected components of the graph in which i points to the states that fᵢ depends
-/// on, each after those that it depends on: A is block triangular in this order.
-pub(crate) fn blocks(depends: &[Vec<bool>]) -> Vec<Vec<usize>> {
-    let reaches = reaches(depends);
-    let mut blocks: Vec<Vec<usize>> = Vec::new();
-    for (i, reached) in reaches.iter().enumerate() {
-        match blocks.iter_mut().find(|block| reached[block[0]] && reaches[block[0]][i]) {
-            Some(block) => block.push(i),
-            None => blocks.push(vec![i]),
+/// on, each after those that it depends on: A is block triangular in this order. Components that
+/// depend on fewer states come first, of equals that with the first state.
+///
+/// `depends` lists for each i the states that fᵢ depends on.
+pub(crate) fn blocks(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut blocks = components(depends);
+    let mut block_of = vec![0; depends.len()];
+    for (number, block) in blocks.iter().enumerate() {
+        block.iter().for_each(|&i| block_of[i] = number);
+    }
+    // The number of other states that each block depends on, directly or through others. States are
+    // counted in groups of as many as a word has bits.
+    let mut weights = vec![0; blocks.len()];
+    let groups = if blocks.len() > 1 { depends.len().div_ceil(64) } else { 0 };
+    for group in 0..groups {
+        let mut reached: Vec<u64> = Vec::with_capacity(blocks.len());
+        for (number, block) in blocks.iter().enumerate() {
+            let inside = block.iter().filter(|&&i| i / 64 == group);
+            let own = inside.fold(0, |own, &i| own | 1 << (i % 64));
+            let acting = block.iter().flat_map(|&i| &depends[i]).map(|&j| block_of[j]);
+            let acting = acting.filter(|&other| other != number);
+            let others = acting.fold(0, |others, other| others | reached[other]);
+            weights[number] += others.count_ones();
+            reached.push(own | others);
         }
     }
-    // A block reaches all that the blocks it depends on reach, and those blocks besides.
-    let weight = |block: &Vec<usize>| {
-        let others = |&(j, reached): &(usize, &bool)| *reached && !block.contains(&j);
-        reaches[block[0]].iter().enumerate().filter(others).count()
-    };
-    sorted_by_key(blocks, |block| (weight(block), block[0]))
+    blocks.iter_mut().for_each(|block| block.sort_unstable());
+    sorted_by_key(blocks.into_iter().zip(weights), |(block, weight)| (*weight, block[0]))
+        .into_iter()
+        .map(|(block, _)| block)
+        .collect()
 }
 
-/// Which states each state depends on, directly or through others.
-fn reaches(depends: &[Vec<bool>]) -> Vec<Vec<bool>> {
-    let mut reaches = depends.to_vec();
-    for via in 0..reaches.len() {
-        let through = reaches[via].clone();
-        for row in reaches.iter_mut().filter(|row| row[via]) {
-            for (entry, through) in row.iter_mut().zip(&through) {
-                *entry |= through;
+/// The strongly connected components, each behind those that it points to (R. E. Tarjan, SIAM J.
+/// Comput. 1 (1972) 146–160).
+fn components(depends: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut components: Vec<Vec<usize>> = Vec::new();
+    let mut numbers: Vec<Option<usize>> = vec![None; depends.len()];
+    // The least number that is known to be reached from a state inside its component.
+    let mut lowest = vec![0; depends.len()];
+    let mut is_open = vec![false; depends.len()];
+    let (mut open, mut path, mut count) = (Vec::new(), Vec::new(), 0);
+    for start in 0..depends.len() {
+        if numbers[start].is_none() {
+            path.push((start, 0));
+        }
+        while let Some((i, looked_at)) = path.pop() {
+            let number = *numbers[i].get_or_insert(count);
+            if number == count {
+                count += 1;
+                lowest[i] = number;
+                is_open[i] = true;
+                open.push(i);
+            }
+            if let Some(&j) = depends[i].get(looked_at) {
+                path.push((i, looked_at + 1));
+                match numbers[j] {
+                    None => path.push((j, 0)),
+                    Some(other) if is_open[j] => lowest[i] = lowest[i].min(other),
+                    Some(_) => {}
+                }
+                continue;
+            }
+            if let Some(&(before, _)) = path.last() {
+                lowest[before] = lowest[before].min(lowest[i]);
+            }
+            if lowest[i] == number {
+                let first = open.iter().rposition(|&other| other == i).expect("it is open");
+                let component = open.split_off(first);
+                component.iter().for_each(|&other| is_open[other] = false);
+                components.push(component);
             }
         }
     }
-    reaches
+    components
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elimination::tests::random_rows;
+    use crate::prime_field::SplitMix64;
+
+    /// Which states each state depends on, directly or through others.
+    fn reaches(depends: &[Vec<usize>]) -> Vec<Vec<bool>> {
+        let n = depends.len();
+        let mut reaches: Vec<Vec<bool>> =
+            depends.iter().map(|row| (0..n).map(|j| row.contains(&j)).collect()).collect();
+        for via in 0..n {
+            for i in 0..n {
+                if reaches[i][via] {
+                    (0..n).for_each(|j| reaches[i][j] |= reaches[via][j]);
+                }
+            }
+        }
+        reaches
+    }
+
+    #[test]
+    fn states_that_reach_each_other_make_a_block_behind_what_they_reach() {
+        let mut random = SplitMix64::new(5);
+        for n in (1..30).chain([63, 64, 65, 130]) {
+            for _ in 0..8 {
+                let depends = random_rows(&mut random, n, false);
+                let reaches = reaches(&depends);
+                let mut expected: Vec<Vec<usize>> = Vec::new();
+                for i in 0..n {
+                    match expected.iter_mut().find(|block| reaches[i][block[0]] && reaches[block[0]][i]) {
+                        Some(block) => block.push(i),
+                        None => expected.push(vec![i]),
+                    }
+                }
+                let others =
+                    |block: &[usize]| (0..n).filter(|j| reaches[block[0]][*j] && !block.contains(j)).count();
+                expected.sort_by_key(|block| (others(block), block[0]));
+                assert_eq!(blocks(&depends), expected, "{depends:?}");
+            }
+        }
+    }
 }

@@ -152,11 +152,13 @@ fn over_base(polynomial: &Polynomial, base: &[Polynomial]) -> Factored {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
     use crate::field::Field;
     use crate::kahan::RationalMap;
 
-    fn factors_of(text: &str) -> (Field, Vec<Polynomial>, Vec<Factored>) {
+    fn factors_of(text: &str) -> (Arc<Field>, Vec<Polynomial>, Vec<Factored>) {
         let field = crate::read(&kahan_syntax::lexer::lex(text).tokens).system().expect("a system").field;
         let reduced = RationalMap::of(&field).expect("the field is small").reduced;
         let mut all = reduced.increments;

@@ -219,7 +219,7 @@ impl Nesting {
     }
 
     fn nested(&self, polynomial: &Polynomial, variable: Variable) -> Estimate {
-        let (quotient, rest) = polynomial.split_at(variable);
+        let (quotient, rest) = polynomial.clone().split_at(variable);
         let (product, mut operations, ready) = self.product(variable, quotient);
         let mut summands = vec![ready];
         if rest.is_zero() {

@@ -55,7 +55,7 @@ impl<A: Moving> Explicit<'_, A> {
 
     /// f(x)
     fn field(&self, x: &[A::Value]) -> Vec<A::Value> {
-        let values = self.values(&self.derived.field, x).into_iter();
+        let values = self.values(self.derived.field(), x).into_iter();
         values.map(|value| value.expect("the field is defined at its parameters")).collect()
     }
 
