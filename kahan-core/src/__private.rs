@@ -20,7 +20,7 @@ pub use std::vec::{self, Vec};
 /// The step of a dense field that is read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
 pub mod dense {
-    pub use crate::dense::{Float, Workspace, assemble, coefficients, pack, velocity};
+    pub use crate::dense::{Float, Workspace, assemble, coefficients, pack, points, velocities, velocity};
 }
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};

@@ -1,9 +1,9 @@
-//! Elimination of a field in which nearly all products of two variables occur: coefficients packed
-//! in the order in which they are read, and loops over rows.
+//! Elimination of a field in which very many products of two variables occur: coefficients packed
+//! in the order in which they are read, and loops over rows, or over the points of an ensemble.
 //!
 //! In: packed coefficients, a state and ε. Out: A(x,ε)⁻¹f(x), by the operations of the field's plans
-//! and of [`Couplings`](crate::__private::Couplings), in their order. Rows are computed side by
-//! side, so lanes of any number give the same bits. The zeros that stand for products without a
+//! and of [`Couplings`](crate::__private::Couplings), in their order. Rows, or points, are computed
+//! side by side, so lanes of any number give the same bits. The zeros that stand for products without a
 //! coefficient change the sign of a zero at most, as long as all numbers are finite.
 
 use core::marker::PhantomData;
@@ -126,6 +126,28 @@ fn run<T: Float>(work: Work<'_, T>, level: Level) -> bool {
     T::run(work, level)
 }
 
+/// How many points [`velocities`] takes: the numbers of a register of 512 bits.
+#[must_use]
+pub const fn points<T: Float>() -> usize {
+    T::MOST
+}
+
+/// Replaces each of some [points] by A(x,ε)⁻¹f(x); entry i of point p is number i·[`points`] + p.
+/// The pivots of point p are too small where the magnitude of `growth[p]` is larger than
+/// [`LARGEST_FACTOR`] then; a pivot that is 0 leads to numbers that are not finite.
+pub fn velocities<T: Float>(
+    packed: &[T],
+    x: &mut [T],
+    eps: T,
+    growth: &mut [T],
+    workspace: &mut Workspace<T>,
+) {
+    let n = x.len() / points::<T>();
+    workspace.columns.resize(n * (n + 1) * points::<T>(), T::zero());
+    workspace.factors.resize(2 * n * points::<T>(), T::zero());
+    T::run(PointsWork { packed, x, eps, growth, workspace }, Level::best());
+}
+
 struct Work<'a, T> {
     packed: &'a [T],
     x: &'a [T],
@@ -141,25 +163,82 @@ impl<T: Float> OverLanes<T> for Work<'_, T> {
     #[inline(always)]
     fn run<L: Lanes<T>>(self) -> bool {
         let Work { packed, x, eps, eliminates, workspace } = self;
-        let loops = Loops { variables: x.len(), height: height::<T>(x.len()), lanes: PhantomData::<(T, L)> };
+        let (variables, height) = (x.len(), height::<T>(x.len()));
+        let loops = Loops::<T, L, false> { variables, height, lanes: PhantomData };
         loops.assemble(packed, x, eps, &mut workspace.columns);
         !eliminates || loops.eliminate(workspace)
     }
 }
 
-/// The loops over lanes L of T.
+struct PointsWork<'a, T> {
+    packed: &'a [T],
+    x: &'a mut [T],
+    eps: T,
+    growth: &'a mut [T],
+    workspace: &'a mut Workspace<T>,
+}
+
+impl<T: Float> OverLanes<T> for PointsWork<'_, T> {
+    type Output = ();
+    const IS_SMALL: bool = false;
+
+    #[inline(always)]
+    fn run<L: Lanes<T>>(self) {
+        let PointsWork { packed, x, eps, growth, workspace: Workspace { columns, factors, .. } } = self;
+        let variables = x.len() / points::<T>();
+        let loops = Loops::<T, L, true> { variables, height: variables, lanes: PhantomData };
+        for part in 0..points::<T>() / L::WIDTH {
+            let part = part * L::WIDTH;
+            // The points of a register, entry after entry, stand where the solution will.
+            for i in 0..variables {
+                L::load(x, i * points::<T>() + part).store(factors, i * L::WIDTH);
+            }
+            loops.assemble(packed, factors, eps, columns);
+            loops.eliminate_points(columns, factors).store(growth, part);
+            for i in 0..variables {
+                L::load(columns, loops.at(i, variables)).store(x, i * points::<T>() + part);
+            }
+        }
+    }
+}
+
+/// The loops over lanes L of T, which hold rows, or, if `POINTS`, points.
 #[derive(Clone, Copy)]
-struct Loops<T, L> {
+struct Loops<T, L, const POINTS: bool> {
     variables: usize,
     height: usize,
     lanes: PhantomData<(T, L)>,
 }
 
-impl<T: Float, L: Lanes<T>> Loops<T, L> {
+impl<T: Float, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
+    /// The numbers that an entry is.
+    const ENTRY: usize = if POINTS { L::WIDTH } else { 1 };
+    /// The rows that a register is part of.
+    const STEP: usize = if POINTS { 1 } else { L::WIDTH };
+
+    /// Where the entry of row i in column j begins.
+    #[inline(always)]
+    fn at(self, i: usize, j: usize) -> usize {
+        (j * self.height + i) * Self::ENTRY
+    }
+
     /// Where column j begins.
     #[inline(always)]
     fn column(self, j: usize) -> usize {
-        j * self.height
+        self.at(0, j)
+    }
+
+    /// The coefficient at a place, of the rows of a register from `row` on.
+    #[inline(always)]
+    fn coefficient(packed: &[T], place: usize, row: usize) -> L {
+        let place = place * T::ROWS + row % T::ROWS;
+        if POINTS { L::spread(&packed[place]) } else { L::load(packed, place) }
+    }
+
+    /// A variable, of all points of a register.
+    #[inline(always)]
+    fn state(x: &[T], k: usize) -> L {
+        if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
     /// The registers between two places that begin one. Ranges of other steps are not always inlined.
@@ -168,31 +247,24 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
         start / L::WIDTH..end / L::WIDTH
     }
 
-    /// The coefficients of a variable in the rows of a register.
-    #[inline(always)]
-    fn linear(self, packed: &[T], row: usize, j: usize) -> L {
-        L::load(packed, (1 + j) * T::ROWS + row % T::ROWS)
-    }
-
     #[inline(always)]
     fn assemble(self, packed: &[T], x: &[T], eps: T, columns: &mut [T]) {
         let n = self.variables;
         let together = coefficients(n) * T::ROWS;
-        for register in self.registers(0, self.height) {
-            let row = register * L::WIDTH;
+        for step in 0..self.height / Self::STEP {
+            let row = step * Self::STEP;
             let packed = &packed[row / T::ROWS * together..][..together];
             for j in 0..n {
-                self.linear(packed, row, j).store(columns, self.column(j) + row);
+                Self::coefficient(packed, 1 + j, row).store(columns, self.at(row, j));
             }
-            let mut field = L::load(packed, row % T::ROWS);
-            let mut next = (1 + n) * T::ROWS;
+            let (mut field, mut next) = (Self::coefficient(packed, 0, row), 1 + n);
             for block in 0..n / COLUMNS {
                 self.block::<COLUMNS>([block * COLUMNS, row], packed, &mut next, x, &mut field, columns);
             }
             for first in n - n % COLUMNS..n {
                 self.block::<1>([first, row], packed, &mut next, x, &mut field, columns);
             }
-            field.store(columns, self.column(n) + row);
+            field.store(columns, self.at(row, n));
         }
         let negated = L::spread(&-eps);
         for register in self.registers(0, self.column(n)) {
@@ -200,8 +272,9 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
             (L::load(columns, place) * negated).store(columns, place);
         }
         for k in 0..n {
-            let diagonal = &mut columns[self.column(k) + k];
-            *diagonal = T::one() + *diagonal;
+            for diagonal in &mut columns[self.at(k, k)..][..Self::ENTRY] {
+                *diagonal = T::one() + *diagonal;
+            }
         }
     }
 
@@ -217,18 +290,17 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
         field: &mut L,
         columns: &mut [T],
     ) {
-        let place = |w: usize| self.column(first + w) + row;
         let mut cofactors = [*field; W];
         let (mut own, mut slopes) = (cofactors, cofactors);
         for w in 0..W {
-            cofactors[w] = self.linear(packed, row, first + w);
-            own[w] = L::spread(&x[first + w]);
-            slopes[w] = L::load(columns, place(w));
+            cofactors[w] = Self::coefficient(packed, 1 + first + w, row);
+            own[w] = Self::state(x, first + w);
+            slopes[w] = L::load(columns, self.at(row, first + w));
         }
         for j in 0..W {
             for k in j..W {
-                let coefficient = L::load(packed, *next + row % T::ROWS);
-                *next += T::ROWS;
+                let coefficient = Self::coefficient(packed, *next, row);
+                *next += 1;
                 let product = coefficient * own[k];
                 cofactors[j] += product;
                 if j == k {
@@ -240,27 +312,29 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
             }
         }
         let others = &mut columns[self.column(first + W)..self.column(self.variables)];
-        let groups = &packed[*next..];
+        let groups = &packed[*next * T::ROWS..];
         for k in 0..self.variables - first - W {
-            let other = &mut others[self.column(k)..][..self.height];
+            let other = &mut others[self.column(k)..][..self.height * Self::ENTRY];
             let group = &groups[k * W * T::ROWS..][..W * T::ROWS];
-            let (mut sum, factor) = (L::load(other, row), L::spread(&x[first + W + k]));
+            let (mut sum, factor) = (L::load(other, row * Self::ENTRY), Self::state(x, first + W + k));
             for w in 0..W {
-                let coefficient = L::load(group, w * T::ROWS + row % T::ROWS);
+                let coefficient = Self::coefficient(group, w, row);
                 let product = coefficient * factor;
                 cofactors[w] += product;
                 slopes[w] += product;
                 sum += coefficient * own[w];
             }
-            sum.store(other, row);
+            sum.store(other, row * Self::ENTRY);
         }
-        *next += (x.len() - first - W) * W * T::ROWS;
+        *next += (self.variables - first - W) * W;
         for w in 0..W {
             *field += own[w] * cofactors[w];
-            slopes[w].store(columns, place(w));
+            slopes[w].store(columns, self.at(row, first + w));
         }
     }
+}
 
+impl<T: Float, L: Lanes<T>> Loops<T, L, false> {
     /// Replaces the last column by the solution; `false` where a pivot is 0 or too small.
     #[inline(always)]
     fn eliminate(self, workspace: &mut Workspace<T>) -> bool {
@@ -422,6 +496,86 @@ impl<T: Float, L: Lanes<T>> Loops<T, L> {
             for row in whole..k {
                 solution[row] = minus_product(solution[row], column[row], value);
             }
+        }
+    }
+}
+
+impl<T: Float, L: Lanes<T>> Loops<T, L, true> {
+    /// Replaces the last column by the solution. Returns the largest growth: of each pivot the
+    /// smaller one of its largest factor and of the largest quotient of an entry behind it.
+    /// `sizes` is room for two numbers a variable.
+    #[inline(always)]
+    fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
+        let (n, zero) = (self.variables, L::spread(&T::zero()));
+        let larger = |a: L, b: L| L::choose(b.exceeds(a), b, a);
+        let (of_rows, of_factors) = sizes.split_at_mut(n * L::WIDTH);
+        for i in 0..n {
+            zero.store(of_rows, i * L::WIDTH);
+        }
+        for j in 0..=n {
+            for block in 0..n / COLUMNS {
+                self.reduce_rows::<COLUMNS>(columns, block * COLUMNS, j);
+            }
+            for row in n - n % COLUMNS..n {
+                self.reduce_rows::<1>(columns, row, j);
+            }
+            if j == n {
+                break;
+            }
+            for k in 0..j {
+                let largest = larger(L::load(of_rows, k * L::WIDTH), L::load(columns, self.at(k, j)));
+                largest.store(of_rows, k * L::WIDTH);
+            }
+            let Some(reciprocal) = L::load(columns, self.at(j, j)).reciprocal() else { continue };
+            reciprocal.store(columns, self.at(j, j));
+            let mut largest = zero;
+            for i in j + 1..n {
+                let factor = L::load(columns, self.at(i, j)) * reciprocal;
+                largest = larger(largest, factor);
+                factor.store(columns, self.at(i, j));
+            }
+            largest.store(of_factors, j * L::WIDTH);
+        }
+        let mut growth = zero;
+        for k in 0..n {
+            let quotient = L::load(of_rows, k * L::WIDTH) * L::load(columns, self.at(k, k));
+            let factor = L::load(of_factors, k * L::WIDTH);
+            growth = larger(growth, L::choose(factor.exceeds(quotient), quotient, factor));
+        }
+        for k in (0..n).rev() {
+            let value = L::load(columns, self.at(k, n)) * L::load(columns, self.at(k, k));
+            value.store(columns, self.at(k, n));
+            for i in 0..k {
+                let reduced =
+                    minus_product(L::load(columns, self.at(i, n)), L::load(columns, self.at(i, k)), value);
+                reduced.store(columns, self.at(i, n));
+            }
+        }
+        growth
+    }
+
+    /// Subtracts, in W rows of column j, the rows of all pivots before them and before j times their
+    /// factors.
+    #[inline(always)]
+    fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {
+        let mut own = [L::spread(&T::zero()); W];
+        for w in 0..W {
+            own[w] = L::load(columns, self.at(first + w, j));
+        }
+        for k in 0..first.min(j) {
+            let upper = L::load(columns, self.at(k, j));
+            for w in 0..W {
+                own[w] = minus_product(own[w], L::load(columns, self.at(first + w, k)), upper);
+            }
+        }
+        for w in 0..W.min(j.saturating_sub(first)) {
+            let upper = own[w];
+            for v in w + 1..W {
+                own[v] = minus_product(own[v], L::load(columns, self.at(first + v, first + w)), upper);
+            }
+        }
+        for w in 0..W {
+            own[w].store(columns, self.at(first + w, j));
         }
     }
 }

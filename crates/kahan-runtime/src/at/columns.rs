@@ -13,7 +13,7 @@ use smallvec::SmallVec;
 
 use super::{MachineFloat, MapAt};
 use crate::dimension::Argument;
-use crate::engine::{CodedStages, Columns, given, with_scratch};
+use crate::engine::{Columns, given, with_scratch};
 use crate::follow::is_finite;
 use crate::machine::StepKind;
 use crate::{DimensionError, End, Follow, Followed};
@@ -72,10 +72,12 @@ impl<T: MachineFloat> MapAt<T> {
         let are_own = parameters.is_empty();
         let mut columns = Columns { columns, eps, parameters: if are_own { &own } else { parameters } };
         if !self.engine().has_advanced_columns(&mut columns, self.composition, steps, kind, self.set) {
-            if self.coded.as_ref().is_some_and(CodedStages::has_loops) {
-                self.advance_one_by_one(&mut columns, are_own, steps);
-            } else {
-                self.engine().interpret_columns(&mut columns, self.composition, steps, kind);
+            match self.coded.as_ref().filter(|stages| stages.has_loops()) {
+                Some(stages) if are_own && columns.eps == [own_eps] => {
+                    stages.advance_columns(columns.columns, steps, |x, steps| self.advance_checked(x, steps));
+                }
+                Some(_) => self.advance_one_by_one(&mut columns, steps),
+                None => self.engine().interpret_columns(&mut columns, self.composition, steps, kind),
             }
         }
         if !are_own && self.map.field().has_divisors() {
@@ -83,24 +85,17 @@ impl<T: MachineFloat> MapAt<T> {
         }
     }
 
-    /// Advances columns that fit, one trajectory after another, by this map, or by that at their own
-    /// constants.
-    fn advance_one_by_one(&self, all: &mut Columns<'_, '_, T>, are_own: bool, steps: u64) {
+    /// Advances columns that fit, one trajectory after another, by the map at their constants.
+    fn advance_one_by_one(&self, all: &mut Columns<'_, '_, T>, steps: u64) {
         let Columns { columns, eps, parameters } = all;
-        let is_this = are_own && eps.len() == 1 && eps[0] == self.own().1;
         // No step needs this list of the thread's scratch.
         let mut x = with_scratch(T::single(), |scratch| std::mem::take(&mut scratch.given));
         for k in 0..columns.first().map_or(0, |column| column.len()) {
             x.clear();
             x.extend(columns.iter().map(|column| column[k]));
-            if is_this {
-                self.advance_checked(&mut x, steps);
-            } else {
-                let alone = k..k + 1;
-                let values = parameters.iter().map(|values| given(values, &alone)[0]);
-                self.at_constants(self.map.clone(), values, given(eps, &alone)[0])
-                    .advance_checked(&mut x, steps);
-            }
+            let alone = k..k + 1;
+            let values = parameters.iter().map(|values| given(values, &alone)[0]);
+            self.at_constants(self.map.clone(), values, given(eps, &alone)[0]).advance_checked(&mut x, steps);
             columns.iter_mut().zip(&x).for_each(|(column, x)| column[k] = *x);
         }
         with_scratch(T::single(), |scratch| scratch.given = x);

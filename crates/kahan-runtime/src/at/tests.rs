@@ -351,7 +351,7 @@ fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
 #[test]
 fn columns_of_eliminated_fields_are_their_orbits() {
     let mut random = SplitMix64::new(6);
-    for (n, percent) in [(6, 100), (9, 60), (12, 4), (10, 100)] {
+    for (n, percent) in [(6, 100), (9, 60), (12, 4), (10, 100), (15, 40)] {
         let field = dense(n, percent, &mut random);
         let map = field.with([("p", 0.75)]).expect("its parameter");
         let number = |random: &mut SplitMix64| (below(2001, random) as f64 - 1000.0) / 1024.0;

@@ -11,6 +11,7 @@ use crate::machine::{OrbitCode, StepKind};
 
 use super::Engine;
 use super::abreast::AbreastOnce;
+use super::dense::advance_columns as advance_dense_columns;
 use super::floats::{MachineFloat, RuntimeFloat};
 use super::scratch::with_scratch;
 use super::step::Steps;
@@ -36,6 +37,16 @@ impl<T: RuntimeFloat> CodedStages<T> {
     /// Whether it is the loops of a dense field, which step one state at a time.
     pub(crate) fn has_loops(&self) -> bool {
         self.code.has_loops()
+    }
+
+    /// Advances columns by the loops of a dense field; `alone` makes the steps that they refuse.
+    pub(crate) fn advance_columns(
+        &self,
+        columns: &mut [&mut [T::Word]],
+        steps: u64,
+        alone: impl FnMut(&mut [T::Word], u64),
+    ) {
+        advance_dense_columns(self.kind, columns, &self.constants, steps, alone);
     }
 
     /// Whether the code may leave steps to the interpreter, as that of elimination does.

@@ -4,8 +4,10 @@
 //! the numbers some steps later, and behind them a guard: it is infinite where the interpreter has
 //! to make the steps, since a number is not finite or a state is −0.
 
-use kahan_core::__private::dense::{assemble, pack, velocity};
+use kahan_core::__private::LARGEST_FACTOR;
+use kahan_core::__private::dense::{assemble, pack, points, velocities, velocity};
 use kahan_core::Precision;
+use smallvec::SmallVec;
 
 use crate::follow::is_finite;
 use crate::line::Line;
@@ -16,6 +18,10 @@ use super::floats::MachineFloat;
 use super::scratch::{Scratch, with_scratch};
 use super::step::add_increment;
 use super::{Engine, in_turn};
+
+/// Steps of many trajectories between two looks at their pivots: those of a trajectory are repeated
+/// where one is refused.
+const TOGETHER: u64 = 8;
 
 impl Engine {
     /// The line of the coefficients of a dense field, from its parameters.
@@ -68,7 +74,6 @@ fn has_stepped<T: MachineFloat>(
 ) -> bool {
     let Some((&eps, packed)) = stage.split_last() else { return false };
     let n = state.len();
-    let is_negative_zero = |x: &T| x.is_zero() && (T::one() / *x).approximate() < 0.0;
     if state.iter().any(is_negative_zero) {
         return false;
     }
@@ -89,4 +94,73 @@ fn has_stepped<T: MachineFloat>(
         add_increment(kind, time_step * *velocity, &mut state[i], carry.get_mut(i));
     }
     is_finite(state)
+}
+
+fn is_negative_zero<T: MachineFloat>(x: &T) -> bool {
+    x.is_zero() && (T::one() / *x).approximate() < 0.0
+}
+
+/// Advances columns by steps of a dense field, as many trajectories at once as a register holds.
+/// `stages` as for [`advance`]; `alone` makes the steps of trajectories whose pivots are too small,
+/// or that [`advance`] leaves to the interpreter.
+pub(crate) fn advance_columns<T: MachineFloat>(
+    kind: StepKind,
+    columns: &mut [&mut [T]],
+    stages: &[Vec<T>],
+    steps: u64,
+    mut alone: impl FnMut(&mut [T], u64),
+) {
+    let (n, width) = (columns.len(), points::<T>());
+    let trajectories = columns.first().map_or(0, |column| column.len());
+    // The steps that `alone` makes use the thread's scratch, too.
+    let mut scratch = with_scratch(T::single(), std::mem::take);
+    let Scratch { state, guarded, given, registers, workspace, dense, .. } = &mut scratch;
+    for first in (0..trajectories).step_by(width) {
+        let count = width.min(trajectories - first);
+        state.clear();
+        for column in columns.iter() {
+            let last = column[first + count - 1];
+            state.extend(column[first..first + count].iter().copied());
+            state.resize(state.len() + width - count, last);
+        }
+        for made in (0..steps).step_by(TOGETHER as usize) {
+            let now = TOGETHER.min(steps - made);
+            guarded.clone_from(state);
+            let [largest, growth] = [&mut *registers, &mut *given].map(|list| {
+                list.clear();
+                list.resize(width, T::zero());
+                &mut list[..]
+            });
+            for _ in 0..now {
+                in_turn(stages.len(), |k| {
+                    let Some((&eps, packed)) = stages[k].split_last() else { return };
+                    let velocity = &mut workspace.outcome;
+                    velocity.clone_from(state);
+                    velocities(packed, velocity, eps, growth, dense);
+                    let time_step = eps + eps;
+                    for (x, velocity) in state.iter_mut().zip(velocity) {
+                        add_increment(kind, time_step * *velocity, x, None);
+                    }
+                    for (largest, growth) in largest.iter_mut().zip(&*growth) {
+                        *largest = if growth.is_better_pivot(largest) { *growth } else { *largest };
+                    }
+                });
+            }
+            for p in 0..count {
+                let mut own = (0..n).map(|i| i * width + p);
+                let is_kept = largest[p].approximate().abs() <= LARGEST_FACTOR as f64
+                    && own
+                        .all(|place| is_finite(&state[place..=place]) && !is_negative_zero(&guarded[place]));
+                if !is_kept {
+                    let mut x: SmallVec<[T; 64]> = (0..n).map(|i| guarded[i * width + p]).collect();
+                    alone(&mut x, now);
+                    x.iter().enumerate().for_each(|(i, x)| state[i * width + p] = *x);
+                }
+            }
+        }
+        for (column, advanced) in columns.iter_mut().zip(state.chunks_exact(width)) {
+            column[first..first + count].copy_from_slice(&advanced[..count]);
+        }
+    }
+    with_scratch(T::single(), |own| *own = scratch);
 }
