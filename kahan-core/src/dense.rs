@@ -557,6 +557,7 @@ impl<T: Float, L: Lanes<T>> Loops<T, L, true> {
     /// Subtracts, in W rows of column j, the rows of all pivots before them and before j times their
     /// factors.
     #[inline(always)]
+    #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {
         let mut own = [L::spread(&T::zero()); W];
         for w in 0..W {
@@ -588,9 +589,12 @@ fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
 
 #[cfg(test)]
 mod tests {
+    use std::vec;
     use std::vec::Vec;
 
-    use super::{Float, Work, Workspace, coefficients, pack, run};
+    use super::{
+        Float, LARGEST_FACTOR, Work, Workspace, coefficients, pack, points, run, velocities, velocity,
+    };
     use crate::Level;
 
     /// Lanes of two and of four numbers have the same bits, whatever is left over at the end of
@@ -622,5 +626,41 @@ mod tests {
         }
         agree(f64::to_bits);
         agree(|x: f32| u64::from(x.to_bits()));
+    }
+
+    /// Points side by side have the bits of each alone, and their growth tells where a pivot is too
+    /// small.
+    #[test]
+    fn points_side_by_side_are_solved_as_each_alone() {
+        let mut state = 7_u32;
+        let mut number = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from((state >> 8) as f32 / 16_777_216.0 - 0.5)
+        };
+        let (mut solved, mut refused) = (0, 0);
+        for n in 1..30 {
+            let field: Vec<f64> = (0..n * coefficients(n)).map(|_| number()).collect();
+            let mut packed = Vec::new();
+            pack(n, &field, &mut packed);
+            for eps in [0.01, 0.3, 2.0] {
+                let width = points::<f64>();
+                let x: Vec<f64> = (0..n * width).map(|_| number()).collect();
+                let (mut all, mut growth) = (x.clone(), vec![0.0; width]);
+                velocities(&packed, &mut all, eps, &mut growth, &mut Workspace::default());
+                for p in 0..width {
+                    let own: Vec<f64> = (0..n).map(|i| x[i * width + p]).collect();
+                    let mut workspace = Workspace::default();
+                    let is_solved = velocity(&packed, &own, eps, &mut workspace);
+                    assert_eq!(is_solved, growth[p].abs() <= LARGEST_FACTOR as f64, "{n} {eps}");
+                    if is_solved {
+                        assert!((0..n).all(|i| all[i * width + p] == workspace.last(n)[i]), "{n} {eps}");
+                        solved += 1;
+                    } else {
+                        refused += 1;
+                    }
+                }
+            }
+        }
+        assert!(solved > 100 && refused > 100, "{solved} {refused}");
     }
 }

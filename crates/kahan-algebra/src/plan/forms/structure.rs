@@ -154,8 +154,8 @@ mod tests {
                 let depends = random_rows(&mut random, n, false);
                 let reaches = reaches(&depends);
                 let mut expected: Vec<Vec<usize>> = Vec::new();
-                for i in 0..n {
-                    match expected.iter_mut().find(|block| reaches[i][block[0]] && reaches[block[0]][i]) {
+                for (i, reached) in reaches.iter().enumerate() {
+                    match expected.iter_mut().find(|block| reached[block[0]] && reaches[block[0]][i]) {
                         Some(block) => block.push(i),
                         None => expected.push(vec![i]),
                     }
