@@ -159,7 +159,8 @@ fn follows_the_interpreter<T: MachineFloat, const N: usize>(text: &str) {
         let mut x: Vec<T> = random.point(N);
         let (mut point, mut next) = (SVector::<T, N>::from_column_slice(&x), x.clone());
         let at = large.at(eps);
-        assert_eq!(at.is_code(), map("xdot = a*x^2;").at(eps).is_code(), "where there is code at all");
+        // Dense fields are stepped by compiled loops where there is no machine code.
+        assert!(at.is_code() || !map("xdot = a*x^2;").at(eps).is_code(), "where there is code at all");
         for steps in [1, 3, 100] {
             at.advance(&mut x, steps).unwrap();
             for _ in 0..steps {
