@@ -93,6 +93,7 @@ def dense_fields(limit: Callable[..., None], skipped: Callable[[str, str], None]
     for n, peer, name, at_most in [
         (6, loops, "loops of Numba", 0.4), (8, loops, "loops of Numba", 0.65), (12, loops, "loops of Numba", 0.5),
         (20, loops, "loops of Numba", 0.35), (40, lapack, "LAPACK from Numba", 0.5), (60, lapack, "LAPACK from Numba", 0.45),
+        (100, lapack, "LAPACK from Numba", 0.55),
     ]:
         text, (c, B, Q) = field(n)
         s, start = kahan.System(text), SMALL * np.random.default_rng(0).uniform(-1, 1, n)
