@@ -1,10 +1,11 @@
 //! Elimination of a field in which very many products of two variables occur: coefficients packed
 //! in the order in which they are read, and loops over rows, or over the points of an ensemble.
 //!
-//! In: packed coefficients, a state and ε. Out: A(x,ε)⁻¹f(x), by the operations of the field's plans
-//! and of [`Couplings`](crate::__private::Couplings), in their order. Rows, or points, are computed
-//! side by side, so lanes of any number give the same bits. The zeros that stand for products without a
-//! coefficient change the sign of a zero at most, as long as all numbers are finite.
+//! In: packed coefficients, a state and ε. Out: A(x,ε)⁻¹f(x), by the operations of the field's
+//! plans and of [`Couplings`](crate::__private::Couplings), in their order. Rows, or points, are
+//! computed side by side, so lanes of any number give the same bits. The zeros that stand for
+//! products without a coefficient change the sign of a zero at most, as long as all numbers are
+//! finite.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -241,7 +242,8 @@ impl<T: Float, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         if POINTS { L::load(x, k * L::WIDTH) } else { L::spread(&x[k]) }
     }
 
-    /// The registers between two places that begin one. Ranges of other steps are not always inlined.
+    /// The registers between two places that begin one. Ranges of other steps are not always
+    /// inlined.
     #[inline(always)]
     fn registers(self, start: usize, end: usize) -> Range<usize> {
         start / L::WIDTH..end / L::WIDTH
@@ -278,8 +280,8 @@ impl<T: Float, L: Lanes<T>, const POINTS: bool> Loops<T, L, POINTS> {
         }
     }
 
-    /// Adds the products with W variables, from `first` on, to the slopes in the rows of a register,
-    /// and what these variables contribute to the field.
+    /// Adds the products with W variables, from `first` on, to the slopes in the rows of a
+    /// register, and what these variables contribute to the field.
     #[inline(always)]
     fn block<const W: usize>(
         self,
@@ -554,8 +556,8 @@ impl<T: Float, L: Lanes<T>> Loops<T, L, true> {
         growth
     }
 
-    /// Subtracts, in W rows of column j, the rows of all pivots before them and before j times their
-    /// factors.
+    /// Subtracts, in W rows of column j, the rows of all pivots before them and before j, times
+    /// their factors.
     #[inline(always)]
     #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
     fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {

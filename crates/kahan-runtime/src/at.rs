@@ -116,8 +116,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         (level == Level::Baseline || level.is_available() && at.coded.is_some()).then_some(at)
     }
 
-    /// Whether its steps are machine code, or compiled loops over the coefficients of a dense field,
-    /// and not interpreted.
+    /// Whether its steps are machine code, or compiled loops over the coefficients of a dense
+    /// field, and not interpreted.
     #[must_use]
     pub fn is_code(&self) -> bool {
         self.coded.is_some()

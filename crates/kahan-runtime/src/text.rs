@@ -31,7 +31,7 @@ struct Shared {
     unproved: OnceLock<Checked>,
 }
 
-/// The same text at the same place, called the same.
+/// Two are equal if text, place and name are.
 impl PartialEq for FieldText {
     fn eq(&self, other: &Self) -> bool {
         let Shared { text, body, origin, .. } = &*self.shared;

@@ -50,9 +50,9 @@ pub enum TokenKind {
 /// Why a token is none of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
-    /// What is wrong.
+    /// The mistake.
     pub message: String,
-    /// What to write instead.
+    /// Advice: the text to write in its place.
     pub help: String,
 }
 

@@ -1,5 +1,5 @@
-//! Maps that ensembles run beside those of `systems`: one to six variables, with and without parameters,
-//! one by elimination.
+//! Maps that ensembles run beside those of `systems`: one to six variables, with and without
+//! parameters, one by elimination.
 
 use kahan_core::prelude::*;
 use kahan_core::{Elimination, QuadraticField};

@@ -220,7 +220,7 @@ impl Derived {
         self.planned.get_or_init(|| Planned::of(&self.system, self.map.as_ref()))
     }
 
-    /// Polynomials that belong to the components of a field, each over the divisor of its component.
+    /// Polynomials that belong to the components of a field, each over its component's divisor.
     fn over_divisors(&self, polynomials: impl FnOnce(&Field) -> Vec<Polynomial>) -> Plan {
         let with = &self.planned().with_constants;
         let divisors = with.field.components.iter().map(|component| &component.denominator);

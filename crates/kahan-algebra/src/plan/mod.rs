@@ -14,8 +14,8 @@
 //! 4. `forms` decides what is computed: which ways there are to solve A·x̃ = b, and the cheapest.
 //! 5. `choice` chooses the form for one orbit, and that for lanes.
 //!
-//! `values` puts in what a field keeps as it was written, `dense` writes the sums of fields with very
-//! many products, `cost` says what operations cost, `words`
+//! `values` puts in what a field keeps as it was written, `dense` writes the sums of fields with
+//! very many products, `cost` says what operations cost, `words`
 //! what they are called.
 //!
 //! # What each optimisation buys

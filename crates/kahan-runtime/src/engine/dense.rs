@@ -38,7 +38,8 @@ impl Engine {
             && self.coefficients().is_some()
     }
 
-    /// What the loops of a dense field take; `constants` are the parameters and ε.
+    /// The packed coefficients of a dense field, and ε behind them; `constants` are the parameters
+    /// and ε.
     pub(super) fn packed<T: MachineFloat>(&self, constants: &[T]) -> Option<Vec<T>> {
         let mut registers = Vec::new();
         let field: Vec<T> = self.coefficients()?.values(constants, &mut registers, &[]).iter().collect();
