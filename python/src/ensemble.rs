@@ -84,7 +84,7 @@ impl Field {
             many.observed(from, self.dimension(), &observe, caller)
         })?;
         let seen = seen.map_err(|error| of_dimension(&error))?;
-        let ends = ends(py, steps, seen.iter().map(|followed| followed.end));
+        let ends = ends(py, steps, count, seen.iter().map(|followed| followed.end));
         let numbers: Vec<f64> = seen.into_iter().flat_map(|followed| followed.report).collect();
         let numbers = PyArray1::from_vec(py, numbers).reshape([count, names.len()])?;
         Ok((names, numbers, ends))
@@ -150,7 +150,7 @@ impl Field {
                 (PyArray1::from_vec(py, to).reshape(shape)?.into_any(), found)
             }
         };
-        Ok((to, ends(py, asked.steps, found.into_iter())))
+        Ok((to, ends(py, asked.steps, shape[0], found.into_iter().flatten())))
     }
 }
 
@@ -172,15 +172,21 @@ impl<T: Float> Many<T> {
         caller.made(steps.saturating_mul(trajectories as u64), all)
     }
 
-    /// Advances points that stand row by row: how each trajectory ended.
-    fn advance(&self, rows: &mut [T], variables: usize, caller: &Caller) -> Result<Vec<End>, DimensionError> {
+    /// Advances points that stand row by row: how each trajectory ended, in the pieces that threads
+    /// take.
+    fn advance(
+        &self,
+        rows: &mut [T],
+        variables: usize,
+        caller: &Caller,
+    ) -> Result<Vec<Vec<End>>, DimensionError> {
         let width = variables.max(1);
         let pieces: Vec<Mutex<&mut [T]>> = rows.chunks_mut(TOGETHER * width).map(Mutex::new).collect();
         let found = threads::map(pieces.len(), Some(caller.threads()), |piece| {
             let mut rows = pieces[piece].lock().unwrap_or_else(PoisonError::into_inner);
             self.piece(&mut rows, width, piece * TOGETHER, caller)
         });
-        Ok(found.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
+        found.into_iter().collect()
     }
 
     /// Those of one thread, the first of which has this number.
@@ -262,9 +268,9 @@ impl Many<f64> {
 /// steps.
 type Ends<'py> = (Vec<&'static str>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<i64>>);
 
-fn ends(py: Python<'_>, steps: u64, ends: impl ExactSizeIterator<Item = End>) -> Ends<'_> {
+fn ends(py: Python<'_>, steps: u64, count: usize, ends: impl Iterator<Item = End>) -> Ends<'_> {
     let mut kinds: Vec<End> = Vec::new();
-    let (mut places, mut made) = (Vec::with_capacity(ends.len()), Vec::with_capacity(ends.len()));
+    let (mut places, mut made) = (Vec::with_capacity(count), Vec::with_capacity(count));
     for end in ends {
         made.push(end.steps(steps) as i64);
         let known = kinds.iter().position(|kind| discriminant(kind) == discriminant(&end));
