@@ -7,6 +7,10 @@
 //! products without a coefficient change the sign of a zero at most, as long as all numbers are
 //! finite.
 
+mod points;
+#[cfg(test)]
+mod tests;
+
 use core::marker::PhantomData;
 use core::ops::Range;
 use std::vec::Vec;
@@ -14,6 +18,8 @@ use std::vec::Vec;
 use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::field::couplings::LARGEST_FACTOR;
 use crate::{Constant, Level, Scalar};
+
+pub use points::{points, velocities};
 
 /// The pivots that are eliminated together.
 const PIVOTS: usize = 8;
@@ -127,28 +133,6 @@ fn run<T: Float>(work: Work<'_, T>, level: Level) -> bool {
     T::run(work, level)
 }
 
-/// How many points [`velocities`] takes: the numbers of a register of 512 bits.
-#[must_use]
-pub const fn points<T: Float>() -> usize {
-    T::MOST
-}
-
-/// Replaces each of some [points] by A(x,ε)⁻¹f(x); entry i of point p is number i·[`points`] + p.
-/// The pivots of point p are too small where the magnitude of `growth[p]` is larger than
-/// [`LARGEST_FACTOR`] then; a pivot that is 0 leads to numbers that are not finite.
-pub fn velocities<T: Float>(
-    packed: &[T],
-    x: &mut [T],
-    eps: T,
-    growth: &mut [T],
-    workspace: &mut Workspace<T>,
-) {
-    let n = x.len() / points::<T>();
-    workspace.columns.resize(n * (n + 1) * points::<T>(), T::zero());
-    workspace.factors.resize(2 * n * points::<T>(), T::zero());
-    T::run(PointsWork { packed, x, eps, growth, workspace }, Level::best());
-}
-
 struct Work<'a, T> {
     packed: &'a [T],
     x: &'a [T],
@@ -168,38 +152,6 @@ impl<T: Float> OverLanes<T> for Work<'_, T> {
         let loops = Loops::<T, L, false> { variables, height, lanes: PhantomData };
         loops.assemble(packed, x, eps, &mut workspace.columns);
         !eliminates || loops.eliminate(workspace)
-    }
-}
-
-struct PointsWork<'a, T> {
-    packed: &'a [T],
-    x: &'a mut [T],
-    eps: T,
-    growth: &'a mut [T],
-    workspace: &'a mut Workspace<T>,
-}
-
-impl<T: Float> OverLanes<T> for PointsWork<'_, T> {
-    type Output = ();
-    const IS_SMALL: bool = false;
-
-    #[inline(always)]
-    fn run<L: Lanes<T>>(self) {
-        let PointsWork { packed, x, eps, growth, workspace: Workspace { columns, factors, .. } } = self;
-        let variables = x.len() / points::<T>();
-        let loops = Loops::<T, L, true> { variables, height: variables, lanes: PhantomData };
-        for part in 0..points::<T>() / L::WIDTH {
-            let part = part * L::WIDTH;
-            // The points of a register, entry after entry, stand where the solution will.
-            for i in 0..variables {
-                L::load(x, i * points::<T>() + part).store(factors, i * L::WIDTH);
-            }
-            loops.assemble(packed, factors, eps, columns);
-            loops.eliminate_points(columns, factors).store(growth, part);
-            for i in 0..variables {
-                L::load(columns, loops.at(i, variables)).store(x, i * points::<T>() + part);
-            }
-        }
     }
 }
 
@@ -502,167 +454,8 @@ impl<T: Float, L: Lanes<T>> Loops<T, L, false> {
     }
 }
 
-impl<T: Float, L: Lanes<T>> Loops<T, L, true> {
-    /// Replaces the last column by the solution. Returns the largest growth: of each pivot the
-    /// smaller one of its largest factor and of the largest quotient of an entry behind it.
-    /// `sizes` is room for two numbers a variable.
-    #[inline(always)]
-    fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
-        let (n, zero) = (self.variables, L::spread(&T::zero()));
-        let larger = |a: L, b: L| L::choose(b.exceeds(a), b, a);
-        let (of_rows, of_factors) = sizes.split_at_mut(n * L::WIDTH);
-        for i in 0..n {
-            zero.store(of_rows, i * L::WIDTH);
-        }
-        for j in 0..=n {
-            for block in 0..n / COLUMNS {
-                self.reduce_rows::<COLUMNS>(columns, block * COLUMNS, j);
-            }
-            for row in n - n % COLUMNS..n {
-                self.reduce_rows::<1>(columns, row, j);
-            }
-            if j == n {
-                break;
-            }
-            for k in 0..j {
-                let largest = larger(L::load(of_rows, k * L::WIDTH), L::load(columns, self.at(k, j)));
-                largest.store(of_rows, k * L::WIDTH);
-            }
-            let Some(reciprocal) = L::load(columns, self.at(j, j)).reciprocal() else { continue };
-            reciprocal.store(columns, self.at(j, j));
-            let mut largest = zero;
-            for i in j + 1..n {
-                let factor = L::load(columns, self.at(i, j)) * reciprocal;
-                largest = larger(largest, factor);
-                factor.store(columns, self.at(i, j));
-            }
-            largest.store(of_factors, j * L::WIDTH);
-        }
-        let mut growth = zero;
-        for k in 0..n {
-            let quotient = L::load(of_rows, k * L::WIDTH) * L::load(columns, self.at(k, k));
-            let factor = L::load(of_factors, k * L::WIDTH);
-            growth = larger(growth, L::choose(factor.exceeds(quotient), quotient, factor));
-        }
-        for k in (0..n).rev() {
-            let value = L::load(columns, self.at(k, n)) * L::load(columns, self.at(k, k));
-            value.store(columns, self.at(k, n));
-            for i in 0..k {
-                let reduced =
-                    minus_product(L::load(columns, self.at(i, n)), L::load(columns, self.at(i, k)), value);
-                reduced.store(columns, self.at(i, n));
-            }
-        }
-        growth
-    }
-
-    /// Subtracts, in W rows of column j, the rows of all pivots before them and before j, times
-    /// their factors.
-    #[inline(always)]
-    #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
-    fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {
-        let mut own = [L::spread(&T::zero()); W];
-        for w in 0..W {
-            own[w] = L::load(columns, self.at(first + w, j));
-        }
-        for k in 0..first.min(j) {
-            let upper = L::load(columns, self.at(k, j));
-            for w in 0..W {
-                own[w] = minus_product(own[w], L::load(columns, self.at(first + w, k)), upper);
-            }
-        }
-        for w in 0..W.min(j.saturating_sub(first)) {
-            let upper = own[w];
-            for v in w + 1..W {
-                own[v] = minus_product(own[v], L::load(columns, self.at(first + v, first + w)), upper);
-            }
-        }
-        for w in 0..W {
-            own[w].store(columns, self.at(first + w, j));
-        }
-    }
-}
-
 /// c − a·b, fused as the scalars of this build do it: those of AVX2 always fuse.
 #[inline(always)]
 fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
     if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::vec;
-    use std::vec::Vec;
-
-    use super::{
-        Float, LARGEST_FACTOR, Work, Workspace, coefficients, pack, points, run, velocities, velocity,
-    };
-    use crate::Level;
-
-    /// Lanes of two and of four numbers have the same bits, whatever is left over at the end of
-    /// registers, blocks of columns, and groups of pivots.
-    #[test]
-    fn lanes_of_any_number_have_the_same_bits() {
-        fn agree<T: Float + From<f32>>(bits: impl Fn(T) -> u64) {
-            let mut state = 1_u32;
-            let mut number = || {
-                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                T::from((state >> 8) as f32 / 16_777_216.0 - 0.5)
-            };
-            for n in 1..40 {
-                let field: Vec<T> = (0..n * coefficients(n)).map(|_| number()).collect();
-                let x: Vec<T> = (0..n).map(|_| number()).collect();
-                let mut packed = Vec::new();
-                pack(n, &field, &mut packed);
-                for eps in [0.01, 0.3].map(T::from) {
-                    let at = |level: Level| {
-                        let mut workspace = Workspace::default();
-                        let work =
-                            Work { packed: &packed, x: &x, eps, eliminates: true, workspace: &mut workspace };
-                        let is_solved = run(work, level);
-                        (is_solved, workspace.last(n).iter().map(|entry| bits(*entry)).collect::<Vec<_>>())
-                    };
-                    assert_eq!(at(Level::Baseline), at(Level::Avx2), "{n}");
-                }
-            }
-        }
-        agree(f64::to_bits);
-        agree(|x: f32| u64::from(x.to_bits()));
-    }
-
-    /// Points side by side have the bits of each alone, and their growth tells where a pivot is too
-    /// small.
-    #[test]
-    fn points_side_by_side_are_solved_as_each_alone() {
-        let mut state = 7_u32;
-        let mut number = || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            f64::from((state >> 8) as f32 / 16_777_216.0 - 0.5)
-        };
-        let (mut solved, mut refused) = (0, 0);
-        for n in 1..30 {
-            let field: Vec<f64> = (0..n * coefficients(n)).map(|_| number()).collect();
-            let mut packed = Vec::new();
-            pack(n, &field, &mut packed);
-            for eps in [0.01, 0.3, 2.0] {
-                let width = points::<f64>();
-                let x: Vec<f64> = (0..n * width).map(|_| number()).collect();
-                let (mut all, mut growth) = (x.clone(), vec![0.0; width]);
-                velocities(&packed, &mut all, eps, &mut growth, &mut Workspace::default());
-                for p in 0..width {
-                    let own: Vec<f64> = (0..n).map(|i| x[i * width + p]).collect();
-                    let mut workspace = Workspace::default();
-                    let is_solved = velocity(&packed, &own, eps, &mut workspace);
-                    assert_eq!(is_solved, growth[p].abs() <= LARGEST_FACTOR as f64, "{n} {eps}");
-                    if is_solved {
-                        assert!((0..n).all(|i| all[i * width + p] == workspace.last(n)[i]), "{n} {eps}");
-                        solved += 1;
-                    } else {
-                        refused += 1;
-                    }
-                }
-            }
-        }
-        assert!(solved > 100 && refused > 100, "{solved} {refused}");
-    }
 }

@@ -52,7 +52,7 @@ pub struct MapAt<T: RuntimeFloat> {
     kind: StepKind,
     /// On what columns run; `None` for the widest that there are.
     set: Option<InstructionSet>,
-    /// Those that differ, interpreted, once a step is.
+    /// The distinct stages, prepared for the interpreter when it makes its first step.
     stages: Arc<OnceLock<Vec<Stage<T>>>>,
     /// The same as machine code, where there is some.
     coded: Option<CodedStages<T>>,
@@ -196,7 +196,7 @@ impl<T: RuntimeFloat> MapAt<T> {
         MapAt { map, constants, ..self.clone() }.composed(self.composition)
     }
 
-    /// The stages that differ, interpreted.
+    /// The distinct stages, prepared for the interpreter.
     fn stages(&self) -> &[Stage<T>] {
         let own = || stage_constants(self.kind, &self.constants, self.composition);
         self.stages.get_or_init(|| self.engine().stages(&own()))

@@ -47,7 +47,7 @@ pub enum TokenKind {
     Unreadable(Box<Unreadable>),
 }
 
-/// Why a token is none of the language.
+/// The message for text that is no token of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
     /// The mistake.

@@ -13,7 +13,7 @@ use super::{Node, Plan, PlanBuilder};
 const FEWEST_VARIABLES: usize = 10;
 /// The fewest products of two variables in such a field: straight lines are faster for fewer.
 const FEWEST_PRODUCTS: usize = 300;
-/// Of so many products one or more has a coefficient that is not 0.
+/// In a dense field at least one product in this many has a coefficient other than 0.
 const SPARSEST: usize = 10;
 
 /// The coefficients of a dense field.

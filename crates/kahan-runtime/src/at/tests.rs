@@ -280,8 +280,8 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
     random.next_u64() % end
 }
 
-/// A field of n variables with products of two at random, so many of a hundred. What x1 gains has
-/// one product only, and stays a zero where x1 is one.
+/// A field of n variables. Each product of two variables occurs with this probability, in percent.
+/// The equation of x1 is x1' = x0·x1, so that a zero in x1 remains one.
 fn dense(n: usize, percent: u64, random: &mut SplitMix64) -> Field {
     let coefficient = |random: &mut SplitMix64| format!("{}/64", below(255, random) as i64 - 127);
     let component = |i: usize| {

@@ -133,7 +133,7 @@ impl Engine {
             self.packed(&own.iter().flat_map(|number| number.words()).collect::<Vec<_>>())
         };
         let constants = own.iter().map(packed).collect::<Option<_>>()?;
-        let code = self.orbit_code::<T>(kind, own.len() > 1)?;
+        let code = Arc::new(OrbitCode::loops(kind));
         Some(CodedStages { code, kind, constants, carrying: Arc::default(), abreast: Arc::default() })
     }
 
@@ -165,7 +165,7 @@ impl Engine {
         if general.any(|other| other != is_general) {
             return None;
         }
-        let code = self.orbit_code::<T>(kind, own.len() > 1)?;
+        let code = self.codes.orbit(self, kind, own.len() > 1)?;
         let (step, mut registers) = (self.steps().form(is_general), Vec::new());
         let mut prepared = |own: &Vec<T>| match step.prepared(own, &mut registers) {
             Some(prepared) => prepared.iter().flat_map(T::words).collect(),

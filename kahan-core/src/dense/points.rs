@@ -1,0 +1,146 @@
+//! The points of an ensemble side by side: each lane of a register holds an entry of one of them.
+//!
+//! In: packed coefficients and as many points as a register of 512 bits holds. Out: A(x,ε)⁻¹f(x) of
+//! each, with the bits of the point alone, and how much its elimination grew.
+
+use core::marker::PhantomData;
+
+use crate::Level;
+use crate::ensemble::lanes::{Lanes, OverLanes};
+
+use super::{COLUMNS, Float, Loops, Workspace, minus_product};
+
+/// How many points [`velocities`] takes: the numbers of a register of 512 bits.
+#[must_use]
+pub const fn points<T: Float>() -> usize {
+    T::MOST
+}
+
+/// Replaces each of some [points] by A(x,ε)⁻¹f(x); entry i of point p is number i·[`points`] + p.
+/// The pivots of point p are too small where the magnitude of `growth[p]` is larger than
+/// [`LARGEST_FACTOR`](crate::__private::LARGEST_FACTOR) then; a pivot that is 0 leads to numbers that are not finite.
+pub fn velocities<T: Float>(
+    packed: &[T],
+    x: &mut [T],
+    eps: T,
+    growth: &mut [T],
+    workspace: &mut Workspace<T>,
+) {
+    let n = x.len() / points::<T>();
+    workspace.columns.resize(n * (n + 1) * points::<T>(), T::zero());
+    workspace.factors.resize(2 * n * points::<T>(), T::zero());
+    T::run(PointsWork { packed, x, eps, growth, workspace }, Level::best());
+}
+
+struct PointsWork<'a, T> {
+    packed: &'a [T],
+    x: &'a mut [T],
+    eps: T,
+    growth: &'a mut [T],
+    workspace: &'a mut Workspace<T>,
+}
+
+impl<T: Float> OverLanes<T> for PointsWork<'_, T> {
+    type Output = ();
+    const IS_SMALL: bool = false;
+
+    #[inline(always)]
+    fn run<L: Lanes<T>>(self) {
+        let PointsWork { packed, x, eps, growth, workspace: Workspace { columns, factors, .. } } = self;
+        let variables = x.len() / points::<T>();
+        let loops = Loops::<T, L, true> { variables, height: variables, lanes: PhantomData };
+        for part in 0..points::<T>() / L::WIDTH {
+            let part = part * L::WIDTH;
+            // The points of a register, entry after entry, stand where the solution will.
+            for i in 0..variables {
+                L::load(x, i * points::<T>() + part).store(factors, i * L::WIDTH);
+            }
+            loops.assemble(packed, factors, eps, columns);
+            loops.eliminate_points(columns, factors).store(growth, part);
+            for i in 0..variables {
+                L::load(columns, loops.at(i, variables)).store(x, i * points::<T>() + part);
+            }
+        }
+    }
+}
+
+impl<T: Float, L: Lanes<T>> Loops<T, L, true> {
+    /// Replaces the last column by the solution. Returns the largest growth: of each pivot the
+    /// smaller one of its largest factor and of the largest quotient of an entry behind it.
+    /// `sizes` is room for two numbers a variable.
+    #[inline(always)]
+    fn eliminate_points(self, columns: &mut [T], sizes: &mut [T]) -> L {
+        let (n, zero) = (self.variables, L::spread(&T::zero()));
+        let larger = |a: L, b: L| L::choose(b.exceeds(a), b, a);
+        let (of_rows, of_factors) = sizes.split_at_mut(n * L::WIDTH);
+        for i in 0..n {
+            zero.store(of_rows, i * L::WIDTH);
+        }
+        for j in 0..=n {
+            for block in 0..n / COLUMNS {
+                self.reduce_rows::<COLUMNS>(columns, block * COLUMNS, j);
+            }
+            for row in n - n % COLUMNS..n {
+                self.reduce_rows::<1>(columns, row, j);
+            }
+            if j == n {
+                break;
+            }
+            for k in 0..j {
+                let largest = larger(L::load(of_rows, k * L::WIDTH), L::load(columns, self.at(k, j)));
+                largest.store(of_rows, k * L::WIDTH);
+            }
+            let Some(reciprocal) = L::load(columns, self.at(j, j)).reciprocal() else { continue };
+            reciprocal.store(columns, self.at(j, j));
+            let mut largest = zero;
+            for i in j + 1..n {
+                let factor = L::load(columns, self.at(i, j)) * reciprocal;
+                largest = larger(largest, factor);
+                factor.store(columns, self.at(i, j));
+            }
+            largest.store(of_factors, j * L::WIDTH);
+        }
+        let mut growth = zero;
+        for k in 0..n {
+            let quotient = L::load(of_rows, k * L::WIDTH) * L::load(columns, self.at(k, k));
+            let factor = L::load(of_factors, k * L::WIDTH);
+            growth = larger(growth, L::choose(factor.exceeds(quotient), quotient, factor));
+        }
+        for k in (0..n).rev() {
+            let value = L::load(columns, self.at(k, n)) * L::load(columns, self.at(k, k));
+            value.store(columns, self.at(k, n));
+            for i in 0..k {
+                let reduced =
+                    minus_product(L::load(columns, self.at(i, n)), L::load(columns, self.at(i, k)), value);
+                reduced.store(columns, self.at(i, n));
+            }
+        }
+        growth
+    }
+
+    /// Subtracts, in W rows of column j, the rows of all pivots before them and before j, times
+    /// their factors.
+    #[inline(always)]
+    #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
+    fn reduce_rows<const W: usize>(self, columns: &mut [T], first: usize, j: usize) {
+        let mut own = [L::spread(&T::zero()); W];
+        for w in 0..W {
+            own[w] = L::load(columns, self.at(first + w, j));
+        }
+        for k in 0..first.min(j) {
+            let upper = L::load(columns, self.at(k, j));
+            for w in 0..W {
+                own[w] = minus_product(own[w], L::load(columns, self.at(first + w, k)), upper);
+            }
+        }
+        for w in 0..W.min(j.saturating_sub(first)) {
+            let upper = own[w];
+            for v in w + 1..W {
+                own[v] = minus_product(own[v], L::load(columns, self.at(first + v, first + w)), upper);
+            }
+        }
+        for w in 0..W {
+            own[w].store(columns, self.at(first + w, j));
+        }
+    }
+}
