@@ -24,6 +24,8 @@ pub mod dense {
 }
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
+#[cfg(feature = "std")]
+pub use crate::field::supernodes::{PanelWorkspace, Supernodes};
 /// What steps chains whose sizes are known at run time only: `kahan-runtime` calls them.
 #[cfg(feature = "std")]
 pub use crate::lattice::{BandRow, Folded, Total, neighbour};

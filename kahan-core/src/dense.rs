@@ -15,7 +15,7 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use std::vec::Vec;
 
-use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
+use crate::ensemble::lanes::{InLanes, Lanes, OverLanes, minus_product};
 use crate::field::couplings::LARGEST_FACTOR;
 use crate::{Constant, Level, Scalar};
 
@@ -30,10 +30,20 @@ const COLUMNS: usize = 4;
 pub trait Float: InLanes + Scalar + Copy {
     /// The rows that stand together: as many as a register of 256 bits holds.
     const ROWS: usize = Self::MOST / 2;
+
+    /// An entry of a row that is smaller by this factor than the largest adds nothing to the
+    /// solution: its square is still far above the smallest normal number.
+    const NEGLIGIBLE: Self;
 }
 
-impl Float for f32 {}
-impl Float for f64 {}
+impl Float for f32 {
+    const NEGLIGIBLE: Self = 1.0 / (1_u64 << 60) as f32;
+}
+
+impl Float for f64 {
+    /// 2⁻⁵⁰⁰
+    const NEGLIGIBLE: Self = f64::from_bits((1023 - 500) << 52);
+}
 
 /// How many coefficients a component of a field has: the constant, those of the variables, and
 /// those of their products xⱼxₖ with j ≤ k, row after row of that triangle.
@@ -452,10 +462,4 @@ impl<T: Float, L: Lanes<T>> Loops<T, L, false> {
             }
         }
     }
-}
-
-/// c − a·b, fused as the scalars of this build do it: those of AVX2 always fuse.
-#[inline(always)]
-fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
-    if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }
 }

@@ -4,7 +4,8 @@
 //! of a level and run there. One float is the register of processors that have no other.
 
 use super::level::Level;
-use super::sweep::Register;
+pub(crate) use super::sweep::Register;
+use crate::Scalar;
 
 /// A register whose lanes are compared and chosen from, each for itself.
 pub trait Lanes<T>: Register<T> {
@@ -46,6 +47,12 @@ pub trait InLanes: Sized {
 
     /// Runs work over the lanes of a level or, should the processor lack it, of the baseline.
     fn run<W: OverLanes<Self>>(work: W, level: Level) -> W::Output;
+}
+
+/// c − a·b, fused as the scalars of this build do it: those of AVX2 always fuse.
+#[inline(always)]
+pub(crate) fn minus_product<V: Scalar + Copy>(c: V, a: V, b: V) -> V {
+    if cfg!(target_feature = "fma") { c.subtract_product(a, b) } else { c - a * b }
 }
 
 macro_rules! implement_for_float {

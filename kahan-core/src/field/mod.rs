@@ -6,6 +6,8 @@
 pub(crate) mod couplings;
 pub(crate) mod linear;
 mod named;
+#[cfg(feature = "std")]
+pub(crate) mod supernodes;
 
 use nalgebra::{SMatrix, SVector};
 

@@ -25,14 +25,14 @@ use crate::kept::Values;
 use crate::plan::{DenseField, Plan, StepCost, triangular_blocks};
 
 use graph::{Graph, turns};
-use orders::cheapest;
+use orders::{cheapest, in_postorder};
 
 /// The most variables of a field whose map is written out where that is possible. Beyond, every
 /// step eliminates along the couplings.
 pub const MOST_EXPANDED: usize = 8;
 
 /// The most variables of a block that is compiled.
-const MOST_VARIABLES: usize = 200;
+pub const MOST_VARIABLES: usize = 200;
 /// The most parameters of a block that is compiled.
 const MOST_PARAMETERS: usize = 2000;
 /// The most entries of f′ that are not identically zero in a block of many variables that is
@@ -120,6 +120,8 @@ impl Couplings {
         let mut all_filled = Vec::with_capacity(blocks.len());
         for (graph, block) in Graph::of_blocks(&depends, &blocks).iter().zip(&mut blocks) {
             let (order, filled) = cheapest(graph);
+            let order = in_postorder(&order, &filled);
+            let filled = graph.filled(&order, None).expect("no bound is set");
             *block = order.into_iter().map(|place| block[place]).collect();
             all_filled.push(filled);
         }

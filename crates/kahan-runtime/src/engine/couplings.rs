@@ -1,30 +1,40 @@
 //! The tables of a field of many variables, as `kahan-core` runs them, on slices.
 
-use kahan_algebra::elimination;
-use kahan_core::__private::{CouplingRow, Couplings};
+use std::sync::OnceLock;
+
+use kahan_algebra::elimination::{self, MOST_VARIABLES};
+use kahan_core::__private::{CouplingRow, Couplings, PanelWorkspace, Supernodes};
 use kahan_core::Scalar;
+
+use super::floats::MachineFloat;
+
+/// The fewest entries of A(x,ε) that are eliminated by panels of rows. Code is compiled for
+/// eliminations that take fewer operations than these do.
+pub(crate) const FEWEST_IN_PANELS: usize = 12_000;
 
 /// Where A(x,ε) has entries.
 #[derive(Debug)]
-pub(crate) struct Tables {
+pub struct Tables {
     order: Vec<u32>,
     rows: Vec<CouplingRow>,
     columns: Vec<u32>,
     blocks: Vec<u32>,
     places: Vec<u32>,
+    panels: OnceLock<Supernodes>,
 }
 
 /// What the tables are run in.
 #[derive(Clone, Debug)]
-pub(crate) struct Factors<V> {
+pub struct Factors<V> {
     values: Vec<V>,
     /// A row, or a right-hand side in the order of elimination.
     row: Vec<V>,
+    panels: PanelWorkspace<V>,
 }
 
 impl<V> Default for Factors<V> {
     fn default() -> Self {
-        Factors { values: Vec::new(), row: Vec::new() }
+        Factors { values: Vec::new(), row: Vec::new(), panels: PanelWorkspace::default() }
     }
 }
 
@@ -41,22 +51,56 @@ impl Tables {
             columns: list(&couplings.columns),
             blocks: list(&couplings.blocks),
             places: list(&couplings.places),
+            panels: OnceLock::new(),
         }
     }
 
     fn couplings(&self) -> Couplings<'_> {
-        let Tables { order, rows, columns, blocks, places } = self;
+        let Tables { order, rows, columns, blocks, places, .. } = self;
         Couplings { order, rows, columns, blocks, places }
     }
 
     /// Factors A(x,ε), from the entries of f′; `false` where a pivot is too small.
     pub(crate) fn factor<V: Scalar>(&self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> bool {
-        let Factors { values, row } = factors;
+        let Factors { values, row, .. } = factors;
         values.resize(self.columns.len(), V::zero());
         row.resize(self.order.len(), V::zero());
         let couplings = self.couplings();
         couplings.fill(slopes, eps, values);
         couplings.factor(values, row)
+    }
+
+    /// Whether floats are eliminated by panels of rows.
+    pub(super) fn has_panels(&self) -> bool {
+        self.columns.len() >= FEWEST_IN_PANELS
+    }
+
+    /// Whether entries of A that are negligible in their row count as 0. Blocks that are compiled
+    /// have fewer variables, so that nothing else steps these fields; those of dense fields have
+    /// entries everywhere, and none decays.
+    fn flushes(&self) -> bool {
+        let variables = self.order.len();
+        variables > MOST_VARIABLES && self.columns.len() < variables * variables
+    }
+
+    /// [`factor`](Self::factor) over a float of the machine, by its lanes where there are many
+    /// entries.
+    pub(crate) fn factor_in_lanes<T: MachineFloat>(
+        &self,
+        slopes: &[T],
+        eps: &T,
+        factors: &mut Factors<T>,
+    ) -> bool {
+        let Factors { values, row, panels } = factors;
+        values.resize(self.columns.len(), T::zero());
+        row.resize(self.order.len(), T::zero());
+        let couplings = self.couplings();
+        couplings.fill(slopes, eps, values);
+        if !self.has_panels() {
+            return couplings.factor(values, row);
+        }
+        let supernodes = self.panels.get_or_init(|| Supernodes::of(&couplings));
+        supernodes.factor(&couplings, self.flushes(), values, panels)
     }
 
     /// Factors A(x,ε) whatever its pivots are. Returns a number that is larger than
@@ -76,7 +120,7 @@ impl Tables {
         size: impl Fn(V) -> V,
         [larger, smaller]: [fn(V, V) -> V; 2],
     ) -> Option<V> {
-        let Factors { values, row } = factors;
+        let Factors { values, row, .. } = factors;
         values.resize(self.columns.len(), V::zero());
         row.resize(self.order.len(), V::zero());
         let couplings = self.couplings();
@@ -110,7 +154,7 @@ impl Tables {
         width: usize,
         column: usize,
     ) {
-        let Factors { values, row } = factors;
+        let Factors { values, row, .. } = factors;
         let place = |turn: u32| turn as usize * width + column;
         for (own, turn) in row.iter_mut().zip(&self.order) {
             own.clone_from(&b[place(*turn)]);

@@ -7,6 +7,7 @@ use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar, Precision};
 
 use crate::machine::Coded;
 
+use super::couplings::{Factors, Tables};
 use super::lanes::EightLanes;
 use super::scratch::{Kept, Local};
 use super::{Engine, Object};
@@ -43,6 +44,12 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
         _out: &mut [Self],
     ) -> bool {
         false
+    }
+
+    /// Factors A(x,ε) as [`Tables::factor`] does.
+    #[doc(hidden)]
+    fn factor(tables: &Tables, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
+        tables.factor(slopes, eps, factors)
     }
 
     /// The scratch for one state.
@@ -103,6 +110,10 @@ macro_rules! implement_for_float {
                 let code = engine.codes.function(engine, object);
                 let code = code.filter(|code| code.results() <= out.len());
                 code.map(|code| code.run(state, constants, out)).is_some()
+            }
+
+            fn factor(tables: &Tables, slopes: &[Self], eps: &Self, factors: &mut Factors<Self>) -> bool {
+                tables.factor_in_lanes(slopes, eps, factors)
             }
         }
 

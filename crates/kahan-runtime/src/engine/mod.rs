@@ -34,7 +34,7 @@ pub(crate) use abreast::Abreast;
 pub(crate) use coded::CodedStages;
 pub(crate) use columns::Columns;
 pub(crate) use columns::given;
-pub(crate) use couplings::{Factors, Tables};
+pub(crate) use couplings::{FEWEST_IN_PANELS, Factors, Tables};
 pub(crate) use dense::advance as advance_dense;
 pub use floats::{MachineFloat, RuntimeFloat};
 use scratch::Workspace;
@@ -202,14 +202,7 @@ impl Engine {
         with_scratch(T::single(), |scratch| {
             self.run(stages, steps, scratch, |step, rounds_increments, registers, workspace| {
                 let kind = StepKind { rounds_increments, ..kind };
-                step.advance_as(
-                    kind,
-                    [state, carry],
-                    registers,
-                    workspace,
-                    |x| kind.stored(x),
-                    Tables::factor,
-                );
+                step.advance_as(kind, [state, carry], registers, workspace, |x| kind.stored(x), T::factor);
             });
         });
     }

@@ -210,7 +210,7 @@ impl Step {
     }
 
     /// Replaces B, row by row, by A(x,ε)⁻¹B along the couplings; whether it could.
-    pub(super) fn solves_columns<V: Scalar + Copy>(&self, constants: &[V], state: &[V], b: &mut [V]) -> bool {
+    pub(super) fn solves_columns<T: RuntimeFloat>(&self, constants: &[T], state: &[T], b: &mut [T]) -> bool {
         let Some((tables, mut factors)) = self.factors(constants, state) else { return false };
         (0..state.len()).for_each(|column| tables.solve(&mut factors, b, state.len(), column));
         true
@@ -225,11 +225,12 @@ impl Step {
 
     /// The factors of A(x,ε) along the couplings; `None` where there are none, or a
     /// pivot is too small.
-    fn factors<V: Scalar + Copy>(&self, constants: &[V], state: &[V]) -> Option<(&Tables, Factors<V>)> {
+    fn factors<T: RuntimeFloat>(&self, constants: &[T], state: &[T]) -> Option<(&Tables, Factors<T>)> {
         let (slopes, tables) = self.couplings()?;
-        let entries: Vec<V> = slopes.values(constants, &mut Vec::new(), state).iter().collect();
+        let entries: Vec<T> = slopes.values(constants, &mut Vec::new(), state).iter().collect();
         let mut factors = Factors::default();
-        tables.factor(&entries, &constants[constants.len() - 1], &mut factors).then_some((tables, factors))
+        let eps = &constants[constants.len() - 1];
+        T::factor(tables, &entries, eps, &mut factors).then_some((tables, factors))
     }
 
     /// x̃ − x, a component after the other.
@@ -268,9 +269,11 @@ impl Step {
         let (of_slopes, of_field) = registers.split_at_mut(slopes.registers());
         let eps = slopes.eps(of_slopes);
         outcome.extend(has_value(field.run(of_field, state)).iter());
-        // Workspace for partial pivoting, which may be wanted at a later step only.
         matrix.clear();
-        matrix.reserve(state.len() * state.len());
+        if !tables.has_panels() {
+            // Workspace for partial pivoting, which may be wanted at a later step only.
+            matrix.reserve(state.len() * state.len());
+        }
         entries.clear();
         entries.extend(has_value(slopes.run(of_slopes, state)).iter());
         *is_singular = if factor(tables, entries, &eps, factors) {

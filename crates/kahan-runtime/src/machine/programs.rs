@@ -4,7 +4,9 @@ use kahan_core::{Precision, Scalar};
 use kahan_jit::Instruction::{Constant, State};
 use kahan_jit::Program;
 
-use crate::engine::{Engine, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals};
+use crate::engine::{
+    Engine, FEWEST_IN_PANELS, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals,
+};
 use crate::line::Line;
 
 use super::double_double::{self, Pair};
@@ -12,7 +14,7 @@ use super::traced::{self, Traced};
 use super::{Coded, StepKind};
 
 /// The most operations of an elimination that is compiled.
-const MOST_OPERATIONS: u32 = 10_000;
+const MOST_OPERATIONS: u32 = 2 * FEWEST_IN_PANELS as u32;
 
 impl StepKind {
     /// The program from the numbers of a state to those of the next, for the prepared constants of
