@@ -21,6 +21,7 @@ import numpy as np
 import kahan
 from dense import dense_fields
 from peers import lorenz_grid, scenes
+from sparse import sparse_fields
 
 HERE = Path(__file__).resolve().parent
 E6 = "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);"
@@ -124,6 +125,7 @@ def main() -> None:
     calls(s)
     start_up()
     dense_fields(limit, skipped)
+    sparse_fields(limit, skipped)
     lorenz_grid(limit)
     scenes()
     for line in missed:

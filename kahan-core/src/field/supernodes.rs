@@ -6,6 +6,9 @@
 //! by the operations of [`Couplings::factor`] in their order, so with its bits. (J. W. H. Liu,
 //! E. G. Ng, B. W. Peyton, SIAM J. Matrix Anal. Appl. 14 (1993) 242–252, on supernodes.)
 
+#[cfg(test)]
+mod tests;
+
 use core::ops::Range;
 use std::vec::Vec;
 
@@ -583,124 +586,5 @@ impl<T: Float> Work<'_, T> {
                 own[r][c].store(entries, rows[r] * width + column + c * V::WIDTH);
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::vec;
-
-    use super::*;
-    use crate::field::couplings::CouplingRow;
-
-    /// The tables of an elimination in the order of the variables, from the pairs that are coupled.
-    struct Pattern {
-        order: Vec<u32>,
-        rows: Vec<CouplingRow>,
-        columns: Vec<u32>,
-        places: Vec<u32>,
-    }
-
-    impl Pattern {
-        fn of(n: usize, is_coupled: impl Fn(usize, usize) -> bool) -> Self {
-            let mut is_there: Vec<Vec<bool>> =
-                (0..n).map(|i| (0..n).map(|j| i == j || is_coupled(i, j)).collect()).collect();
-            let given = is_there.clone();
-            for i in 0..n {
-                for p in 0..i {
-                    if is_there[i][p] {
-                        (p..n).for_each(|j| is_there[i][j] |= is_there[p][j]);
-                    }
-                }
-            }
-            let (mut rows, mut columns, mut places) = (vec![], vec![], vec![]);
-            for i in 0..n {
-                let start = columns.len();
-                let mut diagonal = start;
-                for j in (0..n).filter(|&j| is_there[i][j]) {
-                    if j == i {
-                        diagonal = columns.len();
-                    }
-                    if given[i][j] {
-                        places.push(columns.len() as u32);
-                    }
-                    columns.push(j as u32);
-                }
-                let [start, diagonal, end] = [start, diagonal, columns.len()].map(|place| place as u32);
-                rows.push(CouplingRow::new(start, start, diagonal, end));
-            }
-            Pattern { order: (0..n as u32).collect(), rows, columns, places }
-        }
-
-        fn couplings(&self) -> Couplings<'_> {
-            let Pattern { order, rows, columns, places } = self;
-            Couplings { order, rows, columns, blocks: &order[..0], places }
-        }
-    }
-
-    /// Numbers below 2³², one after the other (D. E. Knuth's multiplier).
-    fn random(seed: &mut u64) -> u64 {
-        *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        *seed >> 32
-    }
-
-    fn factors_are_those_of_rows<T: Float>(from: impl Fn(f64) -> T) {
-        let (mut seed, mut refused) = (5, 0);
-        for n in 1..90 {
-            for (divisor, block) in [(2, 1), (n, 1), (n, 6), (n / 3 + 1, 40)] {
-                let coupled: Vec<bool> =
-                    (0..n * n).map(|_| random(&mut seed) % divisor as u64 == 0).collect();
-                // Variables of a block have the same couplings, so that rows become panels.
-                let group = |i: usize| i / block * block;
-                let pattern = Pattern::of(n, |i, j| coupled[group(i) * n + group(j)] || group(i) == group(j));
-                let couplings = pattern.couplings();
-                let supernodes = Supernodes::of(&couplings);
-                for eps in [0.01, 0.3, 2.0] {
-                    let slope = |_: &u32| from(random(&mut seed) as f64 / (1_u64 << 31) as f64 - 1.0);
-                    let slopes: Vec<T> = pattern.places.iter().map(slope).collect();
-                    let mut expected = vec![T::zero(); pattern.columns.len()];
-                    couplings.fill(&slopes, &from(eps), &mut expected);
-                    let mut found = expected.clone();
-                    let is_factored = couplings.factor(&mut expected, &mut vec![T::zero(); n]);
-                    let workspace = &mut PanelWorkspace::default();
-                    assert_eq!(supernodes.factor(&couplings, false, &mut found, workspace), is_factored);
-                    // Equal numbers have equal bits: no factor is 0 by chance.
-                    assert!(!is_factored || found == expected, "{n} variables, blocks of {block}");
-                    refused += usize::from(!is_factored);
-                }
-            }
-        }
-        assert!((50..600).contains(&refused), "{refused}");
-    }
-
-    #[test]
-    fn panels_have_the_bits_of_rows() {
-        factors_are_those_of_rows(|number| number);
-        factors_are_those_of_rows(|number| number as f32);
-    }
-
-    #[test]
-    fn negligible_factors_are_zero_and_solutions_keep_their_bits() {
-        let (side, eps) = (24, 1e-12);
-        let n = side * side;
-        let are_neighbours =
-            |i: usize, j: usize| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1;
-        let pattern = Pattern::of(n, are_neighbours);
-        let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };
-        let supernodes = Supernodes::of(&couplings);
-        let slopes: Vec<f64> = (0..pattern.places.len()).map(|place| 1.0 + (place % 7) as f64).collect();
-        let [exact, flushed] = [false, true].map(|flushes| {
-            let mut values = vec![0.0; pattern.columns.len()];
-            couplings.fill(&slopes, &eps, &mut values);
-            assert!(supernodes.factor(&couplings, flushes, &mut values, &mut PanelWorkspace::default()));
-            let smallest = values.iter().map(|value| value.abs()).filter(|value| *value > 0.0);
-            let smallest = smallest.fold(1.0, f64::min);
-            let mut solution: Vec<f64> = (0..n).map(|i| 1.0 + i as f64).collect();
-            couplings.solve(&values, &mut solution);
-            (smallest, solution)
-        });
-        // A has entries of magnitude 1 in each row.
-        assert!(exact.0 < f64::NEGLIGIBLE && flushed.0 >= f64::NEGLIGIBLE, "{} {}", exact.0, flushed.0);
-        assert_eq!(exact.1, flushed.1);
     }
 }

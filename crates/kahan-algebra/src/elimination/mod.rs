@@ -119,9 +119,13 @@ impl Couplings {
         let mut blocks = triangular_blocks(&depends);
         let mut all_filled = Vec::with_capacity(blocks.len());
         for (graph, block) in Graph::of_blocks(&depends, &blocks).iter().zip(&mut blocks) {
-            let (order, filled) = cheapest(graph);
-            let order = in_postorder(&order, &filled);
-            let filled = graph.filled(&order, None).expect("no bound is set");
+            let (cheapest, filled) = cheapest(graph);
+            let postorder = in_postorder(&cheapest, &filled);
+            // Where a coupling is not mutual, postorder may fill in more.
+            let (order, filled) = match graph.filled(&postorder, Some(filled.price)) {
+                Some(filled) => (postorder, filled),
+                None => (cheapest, filled),
+            };
             *block = order.into_iter().map(|place| block[place]).collect();
             all_filled.push(filled);
         }

@@ -185,6 +185,37 @@ mod tests {
     }
 
     #[test]
+    fn postorder_fills_in_what_the_order_fills_in_and_puts_equal_rows_side_by_side() {
+        let mut random = SplitMix64::new(17);
+        let side = 12;
+        let lattice = (0..side * side).map(|i: usize| {
+            let beside = [i.checked_sub(side), (i % side > 0).then(|| i - 1)].into_iter().flatten();
+            let behind =
+                [(i % side + 1 < side).then_some(i + 1), Some(i + side).filter(|j| *j < side * side)];
+            beside.chain(behind.into_iter().flatten()).collect()
+        });
+        let lattice: Vec<Vec<usize>> = lattice.collect();
+        let random_rows = (1..60).map(|n| random_rows(&mut random, n, true));
+        for rows in random_rows.chain([lattice]) {
+            let n = rows.len();
+            let graph = Graph::of_blocks(&rows, &[(0..n).collect()]).remove(0);
+            let (order, before) = cheapest(&graph);
+            let postorder = in_postorder(&order, &before);
+            let after = graph.filled(&postorder, None).unwrap();
+            assert_eq!(after.price, before.price, "{rows:?}");
+
+            // Rows whose columns right of the diagonal are those of the next row and its diagonal.
+            let nested = |filled: &Filled| {
+                let right = |k: usize| &filled.rows[k].columns[filled.rows[k].diagonal + 1..];
+                let is_nested =
+                    |k: &usize| right(*k).first() == Some(&(k + 1)) && right(*k)[1..] == *right(k + 1);
+                (0..n - 1).filter(is_nested).count()
+            };
+            assert!(nested(&after) >= nested(&before), "{rows:?}");
+        }
+    }
+
+    #[test]
     fn the_first_of_the_cheapest_orders_is_chosen() {
         let mut random = SplitMix64::new(13);
         for n in 1..40 {

@@ -384,3 +384,50 @@ fn columns_of_eliminated_fields_are_their_orbits() {
         }
     }
 }
+
+/// Logistic growth at side × side sites, each coupled to those beside it.
+fn lattice(side: usize) -> Field {
+    let site = |i: usize, j: usize| (i < side && j < side).then(|| format!("x{}", i * side + j));
+    let equation = |i: usize, j: usize| {
+        let beside = [site(i.wrapping_sub(1), j), site(i + 1, j), site(i, j.wrapping_sub(1)), site(i, j + 1)];
+        let beside: Vec<String> = beside.into_iter().flatten().collect();
+        let (x, count, sum) = (site(i, j).expect("a site"), beside.len(), beside.join(" + "));
+        format!("{x}dot = {x} - {x}^2 + 3/10*({sum} - {count}*{x});")
+    };
+    let equations = (0..side * side).map(|site| equation(site / side, site % side));
+    Field::parse(&equations.collect::<String>()).expect("a field")
+}
+
+/// Steps over floats, which are eliminated by panels of rows and flush, beside those in
+/// double-double, which are eliminated entry by entry: the state is at most 1, and each step adds a
+/// few rounding errors to it.
+#[test]
+fn steps_of_large_lattices_are_those_in_double_double() {
+    let map = lattice(28).map().expect("no parameters");
+    let n = 28 * 28;
+    let start: Vec<f64> = (0..n).map(|i| 0.1 + f64::from(i * i % 17) / 32.0).collect();
+    let single: Vec<f32> = start.iter().map(|x| *x as f32).collect();
+    for eps in [1e-12, 0.01, 0.1] {
+        let [at, back] = [eps, -eps].map(|eps| map.at(eps));
+        let mut expected: Vec<Dd> = start.iter().copied().map(Dd::from).collect();
+        map.at(Dd::from(eps)).advance(&mut expected, 3).expect("a number a variable");
+        let distance = |x: Dd, y: Dd| (x - y).high().abs();
+        let mut x = start.clone();
+        at.advance(&mut x, 3).expect("a number a variable");
+        for (x, expected) in x.iter().zip(&expected) {
+            assert!(distance(Dd::from(*x), *expected) <= 16.0 * f64::EPSILON, "{eps}: {x}, not {expected:?}");
+        }
+        let mut columns: Vec<Vec<f64>> = start.iter().map(|x| vec![*x; 3]).collect();
+        let mut slices: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        at.advance_columns(&mut slices, &[], &[], 3).expect("a column a variable");
+        assert!(columns.iter().zip(&x).all(|(column, x)| column.iter().all(|other| other == x)));
+        back.advance(&mut x, 3).expect("a number a variable");
+        assert!(x.iter().zip(&start).all(|(x, start)| (x - start).abs() <= 32.0 * f64::EPSILON), "{eps}");
+        let mut x = single.clone();
+        map.at(eps as f32).advance(&mut x, 3).expect("a number a variable");
+        for (x, expected) in x.iter().zip(&expected) {
+            let distance = distance(Dd::from(*x), *expected);
+            assert!(distance <= 16.0 * f64::from(f32::EPSILON), "{eps}: {x}, not {expected:?}");
+        }
+    }
+}
