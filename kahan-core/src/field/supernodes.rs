@@ -268,6 +268,7 @@ struct Together<'a, const R: usize> {
     end: usize,
 }
 
+#[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: Float> Work<'_, T> {
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
@@ -394,7 +395,7 @@ impl<T: Float> Work<'_, T> {
             }
         }
         let limit = largest * T::NEGLIGIBLE;
-        self.workspace.limits[r] = if (limit - limit).is_zero() { limit } else { T::zero() };
+        self.workspace.limits[r] = if (limit * T::zero()).is_zero() { limit } else { T::zero() };
     }
 
     /// Copies row r of the panel back, with the reciprocal of its pivot; `false` where that is 0.

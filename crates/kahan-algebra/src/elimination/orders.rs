@@ -189,7 +189,8 @@ mod tests {
         let mut random = SplitMix64::new(17);
         let side = 12;
         let lattice = (0..side * side).map(|i: usize| {
-            let beside = [i.checked_sub(side), (i % side > 0).then(|| i - 1)].into_iter().flatten();
+            let beside =
+                [i.checked_sub(side), (!i.is_multiple_of(side)).then(|| i - 1)].into_iter().flatten();
             let behind =
                 [(i % side + 1 < side).then_some(i + 1), Some(i + side).filter(|j| *j < side * side)];
             beside.chain(behind.into_iter().flatten()).collect()

@@ -60,7 +60,8 @@ fn factors_are_those_of_rows<T: Float>(from: impl Fn(f64) -> T) {
     let (mut seed, mut refused) = (5, 0);
     for n in 1..90 {
         for (divisor, block) in [(2, 1), (n, 1), (n, 6), (n / 3 + 1, 40)] {
-            let coupled: Vec<bool> = (0..n * n).map(|_| random(&mut seed) % divisor as u64 == 0).collect();
+            let coupled: Vec<bool> =
+                (0..n * n).map(|_| random(&mut seed).is_multiple_of(divisor as u64)).collect();
             // Variables of a block have the same couplings, so that rows become panels.
             let group = |i: usize| i / block * block;
             let pattern = Pattern::of(n, |i, j| coupled[group(i) * n + group(j)] || group(i) == group(j));
