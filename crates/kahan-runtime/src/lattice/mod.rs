@@ -21,7 +21,7 @@ use kahan_core::__private::chain::{Menu, Sizes};
 use crate::line::Line;
 use crate::literal::Literal;
 
-use program::{Numbering, Program, registers_abreast};
+use program::{Numbering, Program};
 
 pub use at::ChainAt;
 pub use error::LatticeError;
@@ -78,7 +78,7 @@ impl Code {
             lower: lines.lower,
             upper: lines.upper,
             registers: rows.registers().max(sums.registers()),
-            registers_abreast: registers_abreast(&rows, family.reach, numbering.prepared + literals.len()),
+            registers_abreast: rows.registers_abreast(numbering.prepared + literals.len()),
         });
         let boundary = match family.boundary {
             Boundary::Periodic => core::Boundary::Periodic,

@@ -7,13 +7,14 @@
 
 use kahan_algebra::plan::{Node, Operation, Plan};
 use kahan_algebra::symbols::{Symbol, Symbols};
-use kahan_core::__private::chain::{GatheredLines, InLanes, Lanes, OverLanes, SiteLine, Sizes};
+use kahan_core::__private::chain::{GatheredLines, InLanes, Lanes, OverLanes, SiteLine};
 use kahan_core::{Level, Scalar};
 
 use crate::literal::Literal;
 
-/// The numbers of an operand for which an instruction is run: a multiple of all lanes.
-const ROOM: usize = 64;
+/// The numbers of an operand for which an instruction is run: a multiple of all lanes, so many that
+/// decoding costs little beside them, so few that registers stay in the nearest cache.
+const ROOM: usize = 128;
 
 /// A line whose results, and with them whose registers, have places.
 #[derive(Debug)]
@@ -25,6 +26,7 @@ pub(super) struct Program {
     /// Arrays and parameters a site.
     block: usize,
     parameters: usize,
+    reach: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +36,16 @@ struct Instruction {
     to: usize,
     /// As many as the kind takes; the last stands for those behind it.
     operands: [Operand; 3],
+    /// Where they stand among the numbers of [`Abreast`].
+    places: [Place; 3],
+}
+
+/// Where the numbers of an operand begin: so many numbers, and so many registers of the lanes that
+/// sites are gathered in, behind the first number.
+#[derive(Clone, Copy, Debug, Default)]
+struct Place {
+    numbers: usize,
+    registers: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -85,8 +97,8 @@ impl Program {
         }
         let places: Vec<(usize, Node)> = places.into_iter().zip(plan.outputs.iter().copied()).collect();
         let (block, parameters) = (numbering.block, numbering.site_parameters);
-        let mut program =
-            Program { instructions: Vec::new(), results, registers: results, block, parameters };
+        let (reach, instructions) = (numbering.stencil / 2, Vec::new());
+        let mut program = Program { instructions, results, registers: results, block, parameters, reach };
         let mut values: Vec<Operand> = Vec::with_capacity(plan.operations.len());
         let mut free = Vec::new();
         for (k, operation) in plan.operations.iter().enumerate() {
@@ -132,6 +144,11 @@ impl Program {
                 program.put(Kind::Copy, place, [values[node.0]].into_iter());
             }
         }
+        // Constants stand behind all registers.
+        for k in 0..program.instructions.len() {
+            program.instructions[k].places =
+                program.instructions[k].operands.map(|operand| program.place(operand));
+        }
         program
     }
 
@@ -139,7 +156,31 @@ impl Program {
         let first = operands.next().unwrap_or_else(|| unreachable!("each kind takes an operand"));
         let second = operands.next().unwrap_or(first);
         let third = operands.next().unwrap_or(second);
-        self.instructions.push(Instruction { kind, to, operands: [first, second, third] });
+        let (operands, places) = ([first, second, third], [Place::default(); 3]);
+        self.instructions.push(Instruction { kind, to, operands, places });
+    }
+
+    /// Where an operand stands: registers come first, each [`ROOM`] numbers; what sites see is
+    /// next, each array and each parameter by itself, so that one site further is one register of
+    /// the lanes further; constants are last, each `ROOM` numbers, too.
+    fn place(&self, operand: Operand) -> Place {
+        let (numbers, registers) = match operand {
+            Operand::Register(k) => (k * ROOM, 0),
+            Operand::State { site, array } => (self.array(array), site),
+            Operand::Parameter { site, index } => (self.array(self.block + index), site),
+            Operand::Constant(k) => (self.array(self.block + self.parameters) + k * ROOM, 0),
+        };
+        Place { numbers, registers }
+    }
+
+    /// Where the numbers of an array begin or, counted on, of a parameter.
+    fn array(&self, index: usize) -> usize {
+        self.registers * ROOM + index * (ROOM + 2 * self.reach * f64::MOST)
+    }
+
+    /// The room that [`Abreast`] takes, in registers of the widest lanes.
+    pub(super) fn registers_abreast(&self, constants: usize) -> usize {
+        self.place(Operand::Constant(constants)).numbers.div_ceil(f64::MOST)
     }
 
     /// How many scalars a run computes in.
@@ -149,7 +190,7 @@ impl Program {
 
     /// Runs the line over one scalar.
     pub(super) fn run<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], registers: &mut [L]) {
-        for Instruction { kind, to, operands } in &self.instructions {
+        for Instruction { kind, to, operands, .. } in &self.instructions {
             let at = |k: usize| match operands[k] {
                 Operand::Constant(place) => constants[place].clone(),
                 Operand::State { site, array } => x[site * self.block + array].clone(),
@@ -187,62 +228,16 @@ impl Numbering<'_> {
     }
 }
 
-/// Where numbers stand that the lines of gathered sites are computed in: constants and registers,
-/// each [`ROOM`] numbers, and between them what the sites see, each array and each parameter by
-/// itself, so that one site further is one register further.
-#[derive(Clone, Copy, Debug)]
-struct Layout {
-    /// Numbers of a register of the lanes that sites are gathered in.
-    width: usize,
-    constants: usize,
-    block: usize,
-    reach: usize,
-}
-
-impl Layout {
-    /// How many sites are computed at once.
-    fn sites(self) -> usize {
-        ROOM / self.width
-    }
-
-    /// The numbers of an array that these sites see.
-    fn seen(self) -> usize {
-        ROOM + 2 * self.reach * self.width
-    }
-
-    /// Where an array or, counted on, a parameter begins.
-    fn array(self, index: usize) -> usize {
-        self.constants * ROOM + index * self.seen()
-    }
-
-    /// Where the numbers of an operand begin, `registers` where registers do.
-    fn place(self, operand: Operand, registers: usize) -> usize {
-        match operand {
-            Operand::Constant(k) => k * ROOM,
-            Operand::State { site, array } => self.array(array) + site * self.width,
-            Operand::Parameter { site, index } => self.array(self.block + index) + site * self.width,
-            Operand::Register(k) => registers + k * ROOM,
-        }
-    }
-}
-
-/// The room that the lines of gathered sites take, in registers of the widest lanes.
-pub(super) fn registers_abreast(program: &Program, reach: usize, constants: usize) -> usize {
-    let layout = Layout { width: f64::MOST, constants, block: program.block, reach };
-    (layout.array(program.block + program.parameters) + program.registers * ROOM).div_ceil(f64::MOST)
-}
-
 /// A line for gathered sites, some of them at a time.
 pub(super) struct Abreast<'a> {
     program: &'a Program,
-    layout: Layout,
-    level: Level,
     x: &'a [f64],
     c: &'a [f64],
-    /// Laid out as `layout` says.
+    /// Registers, what sites see, constants, at the places of the program.
     numbers: &'a mut [f64],
-    /// Where the registers begin.
-    registers: usize,
+    level: Level,
+    /// Numbers of a register of its lanes.
+    width: usize,
     /// The sites whose results stand in the registers.
     first: usize,
     end: usize,
@@ -250,84 +245,87 @@ pub(super) struct Abreast<'a> {
 
 impl<'a> Abreast<'a> {
     pub(super) fn new(
-        (program, sizes): (&'a Program, Sizes),
+        program: &'a Program,
         constants: &[f64],
         [x, c]: [&'a [f64]; 2],
         numbers: &'a mut [f64],
         (level, width): (Level, usize),
     ) -> Self {
-        let layout = Layout { width, constants: constants.len(), block: sizes.block, reach: sizes.reach };
         for (k, constant) in constants.iter().enumerate() {
-            numbers[k * ROOM..][..ROOM].fill(*constant);
+            numbers[program.place(Operand::Constant(k)).numbers..][..ROOM].fill(*constant);
         }
-        let registers = layout.array(sizes.block + sizes.parameters);
         // What no instruction writes is zero for every state.
-        numbers[registers..][..program.results * ROOM].fill(0.0);
-        Abreast { program, layout, level, x, c, numbers, registers, first: 0, end: 0 }
+        numbers[..program.results * ROOM].fill(0.0);
+        Abreast { program, x, c, numbers, level, width, first: 0, end: 0 }
     }
 
     /// Computes the lines from a site on.
     fn compute(&mut self, site: usize) {
-        (self.first, self.end) = (site, site + self.layout.sites());
-        let level = self.level;
-        f64::run(Run { abreast: self }, level);
+        let Abreast { program, x, c, width, level, .. } = *self;
+        let sites = ROOM / width;
+        (self.first, self.end) = (site, site + sites);
+        for (gathered, count, array) in [(x, program.block, 0), (c, program.parameters, program.block)] {
+            for index in 0..count {
+                let to = &mut self.numbers[program.array(array + index)..];
+                let from = &gathered[(site - program.reach) * count * width..];
+                // Behind the last site there is nothing, and nobody asks for it.
+                let seen = (from.len() / (count * width)).min(sites + 2 * program.reach);
+                if count == 1 {
+                    to[..seen * width].copy_from_slice(&from[..seen * width]);
+                } else {
+                    for site in 0..seen {
+                        let from = &from[(site * count + index) * width..][..width];
+                        to[site * width..][..width].copy_from_slice(from);
+                    }
+                }
+            }
+        }
+        f64::run(Run { program, numbers: self.numbers, width }, level);
     }
 }
 
 /// One run of a line, for as many sites as there is room for.
-struct Run<'a, 'b> {
-    abreast: &'a mut Abreast<'b>,
+struct Run<'a> {
+    program: &'a Program,
+    numbers: &'a mut [f64],
+    width: usize,
 }
 
-impl OverLanes<f64> for Run<'_, '_> {
+impl OverLanes<f64> for Run<'_> {
     type Output = ();
     const IS_SMALL: bool = false;
 
     #[inline(always)]
     fn run<L: Lanes<f64>>(self) {
-        let Abreast { program, layout, x, c, ref mut numbers, registers, first, .. } = *self.abreast;
-        for (gathered, count, from) in [(x, program.block, 0), (c, program.parameters, program.block)] {
-            for index in 0..count {
-                let to = &mut numbers[layout.array(from + index)..][..layout.seen()];
-                let (from, stride) = ((first - layout.reach) * count + index, count * layout.width);
-                // Behind the last site there is nothing, and nobody asks for it.
-                let sites = (gathered.len() / layout.width - from).div_ceil(count);
-                for site in 0..sites.min(layout.sites() + 2 * layout.reach) {
-                    for lane in 0..layout.width / L::WIDTH {
-                        let lane = lane * L::WIDTH;
-                        L::load(gathered, from * layout.width + site * stride + lane)
-                            .store(to, site * layout.width + lane);
-                    }
-                }
-            }
-        }
-        for &Instruction { kind, to, operands } in &program.instructions {
-            let (before, rest) = numbers.split_at_mut(registers + to * ROOM);
+        for &Instruction { kind, to, places, .. } in &self.program.instructions {
+            let (before, rest) = self.numbers.split_at_mut(to * ROOM);
             let (result, after) = rest.split_at_mut(ROOM);
-            let numbers = |operand| match layout.place(operand, registers) {
-                place if place < before.len() => &before[place..][..ROOM],
-                place => &after[place - before.len() - ROOM..][..ROOM],
-            };
-            let (a, b, c) = (numbers(operands[0]), numbers(operands[1]), numbers(operands[2]));
             // A macro, as closures need not be compiled for the instructions of lanes.
             macro_rules! each {
-                (|$($operand:ident),*| $value:expr) => {
+                (|$($operand:ident: $k:literal),*| $value:expr) => {{
+                    $(
+                        let place = places[$k].numbers + places[$k].registers * self.width;
+                        let $operand = match place.checked_sub(before.len() + ROOM) {
+                            Some(place) => &after[place..][..ROOM],
+                            None => &before[place..][..ROOM],
+                        };
+                    )*
                     for k in 0..ROOM / L::WIDTH {
                         $(let $operand = L::load($operand, k * L::WIDTH);)*
                         $value.store(result, k * L::WIDTH);
                     }
-                };
+                }};
             }
             match kind {
-                Kind::Copy => each!(|a| a),
-                Kind::Add => each!(|a, b| (a + b)),
-                Kind::Subtract => each!(|a, b| (a - b)),
-                Kind::Multiply => each!(|a, b| (a * b)),
-                Kind::Divide => each!(|a, b| (a / b)),
-                Kind::Negate => each!(|a| (-a)),
-                Kind::MultiplyAdd => each!(|a, b, c| a.multiply_add(b, c)),
-                Kind::MultiplySubtract => each!(|a, b, c| a.multiply_subtract(b, c)),
-                Kind::SubtractProduct => each!(|a, b, c| a.subtract_product(b, c)),
+                Kind::Copy => each!(|a: 0| a),
+                Kind::Add => each!(|a: 0, b: 1| (a + b)),
+                Kind::Subtract => each!(|a: 0, b: 1| (a - b)),
+                Kind::Multiply => each!(|a: 0, b: 1| (a * b)),
+                Kind::Divide => each!(|a: 0, b: 1| (a / b)),
+                Kind::Negate => each!(|a: 0| (-a)),
+                Kind::MultiplyAdd => each!(|a: 0, b: 1, c: 2| a.multiply_add(b, c)),
+                Kind::MultiplySubtract => each!(|a: 0, b: 1, c: 2| a.multiply_subtract(b, c)),
+                Kind::SubtractProduct => each!(|a: 0, b: 1, c: 2| a.subtract_product(b, c)),
             }
         }
     }
@@ -339,9 +337,10 @@ impl<L: Lanes<f64>, const B: usize, const SITES: usize> GatheredLines<L, B, SITE
         if site >= self.end {
             self.compute(site);
         }
-        let results = &self.numbers[self.registers..];
-        let mut line = SiteLine { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
+        let results = &self.numbers[..(B + B * SITES * B) * ROOM];
         let mut place = (site - self.first) * L::WIDTH;
+        assert!(place <= ROOM - L::WIDTH, "sites are asked for in order");
+        let mut line = SiteLine { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
         for b in 0..B {
             line.f[b] = L::load(results, place);
             place += ROOM;

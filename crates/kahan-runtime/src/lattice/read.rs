@@ -69,8 +69,7 @@ impl Lines<f64> for Read {
         registers: &'a mut [f64],
         level: Level,
     ) -> impl GatheredLines<L, B, SITES> {
-        let line = (&self.code.rows, self.code.sizes);
-        Abreast::new(line, constants, [x, c], registers, (level, L::WIDTH))
+        Abreast::new(&self.code.rows, constants, [x, c], registers, (level, L::WIDTH))
     }
 }
 
