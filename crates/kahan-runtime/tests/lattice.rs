@@ -119,6 +119,20 @@ fn chains_have_the_bits_of_the_macro() {
     }
 }
 
+/// Site 1 is the first of an interior, and its column has its only entry in the separator's row.
+#[test]
+fn a_singular_part_sends_the_step_to_the_whole() {
+    let (sites, eps) = (300, 0.125);
+    let mut state = start(sites);
+    (state[0], state[2]) = (-1.0 / eps, 0.0);
+    let mut expected = state.clone();
+    let mut compiled = LatticeMap::at(&Ring, eps, sites).unwrap();
+    compiled.step(&mut expected);
+    assert_eq!(compiled.whole_eliminations(), 1);
+    lattice(RING).at(eps, sites, NOTHING).unwrap().step(&mut state).unwrap();
+    assert_eq!(state, expected);
+}
+
 /// Long chains of the macro are cut into parts, those of a rare shape that are read are not: other
 /// roundings, some units in the last place a step, of numbers of size one.
 #[test]

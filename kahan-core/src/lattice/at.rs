@@ -19,7 +19,8 @@ use super::{Boundary, Family, LatticeError, LatticeScalar, Lines, Sizes};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
-/// Made by [`LatticeMap::at`](super::LatticeMap::at); it owns the memory of a step, and a step allocates nothing.
+/// Made by [`LatticeMap::at`](super::LatticeMap::at); it owns the memory of a step, and a step
+/// allocates nothing.
 pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,

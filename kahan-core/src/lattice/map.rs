@@ -35,6 +35,7 @@ impl<T: LatticeScalar, M: Family<T>> LatticeMap<T> for M {
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         for (index, name) in M::SITE_PARAMETERS.iter().enumerate() {
             let given = Family::site_parameter(self, index).len();
+            // No sites are refused below, whatever is given.
             if sites != 0 && given != sites {
                 return Err(LatticeError::SiteParameter { name, given, sites });
             }
