@@ -26,9 +26,12 @@ pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]
 pub use crate::field::supernodes::{PanelWorkspace, Supernodes};
-/// What steps chains whose sizes are known at run time only: `kahan-runtime` calls them.
+/// What chains are stepped by that are read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
-pub use crate::lattice::{BandRow, Folded, Total, neighbour};
+pub mod chain {
+    pub use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
+    pub use crate::lattice::{Densities, GatheredLines, HasEnergy, Lines, Menu, SiteLine, Sizes};
+}
 #[cfg(feature = "std")]
 pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
 pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_step};

@@ -2,7 +2,6 @@
 //!
 //! In: a state. Out: the next one, in its place. All memory is taken here, before the first step.
 
-use core::any::TypeId;
 use core::fmt;
 use std::vec::Vec;
 
@@ -12,15 +11,16 @@ use crate::step::error::{Reason, pole};
 use crate::{SingularStep, Step, Stopped, Workspace};
 
 use super::folded::Folded;
-use super::parts::{Parted, Partition};
+use super::parts::{Kernels, Parted, Partition};
 use super::promise::{Promise, REFINEMENTS};
 use super::scalar::{Eliminated, Solved};
 use super::sites::Site;
-use super::{Boundary, LatticeError, LatticeMap, LatticeScalar, Shape};
+use super::{Boundary, Family, LatticeError, LatticeScalar, Lines, Sizes};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
-/// Made by [`LatticeMap::at`]; it owns the memory of a step, and a step allocates nothing.
+/// Made by [`LatticeMap::at`](super::LatticeMap::at); it owns the memory of a step, and a step
+/// allocates nothing.
 pub struct LatticeAt<M, T: LatticeScalar> {
     map: M,
     eps: T,
@@ -42,7 +42,7 @@ struct Memory<T: LatticeScalar> {
 /// What decides how much memory a step takes, and how it is laid out.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Form {
-    shape: TypeId,
+    sizes: Sizes,
     sites: usize,
     boundary: Boundary,
     partition: Option<Partition>,
@@ -50,21 +50,22 @@ struct Form {
 }
 
 impl<T: LatticeScalar> Memory<T> {
-    fn new<S: Shape>(form: Form) -> Self {
-        let Form { sites, boundary, partition, level, .. } = form;
+    fn new(form: Form) -> Self {
+        let Form { sizes, sites, boundary, partition, level } = form;
+        let is_ring = boundary == Boundary::Periodic;
         // A chain in parts is eliminated as a whole where a part meets too small a pivot.
         let folded = if partition.is_some() { Folded::rarely } else { Folded::new };
         Self {
             form,
-            site: Site::of::<S>(),
-            folded: folded(sites * S::BLOCK, boundary == Boundary::Periodic, S::LOWER, S::UPPER),
-            parts: partition.and_then(|partition| Parted::new::<S>(partition, boundary, level)),
+            site: Site::of(sizes),
+            folded: folded(sites * sizes.block, is_ring, sizes.lower, sizes.upper),
+            parts: partition.and_then(|partition| Parted::new(sizes, partition, boundary, level)),
             whole_eliminations: 0,
         }
     }
 
     /// One step at the ε of these constants, in place, or nothing at a pole of an exact scalar.
-    fn step<M: LatticeMap<T>>(&mut self, map: &M, constants: &[T], eps: &T, state: &mut [T]) -> Option<()> {
+    fn step<M: Lines<T>>(&mut self, map: &M, constants: &[T], eps: &T, state: &mut [T]) -> Option<()> {
         let twice = eps.clone() + eps.clone();
         if let Some(parts) = &mut self.parts
             && parts.step(map, constants, &twice, &mut self.site, state)
@@ -81,30 +82,28 @@ impl<T: LatticeScalar> Memory<T> {
 
     /// The solution of A(x,ε)·w = f(x), or of another right-hand side, by one elimination of the
     /// whole chain.
-    fn solve<M: LatticeMap<T>>(
-        &mut self,
-        map: &M,
-        constants: &[T],
-        x: &[T],
-        right: Option<&[T]>,
-    ) -> Option<&[T]> {
+    fn solve<M: Lines<T>>(&mut self, map: &M, constants: &[T], x: &[T], right: Option<&[T]>) -> Option<&[T]> {
         let Self { site, folded, .. } = self;
-        let (block, sites) = (M::Shape::BLOCK, x.len() / M::Shape::BLOCK);
+        let block = map.sizes().block;
+        let sites = x.len() / block;
         folded.solve(|unknown, row| {
             let (i, b) = (unknown / block, unknown % block);
             site.rows(map, constants, x, i, T::clone);
             row.add_right(right.map_or_else(|| site.f(b).clone(), |right| right[unknown].clone()));
-            for (column, entry) in site.entries::<M::Shape>(M::BOUNDARY, sites, b) {
+            for (column, entry) in site.entries(map, sites, b) {
                 row.add(column, entry.clone());
             }
         })
     }
 }
 
-impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
-    pub(super) fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
-        let partition =
-            <T as Solved>::Parts::LANES.and_then(|lanes| Partition::new(sites, M::Shape::REACH, lanes));
+impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
+    /// The chain of these lines, whose parameters have as many values as there are sites.
+    #[doc(hidden)]
+    pub fn new(map: M, eps: T, sites: usize) -> Result<Self, LatticeError> {
+        let sizes = map.sizes();
+        let lanes = <T as Solved>::Parts::LANES.filter(|_| M::Kernels::have(sizes));
+        let partition = lanes.and_then(|lanes| Partition::new(sites, sizes.reach, lanes));
         Self::planned(map, eps, sites, partition)
     }
 
@@ -118,21 +117,15 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         if sites == 0 {
             return Err(LatticeError::NoSites);
         }
-        for (index, name) in M::SITE_PARAMETERS.iter().enumerate() {
-            let given = map.site_parameter(index).len();
-            if given != sites {
-                return Err(LatticeError::SiteParameter { name, given, sites });
-            }
-        }
         let constants = |eps| map.constants(eps, T::clone).ok_or(LatticeError::Undefined);
         let (forward, backward) = (constants(eps.clone())?, constants(-eps.clone())?);
-        let promise = Promise::new(&map, &eps, sites * M::Shape::BLOCK);
+        let (sizes, boundary, level) = (map.sizes(), map.boundary(), Level::best());
+        let promise = Promise::new(&map, &eps, sites * sizes.block);
         // What is beyond the range of these numbers alone does not hinder a step with a promise.
         if !(forward.iter().all(T::is_finite_number) || promise.has_equations()) {
             return Err(LatticeError::Undefined);
         }
-        let (shape, boundary, level) = (TypeId::of::<M::Shape>(), M::BOUNDARY, Level::best());
-        let memory = Memory::new::<M::Shape>(Form { shape, sites, boundary, partition, level });
+        let memory = Memory::new(Form { sizes, sites, boundary, partition, level });
         Ok(Self { map, eps, forward, backward, memory, promise })
     }
 
@@ -141,7 +134,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// A level decides the last bits of long chains of `f32` and `f64`, as those of an
     /// [`Ensemble`](crate::Ensemble); the largest is taken unless told otherwise.
     pub fn at_level(mut self, level: Level) -> Option<Self> {
-        self.memory = Memory::new::<M::Shape>(Form { level, ..self.memory.form });
+        self.memory = Memory::new(Form { level, ..self.memory.form });
         level.is_available().then_some(self)
     }
 
@@ -298,18 +291,6 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
         }
     }
 
-    /// f(x), laid out as the state.
-    ///
-    /// # Panics
-    /// If the state is not of this chain's length.
-    #[track_caller]
-    pub fn field(&self, x: &[T]) -> Vec<T> {
-        self.check(x);
-        let mut site = Site::of::<M::Shape>();
-        let sites = 0..self.sites();
-        sites.flat_map(|i| site.field(&self.map, &self.forward, x, i, T::clone).to_vec()).collect()
-    }
-
     /// How well `next` is the step from `x`: the largest component of
     /// |A(x,ε)(x̃ − x) − 2εf(x)| / (|A||x̃| + |b|), each relative to its own terms.
     ///
@@ -323,15 +304,15 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
     pub fn residual(&self, x: &[T], next: &[T]) -> T {
         self.check(x);
         self.check(next);
-        let mut site = Site::of::<M::Shape>();
+        let mut site = Site::of(self.map.sizes());
         let twice = self.eps.clone() + self.eps.clone();
         let mut worst = T::zero();
         for i in 0..self.sites() {
             site.rows(&self.map, &self.forward, x, i, T::clone);
-            for b in 0..M::Shape::BLOCK {
+            for b in 0..self.map.sizes().block {
                 let increment = twice.clone() * site.f(b).clone();
                 let (mut residual, mut right, mut size) = (-increment.clone(), increment, T::zero());
-                for (j, entry) in site.row::<M::Shape>(M::BOUNDARY, self.sites(), b) {
+                for (j, entry) in site.row(&self.map, self.sites(), b) {
                     residual += entry.clone() * (next[j].clone() - x[j].clone());
                     right += entry.clone() * x[j].clone();
                     size += (entry.clone() * next[j].clone()).absolute();
@@ -351,24 +332,38 @@ impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
 
     #[track_caller]
     fn check(&self, state: &[T]) {
-        let len = self.sites() * M::Shape::BLOCK;
+        let len = self.sites() * self.map.sizes().block;
         assert!(
             state.len() == len,
             "a state of {} numbers: {} sites of {} arrays take {len}",
             state.len(),
             self.sites(),
-            M::Shape::BLOCK
+            self.map.sizes().block
         );
     }
 }
 
+impl<M: Family<T>, T: LatticeScalar> LatticeAt<M, T> {
+    /// f(x), laid out as the state.
+    ///
+    /// # Panics
+    /// If the state is not of this chain's length.
+    #[track_caller]
+    pub fn field(&self, x: &[T]) -> Vec<T> {
+        self.check(x);
+        let mut site = Site::of(self.map.sizes());
+        let sites = 0..self.sites();
+        sites.flat_map(|i| site.field(&self.map, &self.forward, x, i, T::clone).to_vec()).collect()
+    }
+}
+
 /// In memory of the workspace's, so that any number of threads can share a map.
-impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
+impl<M: Lines<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     type Scalar = T;
     type State = Vec<T>;
 
     fn dimension(&self) -> usize {
-        self.sites() * M::Shape::BLOCK
+        self.sites() * self.map.sizes().block
     }
 
     fn eps(&self) -> &T {
@@ -397,10 +392,10 @@ impl<M: LatticeMap<T>, T: LatticeScalar> Step for LatticeAt<M, T> {
     }
 }
 
-impl<M: LatticeMap<T>, T: LatticeScalar> LatticeAt<M, T> {
+impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
     fn memory_in<'a>(&self, workspace: &'a mut Workspace) -> &'a mut Memory<T> {
         let form = self.memory.form;
-        workspace.of(|memory: &Memory<T>| memory.form == form, || Memory::new::<M::Shape>(form))
+        workspace.of(|memory: &Memory<T>| memory.form == form, || Memory::new(form))
     }
 }
 

@@ -2,15 +2,18 @@
 //!
 //! In: prepared constants, the states of a site and of its neighbours, their parameters. Out: the
 //! site's field and its rows of A(x,ε), over whatever scalar the solver computes with: one number,
-//! lanes of them, numbers with bounds.
+//! lanes of them, numbers with bounds. A family's sizes are part of its type, and so its lines are
+//! compiled for them; the solver asks for [`Lines`], which families read at run time are, too.
 
 use core::fmt::Debug;
 use std::vec::Vec;
 
 use crate::Scalar;
+use crate::ensemble::Level;
+use crate::ensemble::lanes::Lanes;
 
-use super::LatticeScalar;
-use super::parts::Passes;
+use super::parts::{GatheredLines, Passes};
+use super::{LatticeScalar, Lines, Sizes};
 
 /// What lies beyond the two ends of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,4 +127,55 @@ impl<
     const PARAMETERS: usize = P;
     const LOWER: usize = LOWER;
     const UPPER: usize = UPPER;
+}
+
+impl<M: Family<T>, T: LatticeScalar> Lines<T> for M {
+    type Kernels = M::Shape;
+
+    #[inline(always)]
+    fn sizes(&self) -> Sizes {
+        Sizes {
+            block: M::Shape::BLOCK,
+            reach: M::Shape::REACH,
+            parameters: M::Shape::PARAMETERS,
+            lower: M::Shape::LOWER,
+            upper: M::Shape::UPPER,
+            registers: 0,
+            registers_abreast: 0,
+        }
+    }
+
+    #[inline(always)]
+    fn boundary(&self) -> Boundary {
+        M::BOUNDARY
+    }
+
+    fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>> {
+        Family::constants(self, eps, convert)
+    }
+
+    #[inline(always)]
+    fn site_parameter(&self, index: usize) -> &[T] {
+        Family::site_parameter(self, index)
+    }
+
+    #[inline(always)]
+    fn rows<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], f: &mut [L], a: &mut [L]) {
+        <M as Family<T>>::rows(constants, x, c, f, a);
+    }
+
+    #[inline(always)]
+    fn gathered<'a, L: Lanes<T>, const B: usize, const SITES: usize>(
+        &'a self,
+        constants: &'a [T],
+        x: &'a [T],
+        c: &'a [T],
+        _: &'a mut [T],
+        _: Level,
+    ) -> impl GatheredLines<L, B, SITES>
+    where
+        T: Copy,
+    {
+        M::Shape::lines::<M, L, T, B, SITES>(constants, x, c)
+    }
 }

@@ -9,7 +9,7 @@ use crate::scalar::{Long, level_row};
 
 use super::folded::Folded;
 use super::sites::Site;
-use super::{Boundary, LatticeMap, LatticeScalar, Shape};
+use super::{Boundary, LatticeScalar, Lines, Sizes};
 
 /// Each unknown takes some kilobytes: longer chains are not tried.
 const MOST_UNKNOWNS: usize = 1 << 12;
@@ -23,22 +23,23 @@ pub(super) fn eliminated<M, T>(
 ) -> Option<Vec<Long>>
 where
     T: LatticeScalar,
-    M: LatticeMap<T>,
+    M: Lines<T>,
 {
     if x.len() > MOST_UNKNOWNS {
         return None;
     }
     let eps = long(eps);
     let constants = map.constants(eps.clone(), long)?;
-    let (block, sites) = (M::Shape::BLOCK, x.len() / M::Shape::BLOCK);
-    let is_ring = M::BOUNDARY == Boundary::Periodic;
-    let mut site = Site::of::<M::Shape>();
-    let mut folded = Folded::rarely(x.len(), is_ring, M::Shape::LOWER, M::Shape::UPPER);
+    let Sizes { block, lower, upper, .. } = map.sizes();
+    let sites = x.len() / block;
+    let is_ring = map.boundary() == Boundary::Periodic;
+    let mut site = Site::of(map.sizes());
+    let mut folded = Folded::rarely(x.len(), is_ring, lower, upper);
     let velocity = folded.solve(|unknown, row| {
         let (i, b) = (unknown / block, unknown % block);
         site.rows(map, &constants, x, i, long);
         let mut right = site.f(b).clone();
-        let mut entries: Vec<(usize, Long)> = site.row::<M::Shape>(M::BOUNDARY, sites, b).collect();
+        let mut entries: Vec<(usize, Long)> = site.row(map, sites, b).collect();
         level_row(entries.iter_mut().map(|(_, entry)| entry), &mut right);
         row.add_right(right);
         entries.into_iter().for_each(|(column, entry)| row.add(column, entry));

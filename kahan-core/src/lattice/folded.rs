@@ -44,7 +44,7 @@ impl Order {
 }
 
 /// The memory of an elimination of so many unknowns.
-pub struct Folded<T> {
+pub(super) struct Folded<T> {
     order: Order,
     len: usize,
     /// How far the entries of a row reach to the left and, before exchanges, to the right.
@@ -65,7 +65,7 @@ pub struct Folded<T> {
 }
 
 /// A row while it is written.
-pub struct BandRow<'a, T> {
+pub(super) struct BandRow<'a, T> {
     order: Order,
     len: usize,
     /// The place of the first entry.
@@ -75,12 +75,12 @@ pub struct BandRow<'a, T> {
 
 impl<T: Scalar> BandRow<'_, T> {
     /// Adds to the entry of an unknown.
-    pub fn add(&mut self, unknown: usize, value: T) {
+    pub(super) fn add(&mut self, unknown: usize, value: T) {
         self.entries[self.order.place(unknown, self.len) - self.first] += value;
     }
 
     /// Adds to the right-hand side.
-    pub fn add_right(&mut self, value: T) {
+    pub(super) fn add_right(&mut self, value: T) {
         if let Some(right) = self.entries.last_mut() {
             *right += value;
         }
@@ -89,7 +89,7 @@ impl<T: Scalar> BandRow<'_, T> {
 
 impl<T: Scalar> Folded<T> {
     /// For a band that reaches so far to the left and right, closed to a ring or not.
-    pub fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
+    pub(super) fn new(len: usize, is_ring: bool, lower: usize, upper: usize) -> Self {
         Self::in_stretches(len, is_ring, lower, upper, len)
     }
 
@@ -127,7 +127,7 @@ impl<T: Scalar> Folded<T> {
     /// where an exact scalar has no pivot.
     ///
     /// A row may be asked for twice.
-    pub fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
+    pub(super) fn solve(&mut self, mut write: impl FnMut(usize, &mut BandRow<'_, T>)) -> Option<&[T]> {
         let (stretch, window) = (self.stretch, self.window.len());
         let last = (self.len - 1) / stretch;
         for index in 0..last {

@@ -33,6 +33,13 @@ impl<T: LatticeScalar, M: Family<T>> LatticeMap<T> for M {
     const REACH: usize = M::Shape::REACH;
 
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
+        for (index, name) in M::SITE_PARAMETERS.iter().enumerate() {
+            let given = Family::site_parameter(self, index).len();
+            // No sites are refused below, whatever is given.
+            if sites != 0 && given != sites {
+                return Err(LatticeError::SiteParameter { name, given, sites });
+            }
+        }
         LatticeAt::new(self.clone(), eps, sites)
     }
 }

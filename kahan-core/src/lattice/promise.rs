@@ -18,7 +18,7 @@ use crate::scalar::bounded::backward_error;
 
 use super::scalar::Judge;
 use super::sites::Site;
-use super::{LatticeMap, LatticeScalar, Shape};
+use super::{LatticeScalar, Lines};
 
 /// How often a step is refined.
 pub(super) const REFINEMENTS: usize = 2;
@@ -54,14 +54,14 @@ struct Rest<T> {
 }
 
 impl<T: LatticeScalar> Promise<T> {
-    pub(super) fn new<M: LatticeMap<T>>(map: &M, eps: &T, len: usize) -> Self {
+    pub(super) fn new<M: Lines<T>>(map: &M, eps: &T, len: usize) -> Self {
         let largest = Cell::new(larger(0.0, eps));
         let note = |number: &T| {
             largest.set(larger(largest.get(), number));
             T::Near::given(number)
         };
         let near = Rows::new(map, eps, note);
-        for parameter in 0..M::Shape::PARAMETERS {
+        for parameter in 0..map.sizes().parameters {
             let values = map.site_parameter(parameter);
             largest.set(values.iter().fold(largest.get(), larger));
         }
@@ -82,11 +82,11 @@ impl<T: LatticeScalar> Promise<T> {
 
     /// The backward error of `next` in units of (k + 8)·u, at most; infinite where it is not known.
     /// Leaves the residual.
-    pub(super) fn bound<M: LatticeMap<T>>(&mut self, map: &M, next: &[T]) -> f64 {
+    pub(super) fn bound<M: Lines<T>>(&mut self, map: &M, next: &[T]) -> f64 {
         let Self { near, far: Some(far), before, residual, .. } = self else {
             return f64::INFINITY;
         };
-        let block = M::Shape::BLOCK;
+        let block = map.sizes().block;
         let largest = before.iter().chain(next).fold(self.largest, larger);
         let mut worst = 0.0_f64;
         for i in 0..before.len() / block {
@@ -94,10 +94,10 @@ impl<T: LatticeScalar> Promise<T> {
                 near.site.rows(map, &near.constants, before, i, T::Near::given);
             }
             for b in 0..block {
-                let rest = near.as_ref().map(|near| near.rest::<M, T>(b, before, next, largest));
+                let rest = near.as_ref().map(|near| near.rest(map, b, before, next, largest));
                 let rest = rest.filter(|rest| rest.bound <= 1.0).unwrap_or_else(|| {
                     far.site.rows(map, &far.constants, before, i, T::Far::given);
-                    far.rest::<M, T>(b, before, next, largest)
+                    far.rest(map, b, before, next, largest)
                 });
                 residual[i * block + b] = rest.residual;
                 worst = rest.bound.max(worst);
@@ -108,24 +108,24 @@ impl<T: LatticeScalar> Promise<T> {
 }
 
 impl<J: Scalar> Rows<J> {
-    fn new<M: LatticeMap<T>, T: LatticeScalar>(map: &M, eps: &T, given: impl Fn(&T) -> J) -> Option<Self> {
+    fn new<M: Lines<T>, T: LatticeScalar>(map: &M, eps: &T, given: impl Fn(&T) -> J) -> Option<Self> {
         let eps = given(eps);
-        Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of::<M::Shape>() })
+        Some(Self { constants: map.constants(eps.clone(), given)?, eps, site: Site::of(map.sizes()) })
     }
 
     /// What `next` leaves in the row of array b of the site whose line was run last; no
     /// input is larger than `largest`.
-    fn rest<M, T>(&self, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
+    fn rest<M, T>(&self, map: &M, b: usize, before: &[T], next: &[T], largest: f64) -> Rest<T>
     where
-        M: LatticeMap<T>,
+        M: Lines<T>,
         T: LatticeScalar,
         J: Judge<T>,
     {
-        let sites = before.len() / M::Shape::BLOCK;
+        let sites = before.len() / map.sizes().block;
         let increment = (self.eps.clone() + self.eps.clone()) * self.site.f(b).clone();
         let (mut rest, mut right) = (increment.clone(), increment);
         let (mut size, mut entries) = (Size::zero(), 0);
-        for (column, entry) in self.site.row::<M::Shape>(M::BOUNDARY, sites, b) {
+        for (column, entry) in self.site.row(map, sites, b) {
             let (_, known) = entry.known();
             let (x, y) = (J::given(&before[column]), J::given(&next[column]));
             rest -= entry.clone() * (y.clone() - x.clone());

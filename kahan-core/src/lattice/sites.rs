@@ -8,10 +8,10 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
-use super::{Boundary, Family, LatticeScalar, Shape};
+use super::{Boundary, Densities, Family, LatticeScalar, Lines, Sizes};
 
 /// The neighbour of site i at this offset, if the chain has one there.
-pub fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
+pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
     let place = i as isize + offset;
     match boundary {
         Boundary::Periodic => Some(place.rem_euclid(sites as isize) as usize),
@@ -25,21 +25,25 @@ pub(super) struct Site<L> {
     i: usize,
     x: Vec<L>,
     c: Vec<L>,
+    /// What lines that are read at run time compute in.
+    registers: Vec<L>,
     f: Vec<L>,
     a: Vec<L>,
 }
 
 impl<L: Scalar> Site<L> {
     /// Workspace for the sites of a family.
-    pub(super) fn of<S: Shape>() -> Self {
-        let seen = 2 * S::REACH + 1;
+    pub(super) fn of(sizes: Sizes) -> Self {
+        let Sizes { block, parameters, registers, .. } = sizes;
+        let seen = 2 * sizes.reach + 1;
         let zeros = |len| vec![L::zero(); len];
         Self {
             i: 0,
-            x: zeros(seen * S::BLOCK),
-            c: zeros(seen * S::PARAMETERS),
-            f: zeros(S::BLOCK),
-            a: zeros(S::BLOCK * seen * S::BLOCK),
+            x: zeros(seen * block),
+            c: zeros(seen * parameters),
+            registers: zeros(registers),
+            f: zeros(block),
+            a: zeros(block * seen * block),
         }
     }
 
@@ -52,15 +56,15 @@ impl<L: Scalar> Site<L> {
         i: usize,
         convert: impl Fn(&V) -> L,
         given: impl Fn(&T) -> L,
-    ) -> [&[L]; 2]
-    where
+    ) where
         T: LatticeScalar,
-        M: Family<T>,
+        M: Lines<T>,
     {
-        let (block, reach, parameters) = (M::Shape::BLOCK, M::Shape::REACH as isize, M::Shape::PARAMETERS);
+        let Sizes { block, parameters, .. } = map.sizes();
+        let reach = map.sizes().reach as isize;
         self.i = i;
         for (place, offset) in (-reach..=reach).enumerate() {
-            let site = neighbour(M::BOUNDARY, state.len() / block, i, offset);
+            let site = neighbour(map.boundary(), state.len() / block, i, offset);
             for b in 0..block {
                 self.x[place * block + b] =
                     site.map_or_else(L::zero, |site| convert(&state[site * block + b]));
@@ -70,7 +74,15 @@ impl<L: Scalar> Site<L> {
                     site.map_or_else(L::zero, |site| given(&map.site_parameter(p)[site]));
             }
         }
-        [&self.x, &self.c]
+    }
+
+    /// The densities of the site that was gathered last.
+    pub(super) fn densities<M, T>(&mut self, map: &M, constants: &[L], densities: &mut [L])
+    where
+        T: LatticeScalar,
+        M: Densities<T>,
+    {
+        map.densities(constants, &self.x, &self.c, &mut self.registers, densities);
     }
 
     /// f of site i.
@@ -101,11 +113,11 @@ impl<L: Scalar> Site<L> {
         convert: impl Fn(&T) -> L,
     ) where
         T: LatticeScalar,
-        M: Family<T>,
+        M: Lines<T>,
     {
         self.gather(map, state, i, &convert, &convert);
         self.a.fill(L::zero());
-        M::rows(constants, &self.x, &self.c, &mut self.f, &mut self.a);
+        map.rows(constants, &self.x, &self.c, &mut self.registers, &mut self.f, &mut self.a);
     }
 
     /// f of array b.
@@ -116,32 +128,31 @@ impl<L: Scalar> Site<L> {
     /// The entries of the row of array b: the unknown, and what is added there.
     ///
     /// What leads beyond the ends of an open chain is left out.
-    pub(super) fn entries<S: Shape>(
-        &self,
-        boundary: Boundary,
-        sites: usize,
-        b: usize,
-    ) -> impl Iterator<Item = (usize, &L)> {
-        let (reach, i) = (S::REACH as isize, self.i);
-        let row = &self.a[b * (2 * S::REACH + 1) * S::BLOCK..][..(2 * S::REACH + 1) * S::BLOCK];
+    pub(super) fn entries<M, T>(&self, map: &M, sites: usize, b: usize) -> impl Iterator<Item = (usize, &L)>
+    where
+        T: LatticeScalar,
+        M: Lines<T>,
+    {
+        let (boundary, i) = (map.boundary(), self.i);
+        let Sizes { block, reach, lower, upper, .. } = map.sizes();
+        let row = &self.a[b * (2 * reach + 1) * block..][..(2 * reach + 1) * block];
         row.iter().enumerate().filter_map(move |(place, entry)| {
-            let distance = place as isize - (reach * S::BLOCK as isize + b as isize);
-            let is_there = -(S::LOWER as isize) <= distance && distance <= S::UPPER as isize;
-            let offset = (place / S::BLOCK) as isize - reach;
+            let distance = place as isize - (reach * block + b) as isize;
+            let is_there = -(lower as isize) <= distance && distance <= upper as isize;
+            let offset = (place / block) as isize - reach as isize;
             let site = if is_there { neighbour(boundary, sites, i, offset) } else { None };
-            site.map(|site| (site * S::BLOCK + place % S::BLOCK, entry))
+            site.map(|site| (site * block + place % block, entry))
         })
     }
 
     /// The entries of the row of array b of A itself, each unknown once: on a ring shorter than the
     /// stencil several entries of a line are added.
-    pub(super) fn row<S: Shape>(
-        &self,
-        boundary: Boundary,
-        sites: usize,
-        b: usize,
-    ) -> impl Iterator<Item = (usize, L)> {
-        let entries = move || self.entries::<S>(boundary, sites, b);
+    pub(super) fn row<M, T>(&self, map: &M, sites: usize, b: usize) -> impl Iterator<Item = (usize, L)>
+    where
+        T: LatticeScalar,
+        M: Lines<T>,
+    {
+        let entries = move || self.entries(map, sites, b);
         entries().enumerate().filter_map(move |(place, (column, _))| {
             let is_first = entries().take(place).all(|(earlier, _)| earlier != column);
             let same = move || entries().filter(move |(other, _)| *other == column);

@@ -11,7 +11,7 @@ use crate::scalar::Along;
 use crate::{Constant, Scalar};
 
 use super::sites::Site;
-use super::{Family, LatticeAt, LatticeMap, LatticeScalar, Shape};
+use super::{Family, LatticeAt, LatticeScalar, Lines};
 
 /// Sums over all sites that a family claims, each with a density at a site.
 pub trait Sums<T: LatticeScalar>: Family<T> {
@@ -23,24 +23,52 @@ pub trait Sums<T: LatticeScalar>: Family<T> {
     fn densities<L: Scalar>(constants: &[L], x: &[L], c: &[L], s: &mut [L]);
 }
 
+/// The sums of a chain as they are asked for: those that a family's type claims, or a family that
+/// was read at run time.
+pub trait Densities<T: LatticeScalar>: Lines<T> {
+    /// The number of linear integrals.
+    fn integrals(&self) -> usize;
+
+    /// The densities at a site, from the arguments of [`Lines::rows`]: those of the integrals, then
+    /// that of the Hamiltonian, if there is one.
+    fn densities<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], registers: &mut [L], s: &mut [L]);
+}
+
+impl<M: Sums<T>, T: LatticeScalar> Densities<T> for M {
+    fn integrals(&self) -> usize {
+        M::INTEGRALS.len()
+    }
+
+    fn densities<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], _: &mut [L], s: &mut [L]) {
+        <M as Sums<T>>::densities(constants, x, c, s);
+    }
+}
+
 /// A family ẋ = K∇H with a constant antisymmetric K.
 pub trait Energy<T: LatticeScalar>: Sums<T> {
     /// The name of H.
     const HAMILTONIAN: &'static str;
 }
 
-impl<M: LatticeMap<T> + Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
+/// A chain that has a Hamiltonian.
+pub trait HasEnergy<T: LatticeScalar>: Densities<T> {}
+
+impl<M: Energy<T>, T: LatticeScalar> HasEnergy<T> for M {}
+
+impl<M: Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// The names of the linear integrals, in their order.
     pub fn integral_names(&self) -> &'static [&'static str] {
         M::INTEGRALS
     }
+}
 
+impl<M: Densities<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// The linear integrals of the map, which the macro has proved for every number of sites.
     ///
     /// # Panics
     /// If the state is not of this chain's length.
     pub fn integrals(&self, x: &[T]) -> Vec<T> {
-        let mut totals = vec![Total::zero(); M::INTEGRALS.len()];
+        let mut totals = vec![Total::zero(); self.map().integrals()];
         self.for_each_site(x, T::clone, |densities: &[T]| {
             totals.iter_mut().zip(densities).for_each(|(total, density)| total.add(density));
         });
@@ -53,27 +81,27 @@ impl<M: LatticeMap<T> + Sums<T>, T: LatticeScalar> LatticeAt<M, T> {
         L: Scalar + FromScalar<T>,
     {
         let (map, sites) = (self.map(), self.sites());
-        let block = M::Shape::BLOCK;
+        let block = map.sizes().block;
         assert!(x.len() == sites * block, "a state of {} numbers for a chain of {}", x.len(), sites * block);
         // What a chain was made with has constants.
         let Some(constants) = map.constants(L::from_scalar(self.eps()), L::from_scalar) else { return };
-        let (mut site, mut densities) = (Site::of::<M::Shape>(), vec![L::zero(); M::INTEGRALS.len() + 1]);
+        let (mut site, mut densities) = (Site::of(map.sizes()), vec![L::zero(); map.integrals() + 1]);
         for i in 0..sites {
-            let [x, c] = site.gather(map, x, i, &convert, L::from_scalar);
-            M::densities(&constants, x, c, &mut densities);
+            site.gather(map, x, i, &convert, L::from_scalar);
+            site.densities(map, &constants, &mut densities);
             visit(&densities);
         }
     }
 }
 
-impl<M: LatticeMap<T> + Energy<T>, T: LatticeScalar> LatticeAt<M, T> {
+impl<M: HasEnergy<T>, T: LatticeScalar> LatticeAt<M, T> {
     /// H(x), which the flow keeps and the map does not.
     ///
     /// # Panics
     /// If the state is not of this chain's length.
     pub fn hamiltonian(&self, x: &[T]) -> T {
-        let mut total = Total::zero();
-        self.for_each_site(x, T::clone, |densities: &[T]| total.add(&densities[M::INTEGRALS.len()]));
+        let (mut total, place) = (Total::zero(), self.map().integrals());
+        self.for_each_site(x, T::clone, |densities: &[T]| total.add(&densities[place]));
         total.sum()
     }
 
@@ -90,10 +118,10 @@ impl<M: LatticeMap<T> + Energy<T>, T: LatticeScalar> LatticeAt<M, T> {
         self.step(&mut next);
         let along: Vec<(T, T)> = x.iter().zip(next).map(|(x, next)| (x.clone(), next - x.clone())).collect();
         let third = T::constant(&Constant::ratio(1, 3));
-        let mut total = Total::zero();
+        let (mut total, place) = (Total::zero(), self.map().integrals());
         let convert = |(value, step): &(T, T)| Along { value: value.clone(), slope: Some(step.clone()) };
         self.for_each_site(&along, convert, |densities: &[Along<T>]| {
-            let density = densities[M::INTEGRALS.len()].clone();
+            let density = densities[place].clone();
             total.add(&density.value);
             total.add(&(third.clone() * density.into_slope()));
         });
@@ -120,19 +148,19 @@ impl<T: LatticeScalar> FromScalar<T> for Along<T> {
 
 /// A sum and what it has lost by rounding.
 #[derive(Clone, Debug)]
-pub struct Total<T> {
+pub(super) struct Total<T> {
     sum: T,
     lost: T,
 }
 
 impl<T: LatticeScalar> Total<T> {
     /// The empty sum.
-    pub fn zero() -> Self {
+    pub(super) fn zero() -> Self {
         Self { sum: T::zero(), lost: T::zero() }
     }
 
     /// Adds a term.
-    pub fn add(&mut self, term: &T) {
+    pub(super) fn add(&mut self, term: &T) {
         let sum = self.sum.clone() + term.clone();
         let (large, small) = if term.magnitude_exceeds(&self.sum) {
             (term.clone(), &self.sum)
@@ -144,7 +172,7 @@ impl<T: LatticeScalar> Total<T> {
     }
 
     /// What has been added.
-    pub fn sum(self) -> T {
+    pub(super) fn sum(self) -> T {
         // An infinite sum has lost what is no number.
         if self.sum.is_finite_number() { self.sum + self.lost } else { self.sum }
     }

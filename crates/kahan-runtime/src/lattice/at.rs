@@ -5,83 +5,25 @@
 
 use std::sync::Arc;
 
-use kahan_algebra::family::Family;
 use kahan_algebra::rational::Rational;
-use kahan_core::__private::{Boundary, Folded, Total};
-use kahan_core::{Dual, Scalar, Step, Stopped, Workspace};
+use kahan_core::__private::chain::Lines;
+use kahan_core::{LatticeAt, Level, Step, Stopped, Workspace};
 
 use crate::at::fitting;
 use crate::dimension::Argument;
 use crate::parameters::in_order;
 use crate::{DimensionError, ParameterError};
 
-use super::site::{Chain, Site};
+use super::read::Read;
 use super::{Code, LatticeError};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
 /// A state is site by site, arrays interleaved. A step allocates nothing.
+#[derive(Debug)]
 pub struct ChainAt {
-    fixed: Arc<Fixed>,
-    memory: Memory,
-}
-
-/// What no step changes.
-struct Fixed {
     code: Arc<Code>,
-    chain: Arc<Chain>,
-    /// The parameters of the chain, and ε behind them.
-    given: Vec<f64>,
-    /// What the lines take as constants, ε last.
-    constants: Vec<f64>,
-}
-
-/// What a step computes in.
-struct Memory {
-    site: Site<f64>,
-    folded: Folded<f64>,
-}
-
-impl Fixed {
-    /// The chain at these parameters and, behind them, ε.
-    fn new(code: Arc<Code>, chain: Arc<Chain>, given: Vec<f64>) -> Self {
-        let mut registers = vec![0.0; code.constants.registers()];
-        let constants = code.constants.results(given.iter().copied(), &mut registers, &[]);
-        let constants = constants.expect("floats have a value where they divide by zero");
-        let constants = constants.iter().chain(given.last().copied()).collect();
-        Fixed { code, chain, given, constants }
-    }
-
-    fn eps(&self) -> &f64 {
-        self.given.last().unwrap_or_else(|| unreachable!("eps is one of them"))
-    }
-
-    fn memory(&self) -> Memory {
-        let Self { code, chain, constants, .. } = self;
-        let is_ring = chain.boundary == Boundary::Periodic;
-        Memory {
-            site: Site::new(chain, &code.rows, constants.iter().copied()),
-            folded: Folded::new(chain.unknowns(), is_ring, code.lower, code.upper),
-        }
-    }
-
-    fn step(&self, Memory { site, folded }: &mut Memory, state: &mut [f64]) {
-        let Self { code, chain, .. } = self;
-        let gained = folded.solve(|unknown, row| {
-            let (i, b) = (unknown / chain.block, unknown % chain.block);
-            let results = site.run(chain, &code.rows, i, |k| state[k], |number| number);
-            row.add_right(results.get(b));
-            for &(result, place) in &code.entries[b] {
-                if let Some(column) = chain.unknown(i, place) {
-                    row.add(column, results.get(result));
-                }
-            }
-        });
-        let twice = self.eps() + self.eps();
-        for (x, w) in state.iter_mut().zip(gained.into_iter().flatten()) {
-            *x = w.multiply_add(twice, *x);
-        }
-    }
+    at: LatticeAt<Read, f64>,
 }
 
 impl ChainAt {
@@ -115,29 +57,33 @@ impl ChainAt {
                 }
             });
         }
-        let of_sites = numbers.split_off(plain);
-        let chain = Chain {
-            boundary: code.boundary(),
-            sites,
-            block: family.block(),
-            reach: family.reach,
-            parameters: of_sites,
-        };
-        let given = numbers.into_iter().flatten().chain([eps]).collect();
-        let fixed = Fixed::new(code, Arc::new(chain), given);
-        if !fixed.constants.iter().all(|constant| constant.is_finite()) {
+        let site_parameters = numbers.split_off(plain).into();
+        let parameters: Arc<[f64]> = numbers.into_iter().flatten().collect();
+        let read = Read { code: Arc::clone(&code), parameters: Arc::clone(&parameters), site_parameters };
+        let undefined = || {
             let value = |number: &f64| Rational::from_f64(*number).expect("it was seen to be finite");
-            let names = fixed.code.family.parameters.iter().cloned();
-            let values = names.zip(fixed.given.iter().map(value)).collect();
-            return Err(ParameterError::Undefined(values).into());
+            let names = family.parameters.iter().cloned();
+            ParameterError::Undefined(names.zip(parameters.iter().map(value)).collect())
+        };
+        let constants = Lines::constants(&read, eps, f64::clone);
+        if !constants.is_some_and(|constants| constants.iter().all(|constant| constant.is_finite())) {
+            return Err(undefined().into());
         }
-        Ok(ChainAt { memory: fixed.memory(), fixed: Arc::new(fixed) })
+        let at = LatticeAt::new(read, eps, sites).map_err(|_| undefined())?;
+        Ok(ChainAt { code: Arc::clone(&code), at })
+    }
+
+    /// The chain, its steps on another level; `None` if this processor lacks it. A level decides
+    /// the last bits of long chains, as those of columns.
+    #[must_use]
+    pub fn at_level(self, level: Level) -> Option<Self> {
+        Some(ChainAt { at: self.at.at_level(level)?, ..self })
     }
 
     /// How many numbers a state has: as many a site as there are arrays.
     #[must_use]
     pub fn unknowns(&self) -> usize {
-        self.fixed.chain.unknowns()
+        self.at.sites() * self.code.sizes.block
     }
 
     /// One step, x ↦ x̃, in place; at a pole the numbers are not finite.
@@ -146,7 +92,7 @@ impl ChainAt {
     /// A state of another length.
     pub fn step(&mut self, state: &mut [f64]) -> Result<(), DimensionError> {
         self.check(state)?;
-        self.fixed.step(&mut self.memory, state);
+        self.at.step(state);
         Ok(())
     }
 
@@ -155,9 +101,8 @@ impl ChainAt {
     /// # Errors
     /// A state of another length.
     pub fn integrals(&self, state: &[f64]) -> Result<Vec<f64>, DimensionError> {
-        let mut sums = self.sums(state)?;
-        sums.truncate(self.fixed.code.family.integrals.len());
-        Ok(sums)
+        self.check(state)?;
+        Ok(self.at.integrals(state))
     }
 
     /// H(x), which the flow keeps and the map does not; `None` without a Hamiltonian.
@@ -165,19 +110,8 @@ impl ChainAt {
     /// # Errors
     /// A state of another length.
     pub fn hamiltonian(&self, state: &[f64]) -> Result<Option<f64>, DimensionError> {
-        Ok(self.sums(state)?.get(self.fixed.code.family.integrals.len()).copied())
-    }
-
-    /// The linear integrals, and the Hamiltonian behind them.
-    fn sums(&self, state: &[f64]) -> Result<Vec<f64>, DimensionError> {
         self.check(state)?;
-        let Family { integrals, hamiltonian, .. } = &self.fixed.code.family;
-        let mut totals = vec![Total::zero(); integrals.len() + usize::from(hamiltonian.is_some())];
-        let add = |densities: &mut dyn Iterator<Item = f64>| {
-            totals.iter_mut().zip(densities).for_each(|(total, density)| total.add(&density));
-        };
-        self.for_each_site(|k| state[k], |number| number, add);
-        Ok(totals.into_iter().map(Total::sum).collect())
+        Ok(self.code.family.hamiltonian.is_some().then(|| self.at.hamiltonian(state)))
     }
 
     /// H(x) + (2ε/3) ∇H(x)ᵀ A(x,ε)⁻¹ f(x), which the map keeps where H is of degree three at most;
@@ -186,37 +120,8 @@ impl ChainAt {
     /// # Errors
     /// A state of another length.
     pub fn modified_energy(&mut self, state: &[f64]) -> Result<Option<f64>, DimensionError> {
-        let mut next = state.to_vec();
-        self.step(&mut next)?;
-        let mut total = Total::zero();
-        self.for_each_site(
-            |k| Dual { value: state[k], gradient: [next[k] - state[k]] },
-            Dual::from_value,
-            |densities| {
-                for Dual { value, gradient: [slope] } in
-                    densities.skip(self.fixed.code.family.integrals.len())
-                {
-                    total.add(&value);
-                    total.add(&(1.0 / 3.0 * slope));
-                }
-            },
-        );
-        Ok(self.fixed.code.family.hamiltonian.is_some().then(|| total.sum()))
-    }
-
-    /// Shows the densities of every site.
-    fn for_each_site<V: Scalar>(
-        &self,
-        state: impl Fn(usize) -> V,
-        convert: impl Fn(f64) -> V,
-        mut visit: impl FnMut(&mut dyn Iterator<Item = V>),
-    ) {
-        let Fixed { code, chain, constants, .. } = &*self.fixed;
-        let line = &code.sums;
-        let mut site = Site::new(chain, line, constants.iter().map(|constant| convert(*constant)));
-        for i in 0..chain.sites {
-            visit(&mut site.run(chain, line, i, &state, &convert).iter());
-        }
+        self.check(state)?;
+        Ok(self.code.family.hamiltonian.is_some().then(|| self.at.modified_energy(state)))
     }
 
     fn check(&self, state: &[f64]) -> Result<(), DimensionError> {
@@ -235,32 +140,18 @@ impl Step for ChainAt {
     }
 
     fn eps(&self) -> &f64 {
-        self.fixed.eps()
+        self.at.eps()
     }
 
     #[track_caller]
     fn advance(&self, x: &mut [f64], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         fitting(self.check(x));
-        let is_own = |(fixed, _): &(Arc<Fixed>, Memory)| Arc::ptr_eq(fixed, &self.fixed);
-        let (fixed, memory) = workspace.of(is_own, || (Arc::clone(&self.fixed), self.fixed.memory()));
-        (0..steps).for_each(|_| fixed.step(memory, x));
-        Ok(())
+        Step::advance(&self.at, x, steps, workspace)
     }
 
     #[track_caller]
-    fn part(&self, eps: &f64, x: &mut [f64], _room: &mut Workspace) -> Result<(), Stopped> {
+    fn part(&self, eps: &f64, x: &mut [f64], workspace: &mut Workspace) -> Result<(), Stopped> {
         fitting(self.check(x));
-        let Fixed { code, chain, given, .. } = &*self.fixed;
-        let (_, parameters) = given.split_last().unwrap_or_else(|| unreachable!("eps is one of them"));
-        let part = Fixed::new(Arc::clone(code), Arc::clone(chain), [parameters, &[*eps]].concat());
-        part.step(&mut part.memory(), x);
-        Ok(())
-    }
-}
-
-impl core::fmt::Debug for ChainAt {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let (eps, sites) = (self.fixed.eps(), self.fixed.chain.sites);
-        f.debug_struct("ChainAt").field("eps", eps).field("sites", &sites).finish_non_exhaustive()
+        self.at.part(eps, x, workspace)
     }
 }

@@ -2,20 +2,26 @@
 //!
 //! In: a checked family ([`FieldText::family`](crate::FieldText::family)), ε, a number of sites,
 //! values of the parameters. Out: steps that cost what the couplings cost, in `f64`. The line of a
-//! site is interpreted, and A(x,ε) is solved by the pivoted elimination that compiled families fall
-//! back to; chains that the macro steps by it alone have the same bits here.
+//! site is interpreted, for many sites at once, and all else is done by the solver of compiled
+//! families. Chains have the bits of the macro's, but for long ones of a shape that the solver's
+//! [`Menu`] lacks: these are eliminated as a whole, and not in parts.
 
 mod at;
 mod error;
-mod site;
+mod program;
+mod read;
 
 use std::sync::Arc;
 
 use kahan_algebra::family::Family;
 use kahan_algebra::syntax::Boundary;
 use kahan_core::__private as core;
+use kahan_core::__private::chain::{Menu, Sizes};
 
 use crate::line::Line;
+use crate::literal::Literal;
+
+use program::{Numbering, Program};
 
 pub use at::ChainAt;
 pub use error::LatticeError;
@@ -32,43 +38,61 @@ pub struct Lattice {
 #[derive(Debug)]
 struct Code {
     family: Family,
-    /// From the parameters of the chain and ε to what the other lines take as constants.
+    boundary: core::Boundary,
+    /// From the parameters of the chain and ε to the constants that are prepared.
     constants: Line,
-    /// The field, an array a result, then the entries of A.
-    rows: Line,
+    /// The constants behind them, which the lines write out.
+    literals: Vec<Literal>,
+    /// The field, an array a result, then the rows of A.
+    rows: Program,
     /// The densities of the integrals, then that of the Hamiltonian.
-    sums: Line,
-    /// Of each array's row of A: which result of `rows`, and the place of its column among the
-    /// values that a site sees.
-    entries: Vec<Vec<(usize, usize)>>,
-    /// The largest distance of an entry to the left of the diagonal.
-    lower: usize,
-    /// The same to the right.
-    upper: usize,
+    sums: Program,
+    /// The entries of A that are not zero for every state.
+    entries: Vec<usize>,
+    sizes: Sizes,
 }
 
 impl Code {
     fn of(family: &Family) -> Self {
         let lines = family.lines();
-        let mut entries = vec![Vec::new(); family.block()];
-        for (place, entry) in (family.block()..).zip(&lines.entries) {
-            entries[entry.row].push((place, entry.column));
-        }
-        Code {
-            constants: Line::of(&lines.constants, &lines.given),
-            rows: Line::of(&lines.rows, &lines.symbols),
-            sums: Line::of(&lines.sums, &lines.symbols),
-            entries,
+        let (block, stencil, parameters) = (family.block(), family.stencil(), family.site_parameters.len());
+        let numbering = Numbering {
+            symbols: &lines.symbols,
+            block,
+            stencil,
+            site_parameters: parameters,
+            prepared: lines.constants.outputs.len(),
+        };
+        let columns = stencil * block;
+        let entries: Vec<usize> =
+            lines.entries.iter().map(|entry| entry.row * columns + entry.column).collect();
+        let mut literals = Vec::new();
+        let places = (0..block).chain(entries.iter().map(|entry| block + entry));
+        let rows = Program::of(&lines.rows, places, block + block * columns, &numbering, &mut literals);
+        let sums = family.sums().count();
+        let sums = Program::of(&lines.sums, 0..sums, sums, &numbering, &mut literals);
+        let sizes = Menu::widened(Sizes {
+            block,
+            reach: family.reach,
+            parameters,
             lower: lines.lower,
             upper: lines.upper,
-            family: family.clone(),
-        }
-    }
-
-    fn boundary(&self) -> core::Boundary {
-        match self.family.boundary {
+            registers: rows.registers().max(sums.registers()),
+            registers_abreast: rows.registers_abreast(numbering.prepared + literals.len()),
+        });
+        let boundary = match family.boundary {
             Boundary::Periodic => core::Boundary::Periodic,
             Boundary::Open => core::Boundary::Open,
+        };
+        Code {
+            constants: Line::with_poles(&lines.constants, &lines.given),
+            family: family.clone(),
+            boundary,
+            literals,
+            rows,
+            sums,
+            entries,
+            sizes,
         }
     }
 }

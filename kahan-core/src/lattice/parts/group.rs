@@ -5,7 +5,7 @@
 
 use crate::ensemble::lanes::Lanes;
 use crate::lattice::sites::neighbour;
-use crate::lattice::{Family, LatticeScalar, Shape};
+use crate::lattice::{LatticeScalar, Lines};
 
 /// Parts of one length, one after another in the chain, as many as lanes.
 #[derive(Clone, Copy)]
@@ -45,13 +45,13 @@ impl Parts {
     where
         L: Lanes<T>,
         T: LatticeScalar + Copy,
-        M: Family<T>,
+        M: Lines<T>,
     {
-        let (block, reach) = (M::Shape::BLOCK, M::Shape::REACH as isize);
+        let (block, reach) = (map.sizes().block, map.sizes().reach as isize);
         let sites = state.len() / block;
         let length = self.length as isize;
         let edge = |site: isize, b: usize| {
-            neighbour(M::BOUNDARY, sites, 0, site).map_or_else(T::zero, |site| state[site * block + b])
+            neighbour(map.boundary(), sites, 0, site).map_or_else(T::zero, |site| state[site * block + b])
         };
         // Between the separators' outer neighbours nothing wraps around.
         let place = |site: isize| (site + reach) as usize * block * L::WIDTH;
@@ -67,15 +67,15 @@ impl Parts {
     where
         L: Lanes<T>,
         T: LatticeScalar + Copy,
-        M: Family<T>,
+        M: Lines<T>,
     {
-        let (reach, length) = (M::Shape::REACH as isize, self.length as isize);
-        let parameters = M::Shape::PARAMETERS;
+        let (reach, length) = (map.sizes().reach as isize, self.length as isize);
+        let parameters = map.sizes().parameters;
         let place = |site: isize| (site + reach) as usize * parameters * L::WIDTH;
         for p in 0..parameters {
             let values = map.site_parameter(p);
             let edge = |site: isize, _| {
-                neighbour(M::BOUNDARY, sites, 0, site).map_or_else(T::zero, |site| values[site])
+                neighbour(map.boundary(), sites, 0, site).map_or_else(T::zero, |site| values[site])
             };
             let mut gather = |from, to| {
                 self.gather::<L, T>((from, to), 1, parameters, &mut c[place(from) + p * L::WIDTH..], edge);

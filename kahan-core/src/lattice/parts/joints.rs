@@ -6,7 +6,7 @@ use core::ops::Range;
 
 use crate::lattice::folded::{BandRow, Folded};
 use crate::lattice::sites::Site;
-use crate::lattice::{LatticeMap, LatticeScalar, Shape};
+use crate::lattice::{LatticeScalar, Lines, Sizes};
 use crate::{Constant, Scalar};
 
 use super::partition::Partition;
@@ -33,10 +33,11 @@ pub(super) fn solve<'a, M, T>(
     state: &[T],
 ) -> Option<&'a [T]>
 where
-    M: LatticeMap<T>,
+    M: Lines<T>,
     T: LatticeScalar,
 {
-    let (block, separator) = (M::Shape::BLOCK, M::Shape::REACH * M::Shape::BLOCK);
+    let Sizes { block, reach, .. } = map.sizes();
+    let separator = reach * block;
     let (sites, left_over) = (state.len() / block, partition.left_over());
     let joint = |part: usize| &joints[part * size(separator)..][..size(separator)];
     let most = T::constant(&Constant::integer(GROWTH));
@@ -56,7 +57,7 @@ where
         }
         // What no part has seen: couplings among the sites left over, and with the first separator.
         let add_direct = |row: &mut BandRow<'_, T>, site: &Site<T>, b, columns: Range<usize>, to: usize| {
-            for (column, entry) in site.entries::<M::Shape>(M::BOUNDARY, sites, b) {
+            for (column, entry) in site.entries(map, sites, b) {
                 if columns.contains(&column) {
                     row.add(to + column - columns.start, entry.clone());
                 }

@@ -7,18 +7,65 @@
 #![expect(clippy::needless_range_loop, reason = "indices of one formula run through several arrays")]
 
 use core::array::from_fn;
+use core::marker::PhantomData;
 
 use crate::Scalar;
 use crate::ensemble::lanes::Lanes;
-use crate::lattice::{Family, LatticeScalar, Stencil};
+use crate::lattice::{Family, LatticeScalar, Lines, Stencil};
 
 use super::scratch::Scratch;
 use super::window::{Window, WindowRow};
 
 /// A line's results at one site: f, and for each array its entries, site by site.
-struct SiteLine<L, const B: usize, const SITES: usize> {
-    f: [L; B],
-    a: [[[L; B]; SITES]; B],
+#[derive(Clone, Copy, Debug)]
+pub struct SiteLine<L, const B: usize, const SITES: usize> {
+    /// The field.
+    pub f: [L; B],
+    /// The rows of A.
+    pub a: [[[L; B]; SITES]; B],
+}
+
+/// The lines of sites that stand side by side in lanes.
+pub trait GatheredLines<L, const B: usize, const SITES: usize> {
+    /// The line of a site, counted in the registers that were gathered; each call asks for a site
+    /// behind the one before.
+    fn at(&mut self, site: usize) -> SiteLine<L, B, SITES>;
+}
+
+/// The lines of a family's type, each computed where it is asked for.
+struct Compiled<'a, M, L, T, const R: usize, const P: usize, const C: usize> {
+    family: PhantomData<M>,
+    constants: [L; C],
+    x: &'a [T],
+    c: &'a [T],
+}
+
+impl<M, L, T, const B: usize, const R: usize, const P: usize, const C: usize, const SITES: usize>
+    GatheredLines<L, B, SITES> for Compiled<'_, M, L, T, R, P, C>
+where
+    M: Family<T>,
+    L: Lanes<T>,
+    T: LatticeScalar + Copy,
+{
+    #[inline(always)]
+    fn at(&mut self, site: usize) -> SiteLine<L, B, SITES> {
+        let first = site - R;
+        let seen_x = &self.x[first * B * L::WIDTH..][..SITES * B * L::WIDTH];
+        let seen_c = &self.c[first * P * L::WIDTH..][..SITES * P * L::WIDTH];
+        let (mut x, mut c) = ([[L::zero(); B]; SITES], [[L::zero(); P]; SITES]);
+        for k in 0..SITES {
+            for b in 0..B {
+                x[k][b] = L::load(seen_x, (k * B + b) * L::WIDTH);
+            }
+            for p in 0..P {
+                c[k][p] = L::load(seen_c, (k * P + p) * L::WIDTH);
+            }
+        }
+        let mut line = SiteLine { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
+        let a = line.a.as_flattened_mut().as_flattened_mut();
+        M::rows(&self.constants, x.as_flattened(), c.as_flattened(), &mut line.f, a);
+        line
+    }
 }
 
 /// The first pass under way.
@@ -80,17 +127,28 @@ pub(in crate::lattice) trait Passes {
     /// The first pass over parts of `interior` sites and their separators: writes 2S rows of 2S + 1
     /// numbers, S = R·B, first those of the separators to the right, and in each row first the
     /// columns of the separators to the right; and last the largest multiplier of such a row.
-    fn contribute<M, L, T>(constants: &[T], interior: usize, scratch: &mut Scratch<T>)
+    fn contribute<M, L, T>(map: &M, constants: &[T], interior: usize, scratch: &mut Scratch<T>)
     where
-        M: Family<T, Shape = Self>,
+        M: Lines<T>,
         L: Lanes<T>,
         T: LatticeScalar + Copy;
 
     /// The second pass, with what the separators gain, first that to the left: x + 2ε w in place of
     /// x.
-    fn substitute<M, L, T>(constants: &[T], twice: &T, interior: usize, scratch: &mut Scratch<T>)
+    fn substitute<M, L, T>(map: &M, constants: &[T], twice: &T, interior: usize, scratch: &mut Scratch<T>)
     where
-        M: Family<T, Shape = Self>,
+        M: Lines<T>,
+        L: Lanes<T>,
+        T: LatticeScalar + Copy;
+
+    /// The lines of a family of this shape.
+    fn lines<'a, M, L, T, const B: usize, const SITES: usize>(
+        constants: &'a [T],
+        x: &'a [T],
+        c: &'a [T],
+    ) -> impl GatheredLines<L, B, SITES>
+    where
+        M: Family<T, Shape = Self> + 'a,
         L: Lanes<T>,
         T: LatticeScalar + Copy;
 }
@@ -107,18 +165,19 @@ impl<
 > Passes for Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
     #[inline(always)]
-    fn contribute<M, L, T>(constants: &[T], interior: usize, scratch: &mut Scratch<T>)
+    fn contribute<M, L, T>(map: &M, constants: &[T], interior: usize, scratch: &mut Scratch<T>)
     where
-        M: Family<T, Shape = Self>,
+        M: Lines<T>,
         L: Lanes<T>,
         T: LatticeScalar + Copy,
     {
-        let constants: [L; C] = from_fn(|k| L::spread(&constants[k]));
         let (x, c) = (scratch.x.entries(), scratch.c.entries());
+        let (registers, level) = (scratch.registers.entries(), scratch.level);
+        let mut lines = map.gathered::<L, B, SITES>(constants, x, c, registers, level);
         // The rows of the left separator, which no part before this one sees to the left.
         let mut border = [[WindowRow::<L, B, R, WIDTH>::zero(); B]; R];
         for r in 0..R {
-            let SiteLine { f, a } = Self::line::<M, L, T>(&constants, x, c, R + r);
+            let SiteLine { f, a } = lines.at(R + r);
             for b in 0..B {
                 border[r][b].right = f[b];
                 for k in R - r..SITES {
@@ -135,13 +194,13 @@ impl<
         }
         let mut sweep = Sweep { window: Window::<L, B, R, LOWER, WIDTH>::new(), border, worst: L::zero() };
         for i in 0..R {
-            let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
+            let line = lines.at(2 * R + i);
             for b in 0..B {
                 sweep.take(Self::row_at_edge(&line, b, i));
             }
         }
         for i in R..interior {
-            let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
+            let line = lines.at(2 * R + i);
             for b in 0..B {
                 sweep.take(Self::row(&line, b));
             }
@@ -170,7 +229,7 @@ impl<
         for r in 0..R {
             // Of the right separator's rows only what leads to the interior: the rest is the next
             // part's.
-            let SiteLine { a, .. } = Self::line::<M, L, T>(&constants, x, c, 2 * R + interior + r);
+            let SiteLine { a, .. } = lines.at(2 * R + interior + r);
             for b in 0..B {
                 for k in 0..R - r {
                     for e in 0..B {
@@ -187,15 +246,16 @@ impl<
     }
 
     #[inline(always)]
-    fn substitute<M, L, T>(constants: &[T], twice: &T, interior: usize, scratch: &mut Scratch<T>)
+    fn substitute<M, L, T>(map: &M, constants: &[T], twice: &T, interior: usize, scratch: &mut Scratch<T>)
     where
-        M: Family<T, Shape = Self>,
+        M: Lines<T>,
         L: Lanes<T>,
         T: LatticeScalar + Copy,
     {
-        let constants: [L; C] = from_fn(|k| L::spread(&constants[k]));
         let twice = L::spread(twice);
         let (x, c) = (scratch.x.entries(), scratch.c.entries());
+        let (registers, level) = (scratch.registers.entries(), scratch.level);
+        let mut lines = map.gathered::<L, B, SITES>(constants, x, c, registers, level);
         let (done, known) = (scratch.done.entries(), scratch.known.entries());
         let left: [[L; B]; R] = from_fn(|r| from_fn(|b| L::load(known, (r * B + b) * L::WIDTH)));
         let stride = (WIDTH + 1) * L::WIDTH;
@@ -203,7 +263,7 @@ impl<
         // The first ones that are done with are rows of the identity.
         let mut sweep = Again { window: Window::<L, B, 0, LOWER, WIDTH>::new(), done, count: 0 };
         for i in 0..R {
-            let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
+            let line = lines.at(2 * R + i);
             for b in 0..B {
                 let row = Self::row_at_edge(&line, b, i);
                 let mut right = row.right;
@@ -216,7 +276,7 @@ impl<
             }
         }
         for i in R..interior {
-            let line = Self::line::<M, L, T>(&constants, x, c, 2 * R + i);
+            let line = lines.at(2 * R + i);
             for b in 0..B {
                 let row = Self::row(&line, b);
                 sweep.take(row.without_left(row.right));
@@ -225,6 +285,7 @@ impl<
         for _ in 0..LOWER {
             sweep.take(WindowRow::zero());
         }
+        drop(lines);
 
         // What the unknowns after the current one gain, beginning with the right separator's.
         let mut after = [L::zero(); WIDTH];
@@ -246,6 +307,21 @@ impl<
             gained.multiply_add(twice, L::load(x, place)).store(x, place);
         }
     }
+
+    #[inline(always)]
+    fn lines<'a, M, L, T, const BLOCK: usize, const SEEN: usize>(
+        constants: &'a [T],
+        x: &'a [T],
+        c: &'a [T],
+    ) -> impl GatheredLines<L, BLOCK, SEEN>
+    where
+        M: Family<T, Shape = Self> + 'a,
+        L: Lanes<T>,
+        T: LatticeScalar + Copy,
+    {
+        let constants = from_fn(|k| L::spread(&constants[k]));
+        Compiled::<'a, M, L, T, R, P, C> { family: PhantomData, constants, x, c }
+    }
 }
 
 impl<
@@ -259,32 +335,6 @@ impl<
     const WIDTH: usize,
 > Stencil<B, R, P, C, LOWER, UPPER, SITES, WIDTH>
 {
-    /// The line of a gathered site.
-    #[inline(always)]
-    fn line<M, L, T>(constants: &[L; C], x: &[T], c: &[T], site: usize) -> SiteLine<L, B, SITES>
-    where
-        M: Family<T, Shape = Self>,
-        L: Lanes<T>,
-        T: LatticeScalar + Copy,
-    {
-        let first = site - R;
-        let seen_x = &x[first * B * L::WIDTH..][..SITES * B * L::WIDTH];
-        let seen_c = &c[first * P * L::WIDTH..][..SITES * P * L::WIDTH];
-        let (mut x, mut c) = ([[L::zero(); B]; SITES], [[L::zero(); P]; SITES]);
-        for k in 0..SITES {
-            for b in 0..B {
-                x[k][b] = L::load(seen_x, (k * B + b) * L::WIDTH);
-            }
-            for p in 0..P {
-                c[k][p] = L::load(seen_c, (k * P + p) * L::WIDTH);
-            }
-        }
-        let mut line = SiteLine { f: [L::zero(); B], a: [[[L::zero(); B]; SITES]; B] };
-        let a = line.a.as_flattened_mut().as_flattened_mut();
-        M::rows(constants, x.as_flattened(), c.as_flattened(), &mut line.f, a);
-        line
-    }
-
     /// A row whose site sees no separator to the left.
     #[inline(always)]
     fn row<L: Scalar + Copy>(line: &SiteLine<L, B, SITES>, b: usize) -> WindowRow<L, B, R, WIDTH> {

@@ -10,6 +10,7 @@ mod buffer;
 mod group;
 mod joints;
 mod kernel;
+mod menu;
 mod partition;
 mod passes;
 mod scratch;
@@ -23,10 +24,13 @@ use crate::ensemble::lanes::InLanes;
 
 use super::folded::Folded;
 use super::sites::Site;
-use super::{Boundary, LatticeMap, LatticeScalar, Shape};
+use super::{Boundary, LatticeScalar, Lines, Sizes};
 
 pub(super) use kernel::Passes;
+pub use kernel::{GatheredLines, SiteLine};
+pub use menu::Menu;
 pub(super) use partition::Partition;
+pub(super) use passes::Kernels;
 use passes::{First, Second, divide};
 use scratch::Scratch;
 
@@ -49,12 +53,12 @@ pub(in crate::lattice) trait Parted<T>: Sized + Send + Sync + 'static {
     const LANES: Option<usize>;
 
     /// The memory of steps, for scalars with lanes.
-    fn new<S: Shape>(partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
+    fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self>;
 
     /// One step, if the parts can vouch for it; otherwise the state stays as it is.
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
-        M: LatticeMap<T>,
+        M: Lines<T>,
         T: LatticeScalar;
 }
 
@@ -64,13 +68,13 @@ pub(in crate::lattice) enum NoParts {}
 impl<T> Parted<T> for NoParts {
     const LANES: Option<usize> = None;
 
-    fn new<S: Shape>(_: Partition, _: Boundary, _: Level) -> Option<Self> {
+    fn new(_: Sizes, _: Partition, _: Boundary, _: Level) -> Option<Self> {
         None
     }
 
     fn step<M>(&mut self, _: &M, _: &[T], _: &T, _: &mut Site<T>, _: &mut [T]) -> bool
     where
-        M: LatticeMap<T>,
+        M: Lines<T>,
         T: LatticeScalar,
     {
         match *self {}
@@ -80,9 +84,9 @@ impl<T> Parted<T> for NoParts {
 impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
     const LANES: Option<usize> = Some(T::MOST);
 
-    fn new<S: Shape>(partition: Partition, boundary: Boundary, level: Level) -> Option<Self> {
-        let separator = S::REACH * S::BLOCK;
-        let kept = partition.kept() * S::BLOCK;
+    fn new(sizes: Sizes, partition: Partition, boundary: Boundary, level: Level) -> Option<Self> {
+        let separator = sizes.reach * sizes.block;
+        let kept = partition.kept() * sizes.block;
         #[cfg(feature = "parallel")]
         let threads = rayon::current_num_threads();
         #[cfg(not(feature = "parallel"))]
@@ -90,7 +94,9 @@ impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
         Some(Self {
             partition,
             level,
-            scratch: (0..threads.min(partition.groups())).map(|_| Scratch::new::<S>(&partition)).collect(),
+            scratch: (0..threads.min(partition.groups()))
+                .map(|_| Scratch::new(sizes, &partition, level))
+                .collect(),
             joints: vec![T::zero(); partition.parts() * joints::size(separator)],
             kept: vec![T::zero(); kept],
             reduced: Folded::new(kept, boundary == Boundary::Periodic, 2 * separator - 1, 2 * separator - 1),
@@ -99,9 +105,9 @@ impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
 
     fn step<M>(&mut self, map: &M, constants: &[T], twice: &T, site: &mut Site<T>, state: &mut [T]) -> bool
     where
-        M: LatticeMap<T>,
+        M: Lines<T>,
     {
-        let block = M::Shape::BLOCK;
+        let Sizes { block, reach, .. } = map.sizes();
         let Self { partition, level, scratch, joints, kept, reduced } = self;
         let (partition, level) = (&*partition, *level);
         let groups = 0..partition.groups();
@@ -110,9 +116,9 @@ impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
         }
 
         // The first pass fills the joints.
-        let size = partition.lanes() * joints::size(M::Shape::REACH * block);
+        let size = partition.lanes() * joints::size(reach * block);
         divide(scratch, groups.clone(), joints, &|group| group * size, &|scratch, groups, joints| {
-            T::run(First { partition, map, constants, state, groups, scratch, joints }, level);
+            M::Kernels::first(First { partition, map, constants, state, groups, scratch, joints }, level);
         });
         if joints::solve(partition, joints, reduced, map, constants, site, state).is_none() {
             return false;
@@ -129,7 +135,7 @@ impl<T: LatticeScalar + InLanes + Copy> Parted<T> for InParts<T> {
             &|scratch, groups, state| {
                 let pass =
                     Second { partition, map, constants, twice, kept, gained, sites, groups, scratch, state };
-                T::run(pass, level);
+                M::Kernels::second(pass, level);
             },
         );
         for (place, first, count) in partition.kept_runs() {

@@ -4,14 +4,15 @@
 //! second: the interiors one step later. A group's numbers depend on no other group, so threads
 //! change no bit.
 
+use core::marker::PhantomData;
 use core::ops::Range;
 
-use crate::ensemble::lanes::{Lanes, OverLanes};
-use crate::lattice::{LatticeMap, LatticeScalar, Shape};
+use crate::ensemble::Level;
+use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
+use crate::lattice::{LatticeScalar, Lines, Shape, Sizes};
 
 use super::group::Parts;
 use super::joints;
-use super::kernel::Passes;
 use super::partition::Partition;
 use super::scratch::Scratch;
 
@@ -69,8 +70,52 @@ const fn separator<S: Shape>() -> usize {
     S::REACH * S::BLOCK
 }
 
+/// What takes chains of some sizes through both passes: one kernel, or the one of a menu that fits.
+pub(in crate::lattice) trait Kernels {
+    /// Whether there is a kernel of these sizes.
+    fn have(sizes: Sizes) -> bool;
+
+    /// The first pass, on the lanes of a level.
+    fn first<M, T>(pass: First<'_, M, T>, level: Level)
+    where
+        M: Lines<T>,
+        T: LatticeScalar + InLanes + Copy;
+
+    /// The second pass.
+    fn second<M, T>(pass: Second<'_, M, T>, level: Level)
+    where
+        M: Lines<T>,
+        T: LatticeScalar + InLanes + Copy;
+}
+
+/// A family's type has its sizes.
+impl<S: Shape> Kernels for S {
+    fn have(_: Sizes) -> bool {
+        true
+    }
+
+    fn first<M, T>(pass: First<'_, M, T>, level: Level)
+    where
+        M: Lines<T>,
+        T: LatticeScalar + InLanes + Copy,
+    {
+        T::run(By::<S, _>(pass, PhantomData), level);
+    }
+
+    fn second<M, T>(pass: Second<'_, M, T>, level: Level)
+    where
+        M: Lines<T>,
+        T: LatticeScalar + InLanes + Copy,
+    {
+        T::run(By::<S, _>(pass, PhantomData), level);
+    }
+}
+
+/// A pass by the kernel of a shape.
+struct By<S, W>(W, PhantomData<S>);
+
 /// What the first pass does to some groups.
-pub(super) struct First<'a, M, T> {
+pub(in crate::lattice) struct First<'a, M, T> {
     pub(super) partition: &'a Partition,
     pub(super) map: &'a M,
     pub(super) constants: &'a [T],
@@ -80,34 +125,31 @@ pub(super) struct First<'a, M, T> {
     pub(super) joints: &'a mut [T],
 }
 
-impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T> {
+impl<S: Shape, M: Lines<T>, T: LatticeScalar + Copy> OverLanes<T> for By<S, First<'_, M, T>> {
     type Output = ();
     /// The rows of the window, and those of the separator.
-    const IS_SMALL: bool = is_small(
-        M::Shape::LOWER + separator::<M::Shape>(),
-        M::Shape::LOWER + M::Shape::UPPER + 1 + separator::<M::Shape>(),
-    );
+    const IS_SMALL: bool = is_small(S::LOWER + separator::<S>(), S::LOWER + S::UPPER + 1 + separator::<S>());
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) {
-        let Self { partition, map, constants, state, groups, scratch, joints } = self;
-        let separator = separator::<M::Shape>();
-        let columns = M::Shape::LOWER + 2 * separator + 1;
+        let First { partition, map, constants, state, groups, scratch, joints } = self.0;
+        let separator = separator::<S>();
+        let columns = S::LOWER + 2 * separator + 1;
         let mut joints = joints.chunks_exact_mut(joints::size(separator));
         for group in groups {
             for (_, parts) in batches(partition, group, L::WIDTH) {
                 parts.gather_all::<M, L, T>(map, state, scratch.x.entries(), scratch.c.entries());
-                M::Shape::contribute::<M, L, T>(constants, parts.length - M::Shape::REACH, scratch);
+                S::contribute::<M, L, T>(map, constants, parts.length - S::REACH, scratch);
                 let dense = scratch.dense.entries();
                 for (lane, joint) in joints.by_ref().take(L::WIDTH).enumerate() {
                     let from = |row: usize, column: usize| dense[(row * columns + column) * L::WIDTH + lane];
                     for row in 0..2 * separator {
                         for column in 0..2 * separator + 1 {
                             joint[row * (2 * separator + 1) + column] =
-                                from(M::Shape::LOWER + row, M::Shape::LOWER + column);
+                                from(S::LOWER + row, S::LOWER + column);
                         }
                     }
-                    joint[joints::size(separator) - 1] = from(M::Shape::LOWER + 2 * separator, 0);
+                    joint[joints::size(separator) - 1] = from(S::LOWER + 2 * separator, 0);
                 }
             }
         }
@@ -115,7 +157,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for First<'_, M, T>
 }
 
 /// What the second does.
-pub(super) struct Second<'a, M, T> {
+pub(in crate::lattice) struct Second<'a, M, T> {
     pub(super) partition: &'a Partition,
     pub(super) map: &'a M,
     pub(super) constants: &'a [T],
@@ -130,15 +172,15 @@ pub(super) struct Second<'a, M, T> {
     pub(super) state: &'a mut [T],
 }
 
-impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T> {
+impl<S: Shape, M: Lines<T>, T: LatticeScalar + Copy> OverLanes<T> for By<S, Second<'_, M, T>> {
     type Output = ();
     /// The rows of the window, which know nothing of the separator.
-    const IS_SMALL: bool = is_small(M::Shape::LOWER, M::Shape::LOWER + M::Shape::UPPER + 1);
+    const IS_SMALL: bool = is_small(S::LOWER, S::LOWER + S::UPPER + 1);
 
     #[inline(always)]
     fn run<L: Lanes<T>>(self) {
-        let Self { partition, map, constants, twice, kept, gained, sites, groups, scratch, state } = self;
-        let (block, reach) = (M::Shape::BLOCK, M::Shape::REACH);
+        let Second { partition, map, constants, twice, kept, gained, sites, groups, scratch, state } = self.0;
+        let (block, reach) = (S::BLOCK, S::REACH);
         let separator = reach * block;
         let first = partition.start(groups.start);
         for group in groups {
@@ -159,7 +201,7 @@ impl<M: LatticeMap<T>, T: LatticeScalar + Copy> OverLanes<T> for Second<'_, M, T
                         known[k * L::WIDTH + lane] = gained[separators + k];
                     }
                 }
-                M::Shape::substitute::<M, L, T>(constants, twice, parts.length - reach, scratch);
+                S::substitute::<M, L, T>(map, constants, twice, parts.length - reach, scratch);
                 let x = scratch.x.entries();
                 here.scatter_inner::<L, T>(state, block, reach, parts.length, &x[2 * separator * L::WIDTH..]);
             }

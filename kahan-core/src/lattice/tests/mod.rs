@@ -9,7 +9,7 @@ mod parts;
 /// Terms come back that a larger one had rounded away.
 #[test]
 fn a_total_keeps_what_its_sum_lost() {
-    let mut total = super::Total::zero();
+    let mut total = super::sums::Total::zero();
     for term in [1.0_f64, 1e100, 1.0, -1e100] {
         total.add(&term);
     }

@@ -1,0 +1,88 @@
+//! A family with values of its parameters: the lines that core's solver asks for.
+
+use std::sync::Arc;
+
+use kahan_core::__private::Boundary;
+use kahan_core::__private::chain::{Densities, GatheredLines, HasEnergy, Lanes, Lines, Menu, Sizes};
+use kahan_core::{Level, Scalar};
+
+use super::Code;
+use super::program::Abreast;
+
+/// The equations of a chain that was read at run time.
+#[derive(Clone, Debug)]
+pub(super) struct Read {
+    pub(super) code: Arc<Code>,
+    /// One number a parameter of the chain.
+    pub(super) parameters: Arc<[f64]>,
+    /// A list of numbers a parameter of the sites, one a site.
+    pub(super) site_parameters: Arc<[Vec<f64>]>,
+}
+
+impl Lines<f64> for Read {
+    type Kernels = Menu;
+
+    fn sizes(&self) -> Sizes {
+        self.code.sizes
+    }
+
+    fn boundary(&self) -> Boundary {
+        self.code.boundary
+    }
+
+    fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&f64) -> L) -> Option<Vec<L>> {
+        let line = &self.code.constants;
+        let mut registers = vec![L::zero(); line.registers()];
+        let given = self.parameters.iter().map(convert).chain([eps]);
+        let prepared = line.results(given, &mut registers, &[])?;
+        let literals = self.code.literals.iter().map(|literal| L::constant(&literal.as_constant()));
+        Some(prepared.iter().chain(literals).collect())
+    }
+
+    fn site_parameter(&self, index: usize) -> &[f64] {
+        &self.site_parameters[index]
+    }
+
+    fn rows<L: Scalar>(
+        &self,
+        constants: &[L],
+        x: &[L],
+        c: &[L],
+        registers: &mut [L],
+        f: &mut [L],
+        a: &mut [L],
+    ) {
+        let block = self.code.sizes.block;
+        self.code.rows.run(constants, x, c, registers);
+        f.clone_from_slice(&registers[..block]);
+        for &entry in &self.code.entries {
+            a[entry] = registers[block + entry].clone();
+        }
+    }
+
+    #[inline(always)]
+    fn gathered<'a, L: Lanes<f64>, const B: usize, const SITES: usize>(
+        &'a self,
+        constants: &'a [f64],
+        x: &'a [f64],
+        c: &'a [f64],
+        registers: &'a mut [f64],
+        level: Level,
+    ) -> impl GatheredLines<L, B, SITES> {
+        Abreast::new(&self.code.rows, constants, [x, c], registers, (level, L::WIDTH))
+    }
+}
+
+impl Densities<f64> for Read {
+    fn integrals(&self) -> usize {
+        self.code.family.integrals.len()
+    }
+
+    fn densities<L: Scalar>(&self, constants: &[L], x: &[L], c: &[L], registers: &mut [L], s: &mut [L]) {
+        self.code.sums.run(constants, x, c, registers);
+        s.iter_mut().zip(registers).for_each(|(sum, density)| sum.clone_from(density));
+    }
+}
+
+/// Its energy is asked for where the family has a Hamiltonian.
+impl HasEnergy<f64> for Read {}

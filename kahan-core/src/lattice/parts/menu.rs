@@ -1,0 +1,73 @@
+//! The kernels of families that are read at run time.
+//!
+//! In: sizes. Out: the passes of the first stencil that has room for them. Entries that a family
+//! lacks are zeros there, which change no bit of a finite number.
+
+use crate::ensemble::Level;
+use crate::ensemble::lanes::InLanes;
+use crate::lattice::{LatticeScalar, Lines, Sizes, Stencil};
+
+use super::passes::{First, Kernels, Second};
+
+/// The kernels whose sizes are those of a stencil of a short list.
+#[derive(Clone, Copy, Debug)]
+pub enum Menu {}
+
+/// A list of stencils: arrays, reach, distances to the left and right, sites seen, entries a row.
+macro_rules! menu {
+    ($($block:literal, $reach:literal, $lower:literal, $upper:literal, $sites:literal, $width:literal;)*) => {
+        impl Menu {
+            /// These sizes, the distances those of the kernel that has room for them, if there is
+            /// one.
+            pub fn widened(sizes: Sizes) -> Sizes {
+                let Sizes { block, reach, lower, upper, .. } = sizes;
+                $(if (block, reach) == ($block, $reach) && lower <= $lower && upper <= $upper {
+                    return Sizes { lower: $lower, upper: $upper, ..sizes };
+                })*
+                sizes
+            }
+        }
+
+        impl Kernels for Menu {
+            fn have(Sizes { block, reach, lower, upper, .. }: Sizes) -> bool {
+                [$(($block, $reach, $lower, $upper)),*].contains(&(block, reach, lower, upper))
+            }
+
+            fn first<M, T>(pass: First<'_, M, T>, level: Level)
+            where
+                M: Lines<T>,
+                T: LatticeScalar + InLanes + Copy,
+            {
+                let Sizes { block, reach, lower, upper, .. } = pass.map.sizes();
+                match (block, reach, lower, upper) {
+                    $(($block, $reach, $lower, $upper) => {
+                        Stencil::<$block, $reach, 0, 0, $lower, $upper, $sites, $width>::first(pass, level);
+                    })*
+                    _ => unreachable!("parts are made where there is a kernel"),
+                }
+            }
+
+            fn second<M, T>(pass: Second<'_, M, T>, level: Level)
+            where
+                M: Lines<T>,
+                T: LatticeScalar + InLanes + Copy,
+            {
+                let Sizes { block, reach, lower, upper, .. } = pass.map.sizes();
+                match (block, reach, lower, upper) {
+                    $(($block, $reach, $lower, $upper) => {
+                        Stencil::<$block, $reach, 0, 0, $lower, $upper, $sites, $width>::second(pass, level);
+                    })*
+                    _ => unreachable!("parts are made where there is a kernel"),
+                }
+            }
+        }
+    };
+}
+
+menu! {
+    1, 1, 1, 1, 3, 3;
+    1, 2, 2, 2, 5, 5;
+    2, 1, 2, 2, 3, 5;
+    2, 1, 3, 1, 3, 5;
+    2, 1, 3, 3, 3, 7;
+}
