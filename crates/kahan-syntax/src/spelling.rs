@@ -4,6 +4,9 @@
 /// The page on fields that are not quadratic, where help names it.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
+/// The page on texts as people write them, where help names it.
+pub const ON_TEXTS: &str = "docs/how-to/texts.md";
+
 /// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
 #[must_use]
 pub fn is_keyword(name: &str) -> bool {

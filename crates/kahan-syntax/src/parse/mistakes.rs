@@ -2,7 +2,7 @@
 //! juxtaposition, statements. Each is answered with the way to write it here.
 
 use crate::diagnostics::Kind;
-use crate::spelling::{NOT_QUADRATIC, fresh};
+use crate::spelling::{NOT_QUADRATIC, ON_TEXTS, fresh};
 use crate::syntax::{Expr, ExprKind};
 use crate::token::{Span, Token, TokenKind};
 
@@ -39,6 +39,12 @@ pub(super) fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) 
     }
     if cursor.is_open(0, '(') {
         let (group, arguments) = cursor.take_group();
+        if let [time, _, ..] = arguments
+            && time.text == "t"
+        {
+            let help = format!("a chain of states can stand for it: {ON_TEXTS} shows how");
+            return error(Kind::NotAPolynomial, span.to(group), format!("`{name}(t …)` is a delay"), help);
+        }
         let has_several =
             arguments.is_empty() || arguments.iter().any(|one| one.kind == TokenKind::Punctuation(','));
         let (message, help) = if is_function(name) || has_several {
@@ -96,62 +102,32 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
         }
     }
     let bound = last.to_lowercase();
-    error(
-        Kind::NotAPolynomial,
-        span.to(cursor.behind()),
-        format!("only plain names are read here, and `{access}` is a path, a field or an index"),
-        format!(
-            "bind it first: `let {bound} = {access};`, then write `{bound}`; in a system with a header, \
-             make it a parameter"
-        ),
-    )
+    let message = format!("only plain names are read here, and `{access}` is a path, a field or an index");
+    let help = format!(
+        "bind it first: `let {bound} = {access};`, then write `{bound}`; in a system with a header, make it a \
+         parameter"
+    );
+    error(Kind::NotAPolynomial, span.to(cursor.behind()), message, help)
 }
 
-fn is_function(name: &str) -> bool {
-    const FUNCTIONS: [&str; 36] = [
-        "sin",
-        "cos",
-        "tan",
-        "cot",
-        "sec",
-        "csc",
-        "asin",
-        "acos",
-        "atan",
-        "atan2",
-        "sinh",
-        "cosh",
-        "tanh",
-        "sech",
-        "exp",
-        "log",
-        "ln",
-        "log2",
-        "log10",
-        "sqrt",
-        "cbrt",
-        "abs",
-        "sign",
-        "sgn",
-        "max",
-        "min",
-        "pow",
-        "floor",
-        "ceil",
-        "round",
-        "mod",
-        "heaviside",
-        "Heaviside",
-        "piecewise",
-        "erf",
-        "gamma",
-    ];
-    FUNCTIONS.contains(&name)
+/// Functions that solve equations of their own.
+const SMOOTH: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
+/// Functions with kinks or jumps.
+const ROUGH: &str = "abs sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
+
+/// Whether a name is that of a function elsewhere.
+pub(crate) fn is_function(name: &str) -> bool {
+    [SMOOTH, ROUGH].iter().any(|names| names.split(' ').any(|known| known == name))
 }
 
 /// What stands instead of a call with these arguments: of states, new states; of numbers and
 /// parameters, a constant or a parameter.
 fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
+    if ROUGH.split(' ').any(|known| known == name) {
+        return format!(
+            "it is not analytic everywhere, and Kahan's method needs a field that is: {ON_TEXTS} says what can be done"
+        );
+    }
     let next = |place: usize| arguments.get(place + 1).map(|token| &token.kind);
     let is_state = |(place, token): (usize, &Token)| {
         token.kind == TokenKind::Identifier
@@ -179,17 +155,14 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
 
 /// Whether the name begins a statement of Rust. (A state may have the name of a keyword; what
 /// follows tells.)
-fn is_statement(name: &str) -> bool {
+pub(crate) fn is_statement(name: &str) -> bool {
     matches!(name, "if" | "match" | "let" | "for" | "while")
 }
 
 fn no_statement<T>(span: Span) -> Parsed<T> {
-    error(
-        Kind::NotAPolynomial,
-        span,
-        "a formula has no conditions, loops or statements",
-        "write one polynomial that holds everywhere",
-    )
+    let message = "a formula has no conditions, loops or statements: Kahan's method is for smooth fields";
+    let help = format!("write one polynomial that holds everywhere; {ON_TEXTS} says what else can be done");
+    error(Kind::NotAPolynomial, span, message, help)
 }
 
 /// After an operand stands an operator or the end of the expression.
@@ -223,6 +196,12 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
             };
             error(Kind::Syntax, span, "two operands stand side by side: a product needs its `*`", help)
         }
+        TokenKind::Open('[') if matches!(operand.kind, ExprKind::Number(_)) => error(
+            Kind::Syntax,
+            span,
+            "units are not read",
+            "write the number alone, all quantities in units that fit each other",
+        ),
         TokenKind::Punctuation('.') if matches!(operand.kind, ExprKind::Number(_)) => error(
             Kind::Number,
             span,
