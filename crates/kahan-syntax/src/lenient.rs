@@ -26,7 +26,7 @@ use items::Item;
 pub struct Reading {
     /// The tokens of a block, and where each of them, or what it stands for, is in the text.
     pub lexed: Lexed,
-    /// Whether the text has these tokens itself.
+    /// Whether the text has these tokens itself, and Rust's comments.
     pub is_canonical: bool,
     /// The values that the text gives to parameters.
     pub parameters: Vec<(String, Rational)>,
@@ -73,8 +73,9 @@ pub fn read(text: &str) -> Reading {
         None => reader.read(),
     }
     let Reader { given, out, mut read, .. } = reader;
-    let is_kept = |(given, written): (&Placed, &Placed)| given.0.text == written.0.text;
-    read.is_canonical = given.len() == out.len() && given.iter().zip(&out).all(is_kept);
+    let is_there = |(token, range): &Placed| text.get(range.clone()) == Some(&token.text);
+    let has_comment = text.match_indices('#').any(|(at, _)| !text[at + 1..].starts_with(['[', '!']));
+    read.is_canonical = given.len() == out.len() && !has_comment && out.iter().all(is_there);
     (read.lexed.tokens, read.lexed.ranges) = out.into_iter().unzip();
     read
 }

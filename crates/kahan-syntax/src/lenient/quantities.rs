@@ -69,13 +69,15 @@ impl Reader<'_> {
                 order => self.states.get(name).and_then(|own| own.get(order - 1)).map(String::as_str),
             };
             let number = Rational::parse(&right.map(|place| self.at(place)).collect::<String>());
+            let shown = &self.text[self.bytes(item.tokens.start..left.right)];
+            let help = match target {
+                Some(_) => format!("write `{shown} 1/2`, once, or leave it out"),
+                None => format!("leave it out, or give `{name}` an equation"),
+            };
             let value = target.map(str::to_owned).filter(|target| known.insert(target.clone())).zip(number);
-            instead[place] = Some(Vec::from_iter(value.is_none().then(|| {
-                let shown = &self.text[self.bytes(item.tokens.start..left.right)];
-                let message = format!("`{shown}` gives a value: one number to a parameter, or to a state");
-                let help = format!("write `{shown} 1/2`, once, or leave it out; a rate is `{name}dot = …`");
-                mistake(&self.bytes(item.tokens.clone()), message, help)
-            })));
+            let message = format!("`{shown}` gives a value, which is one number");
+            let mistake = || mistake(&self.bytes(item.tokens.clone()), message, help);
+            instead[place] = Some(Vec::from_iter(value.is_none().then(mistake)));
             let values = if is_start { &mut self.read.start } else { &mut self.read.parameters };
             values.extend(value);
         }

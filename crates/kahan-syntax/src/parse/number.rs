@@ -32,12 +32,8 @@ pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
     let Numeral { whole, fraction, rest: suffix, .. } = Numeral::scan(text);
     if !suffix.is_empty() {
         let help = format!("write `{}`", text[..text.len() - suffix.len()].trim_end_matches('_'));
-        return error(
-            Kind::Number,
-            span,
-            format!("`{text}` carries a type, but numbers here are exact"),
-            help,
-        );
+        let message = format!("`{text}` carries a type, but numbers here are exact");
+        return error(Kind::Number, span, message, help);
     }
     let digits = [whole, fraction].concat().bytes().filter(u8::is_ascii_digit).count();
     let is_short = digits as i64 <= MOST_DIGITS;
