@@ -14,6 +14,7 @@ use std::cell::OnceCell;
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
+use crate::diagnostics::brief;
 use crate::lexer::{Lexed, lex};
 use crate::rational::Rational;
 use crate::spelling::ON_TEXTS;
@@ -103,6 +104,8 @@ struct Reader<'a> {
     names: OnceCell<HashSet<String>>,
     /// The states, each with the names of its derivatives up to the order of its equation.
     states: HashMap<String, Vec<String>>,
+    /// Whether some of them have derivatives with names.
+    has_derivatives: bool,
     /// The tokens of quantities that are no states, by name.
     quantities: HashMap<String, Vec<Placed>>,
     /// How many tokens the quantities have added.
@@ -142,7 +145,8 @@ impl Reader<'_> {
         self.given[tokens.start].1.start..self.given[tokens.end - 1].1.end
     }
 
-    fn note(&mut self, note: String) {
+    fn note(&mut self, note: &str) {
+        let note = brief(note);
         if !self.read.notes.contains(&note) {
             self.read.notes.push(note);
         }

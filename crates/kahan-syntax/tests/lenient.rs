@@ -121,7 +121,7 @@ fn what_was_read_in_an_unusual_way_is_noted() {
             "`sqrt(2)` is read as a parameter `sqrt_2`, which is 1.4142135623730951: numbers are exact",
         ),
         ("x' = u(t)", "`u(t)` is read as a parameter `u`: no equation defines it"),
-        ("s = x + y; x' = s; y' = s", "`s` is no state: its formula is put in where it stands"),
+        ("s = x + y; x' = s; y' = s", "no states, but formulas that are put in where they stand: `s`"),
     ] {
         assert_eq!(read(text).notes, [note], "{text}");
     }
@@ -285,5 +285,132 @@ fn one_field_in_ten_manners_is_one_field() {
             assert_eq!(words(&read.lexed.tokens), words(&original), "{text}");
             assert!(read.notes.is_empty(), "{text}: {:?}", read.notes);
         }
+    }
+}
+
+/// Pieces that mean something here or elsewhere.
+const PIECES: &[&str] = &[
+    "x",
+    "y",
+    "t",
+    "xdot",
+    "x'",
+    "y''",
+    "dx",
+    "dt",
+    "d",
+    "der",
+    "diff",
+    "Derivative",
+    "Eq",
+    "D",
+    "ẋ",
+    "\\dot",
+    "\\frac",
+    "{",
+    "}",
+    "(",
+    ")",
+    "[",
+    "]",
+    "=",
+    "==",
+    "~",
+    ";",
+    ",",
+    "\n",
+    "\n",
+    " ",
+    "+",
+    "-",
+    "−",
+    "*",
+    "**",
+    "·",
+    "/",
+    "^",
+    "²",
+    "½",
+    "0",
+    "1",
+    "2x",
+    "3.5e-2",
+    "par",
+    "init",
+    "done",
+    "const",
+    "integral",
+    "bracket",
+    "density",
+    "when",
+    "for",
+    "in",
+    "i",
+    "periodic",
+    "struct",
+    "pub",
+    "#",
+    "#[",
+    "sqrt",
+    "sin",
+    "if",
+    "a",
+    "b",
+    "->",
+    "'",
+    "\"",
+    "//",
+    "/*",
+    "%",
+    "xy",
+];
+
+/// Whatever the text: it is read without a crash, and what is read without mistakes is printed as
+/// a text that is read as the same.
+#[test]
+fn hostile_texts_are_read() {
+    let mut draws = Draws(1);
+    let mut sound = 0;
+    for _ in 0..40_000 {
+        let count = 1 + draws.below(24);
+        let text: String = (0..count).map(|_| PIECES[draws.below(PIECES.len())]).collect();
+        let first = read(&text);
+        assert_eq!(first.lexed.tokens.len(), first.lexed.ranges.len(), "{text}");
+        assert!(first.lexed.ranges.iter().all(|range| text.get(range.clone()).is_some()), "{text}");
+        if mistakes(&first.lexed.tokens).is_empty() {
+            sound += 1;
+            let again = read(&first.canonical());
+            let words = |read: &Reading| {
+                read.lexed.tokens.iter().map(|token| token.text.to_string()).collect::<Vec<_>>()
+            };
+            assert_eq!(words(&again), words(&first), "{text}");
+        }
+    }
+    assert!(sound > 100, "{sound}");
+}
+
+/// Texts that are long in some way take time that grows with their length.
+#[test]
+fn long_texts_are_read() {
+    let many = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect::<String>();
+    let texts = [
+        many(20_000, &|k| format!("x{k}' = x{k}\n")),
+        many(5_000, &|k| format!("x{k}'' = -x{k}'\n")),
+        many(5_000, &|k| format!("a{k} = {k}\n")) + "x' = a1",
+        many(300, &|k| format!("a{k} = a{}*x\n", k + 1)) + "a300 = x\nx' = a0",
+        many(40, &|k| format!("a{} = a{k}*a{k}\n", k + 1)) + "a0 = x + x\nx' = a40",
+        format!("x{} = 1", "'".repeat(100_000)),
+        format!("x' = {}x", "sqrt(".repeat(20_000)),
+        format!("x' = {}", many(5_000, &|k| format!("sqrt({k}) + "))),
+        format!("x' = {}", "+".repeat(100_000)),
+        format!("x' = {}", "2x ".repeat(50_000)),
+        "Eq(".repeat(50_000),
+        "x' = \n".repeat(30_000),
+        "{[(".repeat(30_000),
+    ];
+    for text in texts {
+        let read = read(&text);
+        assert!(read.lexed.tokens.len() < 1_000_000);
+        let _ = mistakes(&read.lexed.tokens);
     }
 }

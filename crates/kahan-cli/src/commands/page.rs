@@ -94,7 +94,7 @@ impl Page {
 
     fn shown(&self, study: &Study) -> Result<ShownOrbit, Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
-        let at = self.at.as_deref().map(|at| point(at, study)).transpose()?;
+        let at = self.at.as_deref().map(|at| point(Some(at), study)).transpose()?;
         Ok(study.shown_orbit(eps.as_ref(), at.as_deref())?)
     }
 

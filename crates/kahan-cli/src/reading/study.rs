@@ -5,7 +5,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
-use super::points::{only, points};
+use super::points::{only, point, points};
 use super::source::{Source, Start};
 use super::values::{number, refused};
 use crate::printing::Refusal;
@@ -41,13 +41,13 @@ impl Start {
     /// The field, the first point, and ε.
     pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
         let (study, starts, eps) = self.starts()?;
-        Ok((study, only(starts, self.at.as_deref().unwrap_or_default())?, eps))
+        Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
     /// The same with all first points.
     pub(crate) fn starts(&self) -> Result<(Study, Vec<Vec<Rational>>, Rational), Refusal> {
         let study = self.source.proved()?;
-        let starts = self.points(&study)?;
+        let starts = points(self.at.as_deref(), &study)?;
         study.values()?;
         Ok((study, starts, self.half_step()?.ok_or(StudyError::MissingStep)?))
     }
@@ -60,19 +60,8 @@ impl Start {
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
         let study = self.source.proved()?;
         self.source.leaves_free(axes, self.eps.as_ref())?;
-        let at = only(self.points(&study)?, self.at.as_deref().unwrap_or_default())?;
+        let at = point(self.at.as_deref(), &study)?;
         Ok((study, at, self.half_step()?))
-    }
-
-    /// The points of --at, or else the one that the text begins at.
-    fn points(&self, study: &Study) -> Result<Vec<Vec<Rational>>, Refusal> {
-        if let Some(at) = &self.at {
-            return points(at, study);
-        }
-        let wanted = || {
-            format!("from which point? add --at with a number for each of {}", study.variables().join(","))
-        };
-        study.start().map(|start| vec![start]).ok_or_else(|| Refusal::new(wanted()))
     }
 
     /// The value of --eps.

@@ -20,19 +20,23 @@ impl Reader<'_> {
         for left in equations() {
             self.states.entry(left.of.name.clone()).or_default();
         }
-        for Left { of, .. } in equations().filter(|left| left.of.order > 1) {
+        for Left { of, .. } in equations() {
+            if self.states.get(&of.name).is_some_and(|known| known.len() + 1 >= of.order) {
+                continue;
+            }
             let mut chain: Vec<String> = Vec::new();
             for order in 1..of.order {
-                let wanted = if order == 1 { ["v", "u", "p"] } else { ["a", "b", "c"] };
-                let is_own = |name: &str| chain.iter().any(|own| own == name);
-                let name = fresh(&wanted, |name| self.mentions(name) || self.is_state(name) || is_own(name));
+                let [first, second, third] = if order == 1 { ["v", "u", "p"] } else { ["a", "b", "c"] };
+                let is_taken = |name: &str| self.mentions(name) || self.is_state(name);
+                let name = fresh(&[first, second, third, &format!("{first}_{}", of.name)], is_taken);
+                self.states.insert(name.clone(), Vec::new());
                 chain.push(name);
             }
             let (state, primes, first, new) = (&of.name, "'".repeat(of.order), &chain[0], chain.join("`, `"));
-            self.note(format!(
+            self.has_derivatives = true;
+            self.note(&format!(
                 "`{state}{primes}` is read with `{state}dot = {first}`: `{new}` is a new state"
             ));
-            chain.iter().for_each(|own| self.states.extend([(own.clone(), Vec::new())]));
             self.states.insert(of.name.clone(), chain);
         }
     }
@@ -81,6 +85,7 @@ impl Reader<'_> {
             let values = if is_start { &mut self.read.start } else { &mut self.read.parameters };
             values.extend(value);
         }
+        let mut put_in = Vec::new();
         // Known quantities are put into those that use them; a circle is left to the parser.
         for _ in 0..DEEPEST {
             let names: HashSet<&str> = quantities.iter().map(|(_, name, _)| *name).collect();
@@ -91,9 +96,15 @@ impl Reader<'_> {
             for (place, name, right) in ready {
                 let written = self.written(right, true);
                 self.quantities.insert(name.to_owned(), written);
-                self.note(format!("`{name}` is no state: its formula is put in where it stands"));
+                put_in.push(format!("`{name}`"));
                 instead[place] = Some(Vec::new());
             }
+        }
+        if !put_in.is_empty() {
+            self.note(&format!(
+                "no states, but formulas that are put in where they stand: {}",
+                put_in.join(", ")
+            ));
         }
         instead
     }

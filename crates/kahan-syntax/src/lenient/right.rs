@@ -35,10 +35,9 @@ impl Reader<'_> {
     /// Some tokens in the manner of the language.
     pub(super) fn written(&mut self, tokens: Range<usize>, in_equation: bool) -> Vec<Placed> {
         let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
-        let has_chains = self.states.values().any(|chain| !chain.is_empty());
         let mut at = tokens.start;
         while at < tokens.end {
-            let own = if has_chains { self.named_derivative(at) } else { None };
+            let own = if self.has_derivatives { self.named_derivative(at) } else { None };
             let is_sign =
                 |(token, _): &Placed| matches!(token.kind, TokenKind::Punctuation(_) | TokenKind::Open(_));
             let end = if let Some((name, end)) = own {
@@ -91,7 +90,7 @@ impl Reader<'_> {
         }
         if is_of_time && !self.is_state(self.at(at)) {
             let name = self.at(at);
-            self.note(format!("`{name}(t)` is read as a parameter `{name}`: no equation defines it"));
+            self.note(&format!("`{name}(t)` is read as a parameter `{name}`: no equation defines it"));
         }
         out.push(self.given[at].clone());
         end
@@ -110,7 +109,7 @@ impl Reader<'_> {
         }
         let name = fresh(&[&format!("sqrt_{}", radicand.replace('.', "_"))], |name| self.mentions(name));
         if !self.read.parameters.iter().any(|(known, _)| *known == name) {
-            self.note(format!(
+            self.note(&format!(
                 "`sqrt({radicand})` is read as a parameter `{name}`, which is {root}: numbers are exact"
             ));
             self.read.parameters.push((name.clone(), exact));

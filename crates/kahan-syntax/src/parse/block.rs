@@ -38,12 +38,11 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
             let (message, help) = (format!("this `{word}` has no name"), format!("write `{word} NAME = …;`"));
             error(Kind::Syntax, cursor.here().to(next), message, help)
         }
-        ("pub" | "struct", _) => error(
-            Kind::Header,
-            cursor.here(),
-            "the header stands at the beginning of a block, and a block has one",
-            "move it to the top, or write a second `kahan!` block",
-        ),
+        ("pub" | "struct", _) => {
+            let message = "the header stands at the beginning of a block, and a block has one";
+            let help = "move it to the top, or write a second `kahan!` block";
+            error(Kind::Header, cursor.here(), message, help)
+        }
         _ if cursor.is_open(1, '[') => Err(super::family::outside(cursor)),
         _ => match wrong_keyword(cursor, block) {
             Some(diagnostic) => Err(diagnostic),

@@ -175,12 +175,10 @@ pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<
             let span = span.to(Span::token(span.last + 1));
             error(Kind::Number, span, format!("`.{digits}` is not a number"), format!("write `0.{digits}`"))
         }
-        TokenKind::Punctuation('+') => error(
-            Kind::Syntax,
-            span,
-            "a `+` needs an operand on its left",
-            "remove the `+`, or write the operand",
-        ),
+        TokenKind::Punctuation('+') => {
+            let help = "remove the `+`, or write the operand";
+            error(Kind::Syntax, span, "a `+` needs an operand on its left", help)
+        }
         TokenKind::Unreadable(why) => error(Kind::Syntax, span, why.message.clone(), why.help.clone()),
         _ => missing_operand(cursor),
     }

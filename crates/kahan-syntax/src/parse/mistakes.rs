@@ -196,18 +196,14 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
             };
             error(Kind::Syntax, span, "two operands stand side by side: a product needs its `*`", help)
         }
-        TokenKind::Open('[') if matches!(operand.kind, ExprKind::Number(_)) => error(
-            Kind::Syntax,
-            span,
-            "units are not read",
-            "write the number alone, all quantities in units that fit each other",
-        ),
-        TokenKind::Punctuation('.') if matches!(operand.kind, ExprKind::Number(_)) => error(
-            Kind::Number,
-            span,
-            "a number ends before this point",
-            "write `2.0` for the number, and `2*x` for a product",
-        ),
+        TokenKind::Open('[') if matches!(operand.kind, ExprKind::Number(_)) => {
+            let help = "write the number alone, all quantities in units that fit each other";
+            error(Kind::Syntax, span, "units are not read", help)
+        }
+        TokenKind::Punctuation('.') if matches!(operand.kind, ExprKind::Number(_)) => {
+            let help = "write `2.0` for the number, and `2*x` for a product";
+            error(Kind::Number, span, "a number ends before this point", help)
+        }
         TokenKind::Punctuation('.') => {
             let method = cursor.identifier(1).unwrap_or("");
             let help = match method {
@@ -216,12 +212,10 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
             };
             error(Kind::NotAPolynomial, span, format!("`.{method}` is a method call or a field"), help)
         }
-        TokenKind::Punctuation('=') => error(
-            Kind::Syntax,
-            span,
-            "an `=` inside an expression",
-            "an equation has one `=`; if a new one begins here, write `;` before it",
-        ),
+        TokenKind::Punctuation('=') => {
+            let help = "an equation has one `=`; if a new one begins here, write `;` before it";
+            error(Kind::Syntax, span, "an `=` inside an expression", help)
+        }
         _ => error(
             Kind::Syntax,
             cursor.here(),
