@@ -672,8 +672,10 @@ class Discovery(Answer):
         field = System._of(text, is_name, sites, {})._sheet("text")["field"]
         equations = "\n".join(f"{name}dot = {right};" for name, right in zip(self.variables, field))
         names = set(re.findall(r"\w+", equations))
+        of_text = self._of.parameters.items()
+        own = [f"{name} = {value};" for name, value in of_text if value is not None and name in names - set(given)]
         given = {name: value for name, value in given.items() if name in names}
-        return System._of("\n".join([equations, *self.claims]), False, None, given)
+        return System._of("\n".join([*own, equations, *self.claims]), False, None, given)
 
     @property
     def integrals(self) -> dict[str, Formula]:
