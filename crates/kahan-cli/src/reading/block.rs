@@ -104,6 +104,14 @@ impl Block {
         self.text.notes().iter().cloned().chain(values).collect()
     }
 
+    /// The product that a name may have been meant as: of states of one letter.
+    pub(super) fn product(&self, name: &str) -> Option<String> {
+        let system = self.text.unproved_system().ok()?;
+        let letters: Vec<String> = name.chars().map(String::from).collect();
+        let are_states = letters.iter().all(|letter| system.field.symbols.states.contains(letter));
+        (are_states && letters.len() > 1).then(|| letters.join("*"))
+    }
+
     /// The values that the text gives to parameters.
     pub(super) fn parameters(&self) -> &[(String, Rational)] {
         self.text.parameters()

@@ -212,7 +212,9 @@ fn undeclared_in(block: &Block, given: &[&str]) -> Option<String> {
     let number = |(name, value): &(&str, f64)| {
         names.iter().any(|own| own == name).then(|| format!("; `const {name} = {value};` is the number"))
     };
-    let numbers: String = [("E", E), ("pi", PI)].iter().filter_map(number).collect();
+    let product = |name: &String| Some(format!("; for a product write {}", block.product(name)?));
+    let products = names.iter().filter_map(product);
+    let hints: String = [("E", E), ("pi", PI)].iter().filter_map(number).chain(products).collect();
     let more = if names.len() > MOST { ", …" } else { "" };
     names.truncate(MOST);
     let equations = joined(names.iter().map(|name| format!("{name}dot")), ", ");
@@ -222,5 +224,5 @@ fn undeclared_in(block: &Block, given: &[&str]) -> Option<String> {
         _ => "are taken as parameters",
     };
     let names = names.join(", ");
-    Some(brief(&format!("{names}{more} {taken}: nothing defines {equations}{more}{numbers}")))
+    Some(brief(&format!("{names}{more} {taken}: nothing defines {equations}{more}{hints}")))
 }

@@ -65,6 +65,13 @@ fn values_and_first_points_of_a_text_serve_where_none_are_given() {
 }
 
 #[test]
+fn a_name_that_may_be_a_product_is_noted() {
+    let run = kahan(&["show", "--field", "x' = x - xy, y' = -y"]);
+    let note = "note: xy is taken as a parameter: nothing defines xydot; for a product write x*y\n";
+    assert_eq!(text(&run.stderr), note);
+}
+
+#[test]
 fn what_has_no_first_value_asks_for_a_point() {
     let paragraph = refusal(&["orbit", "--field", "x' = y, y' = -x, x(0) = 1", "--eps", "1", "--steps", "1"]);
     assert!(paragraph.contains("--at x,y"), "{paragraph}");
