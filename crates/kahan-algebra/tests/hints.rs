@@ -151,7 +151,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
         ("x(0) = a; x' = a*x", "`x(0) = 1/2`", "x(0) = 1/2; x' = a*x"),
         ("x = a; x' = a*x", "`x = 1/2`", "x = 1/2; x' = a*x"),
         ("a = 1; a = 2; x' = a*x", "once", "a = 1; x' = a*x"),
-        ("x'(0) = 1; x' = x", "give `x` an equation", "x' = x"),
+        ("x'(0) = 1; x' = x", "leave it out", "x' = x"),
         ("z(0) = 1; x' = x", "leave it out", "x' = x"),
         // What other tools can, and what is not smooth.
         ("k1, A + B --> C", "Antimony and SBML", ""),

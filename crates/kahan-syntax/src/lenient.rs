@@ -15,7 +15,7 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use crate::diagnostics::brief;
-use crate::lexer::{Lexed, lex};
+use crate::lexer::{Lexed, lex, starts_attribute};
 use crate::rational::Rational;
 use crate::spelling::ON_TEXTS;
 use crate::token::{Token, TokenKind};
@@ -75,7 +75,7 @@ pub fn read(text: &str) -> Reading {
     }
     let Reader { given, out, mut read, .. } = reader;
     let is_there = |(token, range): &Placed| text.get(range.clone()) == Some(&token.text);
-    let has_comment = text.match_indices('#').any(|(at, _)| !text[at + 1..].starts_with(['[', '!']));
+    let has_comment = text.match_indices('#').any(|(at, _)| !starts_attribute(&text[at..]));
     read.is_canonical = given.len() == out.len() && !has_comment && out.iter().all(is_there);
     (read.lexed.tokens, read.lexed.ranges) = out.into_iter().unzip();
     read
@@ -160,11 +160,8 @@ impl Reader<'_> {
         let help = format!(
             "write the rate of each species, as in `Adot = -k*A*B;`: {ON_TEXTS} shows how, also for Antimony and SBML"
         );
-        Some(mistake(
-            &self.bytes(place..place + 2),
-            "`->` writes a reaction, and a field has equations",
-            help,
-        ))
+        let message = "`->` writes a reaction, and a field has equations";
+        Some(mistake(&self.bytes(place..place + 2), message, help))
     }
 
     fn read(&mut self) {

@@ -85,7 +85,7 @@ impl Lexer<'_> {
             if line.starts_with("///") && !line.starts_with("////") {
                 self.docs.push(line.trim_end().to_owned());
             }
-        } else if c == '#' && !["#[", "#!["].iter().any(|sign| self.text[self.at..].starts_with(sign)) {
+        } else if c == '#' && !starts_attribute(&self.text[self.at..]) {
             self.at += self.run(self.at, |c| c != '\n');
         } else if self.text[self.at..].starts_with("/*") {
             self.block_comment();
@@ -177,6 +177,11 @@ impl Lexer<'_> {
         }
         self.text.len() - self.at
     }
+}
+
+/// Whether a `#` begins an attribute of Rust, and no comment.
+pub(crate) fn starts_attribute(text: &str) -> bool {
+    text.starts_with("#[") || text.starts_with("#![")
 }
 
 pub(crate) fn starts_identifier(c: char) -> bool {

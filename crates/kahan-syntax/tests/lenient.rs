@@ -99,6 +99,7 @@ fn texts_of_other_tools_are_read() {
             "c=3 xdot = y*(x^2 + y^2) - (2*c); ydot = -x;",
         ),
         ("p = q - x\nq = -2*x\nx' = p(t)*q", "xdot = ((-2*x) - x)*(-2*x);"),
+        ("par unused=3\nx' = x", "xdot = x;"),
         ("init x = 1, a = -1e-3\nx' = -a*x", "a=-1/1000 xdot = -a*x; x=1"),
     ] {
         assert_eq!(reading(text), expected, "{text}");

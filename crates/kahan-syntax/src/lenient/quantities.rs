@@ -62,7 +62,8 @@ impl Reader<'_> {
             let is_number = self.names_in(right.clone()).next().is_none();
             match (is_start, used.contains(name)) {
                 (false, true) if !is_number => {
-                    quantities.push((place, name, right));
+                    // A second formula is left to the parser.
+                    quantities.extend(known.insert(name.to_owned()).then_some((place, name, right)));
                     continue;
                 }
                 (false, false) if !left.is_declared => continue,
@@ -76,14 +77,14 @@ impl Reader<'_> {
             let shown = &self.text[self.bytes(item.tokens.start..left.right)];
             let help = match target {
                 Some(_) => format!("write `{shown} 1/2`, once, or leave it out"),
-                None => format!("leave it out, or give `{name}` an equation"),
+                None => "no equation needs it: leave it out, or write the equation".to_owned(),
             };
             let value = target.map(str::to_owned).filter(|target| known.insert(target.clone())).zip(number);
             let message = format!("`{shown}` gives a value, which is one number");
             let mistake = || mistake(&self.bytes(item.tokens.clone()), message, help);
             instead[place] = Some(Vec::from_iter(value.is_none().then(mistake)));
             let values = if is_start { &mut self.read.start } else { &mut self.read.parameters };
-            values.extend(value);
+            values.extend(value.filter(|_| is_start || used.contains(name)));
         }
         let mut put_in = Vec::new();
         // Known quantities are put into those that use them; a circle is left to the parser.
