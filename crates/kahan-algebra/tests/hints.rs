@@ -158,6 +158,8 @@ fn hints_on_texts_of_other_tools_lead_on() {
         ("A + B -> C; k1*A*B; C -> A + B; k2*C; A = 1; k1 = 0.1;", "Antimony and SBML", ""),
         ("x' = -x*abs(x)", ON_TEXTS, ""),
         ("x' = max(x, 0)", ON_TEXTS, ""),
+        ("x' = x if x > 0 else 0", ON_TEXTS, ""),
+        ("x' = sin x", PAGE, ""),
         ("x' = if(x > 0, -x, x)", ON_TEXTS, ""),
         ("x' = -x(t - 1)", ON_TEXTS, ""),
         // What is not quadratic.

@@ -110,12 +110,14 @@ impl Lexer<'_> {
         } else {
             let length = self.run(self.at, |c| primes(c).is_some()).max(c.len_utf8());
             let (what, help) = match primes(c) {
-                Some(_) => {
-                    ("marks a derivative on left-hand sides", "put in what the derivative is equal to")
-                }
+                Some(_) => (
+                    "a prime marks a derivative on left-hand sides",
+                    "put in what the derivative is equal to",
+                ),
                 None => ("this character has no meaning in a field", "remove it"),
             };
-            self.push(TokenKind::unreadable(format!("`{}`: {what}", c.escape_debug()), help), length);
+            let sign = primes(c).map_or_else(|| c.escape_debug().to_string(), |_| c.to_string());
+            self.push(TokenKind::unreadable(format!("`{sign}`: {what}"), help), length);
         }
         true
     }

@@ -42,19 +42,22 @@ impl Reader<'_> {
         let is_next = |at: usize| {
             // Behind `when` stand relations: `a = 1, b = 2`.
             let is_left = |left: Left| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
-            self.left(at).is_some_and(is_left) || self.is_keyword(at) || self.is_done(at)
+            at == self.given.len()
+                || self.left(at).is_some_and(is_left)
+                || self.is_keyword(at)
+                || self.is_done(at)
         };
+        // Values may stand side by side: `a=1 b=2`.
+        let is_value = left.is_some_and(Left::is_value);
         let in_call = left.is_some_and(|left| left.is_in_call);
         let mut depth = usize::from(in_call);
         for at in left.map_or(start, |left| left.right)..self.given.len() {
             match self.given[at].0.kind {
                 TokenKind::Punctuation(';') if depth == 0 => return at,
-                TokenKind::Punctuation(',')
-                    if depth == 0 && at > start && (is_next(at + 1) || at + 1 == self.given.len()) =>
-                {
+                TokenKind::Punctuation(',') if depth == 0 && at > start && is_next(at + 1) => return at,
+                _ if depth == 0 && at > start && (is_value || self.begins_line(at)) && is_next(at) => {
                     return at;
                 }
-                _ if depth == 0 && at > start && self.begins_line(at) && is_next(at) => return at,
                 TokenKind::Open('{') if depth == 0 && word == "for" => return at + 1,
                 TokenKind::Open(_) => depth += 1,
                 // The end of a family.

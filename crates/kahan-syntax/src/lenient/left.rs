@@ -8,11 +8,9 @@ use super::Reader;
 
 /// How derivatives are written, by their order without primes and dots. `X` is the name of a state,
 /// behind which the time may stand; `′` any number of primes, `Ẋ` a name with dots above it.
-const DERIVATIVES: [(usize, &str); 3] = [
-    (
-        1,
-        "Xdot|dX / dt|d X / dt|der ( X )|D ( X )|diff ( X , t )|Derivative ( X , t )|\\ dot { X }|\\ frac { dX } { dt }",
-    ),
+const DERIVATIVES: [(usize, &str); 4] = [
+    (1, "Xdot|dX / dt|d X / dt|der ( X )|D ( X )|diff ( X , t )|Derivative ( X , t )"),
+    (1, "\\ dot { X }|\\ frac { dX } { dt }"),
     (2, "d ^ 2X / dt ^ 2|d ^ 2 X / dt ^ 2|diff ( X , t , t )|Derivative ( X , ( t , 2 ) )|\\ ddot { X }"),
     (0, "X ′|( X ) ′|Ẋ|X"),
 ];

@@ -169,6 +169,7 @@ fn no_statement<T>(span: Span) -> Parsed<T> {
 pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<Expr<X>> {
     let Some(token) = cursor.peek(0) else { return Ok(operand) };
     let span = operand.span.to(cursor.here());
+    let name = if let ExprKind::Name(name) = &operand.kind { name.as_str() } else { "" };
     match &token.kind {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable(_) => Ok(operand),
@@ -177,21 +178,19 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
         TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) && cursor.end == End::Item => Ok(operand),
-        TokenKind::Identifier if cursor.begins_item(0) => error(
-            Kind::Syntax,
-            cursor.behind().to(cursor.here()),
-            format!("a `;` is missing before `{}`", token.text),
-            format!("write `;` before `{}`", token.text),
-        ),
-        TokenKind::Identifier if matches!(&operand.kind, ExprKind::Name(name) if is_statement(name)) => {
-            no_statement(span)
+        TokenKind::Identifier if cursor.begins_item(0) => {
+            let message = format!("a `;` is missing before `{}`", token.text);
+            let help = format!("write `;` before `{}`", token.text);
+            error(Kind::Syntax, cursor.behind().to(cursor.here()), message, help)
         }
+        TokenKind::Identifier if is_statement(&token.text) || is_statement(name) => no_statement(span),
         TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
             let help = match token.kind {
                 _ if cursor.end == End::Formula => {
                     "write `2*i` for a product, and `sin(i)` for a function of `i`".to_owned()
                 }
                 TokenKind::Open(_) => "write `*` before `(`".to_owned(),
+                _ if is_function(name) => format!("write `{name}(…)`: {NOT_QUADRATIC} has functions"),
                 _ => format!("write `*` before `{}`", token.text),
             };
             error(Kind::Syntax, span, "two operands stand side by side: a product needs its `*`", help)
@@ -216,11 +215,9 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
             let help = "an equation has one `=`; if a new one begins here, write `;` before it";
             error(Kind::Syntax, span, "an `=` inside an expression", help)
         }
-        _ => error(
-            Kind::Syntax,
-            cursor.here(),
-            format!("`{}` is not an operator of the language", token.text),
-            "the operators are `+`, `-`, `*`, `/` and `^`",
-        ),
+        _ => {
+            let message = format!("`{}` is not an operator of the language", token.text);
+            error(Kind::Syntax, cursor.here(), message, "the operators are `+`, `-`, `*`, `/` and `^`")
+        }
     }
 }
