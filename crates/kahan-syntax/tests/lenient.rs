@@ -162,6 +162,9 @@ fn the_catalog_keeps_its_tokens() {
     }
 }
 
+/// States and right sides.
+type Equations = Vec<(String, String)>;
+
 /// Numbers of a small generator.
 struct Draws(u64);
 
@@ -173,7 +176,7 @@ impl Draws {
 }
 
 /// The equations of a random field: states and right sides, in the language.
-fn random_field(draws: &mut Draws) -> Vec<(String, String)> {
+fn random_field(draws: &mut Draws) -> Equations {
     let states: Vec<String> = match draws.below(3) {
         0 => ["x", "y", "z"].map(str::to_owned).to_vec(),
         1 => ["S", "I", "E", "N"].map(str::to_owned).to_vec(),
@@ -203,7 +206,7 @@ fn random_field(draws: &mut Draws) -> Vec<(String, String)> {
 }
 
 /// The equations of a block of the catalog, if it has no family, and what stands before and behind.
-fn equations_of(text: &str) -> Option<(String, Vec<(String, String)>, String)> {
+fn equations_of(text: &str) -> Option<(String, Equations, String)> {
     let begins = |line: &str| {
         line.trim().split_once("dot = ").is_some_and(|(left, _)| left.chars().all(char::is_alphanumeric))
     };
