@@ -15,7 +15,7 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use crate::diagnostics::brief;
-use crate::lexer::{Lexed, lex, starts_attribute};
+use crate::lexer::{Lexed, lex};
 use crate::rational::Rational;
 use crate::spelling::ON_TEXTS;
 use crate::token::{Token, TokenKind};
@@ -66,7 +66,7 @@ impl Reading {
 /// ```
 #[must_use]
 pub fn read(text: &str) -> Reading {
-    let Lexed { tokens, ranges } = lex(text);
+    let Lexed { tokens, ranges, has_hash_comments } = lex(text);
     let given = tokens.into_iter().zip(ranges).collect();
     let mut reader = Reader { text, given, ..Reader::default() };
     match reader.reaction() {
@@ -75,8 +75,7 @@ pub fn read(text: &str) -> Reading {
     }
     let Reader { given, out, mut read, .. } = reader;
     let is_there = |(token, range): &Placed| text.get(range.clone()) == Some(&token.text);
-    let has_comment = text.match_indices('#').any(|(at, _)| !starts_attribute(&text[at..]));
-    read.is_canonical = given.len() == out.len() && !has_comment && out.iter().all(is_there);
+    read.is_canonical = given.len() == out.len() && !has_hash_comments && out.iter().all(is_there);
     (read.lexed.tokens, read.lexed.ranges) = out.into_iter().unzip();
     read
 }

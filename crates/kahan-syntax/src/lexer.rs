@@ -18,6 +18,8 @@ pub struct Lexed {
     pub tokens: Vec<Token>,
     /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
+    /// Whether there are comments that Rust does not have: `# …`.
+    pub has_hash_comments: bool,
 }
 
 /// Splits `text` into tokens. Never fails: what is no token becomes [`TokenKind::Unreadable`].
@@ -85,7 +87,8 @@ impl Lexer<'_> {
             if line.starts_with("///") && !line.starts_with("////") {
                 self.docs.push(line.trim_end().to_owned());
             }
-        } else if c == '#' && !starts_attribute(&self.text[self.at..]) {
+        } else if c == '#' && !["#[", "#!["].iter().any(|sign| self.text[self.at..].starts_with(sign)) {
+            self.out.has_hash_comments = true;
             self.at += self.run(self.at, |c| c != '\n');
         } else if self.text[self.at..].starts_with("/*") {
             self.block_comment();
@@ -179,11 +182,6 @@ impl Lexer<'_> {
         }
         self.text.len() - self.at
     }
-}
-
-/// Whether a `#` begins an attribute of Rust, and no comment.
-pub(crate) fn starts_attribute(text: &str) -> bool {
-    text.starts_with("#[") || text.starts_with("#![")
 }
 
 pub(crate) fn starts_identifier(c: char) -> bool {

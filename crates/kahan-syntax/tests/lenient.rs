@@ -128,6 +128,15 @@ fn what_was_read_in_an_unusual_way_is_noted() {
         assert_eq!(read(text).notes, [note], "{text}");
     }
     assert_eq!(read("x' = x(t) + t; t' = 1").notes, [""; 0]);
+    for (text, is_canonical) in [
+        ("// a # sign\n#[doc = \"#\"] struct S; xdot = x; // x'", true),
+        ("xdot = x; # a comment", false),
+        ("xdot = x**2;", false),
+        ("xdot = x", false),
+        ("a = 1; xdot = a*x;", false),
+    ] {
+        assert_eq!(read(text).is_canonical, is_canonical, "{text}");
+    }
 }
 
 /// The blocks of the catalog.
@@ -389,6 +398,7 @@ fn hostile_texts_are_read() {
                 read.lexed.tokens.iter().map(|token| token.text.to_string()).collect::<Vec<_>>()
             };
             assert_eq!(words(&again), words(&first), "{text}");
+            assert!(again.is_canonical, "{text}");
         }
     }
     assert!(sound > 100, "{sound}");
