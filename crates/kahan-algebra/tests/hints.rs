@@ -146,7 +146,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
         ("x_dot = y; y' = -x", "`xdot = …`", "xdot = y; y' = -x"),
         ("dx = y; y' = -x", "`xdot = …`", "xdot = y; y' = -x"),
         ("x' = y'; y' = 1", "put in what", "x' = 1; y' = 1"),
-        ("x' = v; v' = -x + t", "`tdot = 1`", "x' = v; v' = -x + t; tdot = 1"),
+        ("x' = v; v' = -x + t", "`tdot = 1;`", "x' = v; v' = -x + t; tdot = 1"),
         // Values.
         ("x(0) = a; x' = a*x", "`x(0) = 1/2`", "x(0) = 1/2; x' = a*x"),
         ("x = a; x' = a*x", "`x = 1/2`", "x = 1/2; x' = a*x"),
