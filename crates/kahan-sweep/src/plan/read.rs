@@ -53,7 +53,8 @@ fn read(mut root: Table<'_>, mistakes: &Collector<'_>, origin: &str) -> Option<P
     let mut axes = axes.map_or_else(Vec::new, |table| self::axes(table, &study));
     // Values that the text of the field gives, where the plan gives none.
     for (name, value) in study.parameters().iter().zip(study.valued()) {
-        let is_given = fixed.iter().any(|(own, _)| own == name) || axes.iter().any(|(_, axis)| axis.name == *name);
+        let is_given =
+            fixed.iter().any(|(own, _)| own == name) || axes.iter().any(|(_, axis)| axis.name == *name);
         fixed.extend(value.filter(|_| !is_given).map(|value| (name.clone(), value)));
     }
     let starts = match file {
