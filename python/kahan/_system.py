@@ -32,8 +32,9 @@ Range = str | tuple[Number, Number, int]
 class System(Field):
     """A quadratic vector field x' = f(x) with its Kahan map.
 
-    ``field`` is the text of the equations in the language of ``kahan!``, or a mapping of SymPy's
-    symbols to expressions. Free names are parameters; their values are given by name, exactly
+    ``field`` is the text of the equations in the language of ``kahan!`` or as one writes them, such as
+    ``x' = y, y' = -x``, or a mapping of SymPy's symbols to expressions. ``notes`` says what was read
+    in an unusual way. Free names are parameters; their values are given by name, exactly
     where they are integers, fractions or text. A float means the decimal that Python prints.
     ``sites`` writes out a chain of a family ``for i in … { … }``.
 
@@ -117,8 +118,20 @@ class System(Field):
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """The parameters with their values as fractions; ``None`` for one that has none."""
+        """The parameters with their values as fractions: those given, or else those of the text, ``None``
+        for one that has none. Values of the text count where numbers are needed; formulas keep their names.
+
+        >>> import kahan
+        >>> s = kahan.System("par a=2\\ninit x=1, y=0\\nx' = y\\ny' = -a*x")
+        >>> s.parameters, s.start, s.text
+        ({'a': Fraction(2, 1)}, (Fraction(1, 1), Fraction(0, 1)), 'xdot = y;\\nydot = -a*x;')
+        """
         return {name: None if value is None else _number(value) for name, value in self._given}
+
+    @property
+    def start(self) -> tuple[Fraction, ...] | None:
+        """The first point that the text gives, ``x(0) = 1`` or ``init x=1``; ``None`` where it gives none."""
+        return None if self._start is None else tuple(Fraction(value) for value in self._start)
 
     # Formulas.
 
@@ -659,8 +672,10 @@ class Discovery(Answer):
         field = System._of(text, is_name, sites, {})._sheet("text")["field"]
         equations = "\n".join(f"{name}dot = {right};" for name, right in zip(self.variables, field))
         names = set(re.findall(r"\w+", equations))
+        of_text = self._of.parameters.items()
+        own = [f"{name} = {value};" for name, value in of_text if value is not None and name in names - set(given)]
         given = {name: value for name, value in given.items() if name in names}
-        return System._of("\n".join([equations, *self.claims]), False, None, given)
+        return System._of("\n".join([*own, equations, *self.claims]), False, None, given)
 
     @property
     def integrals(self) -> dict[str, Formula]:

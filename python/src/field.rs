@@ -113,6 +113,7 @@ impl Field {
             return self.map(py);
         }
         let field = self.study.field();
+        let own = self.study.valued();
         let values =
             self.study.parameters().iter().zip(self.study.given()).enumerate().map(|(k, (name, given))| {
                 let other = first.get(k).and_then(|values| values.first());
@@ -120,7 +121,7 @@ impl Field {
                 let exactly =
                     |value: &T| Rational::from_f64(value.approximate()).unwrap_or_else(Rational::one);
                 let other = other.map(exactly);
-                Ok((name, given.clone().or(other).ok_or(name)?))
+                Ok((name, given.clone().or(other).or_else(|| own[k].clone()).ok_or(name)?))
             });
         match values.collect::<Result<Vec<_>, &String>>() {
             Ok(values) => field.with(values).map_err(|error| PyValueError::new_err(error.to_string())),
@@ -170,8 +171,8 @@ impl Field {
         self.study.name()
     }
 
-    /// Its text, as it was given; of a system of the catalog its block of Rust, which is read as a
-    /// field, too.
+    /// Its text in the language of `kahan!`; of a system of the catalog its block of Rust, which is
+    /// read as a field, too.
     #[getter]
     fn text(&self) -> &str {
         self.study.text()
@@ -183,10 +184,23 @@ impl Field {
         self.study.variables().iter().map(String::as_str).collect()
     }
 
-    /// The parameters with their values as text, `None` for one that has none.
+    /// What was read in a way that the writer of the text should know of.
+    #[getter]
+    fn notes(&self) -> Vec<&str> {
+        self.study.notes().iter().map(String::as_str).collect()
+    }
+
+    /// The first point that the text gives, as text.
+    #[getter(_start)]
+    fn start(&self) -> Option<Vec<String>> {
+        Some(self.study.start()?.iter().map(Rational::to_string).collect())
+    }
+
+    /// The parameters with their values as text, the text's own where none was given, `None` for
+    /// one that has none.
     #[getter(_given)]
     fn given(&self) -> Vec<(&str, Option<String>)> {
-        let values = self.study.given().iter().map(|value| value.as_ref().map(Rational::to_string));
+        let values = self.study.valued().into_iter().map(|value| value.map(|value| value.to_string()));
         self.study.parameters().iter().map(String::as_str).zip(values).collect()
     }
 

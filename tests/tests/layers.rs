@@ -46,7 +46,7 @@ const SYNTAX: Layered = Layered {
     folder: "crates/kahan-syntax",
     name: "kahan_syntax",
     module: None,
-    layers: &["rational", "table", "token", "spelling", "lexer", "syntax", "diagnostics", "parse"],
+    layers: &["rational", "table", "token", "spelling", "lexer", "syntax", "diagnostics", "parse", "lenient"],
 };
 
 const ALGEBRA: Layered = Layered {

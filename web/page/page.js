@@ -7,6 +7,7 @@ let state = readAddress()
 let chosen = { eps: false, at: false } // whether the reader or the address gave ε and the first points
 let catalog = []
 let sheetOf = null // the answer to `show` for the field as it is, or null where it has a mistake
+let values = {} // of the parameters that have some
 let searched = null // the subject of the search, its equations and what was found
 let frame = null // what the portrait shows: its sheet, its window
 
@@ -56,6 +57,7 @@ async function refresh() {
   ;[sheetOf, lastDrawn] = [reply.mistake ? null : reply.answer, []]
   if (!sheetOf) return
   set('formulas', reply.html)
+  values = reply.values
   parameters(reply.parameters)
   // Formulas are painted before more work begins; a tab behind others paints nothing.
   await new Promise(ends => { requestAnimationFrame(ends); setTimeout(ends, 100) })
@@ -104,12 +106,15 @@ function forget(changed) {
 function parameters(names) {
   const box = $('parameters')
   if (names.join() === [...box.querySelectorAll('input')].map(input => input.name).join()) {
-    for (const input of box.querySelectorAll('input')) if (input !== document.activeElement) input.value = state.params[input.name] || ''
+    for (const input of box.querySelectorAll('input')) {
+      input.placeholder = values[input.name] || 'generic'
+      if (input !== document.activeElement) input.value = state.params[input.name] || ''
+    }
     return
   }
   box.replaceChildren(...names.map(name => {
     const label = document.createElement('label')
-    const input = Object.assign(document.createElement('input'), { name, value: state.params[name] || '', size: 7, placeholder: 'generic' })
+    const input = Object.assign(document.createElement('input'), { name, value: state.params[name] || '', size: 7, placeholder: values[name] || 'generic' })
     input.oninput = () => {
       state.params = { ...state.params, [name]: input.value.trim() }
       input.setAttribute('aria-invalid', String(Boolean(input.value) && !NUMBER.test(input.value.trim())))
@@ -224,7 +229,10 @@ function search() {
 // The field of the search with some of what was found.
 function claimed(lines) {
   const field = [...searched.equations, ...lines].join('\n')
-  return { field, params: named(field) }
+  const params = named(field)
+  // The values that the text itself gives.
+  const own = Object.entries(values).filter(([name]) => !(name in params) && new RegExp(`\\b${name}\\b`).test(field))
+  return { field: [...own.map(([name, value]) => `${name} = ${value};`), field].join('\n'), params }
 }
 
 // The field with integrals: its own, or those that were found.

@@ -24,8 +24,8 @@ pub struct Asker {
 /// An answer.
 #[derive(Debug, Default)]
 pub struct Answered {
-    /// `{"answer": …, "html": …, "parameters": […]}`, or `{"mistake": …}`, which says in words what
-    /// was wrong.
+    /// `{"answer": …, "html": …, "parameters": […], "values": {…}}`, or `{"mistake": …}`, which says
+    /// in words what was wrong.
     pub json: String,
     /// Of an orbit its rows, column by column.
     pub columns: Vec<f64>,
@@ -38,6 +38,8 @@ struct Reply {
     html: Option<String>,
     /// The parameters of the subject.
     parameters: Vec<String>,
+    /// Those of them that have values, with these.
+    values: Map<String, Value>,
     columns: Vec<f64>,
 }
 
@@ -55,8 +57,10 @@ impl Asker {
     /// something.
     pub fn ask(&mut self, text: &str, watch: &dyn Watch) -> Answered {
         match self.reply(text, watch) {
-            Ok(Reply { answer, html, parameters, columns }) => {
-                let json = json!({"answer": answer, "html": html, "parameters": parameters}).to_string();
+            Ok(Reply { answer, html, parameters, values, columns }) => {
+                let json =
+                    json!({"answer": answer, "html": html, "parameters": parameters, "values": values})
+                        .to_string();
                 Answered { json, columns }
             }
             Err(mistake) => Answered { json: json!({"mistake": mistake}).to_string(), columns: Vec::new() },
@@ -128,7 +132,11 @@ fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Repl
     let answer = json!(shown);
     // Formulas in another notation are copied, and not shown.
     let html = (asked.form == Form::Latex).then(|| formulas(shown, asked.jacobian));
-    Ok(Reply { answer, html, parameters: study.parameters().to_vec(), ..Reply::default() })
+    let parameters = study.parameters().to_vec();
+    let values = parameters.iter().cloned().zip(study.valued());
+    let values = values.filter_map(|(name, value)| Some((name, Value::String(value?.to_string()))));
+    let values = values.collect();
+    Ok(Reply { answer, html, parameters, values, ..Reply::default() })
 }
 
 fn scene(study: &Study) -> Result<Reply, StudyError> {

@@ -56,7 +56,7 @@ pub mod check;
 
 pub use derived::{Derived, derive};
 /// Who reads a field here needs no second crate for its text, its numbers and its mistakes.
-pub use kahan_syntax::{diagnostics, lexer, parse, rational, syntax, table, token};
+pub use kahan_syntax::{diagnostics, lenient, lexer, parse, rational, syntax, table, token};
 
 use check::{Broken, Checked};
 use diagnostics::Diagnostics;
@@ -80,12 +80,12 @@ pub fn read_unproved(tokens: &[Token]) -> Checked {
     checked(block, None, diagnostics)
 }
 
-/// Reads a block without a proof of its claims: lex, parse, check. The tokens, which take several
-/// times the memory of the text, are gone before the check.
+/// Reads a text without a proof of its claims: as people write it, parse, check. The tokens, which
+/// take several times the memory of the text, are gone before the check.
 #[must_use]
 pub fn read_unproved_text(text: &str) -> Checked {
     let mut diagnostics = Diagnostics::default();
-    let block = parse::parse(&lexer::lex(text).tokens, &mut diagnostics);
+    let block = parse::parse(&lenient::read(text).lexed.tokens, &mut diagnostics);
     checked(block, None, diagnostics)
 }
 

@@ -9,10 +9,12 @@ use std::path::Path;
 use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Diagnostic;
 
-use kahan_algebra::{lexer, read};
+use kahan_algebra::{lenient, lexer, read};
 
 /// The page that help names.
 const PAGE: &str = "docs/how-to/not-quadratic.md";
+/// The page on texts as people write them.
+const ON_TEXTS: &str = "docs/how-to/texts.md";
 
 fn checked(text: &str) -> Checked {
     read(&lexer::lex(text).tokens)
@@ -49,16 +51,13 @@ fn hints_lead_to_a_text_that_is_read() {
         ("x_dot = -1;", "xdot = -1;"),
         ("xDot = y; ydot = -x;", "xdot = y; ydot = -x;"),
         ("x_Dot = y; ydot = -x;", "xdot = y; ydot = -x;"),
-        ("y1' = y2; y2dot = -y1;", "y1dot = y2; y2dot = -y1;"),
         ("xdot(t) = y; ydot = -x;", "xdot = y; ydot = -x;"),
         ("xdot = y(t); ydot = -x;", "xdot = y; ydot = -x;"),
         ("xddot = -x;", "xdot = v; vdot = -x;"),
         ("xddot = -g;", "xdot = v; vdot = -g;"),
         ("x_ddot = -v*x;", "xdot = u; udot = -v*x;"),
         ("ẍ = -x;", "xdot = v; vdot = -x;"),
-        ("x'' = -x;", "xdot = v; vdot = -x;"),
-        ("x″ = -x;", "xdot = v; vdot = -x;"),
-        ("x''' = -x;", "xdot = v; vdot = a; adot = -x;"),
+        ("xdddot = -x;", "xdot = v; vdot = a; adot = -x;"),
         // The time, and derivatives on a right-hand side.
         ("xdot = t*x;", "xdot = t*x; tdot = 1;"),
         ("xdot = t*x;", "struct Name { t } xdot = t*x;"),
@@ -116,7 +115,6 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
             "a state for `cos(…)`",
             "xdot = y + c; ydot = -x; cdot = -s; sdot = c;",
         ),
-        ("xdot = max(x, 0);", "a state for `max(…)`", ""),
         ("xdot = hill(x, 2);", "a state for `hill(…)`", ""),
     ] {
         let help = mistake(wrong).help;
@@ -128,6 +126,61 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
         );
     }
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(PAGE).exists());
+}
+
+/// Texts of other tools that are refused, and where each hint leads: to a text that is read, or to a
+/// page.
+#[test]
+fn hints_on_texts_of_other_tools_lead_on() {
+    let leniently = |text: &str| read(&lenient::read(text).lexed.tokens);
+    for (wrong, part, right) in [
+        // Products without their sign, units.
+        ("(x)' = -9.999 x + 9.999 y", "`-9.999*x + 9.999*y`", "(x)' = -9.999*x + 9.999*y"),
+        ("x' = 2x - 3xy", "`2*x - 3*x*y`; if `xy` is one name", "x' = 2*x - 3*x*y"),
+        ("x' = 2x - 3xy", "if `xy` is one name", "x' = 2*x - 3*xy"),
+        ("x' = 2(x + y)(x - y)\ny' = a x^2y", "`2*(x + y)*(x - y)`", "x' = 2*(x + y)*(x - y)\ny' = a*x^2"),
+        ("S' = -beta S I; I' = beta S I - gamma I", "`-beta*S*I`", "S' = -beta*S*I; I' = beta*S*I - gamma*I"),
+        ("x' = 0.5e-1x(x + 1)", "`0.5e-1*x*(x + 1)`", "x' = 0.5e-1*x*(x + 1)"),
+        ("y' = 3 [1/s] * y", "write the number alone", "y' = 3 * y"),
+        // Derivatives.
+        ("x_dot = y; y' = -x", "`xdot = …`", "xdot = y; y' = -x"),
+        ("dx = y; y' = -x", "`xdot = …`", "xdot = y; y' = -x"),
+        ("x' = y'; y' = 1", "put in what", "x' = 1; y' = 1"),
+        ("x' = v; v' = -x + t", "`tdot = 1;`", "x' = v; v' = -x + t; tdot = 1"),
+        // Values.
+        ("x(0) = a; x' = a*x", "`x(0) = 1/2`", "x(0) = 1/2; x' = a*x"),
+        ("x = a; x' = a*x", "`x = 1/2`", "x = 1/2; x' = a*x"),
+        ("a = 1; a = 2; x' = a*x", "once", "a = 1; x' = a*x"),
+        ("x'(0) = 1; x' = x", "leave it out", "x' = x"),
+        ("z(0) = 1; x' = x", "leave it out", "x' = x"),
+        // What other tools can, and what is not smooth.
+        ("k1, A + B --> C", "Antimony and SBML", ""),
+        ("A + B -> C; k1*A*B; C -> A + B; k2*C; A = 1; k1 = 0.1;", "Antimony and SBML", ""),
+        ("x' = -x*abs(x)", ON_TEXTS, ""),
+        ("x' = max(x, 0)", ON_TEXTS, ""),
+        ("x' = x if x > 0 else 0", ON_TEXTS, ""),
+        ("x' = sin x", PAGE, ""),
+        ("x' = if(x > 0, -x, x)", ON_TEXTS, ""),
+        ("x' = -x(t - 1)", ON_TEXTS, ""),
+        // What is not quadratic.
+        ("x'' = -x^3 + cos(t)", PAGE, ""),
+        ("x'' = -x^3", PAGE, ""),
+        ("S' = -beta*S*I/(S+I+R); I' = beta*S*I/(S+I+R) - gamma*I; R' = gamma*I", PAGE, ""),
+        ("x' = r*x*(1 - x/K) - x*y/(h + x); y' = x*y/(h + x) - m*y", PAGE, ""),
+        ("x' = v; v' = -x - d*v + F*cos(w*t)", PAGE, ""),
+        ("x' = x^(3/2)", PAGE, ""),
+        ("x' = exp(-x)", PAGE, ""),
+    ] {
+        let read = leniently(wrong);
+        let helps: Vec<&str> = read.diagnostics().iter().map(|mistake| &*mistake.help).collect();
+        assert!(helps.first().is_some_and(|help| help.contains(part)), "{wrong}: {:?}", read.diagnostics());
+        assert!(
+            !right.is_empty() || helps.iter().all(|help| help.contains("docs/how-to/")),
+            "{wrong}: {helps:?}"
+        );
+        assert_eq!(leniently(if right.is_empty() { "x' = 1" } else { right }).diagnostics(), [], "{right}");
+    }
+    assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(ON_TEXTS).exists());
 }
 
 /// What looks like a derivative is a state where the block names it.

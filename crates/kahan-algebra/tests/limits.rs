@@ -3,6 +3,7 @@
 
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::elimination::{too_many_couplings, too_many_parameters};
+use kahan_algebra::lenient;
 use kahan_algebra::lexer::lex;
 use kahan_algebra::token::Span;
 use kahan_algebra::{read, read_unproved};
@@ -22,7 +23,7 @@ fn table(heading: &str) -> Vec<(&'static str, usize)> {
 }
 
 fn mistakes(text: &str) -> Vec<Diagnostic> {
-    read(&lex(text).tokens).diagnostics().to_vec()
+    read(&lenient::read(text).lexed.tokens).diagnostics().to_vec()
 }
 
 /// A list of `count` texts.
@@ -57,12 +58,20 @@ fn compiles(text: &str) -> bool {
 fn every_limit_of_the_language_is_that_of_its_table() {
     let neighbours = |sign: &str| listed(64, |k| format!("x[i{sign}{}]", k + 1), " + ");
     let wide = format!("({} + {})", neighbours("+"), neighbours("-"));
-    let limits: [(&str, Tied); 14] = [
+    let limits: [(&str, Tied); 15] = [
         ("equations of a block", AtTheLimit(|n| listed(n, |k| format!("x{k}dot = 0;"), " "))),
         ("names", AtTheLimit(|n| format!("xdot = 0{};", listed(n - 1, |k| format!(" + a{k}"), "")))),
         (
             "claims",
             AtTheLimit(|n| format!("xdot = 0; {}", listed(n, |k| format!("integral I{k} = x;"), " "))),
+        ),
+        (
+            "tokens that quantities add to a text",
+            AtTheLimit(|n| {
+                let (thousands, ones) = (vec!["q"; n / 1000].join(" + "), " + s".repeat(n % 1000));
+                let single = if ones.is_empty() { "" } else { "s = x\n" };
+                format!("q = -x{}\n{single}x' = {thousands}{ones}", " + x".repeat(499))
+            }),
         ),
         ("offsets of neighbours", AtTheLimit(|n| format!("for i in open {{ x[i]dot = x[i+{n}]; }}"))),
         ("levels of parentheses", AtTheLimit(|n| format!("xdot = {}x{};", "(".repeat(n), ")".repeat(n)))),

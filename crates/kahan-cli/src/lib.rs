@@ -76,7 +76,7 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let named = arguments.get(1).and_then(|name| command().find_subcommand(name).cloned());
     let matches = command().try_get_matches_from(arguments);
-    let note = matches.as_ref().ok().and_then(undeclared);
+    let notes = matches.as_ref().ok().and_then(notes).unwrap_or_default();
     let read = matches.and_then(|matches| Cli::from_arg_matches(&matches));
     let result = match read {
         Ok(cli) => {
@@ -87,17 +87,17 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     // Of refusals, those of a term may be about a name that was to be a variable.
     let concerns = result.as_ref().map_or_else(|refusal| refusal.message().contains("has degree"), |_| true);
     let status = finish(result);
-    note.filter(|_| concerns).iter().for_each(|note| warn(note));
+    notes.iter().filter(|_| concerns).for_each(|note| warn(note));
     status
 }
 
-/// A note on the names of the field that nothing declares, for every command that takes a field.
-fn undeclared(matches: &ArgMatches) -> Option<String> {
+/// Notes on how the field is read, for every command that takes one.
+fn notes(matches: &ArgMatches) -> Option<Vec<String>> {
     let (_, matches) = matches.subcommand()?;
     let takes_field = matches.try_contains_id("field").is_ok() && matches.try_contains_id("sites").is_ok();
     let source = takes_field.then(|| Source::from_arg_matches(matches).ok()).flatten()?;
     let ranges = matches.try_get_many::<String>("over").ok().flatten();
-    source.undeclared(&ranges.into_iter().flatten().cloned().collect::<Vec<_>>())
+    Some(source.notes(&ranges.into_iter().flatten().cloned().collect::<Vec<_>>()))
 }
 
 /// The groups with what each command does: how its own help begins, up to a colon.

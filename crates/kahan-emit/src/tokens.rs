@@ -30,7 +30,7 @@ pub(crate) struct Flat {
 
 /// The tokens of a text; all of them stand where `span` is.
 pub(crate) fn of_text(text: String, origin: String, span: Span) -> Flat {
-    let Lexed { tokens, ranges } = lex(&text);
+    let Lexed { tokens, ranges, .. } = lex(&text);
     let spans = vec![span; tokens.len()];
     Flat { tokens, spans, trees: Vec::new(), source: Some(Source { text, ranges, origin }) }
 }

@@ -12,6 +12,7 @@ mod reading;
 #[path = "../../kahan-jit/src/tests/run.rs"]
 #[expect(dead_code, reason = "the crate has tests whose numbers are in slices")]
 mod run;
+mod texts;
 mod words;
 
 // The files of `kahan-jit` name what they use by `crate`.
@@ -23,6 +24,7 @@ use kahan_jit::{
 pub use expansion::expand;
 pub use plan::read_plan;
 pub use reading::{read_csv, read_npy};
+pub use texts::read_text;
 
 /// Runs a program for machine code on slices at the edge of forbidden memory, in the way that the
 /// bytes say.

@@ -18,8 +18,8 @@ pub struct Field {
 }
 
 impl Field {
-    /// Reads a field in the language of `kahan!`, with or without a header, and proves its claims;
-    /// without a header its free names are parameters.
+    /// Reads a field in the language of `kahan!`, with or without a header, or as people write
+    /// equations, and proves its claims; without a header its free names are parameters.
     ///
     /// Cost: some milliseconds for a field of ordinary size.
     ///

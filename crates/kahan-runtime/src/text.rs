@@ -1,5 +1,5 @@
-//! A text in the language of `kahan!`, as a checked system; what is wrong with it becomes
-//! [`Diagnostics`].
+//! A text with a field, in the language of `kahan!` or as people write equations, as a checked
+//! system; what is wrong with it becomes [`Diagnostics`].
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -7,15 +7,17 @@ use std::sync::{Arc, OnceLock};
 use kahan_algebra::check::{Broken, Checked};
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::family::Family;
-use kahan_algebra::lexer::lex;
+use kahan_algebra::lenient::{self, Reading};
+use kahan_algebra::lexer::Lexed;
 use kahan_algebra::prove::check_claims;
+use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
 use kahan_algebra::token::Token;
 use kahan_algebra::{read, read_unproved_text};
 
 use crate::diagnostics::Diagnostics;
 
-/// A block of the language in a text. Clones share the text and its equations, once they are read.
+/// A field in a text. Clones share the text and its equations, once they are read.
 #[derive(Clone, Debug)]
 pub struct FieldText {
     shared: Arc<Shared>,
@@ -28,7 +30,17 @@ struct Shared {
     body: Range<usize>,
     /// What the text is called in reports.
     origin: String,
+    said: OnceLock<Said>,
     unproved: OnceLock<Checked>,
+}
+
+/// What a text says besides its equations.
+#[derive(Debug)]
+struct Said {
+    /// The block in the language of `kahan!`, where the text is in none.
+    canonical: Option<String>,
+    /// Without its tokens.
+    reading: Reading,
 }
 
 /// Two are equal if text, place and name are.
@@ -55,25 +67,34 @@ impl FieldText {
     pub fn part(text: String, mut body: Range<usize>, origin: String) -> Self {
         // A mark of the byte order, as some editors put it in front.
         body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-        FieldText { shared: Arc::new(Shared { text, body, origin, unproved: OnceLock::new() }) }
+        let (said, unproved) = (OnceLock::new(), OnceLock::new());
+        FieldText { shared: Arc::new(Shared { text, body, origin, said, unproved }) }
     }
 
     /// The tokens of the block. They take several times the memory of the text, so nobody keeps
     /// them.
     fn tokens(&self) -> Vec<Token> {
-        lex(self.text()).tokens
+        lenient::read(self.given()).lexed.tokens
     }
 
     /// Where each token stands in the text.
     fn ranges(&self) -> Vec<Range<usize>> {
         let before = self.shared.body.start;
-        let ranges = lex(self.text()).ranges;
+        let ranges = lenient::read(self.given()).lexed.ranges;
         ranges.into_iter().map(|range| range.start + before..range.end + before).collect()
     }
 
     /// The block, its claims read but not proved. It is read once.
     fn unproved(&self) -> &Checked {
-        self.shared.unproved.get_or_init(|| read_unproved_text(self.text()))
+        self.shared.unproved.get_or_init(|| read_unproved_text(self.given()))
+    }
+
+    fn said(&self) -> &Said {
+        self.shared.said.get_or_init(|| {
+            let reading = lenient::read(self.given());
+            let canonical = (!reading.is_canonical).then(|| reading.canonical());
+            Said { canonical, reading: Reading { lexed: Lexed::default(), ..reading } }
+        })
     }
 
     /// The system, with its claims proved as the macro does it.
@@ -131,10 +152,35 @@ impl FieldText {
         }
     }
 
-    /// The text of the block, as it was given.
+    /// The text of the field, as it was given.
+    #[must_use]
+    pub fn given(&self) -> &str {
+        &self.shared.text[self.shared.body.clone()]
+    }
+
+    /// The field in the language of `kahan!`: the text as it was given, where it is in that
+    /// language.
     #[must_use]
     pub fn text(&self) -> &str {
-        &self.shared.text[self.shared.body.clone()]
+        self.said().canonical.as_deref().unwrap_or_else(|| self.given())
+    }
+
+    /// The values that the text gives to parameters: `par a=1`, `a = 1`.
+    #[must_use]
+    pub fn parameters(&self) -> &[(String, Rational)] {
+        &self.said().reading.parameters
+    }
+
+    /// The first values that the text gives to states: `init x=1`, `x(0) = 1`.
+    #[must_use]
+    pub fn start(&self) -> &[(String, Rational)] {
+        &self.said().reading.start
+    }
+
+    /// What was read in a way that its writer should know of.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.said().reading.notes
     }
 
     /// The seed of the macro's proof.

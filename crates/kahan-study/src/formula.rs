@@ -330,7 +330,7 @@ mod tests {
             ("sin(i, 1)", "a function of one number, not of 2"),
             ("(1", "this `(` is not closed"),
             ("1^2^3", "write `(a^b)^c`"),
-            ("2 \u{b7} i", "error"),
+            ("2 \\ i", "error"),
             (&deep, "nests deeper"),
             (&signs, "nests deeper"),
         ] {

@@ -55,7 +55,7 @@ impl Study {
         eps: Option<&Rational>,
         start: Option<&[Rational]>,
     ) -> Result<ShownOrbit, StudyError> {
-        let start = start.map(|start| self.point(start)).transpose()?;
+        let start = start.map(|start| self.point(start)).transpose()?.or_else(|| self.start());
         let map = self.map()?;
         let length = length(self.system(), map.parameters(), eps);
         let starts = start.map_or_else(|| starts(self.variables().len(), length), |start| vec![start]);

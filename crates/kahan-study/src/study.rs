@@ -144,10 +144,30 @@ impl Study {
         of_catalog.or_else(|| self.system().header.as_ref().map(|header| header.name.text.as_str()))
     }
 
-    /// The text of the field, as it was given.
+    /// The text of the field in the language of `kahan!`.
     #[must_use]
     pub fn text(&self) -> &str {
         self.read.text.text()
+    }
+
+    /// What was read in a way that the writer of the text should know of.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        self.read.text.notes()
+    }
+
+    /// The point that the text begins at, where it has a first value of each variable.
+    #[must_use]
+    pub fn start(&self) -> Option<Vec<Rational>> {
+        self.variables().iter().map(|state| named(self.read.text.start(), state)).collect()
+    }
+
+    /// The values of the parameters where numbers are needed: those given, or else the text's own.
+    #[must_use]
+    pub fn valued(&self) -> Vec<Option<Rational>> {
+        let own = |name| named(self.read.text.parameters(), name);
+        let values = self.parameters().iter().zip(self.given());
+        values.map(|(name, given)| given.clone().or_else(|| own(name))).collect()
     }
 
     /// The state variables, in order.
@@ -230,7 +250,7 @@ impl Study {
         if !self.proved()?.claims.iter().any(is_open) {
             return Ok(self.clone());
         }
-        let here = self.specialised()?;
+        let here = self.at(self.valued()).specialised()?;
         let symbol = here.field.symbols.epsilon();
         let is_here =
             |condition: &Condition| condition.variable == symbol && condition.number().as_ref() == Some(eps);
@@ -294,10 +314,11 @@ impl Study {
     /// The values of the parameters. Those at places that `varies` names go through values of
     /// their own, and need none here.
     pub(crate) fn values_but(&self, varies: impl Fn(usize) -> bool) -> Result<Vec<Rational>, StudyError> {
-        let missing = (0..self.given().len()).filter(|k| self.given()[*k].is_none() && !varies(*k));
+        let values = self.valued();
+        let missing = (0..values.len()).filter(|k| values[*k].is_none() && !varies(*k));
         let names: Vec<String> = missing.map(|k| self.parameters()[k].clone()).collect();
         if names.is_empty() {
-            Ok(self.given().iter().map(|given| given.clone().unwrap_or_default()).collect())
+            Ok(values.into_iter().map(Option::unwrap_or_default).collect())
         } else {
             Err(StudyError::MissingParameters { system: self.name().to_owned(), names })
         }
@@ -383,7 +404,8 @@ impl Study {
     /// A point with the parameters and ε, in words; long numbers are cut.
     #[must_use]
     pub fn place(&self, at: &[impl Display], eps: &Rational) -> String {
-        let parameters = self.parameters().iter().zip(self.given().iter().flatten());
+        let values = self.valued();
+        let parameters = self.parameters().iter().zip(values.iter().flatten());
         assigned(self.variables().iter().zip(at))
             .chain(assigned(parameters))
             .chain(assigned([("eps", eps)]))
@@ -403,6 +425,10 @@ impl Study {
     pub(crate) fn undefined_field(&self) -> StudyError {
         StudyError::UndefinedField { system: self.name().to_owned(), parameters: self.fixed() }
     }
+}
+
+fn named(values: &[(String, Rational)], name: &String) -> Option<Rational> {
+    values.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone())
 }
 
 /// `x = 1`, `y = 2`, of long numbers the first digits.

@@ -69,7 +69,8 @@ impl Subject {
         Self::of(Given::Name(name.into()))
     }
 
-    /// A field in the language of `kahan!`: its equations, with a header or without.
+    /// A field in the language of `kahan!`, with a header or without, or as people write equations.
+    /// Values that the text gives to parameters serve where none are given.
     #[must_use]
     pub fn text(text: impl Into<String>) -> Self {
         Self::block(FieldText::new(text.into(), "field".to_owned()))

@@ -1,18 +1,15 @@
 //! Text to tokens, with Rust's rules where Rust has any (comments, raw identifiers, `1.` is a
 //! number, `.5` is not).
 //!
-//! The macro never comes here: rustc has lexed its input already. What stops rustc's lexer (`x' =
-//! …`, `x²`, `3eps`) becomes a token that carries its explanation, so that the command reports it
-//! like any other mistake.
+//! The macro never comes here: rustc has lexed its input already. So signs that stop rustc's lexer
+//! are read here: `**`, `x²`, `−`, `# comments`. Others, such as `x'`, become a token that carries
+//! its explanation, so that the command reports it like any other mistake.
 
 use std::borrow::Cow;
-use std::cell::OnceCell;
-use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::rational::numeral::Numeral;
-use crate::spelling::derivative;
-use crate::token::{Token, TokenKind, Unreadable};
+use crate::token::{Token, TokenKind};
 
 /// The tokens of a text and the byte range of each.
 #[derive(Clone, Debug, Default)]
@@ -21,19 +18,14 @@ pub struct Lexed {
     pub tokens: Vec<Token>,
     /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
+    /// Whether there are comments that Rust does not have: `# …`.
+    pub has_hash_comments: bool,
 }
 
 /// Splits `text` into tokens. Never fails: what is no token becomes [`TokenKind::Unreadable`].
 #[must_use]
 pub fn lex(text: &str) -> Lexed {
-    let mut lexer = Lexer {
-        text,
-        at: 0,
-        docs: Vec::new(),
-        is_right: false,
-        words: OnceCell::new(),
-        out: Lexed::default(),
-    };
+    let mut lexer = Lexer { text, at: 0, docs: Vec::new(), out: Lexed::default() };
     while lexer.next_token() {}
     lexer.out
 }
@@ -46,10 +38,6 @@ struct Lexer<'a> {
     at: usize,
     /// Lines of documentation before the next token.
     docs: Vec<String>,
-    /// Whether the next token stands behind the `=` of its item.
-    is_right: bool,
-    /// All words of the text, for messages.
-    words: OnceCell<HashSet<&'a str>>,
     out: Lexed,
 }
 
@@ -64,18 +52,8 @@ impl Lexer<'_> {
     }
 
     fn push(&mut self, kind: TokenKind, length: usize) {
-        let range = self.at..self.at + length;
-        let text = &self.text[range.clone()];
+        let text = &self.text[self.at..self.at + length];
         let text = text.strip_prefix("r#").filter(|_| kind == TokenKind::Identifier).unwrap_or(text);
-        if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {
-            previous.touches_next = last.end == range.start;
-        }
-        self.is_right = match kind {
-            TokenKind::Punctuation('=') => true,
-            TokenKind::Punctuation(';') | TokenKind::Open('{') => false,
-            _ => self.is_right,
-        };
-        let docs = std::mem::take(&mut self.docs).into();
         let text_of_sign = match kind {
             // Half of the tokens of a field, none of which allocates.
             TokenKind::Punctuation(c) | TokenKind::Open(c) | TokenKind::Close(c) => {
@@ -83,10 +61,19 @@ impl Lexer<'_> {
             }
             _ => None,
         };
-        let text = text_of_sign.unwrap_or_else(|| Cow::Owned(text.to_owned()));
+        self.put(kind, text_of_sign.unwrap_or_else(|| Cow::Owned(text.to_owned())), length);
+        self.at += length;
+    }
+
+    /// Writes a token for so many bytes, which are not passed by.
+    fn put(&mut self, kind: TokenKind, text: Cow<'static, str>, length: usize) {
+        let range = self.at..self.at + length;
+        if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {
+            previous.touches_next = last.end >= range.start;
+        }
+        let docs = std::mem::take(&mut self.docs).into();
         self.out.tokens.push(Token { kind, text, touches_next: false, docs });
         self.out.ranges.push(range);
-        self.at += length;
     }
 
     /// Reads one token or one stretch of white space; `false` at the end.
@@ -100,15 +87,11 @@ impl Lexer<'_> {
             if line.starts_with("///") && !line.starts_with("////") {
                 self.docs.push(line.trim_end().to_owned());
             }
+        } else if c == '#' && !["#[", "#!["].iter().any(|sign| self.text[self.at..].starts_with(sign)) {
+            self.out.has_hash_comments = true;
+            self.at += self.run(self.at, |c| c != '\n');
         } else if self.text[self.at..].starts_with("/*") {
             self.block_comment();
-        } else if c == '#' && !matches!(self.peek(1), Some('[' | '!')) {
-            let (message, help) =
-                ("`#` begins no comment here".to_owned(), "write `//` before a comment".to_owned());
-            self.push(
-                TokenKind::Unreadable(Box::new(Unreadable { message, help })),
-                self.run(self.at, |c| c != '\n'),
-            );
         } else if c.is_ascii_digit() {
             let length = self.number_length();
             self.push(TokenKind::Literal, length);
@@ -120,36 +103,41 @@ impl Lexer<'_> {
         } else if c == '"' {
             let length = self.string_length();
             self.push(TokenKind::Literal, length);
-        } else if matches!(c, '(' | '[' | '{') {
-            self.push(TokenKind::Open(c), 1);
-        } else if matches!(c, ')' | ']' | '}') {
-            self.push(TokenKind::Close(c), 1);
+        } else if let Some((signs, length)) = self.signs(c) {
+            for (place, sign) in signs.char_indices() {
+                self.put(TokenKind::beginning_with(sign), Cow::Borrowed(&signs[place..=place]), length);
+            }
+            self.at += length;
         } else if SIGNS.contains(c) {
-            self.push(TokenKind::Punctuation(c), 1);
-        } else if let Some(order) = primes(c) {
-            let length = self.run(self.at, |c| primes(c).is_some());
-            let order = order.max(self.text[self.at..][..length].chars().filter_map(primes).sum());
-            let (message, help) = self.explain_prime(c, order);
-            self.push(TokenKind::Unreadable(Box::new(Unreadable { message, help })), length);
+            self.push(TokenKind::beginning_with(c), 1);
         } else {
-            let (message, help) = explain_unreadable(c);
-            self.push(TokenKind::Unreadable(Box::new(Unreadable { message, help })), c.len_utf8());
+            let length = self.run(self.at, |c| primes(c).is_some()).max(c.len_utf8());
+            let (what, help) = match primes(c) {
+                Some(_) => (
+                    "a prime marks a derivative on left-hand sides",
+                    "put in what the derivative is equal to",
+                ),
+                None => ("this character has no meaning in a field", "remove it"),
+            };
+            let sign = primes(c).map_or_else(|| c.escape_debug().to_string(), |_| c.to_string());
+            self.push(TokenKind::unreadable(format!("`{sign}`: {what}"), help), length);
         }
         true
     }
 
-    /// What a prime here means elsewhere: a derivative of the name that it touches.
-    fn explain_prime(&self, prime: char, order: usize) -> (String, String) {
-        let touches = self.out.ranges.last().is_some_and(|last| last.end == self.at);
-        let before = self.out.tokens.last().filter(|token| touches && token.kind == TokenKind::Identifier);
-        let state = before.map_or("x", |token| &*token.text);
-        let words = || self.text.split(|c| !continues_identifier(c)).collect();
-        let help = if self.is_right {
-            format!("a right-hand side has no derivatives: put in what `{state}dot` is equal to")
-        } else {
-            derivative(state, order, |name| self.words.get_or_init(words).contains(name))
+    /// The signs of the language that stand here in the spelling of others, and their length here.
+    fn signs(&self, c: char) -> Option<(&'static str, usize)> {
+        let signs = match c {
+            '*' if self.peek(1) == Some('*') => return Some(("^", 2)),
+            '²' => "^2",
+            '³' => "^3",
+            '−' | '–' | '—' => "-",
+            '·' | '×' | '∗' | '⋅' => "*",
+            '÷' | '∕' => "/",
+            '½' => "(1/2)",
+            _ => return None,
         };
-        (format!("`{prime}`: a prime marks no derivative here"), help)
+        Some((signs, c.len_utf8()))
     }
 
     /// Skips `/* … */`, which nests in Rust; one that is not closed is a mistake at its beginning.
@@ -172,9 +160,7 @@ impl Lexer<'_> {
                 end += rest.chars().next().map_or(1, char::len_utf8);
             }
         }
-        let (message, help) =
-            ("this comment is not closed".to_owned(), "write `*/` where it ends".to_owned());
-        self.push(TokenKind::Unreadable(Box::new(Unreadable { message, help })), 2);
+        self.push(TokenKind::unreadable("this comment is not closed", "write `*/` where it ends"), 2);
         self.at = self.text.len();
     }
 
@@ -198,7 +184,7 @@ impl Lexer<'_> {
     }
 }
 
-fn starts_identifier(c: char) -> bool {
+pub(crate) fn starts_identifier(c: char) -> bool {
     c == '_' || c.is_alphabetic()
 }
 
@@ -208,23 +194,10 @@ fn continues_identifier(c: char) -> bool {
 }
 
 /// How many derivatives a mark behind a name means elsewhere.
-fn primes(c: char) -> Option<usize> {
+pub(crate) fn primes(c: char) -> Option<usize> {
     match c {
         '\'' | '’' | '′' => Some(1),
         '″' => Some(2),
         _ => None,
     }
-}
-
-fn explain_unreadable(c: char) -> (String, String) {
-    let (what, help) = match c {
-        '²' => ("superscripts are not read", "write `^2`"),
-        '³' => ("superscripts are not read", "write `^3`"),
-        '−' | '–' | '—' => ("this is not the minus sign of the keyboard", "write `-`"),
-        '·' | '×' | '∗' | '⋅' => ("this is not the multiplication sign of the language", "write `*`"),
-        '÷' | '∕' => ("this is not the division sign of the language", "write `/`"),
-        '½' => ("fractions are written out", "write `1/2`"),
-        _ => ("this character has no meaning in a field", "remove it"),
-    };
-    (format!("`{}`: {what}", c.escape_debug()), help.to_owned())
 }

@@ -25,3 +25,5 @@ pub mod syntax;
 pub mod diagnostics;
 
 pub mod parse;
+
+pub mod lenient;

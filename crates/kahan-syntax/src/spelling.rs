@@ -4,17 +4,16 @@
 /// The page on fields that are not quadratic, where help names it.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
+/// The page on texts as people write them, where help names it.
+pub const ON_TEXTS: &str = "docs/how-to/texts.md";
+
 /// Keywords of Rust, strict and reserved, which cannot name a field of a struct.
 #[must_use]
 pub fn is_keyword(name: &str) -> bool {
-    const KEYWORDS: [&str; 53] = [
-        "_", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern",
-        "false", "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref",
-        "return", "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use",
-        "where", "while", "abstract", "become", "box", "do", "final", "gen", "macro", "override", "priv",
-        "try", "typeof", "unsized", "virtual", "yield",
-    ];
-    KEYWORDS.contains(&name)
+    const KEYWORDS: &str = "_ as async await break const continue crate dyn else enum extern false fn for if \
+        impl in let loop match mod move mut pub ref return self Self static struct super trait true type unsafe \
+        use where while abstract become box do final gen macro override priv try typeof unsized virtual yield";
+    KEYWORDS.split(' ').any(|keyword| keyword == name)
 }
 
 /// The name that `name` is a slip of, if one of them is close enough; of equals, the first. Two

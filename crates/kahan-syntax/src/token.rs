@@ -47,6 +47,24 @@ pub enum TokenKind {
     Unreadable(Box<Unreadable>),
 }
 
+impl TokenKind {
+    /// A mistake in place of a token.
+    pub(crate) fn unreadable(message: impl Into<String>, help: impl Into<String>) -> Self {
+        TokenKind::Unreadable(Box::new(Unreadable { message: message.into(), help: help.into() }))
+    }
+
+    /// What a token of the language is that begins with this character.
+    pub(crate) fn beginning_with(c: char) -> Self {
+        match c {
+            '(' | '[' | '{' => TokenKind::Open(c),
+            ')' | ']' | '}' => TokenKind::Close(c),
+            '0'..='9' => TokenKind::Literal,
+            _ if c == '_' || c.is_alphabetic() => TokenKind::Identifier,
+            _ => TokenKind::Punctuation(c),
+        }
+    }
+}
+
 /// The message for text that is no token of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {

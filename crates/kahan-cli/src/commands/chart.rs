@@ -49,9 +49,8 @@ Examples:
   kahan chart lv --eps 1/7 --at 1,1 --over x=1/10:1:+1/50 --color fli --out fli.svg
   kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
-// Rows have ε and their places in themselves, and ε may be gone through.
+// Rows have ε in themselves, and ε may be gone through.
 #[command(mut_arg("eps", |eps| eps.required(false)))]
-#[command(mut_arg("at", |at| at.required(false).required_unless_present("from")))]
 pub(crate) struct Chart {
     #[command(flatten)]
     start: Start,

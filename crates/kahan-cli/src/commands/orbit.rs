@@ -44,7 +44,6 @@ Examples:
   kahan orbit e1 --eps 1/2 --at -1,2/3,5/7 --steps 5 --scalar exact --projective
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
-#[command(mut_arg("at", |at| at.required(false).required_unless_present("begin")))]
 pub(crate) struct Orbit {
     #[command(flatten)]
     start: Start,

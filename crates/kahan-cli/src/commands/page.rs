@@ -82,19 +82,24 @@ impl Page {
         index.put(&text, "", 2)
     }
 
-    /// The source with the catalog's values of the parameters that none was given for.
+    /// The source with the values that the text or the catalog has for parameters that none was
+    /// given for.
     fn with_values(&self, block: &Block, study: &Study) -> Source {
-        let values = block.entry.map_or(&[][..], |entry| entry.parameters);
+        let of_catalog = block.entry.map_or(&[][..], |entry| entry.parameters);
+        let of_catalog = |k: usize| of_catalog.get(k).map(|(above, below)| Rational::new(*above, *below));
+        let values = study.valued().into_iter().enumerate();
+        let values = values.map(|(k, own)| own.or_else(|| of_catalog(k)));
         let missing = study.parameters().iter().zip(values).zip(study.given());
         let missing = missing.filter(|(_, given)| given.is_none());
-        missing.fold(self.source.clone(), |source, ((name, (above, below)), _)| {
-            source.with_parameter(name, &Rational::new(*above, *below))
+        missing.fold(self.source.clone(), |source, ((name, value), _)| match value {
+            Some(value) => source.with_parameter(name, &value),
+            None => source,
         })
     }
 
     fn shown(&self, study: &Study) -> Result<ShownOrbit, Refusal> {
         let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
-        let at = self.at.as_deref().map(|at| point(at, study)).transpose()?;
+        let at = self.at.as_deref().map(|at| point(Some(at), study)).transpose()?;
         Ok(study.shown_orbit(eps.as_ref(), at.as_deref())?)
     }
 

@@ -15,7 +15,7 @@ use serde_json::json;
 use super::line::Line;
 use super::look::{OutFile, SheetOptions};
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Source, number, over, seconds, whole};
+use crate::reading::{Source, number, over, point, seconds, whole};
 use shown::{Drawn, Shown, What};
 use starts::{At, Spread};
 
@@ -50,8 +50,9 @@ pub(crate) struct Picture {
 
     /// A first point, or the ends of a line, A..B, with --starts; once for each.
     ///
-    /// Or a file of first points, F.csv or F.npy, that has a row for each.
-    #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
+    /// Or a file of first points, F.csv or F.npy, that has a row for each. A text that gives first
+    /// values needs none.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: Vec<String>,
 
     /// So many first points for each --at: along its line, or random ones around it.
@@ -155,10 +156,11 @@ impl Picture {
         let radius = number(&self.radius, "--radius")?;
         let spread = Spread { count: self.starts, radius, seed: self.seed };
         let at = self.at.iter().map(|at| At::read(at, &spread, &study));
+        let own = self.at.is_empty().then(|| Ok(vec![At::Point(point(None, &study)?)]));
         let shown = Shown {
             what,
             eps: self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?,
-            at: at.collect::<Result<Vec<_>, _>>()?.concat(),
+            at: at.chain(own).collect::<Result<Vec<_>, Refusal>>()?.concat(),
             spread,
             steps: self.steps,
             axes: self.axes.iter().map(|name| name.trim().to_owned()).collect(),

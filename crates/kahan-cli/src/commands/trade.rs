@@ -66,8 +66,10 @@ pub(crate) struct Trade {
     source: Source,
 
     /// The first point, its coordinates separated by commas: 1,-2/3,0.5.
+    ///
+    /// A text that gives first values needs none.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
-    at: String,
+    at: Option<String>,
 
     /// The time to be simulated: 100, 5/2.
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
@@ -135,7 +137,7 @@ impl Trade {
         // A false claim is told before a number that is missing.
         study.proved()?;
         let asked = Question {
-            at: point(&self.at, &study)?,
+            at: point(self.at.as_deref(), &study)?,
             horizon: number(&self.horizon, "--horizon")?,
             need: self.need,
             tolerance: number(&self.tolerance, "--tolerance")?,
@@ -156,7 +158,7 @@ impl Trade {
         };
         let line =
             Line::new("orbit", &self.source.words(block)).with("--eps", format!("{:?}", setting.eps()));
-        let line = line.with("--at", &self.at).with("--steps", setting.steps());
+        let line = line.with_some("--at", self.at.as_ref()).with("--steps", setting.steps());
         let line = line.with_some("--scalar", (scalar != ScalarKind::F64).then(|| scalar.name()));
         let order = Some(scheme.order()).filter(|order| *order != 2);
         (!scheme.compensated).then(|| line.with_some("--order", order))

@@ -7,6 +7,7 @@ use std::path::Path;
 use std::{fs, io};
 
 use kahan_algebra::family::Family;
+use kahan_algebra::rational::Rational;
 use kahan_runtime::FieldText;
 use kahan_study::Subject;
 use kahan_systems::entry::Entry;
@@ -84,7 +85,36 @@ impl Block {
 
     /// The text of the block, as it was given.
     pub(crate) fn text(&self) -> &str {
-        self.text.text()
+        self.text.given()
+    }
+
+    /// What its writer should know of how it is read: quantities, and values that the text gives
+    /// where no option gives others.
+    pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
+        let parameters = self.text.parameters().iter().filter(|(name, _)| !given.contains(&name.as_str()));
+        let list = |values: &mut dyn Iterator<Item = &(String, Rational)>| {
+            joined(values.map(|(name, value)| format!("{name} = {value}")), ", ")
+        };
+        let values = [
+            (list(&mut parameters.into_iter()), "where numbers are needed; --param gives others"),
+            (list(&mut self.text.start().iter()), "at the beginning; --at gives another point"),
+        ];
+        let values = values.into_iter().filter(|(values, _)| !values.is_empty());
+        let values = values.map(|(values, when)| format!("the text gives {values} {when}"));
+        self.text.notes().iter().cloned().chain(values).collect()
+    }
+
+    /// The product that a name may have been meant as: of states of one letter.
+    pub(super) fn product(&self, name: &str) -> Option<String> {
+        let system = self.text.unproved_system().ok()?;
+        let letters: Vec<String> = name.chars().map(String::from).collect();
+        let are_states = letters.iter().all(|letter| system.field.symbols.states.contains(letter));
+        (are_states && letters.len() > 1).then(|| letters.join("*"))
+    }
+
+    /// The values that the text gives to parameters.
+    pub(super) fn parameters(&self) -> &[(String, Rational)] {
+        self.text.parameters()
     }
 }
 

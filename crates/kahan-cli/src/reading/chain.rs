@@ -2,6 +2,7 @@
 //!
 //! Numbers of sites are given once, by a formula of the index i, or by a file.
 
+use kahan_algebra::rational::Rational;
 use kahan_runtime::Lattice;
 use kahan_study::formula::{Formula, Known};
 use kahan_study::number_file::Numbers;
@@ -36,6 +37,10 @@ impl Start {
         let known = std::slice::from_ref(&size);
         let values: Vec<(&str, Vec<f64>)> =
             given.map(|given| parameter(given, sites, known)).collect::<Result<_, _>>()?;
+        let is_other = |(name, _): &&(String, Rational)| values.iter().all(|(given, _)| given != name);
+        let own = block.parameters().iter().filter(is_other);
+        let own: Vec<_> = own.map(|(name, value)| (name.as_str(), vec![value.to_f64()])).collect();
+        let values = [values, own].concat();
         let lattice = Lattice::of(&family);
         let map = lattice
             .at(eps, sites, values.iter().map(|(name, value)| (name, value)))

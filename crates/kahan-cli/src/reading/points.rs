@@ -24,9 +24,14 @@ pub(super) fn read<V: Entry>(path: &str, option: &str) -> Result<Numbers<V>, Ref
     Numbers::of(path, &bytes).map_err(refused)
 }
 
-/// The points that `--at` gives, at least one.
-pub(crate) fn points(at: &str, study: &Study) -> Result<Vec<Vec<Rational>>, Refusal> {
+/// The points that `--at` gives, at least one; without it the point that the text of the field gives.
+pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational>>, Refusal> {
     let states = study.variables();
+    let Some(at) = at else {
+        let wanted =
+            || Refusal::new(format!("from which point? add --at {}, with numbers", states.join(",")));
+        return study.start().map(|start| vec![start]).ok_or_else(wanted);
+    };
     if !is_number_file(at) {
         return Ok(vec![coordinates(at, states)?]);
     }
@@ -35,17 +40,18 @@ pub(crate) fn points(at: &str, study: &Study) -> Result<Vec<Vec<Rational>>, Refu
     points.map_err(|why| Refusal::new(format!("--at: the file {at} {why}")))
 }
 
-/// The one point that `--at` gives.
-pub(crate) fn point(at: &str, study: &Study) -> Result<Vec<Rational>, Refusal> {
+/// The one point that `--at` gives, or else the text of the field.
+pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, Refusal> {
     only(points(at, study)?, at)
 }
 
 /// The one among the points that `--at` gives.
-pub(super) fn only(mut points: Vec<Vec<Rational>>, at: &str) -> Result<Vec<Rational>, Refusal> {
+pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<Vec<Rational>, Refusal> {
     match (points.pop(), points.len()) {
         (Some(point), 0) => Ok(point),
         (_, others) => Err(Refusal::new(format!(
-            "--at: the file {at} has {} rows, and here one point is asked for; write its coordinates, or a file of one row",
+            "--at: the file {} has {} rows, and here one point is asked for; write its coordinates, or a file of one row",
+            at.unwrap_or_default(),
             others + 1
         ))),
     }

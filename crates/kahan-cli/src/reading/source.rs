@@ -24,9 +24,10 @@ pub(crate) struct Source {
     #[arg(value_name = "SYSTEM")]
     pub(super) system: Option<String>,
 
-    /// A field in the language of `kahan!`: 'xdot = a*y; ydot = -x;'.
+    /// A field as one writes it: 'xdot = a*y; ydot = -x;', or x' = a*y, y' = -x.
     ///
-    /// Without a header its free names are parameters, and a note says which.
+    /// Without a header its free names are parameters, and a note says which. docs/how-to/texts.md
+    /// says what is read.
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     field: Option<String>,
 
@@ -67,8 +68,8 @@ pub(crate) struct Start {
     ///
     /// Or a file, F.csv or F.npy, that has the point as a row. A first line of names says which
     /// column is which variable; others are ignored, but parameters refused. `orbit` takes several
-    /// rows.
-    #[arg(long, value_name = "X", allow_hyphen_values = true, required = true)]
+    /// rows. A text that gives first values, `x(0) = 1` or `init x=1`, needs none.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(super) at: Option<String>,
 }
 
@@ -146,7 +147,7 @@ impl Source {
                 let body = chosen(&text, &origin, self.block.as_deref())?;
                 let block = Block::within(text, body, origin);
                 if self.is_input() {
-                    self.undeclared_in(&block, &[]).iter().for_each(|note| warn(note));
+                    self.notes_on(&block, &[]).iter().for_each(|note| warn(note));
                 }
                 Ok(Some(block))
             }
@@ -162,36 +163,18 @@ impl Source {
         self.file.as_deref().is_some_and(|path| path == Path::new("-"))
     }
 
-    /// A note on the names that a text without a header uses and nothing declares, where a value
-    /// for them is neither given nor gone through in `ranges`, `NAME=…`. Standard input is not read
-    /// for it: what comes from there is said when the command reads it.
-    pub(crate) fn undeclared(&self, ranges: &[String]) -> Option<String> {
+    /// Notes on how a text is read, and on the names that one without a header uses and nothing
+    /// declares, where a value for them is neither given nor gone through in `ranges`, `NAME=…`.
+    /// Standard input is not read for it: what comes from there is said when the command reads it.
+    pub(crate) fn notes(&self, ranges: &[String]) -> Vec<String> {
         let block = if self.is_input() { None } else { self.block().ok().flatten() };
-        self.undeclared_in(&block?, ranges)
+        block.map_or_else(Vec::new, |block| self.notes_on(&block, ranges))
     }
 
-    fn undeclared_in(&self, block: &Block, ranges: &[String]) -> Option<String> {
-        /// More of them are not listed.
-        const MOST: usize = 8;
-
+    fn notes_on(&self, block: &Block, ranges: &[String]) -> Vec<String> {
         let given = self.parameters.iter().chain(ranges);
         let given: Vec<&str> = given.filter_map(|given| Some(given.split_once('=')?.0.trim())).collect();
-        let mut names = block.undeclared();
-        names.retain(|name| !given.contains(&name.as_str()));
-        let number = |(name, value): &(&str, f64)| {
-            names.iter().any(|own| own == name).then(|| format!("; `const {name} = {value};` is the number"))
-        };
-        let numbers: String = [("E", E), ("pi", PI)].iter().filter_map(number).collect();
-        let more = if names.len() > MOST { ", …" } else { "" };
-        names.truncate(MOST);
-        let equations = joined(names.iter().map(|name| format!("{name}dot")), ", ");
-        let taken = match names.len() {
-            0 => return None,
-            1 => "is taken as a parameter",
-            _ => "are taken as parameters",
-        };
-        let names = names.join(", ");
-        Some(brief(&format!("{names}{more} {taken}: nothing defines {equations}{more}{numbers}")))
+        block.notes(&given).into_iter().chain(undeclared_in(block, &given)).collect()
     }
 
     /// This source with single values only, and the parameters that are given as ranges:
@@ -216,4 +199,30 @@ impl Source {
             Refusal::new(format!("which system? give one of {names}, or --field TEXT, or --file FILE"))
         })
     }
+}
+
+/// A note on the names that a text uses and nothing declares, without those that have values.
+fn undeclared_in(block: &Block, given: &[&str]) -> Option<String> {
+    /// More of them are not listed.
+    const MOST: usize = 8;
+
+    let mut names = block.undeclared();
+    let has_value = |name: &String| block.parameters().iter().any(|(own, _)| own == name);
+    names.retain(|name| !given.contains(&name.as_str()) && !has_value(name));
+    let number = |(name, value): &(&str, f64)| {
+        names.iter().any(|own| own == name).then(|| format!("; `const {name} = {value};` is the number"))
+    };
+    let product = |name: &String| Some(format!("; for a product write {}", block.product(name)?));
+    let products = names.iter().filter_map(product);
+    let hints: String = [("E", E), ("pi", PI)].iter().filter_map(number).chain(products).collect();
+    let more = if names.len() > MOST { ", …" } else { "" };
+    names.truncate(MOST);
+    let equations = joined(names.iter().map(|name| format!("{name}dot")), ", ");
+    let taken = match names.len() {
+        0 => return None,
+        1 => "is taken as a parameter",
+        _ => "are taken as parameters",
+    };
+    let names = names.join(", ");
+    Some(brief(&format!("{names}{more} {taken}: nothing defines {equations}{more}{hints}")))
 }

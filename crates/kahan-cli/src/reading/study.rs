@@ -41,13 +41,13 @@ impl Start {
     /// The field, the first point, and ε.
     pub(crate) fn study(&self) -> Result<(Study, Vec<Rational>, Rational), Refusal> {
         let (study, starts, eps) = self.starts()?;
-        Ok((study, only(starts, self.at())?, eps))
+        Ok((study, only(starts, self.at.as_deref())?, eps))
     }
 
     /// The same with all first points.
     pub(crate) fn starts(&self) -> Result<(Study, Vec<Vec<Rational>>, Rational), Refusal> {
         let study = self.source.proved()?;
-        let starts = points(self.at(), &study)?;
+        let starts = points(self.at.as_deref(), &study)?;
         study.values()?;
         Ok((study, starts, self.half_step()?.ok_or(StudyError::MissingStep)?))
     }
@@ -60,12 +60,8 @@ impl Start {
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
         let study = self.source.proved()?;
         self.source.leaves_free(axes, self.eps.as_ref())?;
-        let at = point(self.at(), &study)?;
+        let at = point(self.at.as_deref(), &study)?;
         Ok((study, at, self.half_step()?))
-    }
-
-    fn at(&self) -> &str {
-        self.at.as_deref().unwrap_or_default()
     }
 
     /// The value of --eps.

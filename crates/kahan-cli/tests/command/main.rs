@@ -32,6 +32,7 @@ mod showing;
 #[cfg(unix)]
 mod sweeping;
 mod terminals;
+mod texts;
 mod trade;
 mod units;
 mod verifying;

@@ -120,7 +120,7 @@ fn huge_files_are_quoted_shortened() {
     let fields = [
         format!("xdot = x^3*{name};"),
         format!("{name} = x;"),
-        format!("struct {name} {{ a }} xdot = a*x"),
+        format!("struct {name} {{ a }} xdot = a*"),
         format!("struct S {{ {name} }} xdot = x;"),
         format!("xdot = {name}(x);"),
         format!("xdot = {name}.y;"),

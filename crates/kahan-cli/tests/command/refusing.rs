@@ -33,11 +33,8 @@ fn bad_input_says_what_to_write_instead() {
         ),
         (at(&["e1", "--eps", "1", "--at", "1", "-0.5"]), &["--at 1,0.5,0.3"]),
         (at(&["e1", "--dt", "0.05", "--at", "1,2,3"]), &["'--dt'", "half the time step", "--eps 0.025"]),
-        (
-            at(&["--field", "# mine\nxdot = y;\nydot = -x; # too", "--eps", "1", "--at", "1,2"]),
-            &["`#`", "`//`"],
-        ),
-        (at(&["--field", "dx/dt = y; ydot = -x;", "--eps", "1", "--at", "1,2"]), &["write `xdot = …`"]),
+        (at(&["--field", "dx = y; ydot = -x;", "--eps", "1", "--at", "1,2"]), &["write `xdot = …`"]),
+        (at(&["e1", "--eps", "1"]), &["from which point", "--at x,y,z"]),
         (at(&["--file", "no/such/file", "--eps", "1", "--at", "1"]), &["no/such/file"]),
         (at(&["--eps", "1", "--at", "1"]), &["which system"]),
         (at(&["e1", "--at", "1,2,3"]), &["--eps"]),

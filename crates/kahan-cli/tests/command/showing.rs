@@ -89,7 +89,7 @@ fn the_help_of_every_command_fits_a_screen() {
 
 #[test]
 fn what_no_macro_can_read_is_not_expanded() {
-    assert!(refusal(&["show", "--expand", "--field", "xdot = x²;"]).contains("`^2`"));
+    assert!(refusal(&["show", "--expand", "--field", "xdot = x';"]).contains("a prime"));
     assert!(refusal(&["show", "--expand", "--field", "xdot = x^3;"]).contains("degree 3"));
     assert!(refusal(&["show", "e3", "--expand", "--latex"]).contains("--latex"));
 }

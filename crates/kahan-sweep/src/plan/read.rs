@@ -49,8 +49,14 @@ fn read(mut root: Table<'_>, mistakes: &Collector<'_>, origin: &str) -> Option<P
     root.finish();
     let field = system.and_then(field);
     let task = task.and_then(|table| asked(table, field.as_ref().map(|(study, _)| study)));
-    let (study, fixed) = field?;
+    let (study, mut fixed) = field?;
     let mut axes = axes.map_or_else(Vec::new, |table| self::axes(table, &study));
+    // Values that the text of the field gives, where the plan gives none.
+    for (name, value) in study.parameters().iter().zip(study.valued()) {
+        let is_given =
+            fixed.iter().any(|(own, _)| own == name) || axes.iter().any(|(_, axis)| axis.name == *name);
+        fixed.extend(value.filter(|_| !is_given).map(|value| (name.clone(), value)));
+    }
     let starts = match file {
         Some(file) => starts(file, origin, &study, task.as_ref().map(|(question, _)| question)),
         None => Some(Vec::new()),

@@ -34,23 +34,15 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
         ("hamiltonian", _) if named && cursor.index.is_some() => hamiltonian(cursor, block),
         (_, Some(kind)) if named => claim(cursor, block, kind),
         ("const", _) | (_, Some(_)) => {
-            let (word, span) = (
-                word.to_owned(),
-                cursor.here().to(Span::token(cursor.position() + usize::from(cursor.peek(1).is_some()))),
-            );
-            error(
-                Kind::Syntax,
-                span,
-                format!("this `{word}` has no name"),
-                format!("write `{word} NAME = …;`"),
-            )
+            let next = Span::token(cursor.position() + usize::from(cursor.peek(1).is_some()));
+            let (message, help) = (format!("this `{word}` has no name"), format!("write `{word} NAME = …;`"));
+            error(Kind::Syntax, cursor.here().to(next), message, help)
         }
-        ("pub" | "struct", _) => error(
-            Kind::Header,
-            cursor.here(),
-            "the header stands at the beginning of a block, and a block has one",
-            "move it to the top, or write a second `kahan!` block",
-        ),
+        ("pub" | "struct", _) => {
+            let message = "the header stands at the beginning of a block, and a block has one";
+            let help = "move it to the top, or write a second `kahan!` block";
+            error(Kind::Header, cursor.here(), message, help)
+        }
         _ if cursor.is_open(1, '[') => Err(super::family::outside(cursor)),
         _ => match wrong_keyword(cursor, block) {
             Some(diagnostic) => Err(diagnostic),
@@ -102,12 +94,8 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
         if !state.is_empty() {
             return Ok(Name { text: state.to_owned(), span });
         }
-        return error(
-            Kind::Name,
-            span,
-            "`dot` alone names no variable",
-            "write the variable before it, as in `xdot`",
-        );
+        let help = "write the variable before it, as in `xdot`";
+        return error(Kind::Name, span, "`dot` alone names no variable", help);
     }
     let text = left.text.clone();
     if cursor.peek(0).is_some_and(|next| matches!(next.kind, TokenKind::Unreadable(_))) {

@@ -112,12 +112,8 @@ fn conditions(cursor: &mut Cursor<'_>, conditions: &mut Vec<Condition>) -> Parse
     }
     cursor.advance();
     if cursor.is_at_end() || cursor.is_punctuation(0, ';') {
-        return error(
-            Kind::Claim,
-            cursor.behind(),
-            "there is no relation behind `when`",
-            "write one, as in `when eps = 1` or `when c = -a - b`, or remove `when`",
-        );
+        let help = "write one, as in `when eps = 1` or `when c = -a - b`, or remove `when`";
+        return error(Kind::Claim, cursor.behind(), "there is no relation behind `when`", help);
     }
     loop {
         let end = mem::replace(&mut cursor.end, End::Equals);

@@ -205,19 +205,17 @@ impl<'a> Cursor<'a> {
     /// Leaves a broken item that began at `start`: past its `;`, or up to the line that begins the
     /// next item. Always moves on.
     pub(super) fn skip_item(&mut self, start: usize) {
-        let mut depth = 0usize;
-        while let Some(token) = self.peek(0) {
-            match token.kind {
-                TokenKind::Open(_) => depth += 1,
-                TokenKind::Close(_) => depth = depth.saturating_sub(1),
-                TokenKind::Punctuation(';') if depth == 0 => {
-                    self.advance();
-                    return;
-                }
-                _ if self.at > start && depth == 0 && self.begins_item(0) => return,
-                _ => {}
+        self.skip_until(|cursor| cursor.is_punctuation(0, ';') || cursor.at > start && cursor.begins_item(0));
+        self.take(';');
+    }
+
+    /// Skips tokens and bracketed groups up to a token where `ends` says so.
+    pub(super) fn skip_until(&mut self, ends: impl Fn(&Self) -> bool) {
+        while !self.is_at_end() && !ends(self) {
+            match self.peek(0).map(|token| &token.kind) {
+                Some(TokenKind::Open(_)) => drop(self.skip_group()),
+                _ => self.advance(),
             }
-            self.advance();
         }
     }
 

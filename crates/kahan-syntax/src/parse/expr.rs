@@ -112,12 +112,9 @@ fn power<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
     let start = base.span;
     let kind = X::power(cursor, base, depth)?;
     if cursor.is_punctuation(0, '^') {
-        return error(
-            Kind::Exponent,
-            start.to(cursor.here()),
-            "`a^b^c` can be read in two ways",
-            "write `(a^b)^c`, or multiply the exponents",
-        );
+        let (message, help) =
+            ("`a^b^c` can be read in two ways", "write `(a^b)^c`, or multiply the exponents");
+        return error(Kind::Exponent, start.to(cursor.here()), message, help);
     }
     after_operand(cursor, Expr { kind, span: start.to(cursor.behind()) })
 }
@@ -170,24 +167,18 @@ pub(super) fn atom<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<
         }
         TokenKind::Open(bracket) => {
             let group = cursor.skip_group();
-            error(
-                Kind::Syntax,
-                group,
-                format!("`{bracket}` does not group a formula"),
-                "write parentheses: `( … )`",
-            )
+            let message = format!("`{bracket}` does not group a formula");
+            error(Kind::Syntax, group, message, "write parentheses: `( … )`")
         }
         TokenKind::Punctuation('.') if cursor.peek(1).is_some_and(|next| next.kind == TokenKind::Literal) => {
             let digits = cursor.peek(1).map_or("", |next| &*next.text);
             let span = span.to(Span::token(span.last + 1));
             error(Kind::Number, span, format!("`.{digits}` is not a number"), format!("write `0.{digits}`"))
         }
-        TokenKind::Punctuation('+') => error(
-            Kind::Syntax,
-            span,
-            "a `+` needs an operand on its left",
-            "remove the `+`, or write the operand",
-        ),
+        TokenKind::Punctuation('+') => {
+            let help = "remove the `+`, or write the operand";
+            error(Kind::Syntax, span, "a `+` needs an operand on its left", help)
+        }
         TokenKind::Unreadable(why) => error(Kind::Syntax, span, why.message.clone(), why.help.clone()),
         _ => missing_operand(cursor),
     }
@@ -215,10 +206,7 @@ fn check_depth(cursor: &Cursor<'_>, depth: usize) -> Parsed<()> {
     if depth < DEEPEST_NESTING {
         return Ok(());
     }
-    error(
-        Kind::TooLarge,
-        cursor.here(),
-        format!("the expression nests deeper than {DEEPEST_NESTING} levels"),
-        "remove parentheses that are not needed, or split the expression",
-    )
+    let message = format!("the expression nests deeper than {DEEPEST_NESTING} levels");
+    let help = "remove parentheses that are not needed, or split the expression";
+    error(Kind::TooLarge, cursor.here(), message, help)
 }

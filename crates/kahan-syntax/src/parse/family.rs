@@ -62,7 +62,9 @@ pub(super) fn family(
     while !cursor.is_at_end() && !cursor.is_close('}') {
         if let Err(diagnostic) = equation(cursor, block) {
             diagnostics.push(diagnostic);
-            skip_equation(cursor);
+            // Past its `;`, or up to the `}` of the family.
+            cursor.skip_until(|cursor| cursor.is_close('}') || cursor.is_punctuation(0, ';'));
+            cursor.take(';');
         }
     }
     if cursor.is_at_end() {
@@ -103,20 +105,6 @@ fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     cursor.advance();
     let state = Name { text: array.text, span: span.to(cursor.behind()) };
     right_side(cursor, block, state)
-}
-
-/// Leaves a broken equation: past its `;`, or up to the `}` of the family.
-fn skip_equation(cursor: &mut Cursor<'_>) {
-    while let Some(token) = cursor.peek(0) {
-        match token.kind {
-            TokenKind::Open(_) => {
-                cursor.skip_group();
-            }
-            TokenKind::Close('}') => return,
-            TokenKind::Punctuation(';') => return cursor.advance(),
-            _ => cursor.advance(),
-        }
-    }
 }
 
 /// A block without a family has neither sites nor sums over them.

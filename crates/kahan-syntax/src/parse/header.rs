@@ -5,7 +5,7 @@
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Block, Header, Name, Written};
-use crate::token::{Span, TokenKind};
+use crate::token::{Token, TokenKind};
 
 use super::Parsed;
 use super::cursor::Cursor;
@@ -193,28 +193,17 @@ fn skip_to_comma(cursor: &mut Cursor<'_>) {
 
 /// Stops at the next `,` or the end of this list.
 fn skip_to_comma_or_end(cursor: &mut Cursor<'_>) {
-    while let Some(token) = cursor.peek(0) {
-        match token.kind {
-            TokenKind::Punctuation(',') | TokenKind::Close(_) => return,
-            TokenKind::Open(_) => {
-                let _: Span = cursor.skip_group();
-            }
-            _ => cursor.advance(),
-        }
-    }
+    let is_close = |token: &Token| matches!(token.kind, TokenKind::Close(_));
+    cursor.skip_until(|cursor| cursor.is_punctuation(0, ',') || cursor.peek(0).is_some_and(is_close));
 }
 
 /// Leaves a broken header: past its braces or its `;`, or up to the first item.
 fn skip_header(cursor: &mut Cursor<'_>) {
-    while !cursor.is_at_end() && !cursor.begins_item(0) {
-        if cursor.is_open(0, '{') {
-            cursor.skip_group();
-            cursor.take(';');
-            return;
-        }
-        if cursor.take(';') {
-            return;
-        }
-        cursor.advance();
+    cursor.skip_until(|cursor| {
+        cursor.begins_item(0) || cursor.is_open(0, '{') || cursor.is_punctuation(0, ';')
+    });
+    if cursor.is_open(0, '{') {
+        cursor.skip_group();
     }
+    cursor.take(';');
 }

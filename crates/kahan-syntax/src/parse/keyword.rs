@@ -8,36 +8,15 @@ use super::cursor::Cursor;
 const KEYWORDS: [&str; 4] = ["integral", "density", "bracket", "const"];
 
 /// Words of the trade for each keyword, in small letters and without underscores.
-const SYNONYMS: [(&str, &[&str]); 4] = [
+const SYNONYMS: [(&str, &str); 4] = [
     (
         "integral",
-        &[
-            "invariant",
-            "conserved",
-            "conserve",
-            "conserves",
-            "preserved",
-            "preserves",
-            "firstintegral",
-            "first",
-            "constantofmotion",
-            "conservedquantity",
-            "conservation",
-            "hamiltonian",
-            "energy",
-            "casimir",
-            "quantity",
-        ],
+        "invariant conserved conserve conserves preserved preserves firstintegral first constantofmotion \
+         conservedquantity conservation hamiltonian energy casimir quantity",
     ),
-    (
-        "density",
-        &["measure", "invariantmeasure", "volume", "volumeform", "multiplier", "jacobimultiplier", "weight"],
-    ),
-    (
-        "bracket",
-        &["poisson", "poissonbracket", "poissontensor", "liepoisson", "tensor", "symplectic", "structure"],
-    ),
-    ("const", &["constant", "let", "static", "define", "def", "val", "var"]),
+    ("density", "measure invariantmeasure volume volumeform multiplier jacobimultiplier weight"),
+    ("bracket", "poisson poissonbracket poissontensor liepoisson tensor symplectic structure"),
+    ("const", "constant let static define def val var"),
 ];
 
 /// Words for what the header declares.
@@ -46,11 +25,11 @@ const PARAMETERS: [&str; 4] = ["parameter", "parameters", "param", "params"];
 /// The keyword that `word` means, by its sense or else by its letters.
 fn meant(word: &str) -> Option<&'static str> {
     let word = word.to_lowercase().replace('_', "");
-    let synonym = SYNONYMS.iter().find(|(_, words)| words.contains(&word.as_str()));
+    let synonym = SYNONYMS.iter().find(|(_, words)| words.split(' ').any(|known| known == word));
     // `poison` means `poisson`.
     let slip = || {
-        let is_near = |known: &&str| word.len() > 4 && strsim::levenshtein(&word, known) == 1;
-        SYNONYMS.iter().find(|(_, words)| words.iter().any(is_near)).map(|(keyword, _)| *keyword)
+        let is_near = |known: &str| word.len() > 4 && strsim::levenshtein(&word, known) == 1;
+        SYNONYMS.iter().find(|(_, words)| words.split(' ').any(is_near)).map(|(keyword, _)| *keyword)
     };
     let near = || KEYWORDS.iter().find(|keyword| word.len() > 3 && strsim::levenshtein(&word, keyword) <= 2);
     synonym.map(|(keyword, _)| *keyword).or_else(|| near().copied()).or_else(slip)

@@ -2,7 +2,7 @@
 //! juxtaposition, statements. Each is answered with the way to write it here.
 
 use crate::diagnostics::Kind;
-use crate::spelling::{NOT_QUADRATIC, fresh};
+use crate::spelling::{NOT_QUADRATIC, ON_TEXTS, fresh};
 use crate::syntax::{Expr, ExprKind};
 use crate::token::{Span, Token, TokenKind};
 
@@ -39,6 +39,12 @@ pub(super) fn check_plain_name(cursor: &mut Cursor<'_>, name: &str, span: Span) 
     }
     if cursor.is_open(0, '(') {
         let (group, arguments) = cursor.take_group();
+        if let [time, _, ..] = arguments
+            && time.text == "t"
+        {
+            let help = format!("a chain of states can stand for it: {ON_TEXTS} shows how");
+            return error(Kind::NotAPolynomial, span.to(group), format!("`{name}(t …)` is a delay"), help);
+        }
         let has_several =
             arguments.is_empty() || arguments.iter().any(|one| one.kind == TokenKind::Punctuation(','));
         let (message, help) = if is_function(name) || has_several {
@@ -96,62 +102,32 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
         }
     }
     let bound = last.to_lowercase();
-    error(
-        Kind::NotAPolynomial,
-        span.to(cursor.behind()),
-        format!("only plain names are read here, and `{access}` is a path, a field or an index"),
-        format!(
-            "bind it first: `let {bound} = {access};`, then write `{bound}`; in a system with a header, \
-             make it a parameter"
-        ),
-    )
+    let message = format!("only plain names are read here, and `{access}` is a path, a field or an index");
+    let help = format!(
+        "bind it first: `let {bound} = {access};`, then write `{bound}`; in a system with a header, make it a \
+         parameter"
+    );
+    error(Kind::NotAPolynomial, span.to(cursor.behind()), message, help)
 }
 
-fn is_function(name: &str) -> bool {
-    const FUNCTIONS: [&str; 36] = [
-        "sin",
-        "cos",
-        "tan",
-        "cot",
-        "sec",
-        "csc",
-        "asin",
-        "acos",
-        "atan",
-        "atan2",
-        "sinh",
-        "cosh",
-        "tanh",
-        "sech",
-        "exp",
-        "log",
-        "ln",
-        "log2",
-        "log10",
-        "sqrt",
-        "cbrt",
-        "abs",
-        "sign",
-        "sgn",
-        "max",
-        "min",
-        "pow",
-        "floor",
-        "ceil",
-        "round",
-        "mod",
-        "heaviside",
-        "Heaviside",
-        "piecewise",
-        "erf",
-        "gamma",
-    ];
-    FUNCTIONS.contains(&name)
+/// Functions that solve equations of their own.
+const SMOOTH: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
+/// Functions with kinks or jumps.
+const ROUGH: &str = "abs sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
+
+/// Whether a name is that of a function elsewhere.
+pub(crate) fn is_function(name: &str) -> bool {
+    [SMOOTH, ROUGH].iter().any(|names| names.split(' ').any(|known| known == name))
 }
 
 /// What stands instead of a call with these arguments: of states, new states; of numbers and
 /// parameters, a constant or a parameter.
 fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> String {
+    if ROUGH.split(' ').any(|known| known == name) {
+        return format!(
+            "it is not analytic everywhere, and Kahan's method needs a field that is: {ON_TEXTS} says what can be done"
+        );
+    }
     let next = |place: usize| arguments.get(place + 1).map(|token| &token.kind);
     let is_state = |(place, token): (usize, &Token)| {
         token.kind == TokenKind::Identifier
@@ -179,23 +155,21 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
 
 /// Whether the name begins a statement of Rust. (A state may have the name of a keyword; what
 /// follows tells.)
-fn is_statement(name: &str) -> bool {
+pub(crate) fn is_statement(name: &str) -> bool {
     matches!(name, "if" | "match" | "let" | "for" | "while")
 }
 
 fn no_statement<T>(span: Span) -> Parsed<T> {
-    error(
-        Kind::NotAPolynomial,
-        span,
-        "a formula has no conditions, loops or statements",
-        "write one polynomial that holds everywhere",
-    )
+    let message = "a formula has no conditions, loops or statements: Kahan's method is for smooth fields";
+    let help = format!("write one polynomial that holds everywhere; {ON_TEXTS} says what else can be done");
+    error(Kind::NotAPolynomial, span, message, help)
 }
 
 /// After an operand stands an operator or the end of the expression.
 pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<Expr<X>> {
     let Some(token) = cursor.peek(0) else { return Ok(operand) };
     let span = operand.span.to(cursor.here());
+    let name = if let ExprKind::Name(name) = &operand.kind { name.as_str() } else { "" };
     match &token.kind {
         TokenKind::Punctuation('+' | '-' | '*' | '/' | '^' | ';' | ',') | TokenKind::Close(_) => Ok(operand),
         TokenKind::Unreadable(_) => Ok(operand),
@@ -204,31 +178,31 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
         TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) && cursor.end == End::Item => Ok(operand),
-        TokenKind::Identifier if cursor.begins_item(0) => error(
-            Kind::Syntax,
-            cursor.behind().to(cursor.here()),
-            format!("a `;` is missing before `{}`", token.text),
-            format!("write `;` before `{}`", token.text),
-        ),
-        TokenKind::Identifier if matches!(&operand.kind, ExprKind::Name(name) if is_statement(name)) => {
-            no_statement(span)
+        TokenKind::Identifier if cursor.begins_item(0) => {
+            let message = format!("a `;` is missing before `{}`", token.text);
+            let help = format!("write `;` before `{}`", token.text);
+            error(Kind::Syntax, cursor.behind().to(cursor.here()), message, help)
         }
+        TokenKind::Identifier if is_statement(&token.text) || is_statement(name) => no_statement(span),
         TokenKind::Identifier | TokenKind::Literal | TokenKind::Open('(') => {
             let help = match token.kind {
                 _ if cursor.end == End::Formula => {
                     "write `2*i` for a product, and `sin(i)` for a function of `i`".to_owned()
                 }
                 TokenKind::Open(_) => "write `*` before `(`".to_owned(),
+                _ if is_function(name) => format!("write `{name}(…)`: {NOT_QUADRATIC} has functions"),
                 _ => format!("write `*` before `{}`", token.text),
             };
             error(Kind::Syntax, span, "two operands stand side by side: a product needs its `*`", help)
         }
-        TokenKind::Punctuation('.') if matches!(operand.kind, ExprKind::Number(_)) => error(
-            Kind::Number,
-            span,
-            "a number ends before this point",
-            "write `2.0` for the number, and `2*x` for a product",
-        ),
+        TokenKind::Open('[') if matches!(operand.kind, ExprKind::Number(_)) => {
+            let help = "write the number alone, all quantities in units that fit each other";
+            error(Kind::Syntax, span, "units are not read", help)
+        }
+        TokenKind::Punctuation('.') if matches!(operand.kind, ExprKind::Number(_)) => {
+            let help = "write `2.0` for the number, and `2*x` for a product";
+            error(Kind::Number, span, "a number ends before this point", help)
+        }
         TokenKind::Punctuation('.') => {
             let method = cursor.identifier(1).unwrap_or("");
             let help = match method {
@@ -237,17 +211,13 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
             };
             error(Kind::NotAPolynomial, span, format!("`.{method}` is a method call or a field"), help)
         }
-        TokenKind::Punctuation('=') => error(
-            Kind::Syntax,
-            span,
-            "an `=` inside an expression",
-            "an equation has one `=`; if a new one begins here, write `;` before it",
-        ),
-        _ => error(
-            Kind::Syntax,
-            cursor.here(),
-            format!("`{}` is not an operator of the language", token.text),
-            "the operators are `+`, `-`, `*`, `/` and `^`",
-        ),
+        TokenKind::Punctuation('=') => {
+            let help = "an equation has one `=`; if a new one begins here, write `;` before it";
+            error(Kind::Syntax, span, "an `=` inside an expression", help)
+        }
+        _ => {
+            let message = format!("`{}` is not an operator of the language", token.text);
+            error(Kind::Syntax, cursor.here(), message, "the operators are `+`, `-`, `*`, `/` and `^`")
+        }
     }
 }

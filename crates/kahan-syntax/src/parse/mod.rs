@@ -25,6 +25,8 @@ use crate::token::{Span, Token};
 
 use cursor::Cursor;
 pub use formula::{parse_formula, parse_formulas};
+pub(crate) use mistakes::{is_function, is_statement};
+pub(crate) use number::product;
 
 /// What a parsing function gives: its syntax, or the first mistake in it.
 type Parsed<T> = Result<T, Diagnostic>;

@@ -25,16 +25,15 @@ pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
             .map_or_else(|_| "write it in decimal".to_owned(), |value| format!("write `{value}`"));
         return error(Kind::Number, span, format!("`{text}` is not decimal"), help);
     }
+    if let Some((number, factor)) = product(text) {
+        let help = format!("write `{number}*{factor}`");
+        return error(Kind::Syntax, span, format!("`{text}`: a product needs its `*`"), help);
+    }
     let Numeral { whole, fraction, rest: suffix, .. } = Numeral::scan(text);
     if !suffix.is_empty() {
-        let number = &text[..text.len() - suffix.len()];
-        return if is_type_suffix(suffix) {
-            let help = format!("write `{}`", number.trim_end_matches('_'));
-            error(Kind::Number, span, format!("`{text}` carries a type, but numbers here are exact"), help)
-        } else {
-            let help = format!("write `{number}*{suffix}`");
-            error(Kind::Syntax, span, format!("`{text}`: a product needs its `*`"), help)
-        };
+        let help = format!("write `{}`", text[..text.len() - suffix.len()].trim_end_matches('_'));
+        let message = format!("`{text}` carries a type, but numbers here are exact");
+        return error(Kind::Number, span, message, help);
     }
     let digits = [whole, fraction].concat().bytes().filter(u8::is_ascii_digit).count();
     let is_short = digits as i64 <= MOST_DIGITS;
@@ -49,6 +48,13 @@ pub(super) fn parse_number(text: &str, span: Span) -> Parsed<Rational> {
             "rescale the variables or the time",
         ),
     }
+}
+
+/// The number and the name that touch each other in `2x`.
+pub(crate) fn product(text: &str) -> Option<(&str, &str)> {
+    let suffix = Numeral::scan(text).rest;
+    let is_product = radix(text).is_none() && !suffix.is_empty() && !is_type_suffix(suffix);
+    is_product.then(|| text.split_at(text.len() - suffix.len()))
 }
 
 fn radix(text: &str) -> Option<u32> {

@@ -41,8 +41,8 @@ impl At {
             Some(_) if spread.count.is_none() => Err(Refusal::new(format!(
                 "--at {at} is a line; say by --starts how many first points it has"
             ))),
-            Some((from, to)) => Ok(vec![At::Line(point(from, study)?, point(to, study)?)]),
-            None => Ok(points(at, study)?.into_iter().map(At::Point).collect()),
+            Some((from, to)) => Ok(vec![At::Line(point(Some(from), study)?, point(Some(to), study)?)]),
+            None => Ok(points(Some(at), study)?.into_iter().map(At::Point).collect()),
         }
     }
 }

@@ -1,0 +1,96 @@
+//! A text in items: equations, values, and whatever else the language has. A line end or a comma
+//! ends an item only where another one begins.
+
+use std::ops::Range;
+
+use crate::syntax::ClaimKind;
+use crate::token::TokenKind;
+
+use super::Reader;
+use super::left::Left;
+
+/// Tokens that belong together.
+pub(super) struct Item {
+    /// The tokens, without what separates them from the next item.
+    pub(super) tokens: Range<usize>,
+    /// The left side of an equation or a value.
+    pub(super) left: Option<Left>,
+    /// Whether a `;` separates it from the next.
+    pub(super) is_ended: bool,
+}
+
+impl Reader<'_> {
+    /// The items of the text; a last word `done` is none.
+    pub(super) fn items(&self) -> Vec<Item> {
+        let mut items = Vec::new();
+        let mut at = 0;
+        while at < self.given.len() && !self.is_done(at) {
+            let left = self.left(at);
+            let brackets = usize::from(left.as_ref().is_some_and(|left| left.is_in_call));
+            let end = self.end_of(at, left.as_ref());
+            let is_ended = brackets == 0 && self.at(end) == ";";
+            items.push(Item { tokens: at..end, left, is_ended });
+            at = end + brackets + usize::from(matches!(self.at(end + brackets), ";" | ","));
+        }
+        items
+    }
+
+    /// The token behind the item that begins at `start`.
+    fn end_of(&self, start: usize, left: Option<&Left>) -> usize {
+        let word = self.at(start);
+        let is_claim = left.is_none() && (ClaimKind::of_keyword(word).is_some() || word == "hamiltonian");
+        let is_next = |at: usize| {
+            // Behind `when` stand relations: `a = 1, b = 2`.
+            let is_left = |left: Left| !is_claim || left.of.order > 0 || left.is_first || left.is_declared;
+            at == self.given.len()
+                || self.left(at).is_some_and(is_left)
+                || self.is_keyword(at)
+                || self.is_done(at)
+        };
+        // Values may stand side by side: `a=1 b=2`.
+        let is_value = left.is_some_and(Left::is_value);
+        let in_call = left.is_some_and(|left| left.is_in_call);
+        let mut depth = usize::from(in_call);
+        for at in left.map_or(start, |left| left.right)..self.given.len() {
+            match self.given[at].0.kind {
+                TokenKind::Punctuation(';') if depth == 0 => return at,
+                TokenKind::Punctuation(',') if depth == 0 && at > start && is_next(at + 1) => return at,
+                _ if depth == 0 && at > start && (is_value || self.begins_line(at)) && is_next(at) => {
+                    return at;
+                }
+                TokenKind::Open('{') if depth == 0 && word == "for" => return at + 1,
+                TokenKind::Open(_) => depth += 1,
+                // The end of a family.
+                TokenKind::Close('}') if depth == 0 => return at + usize::from(at == start),
+                TokenKind::Close(_) if depth == 1 && in_call => return at,
+                TokenKind::Close(bracket) => {
+                    depth = depth.saturating_sub(1);
+                    let goes_on = matches!(self.at(at + 1), "when" | ";");
+                    if depth == 0 && bracket == '}' && left.is_none() && !goes_on {
+                        return at + 1;
+                    }
+                }
+                _ => {}
+            }
+        }
+        self.given.len()
+    }
+
+    /// Whether a line ends before a token.
+    fn begins_line(&self, place: usize) -> bool {
+        let between = self.given[place - 1].1.end..self.given[place].1.start;
+        self.text.get(between).is_some_and(|between| between.contains('\n'))
+    }
+
+    /// Whether an item with a keyword of the language begins here.
+    fn is_keyword(&self, at: usize) -> bool {
+        let is_word =
+            |word| matches!(word, "for" | "const" | "hamiltonian") || ClaimKind::of_keyword(word).is_some();
+        self.is_name(at + 1) && is_word(self.at(at))
+    }
+
+    /// Whether the text ends here, by a word.
+    fn is_done(&self, at: usize) -> bool {
+        at + 1 == self.given.len() && self.at(at) == "done"
+    }
+}

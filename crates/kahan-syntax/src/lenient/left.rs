@@ -1,0 +1,107 @@
+//! Left sides of equations and of values, in the manners of books and of other programs.
+
+use crate::lexer::{primes, starts_identifier};
+use crate::spelling::without_dots;
+use crate::token::TokenKind;
+
+use super::Reader;
+
+/// How derivatives are written, by their order without primes and dots. `X` is the name of a state,
+/// behind which the time may stand; `′` any number of primes, `Ẋ` a name with dots above it.
+const DERIVATIVES: [(usize, &str); 4] = [
+    (1, "Xdot|dX / dt|d X / dt|der ( X )|D ( X )|diff ( X , t )|Derivative ( X , t )"),
+    (1, "\\ dot { X }|\\ frac { dX } { dt }"),
+    (2, "d ^ 2X / dt ^ 2|d ^ 2 X / dt ^ 2|diff ( X , t , t )|Derivative ( X , ( t , 2 ) )|\\ ddot { X }"),
+    (0, "X ′|( X ) ′|Ẋ|X"),
+];
+
+/// No derivative has a higher order.
+const HIGHEST_ORDER: usize = 8;
+
+/// Words before values.
+const DECLARING: [&str; 6] = ["par", "param", "params", "parameter", "parameters", "init"];
+
+/// A state or a derivative of it.
+pub(super) struct Derivative {
+    pub(super) name: String,
+    /// How often it is derived; 0 for the state itself.
+    pub(super) order: usize,
+    /// The token behind it.
+    pub(super) end: usize,
+}
+
+/// A left side with its sign of equality.
+pub(super) struct Left {
+    pub(super) of: Derivative,
+    /// Whether it is the value at the time 0: `x(0) =`.
+    pub(super) is_first: bool,
+    /// Whether it stands in `Eq(…, …)`.
+    pub(super) is_in_call: bool,
+    /// Whether a word says that it is a value: `par a =`.
+    pub(super) is_declared: bool,
+    /// The first token of the right side.
+    pub(super) right: usize,
+}
+
+impl Left {
+    /// Whether it is that of a value, and not of an equation.
+    pub(super) fn is_value(&self) -> bool {
+        self.of.order == 0 || self.is_first
+    }
+}
+
+impl Reader<'_> {
+    /// The left side that begins here.
+    pub(super) fn left(&self, at: usize) -> Option<Left> {
+        let is_declared = DECLARING.contains(&self.at(at)) && self.is_name(at + 1);
+        let is_in_call = self.at(at) == "Eq" && self.at(at + 1) == "(";
+        let of = self.derivative(at + usize::from(is_declared) + 2 * usize::from(is_in_call))?;
+        let is_first = self.is_group(of.end, "0");
+        let end = of.end + if is_first { 3 } else { 0 };
+        let length = match self.at(end) {
+            "=" if !is_in_call => 1 + usize::from(self.at(end + 1) == "=" && self.given[end].0.touches_next),
+            "~" if !is_in_call => 1,
+            "," if is_in_call => 1,
+            _ => return None,
+        };
+        Some(Left { of, is_first, is_in_call, is_declared, right: end + length })
+    }
+
+    /// The derivative that begins here, or the name.
+    pub(super) fn derivative(&self, at: usize) -> Option<Derivative> {
+        let matching = |(order, patterns): &(usize, &str)| {
+            patterns.split('|').find_map(|pattern| self.matching(at, pattern, *order))
+        };
+        DERIVATIVES.iter().find_map(matching)
+    }
+
+    fn matching(&self, mut at: usize, pattern: &str, mut order: usize) -> Option<Derivative> {
+        let mut found = None;
+        let time = |at: usize| if self.is_group(at, "t") { 3 } else { 0 };
+        for piece in pattern.split(' ') {
+            let (token, _) = self.given.get(at)?;
+            at += 1;
+            if piece == "′" {
+                order += token.text.chars().map(primes).sum::<Option<usize>>()?;
+            } else if piece == "Ẋ" {
+                let (name, dots) = without_dots(&token.text)?;
+                (found, order) = (Some(name), order + dots);
+            } else if let Some((before, behind)) = piece.split_once('X') {
+                let name = token.text.strip_prefix(before)?.strip_suffix(behind)?;
+                let is_word = matches!(token.kind, TokenKind::Identifier | TokenKind::Literal);
+                let name = is_word.then_some(name).filter(|name| name.starts_with(starts_identifier))?;
+                found = Some(name.to_owned());
+                at += time(at);
+            } else if token.text != piece {
+                return None;
+            }
+        }
+        let name = found.filter(|_| order <= HIGHEST_ORDER)?;
+        Some(Derivative { name, order, end: at + time(at) })
+    }
+
+    /// Whether one token of this text stands here in parentheses or square brackets.
+    pub(super) fn is_group(&self, at: usize, inside: &str) -> bool {
+        self.at(at + 1) == inside && matches!((self.at(at), self.at(at + 2)), ("(", ")") | ("[", "]"))
+    }
+}
