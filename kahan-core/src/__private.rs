@@ -26,7 +26,7 @@ pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]
 pub use crate::field::supernodes::{PanelWorkspace, Supernodes};
-/// What chains are stepped by that are read at run time: `kahan-runtime` calls it.
+/// The solver of chains that are read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
 pub mod chain {
     pub use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};

@@ -184,7 +184,7 @@ impl Field {
         self.study.variables().iter().map(String::as_str).collect()
     }
 
-    /// What was read in a way that the writer of the text should know of.
+    /// Notes on what was read in a way that the writer of the text should know of.
     #[getter]
     fn notes(&self) -> Vec<&str> {
         self.study.notes().iter().map(String::as_str).collect()

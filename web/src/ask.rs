@@ -38,7 +38,7 @@ struct Reply {
     html: Option<String>,
     /// The parameters of the subject.
     parameters: Vec<String>,
-    /// Those of them that have values, with these.
+    /// The values of the parameters that have some.
     values: Map<String, Value>,
     columns: Vec<f64>,
 }

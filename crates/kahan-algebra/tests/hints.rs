@@ -153,7 +153,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
         ("a = 1; a = 2; x' = a*x", "once", "a = 1; x' = a*x"),
         ("x'(0) = 1; x' = x", "leave it out", "x' = x"),
         ("z(0) = 1; x' = x", "leave it out", "x' = x"),
-        // What other tools can, and what is not smooth.
+        // Features of other tools, and functions that are not smooth.
         ("k1, A + B --> C", "Antimony and SBML", ""),
         ("A + B -> C; k1*A*B; C -> A + B; k2*C; A = 1; k1 = 0.1;", "Antimony and SBML", ""),
         ("x' = -x*abs(x)", ON_TEXTS, ""),
@@ -162,7 +162,7 @@ fn hints_on_texts_of_other_tools_lead_on() {
         ("x' = sin x", PAGE, ""),
         ("x' = if(x > 0, -x, x)", ON_TEXTS, ""),
         ("x' = -x(t - 1)", ON_TEXTS, ""),
-        // What is not quadratic.
+        // Fields that are not quadratic.
         ("x'' = -x^3 + cos(t)", PAGE, ""),
         ("x'' = -x^3", PAGE, ""),
         ("S' = -beta*S*I/(S+I+R); I' = beta*S*I/(S+I+R) - gamma*I; R' = gamma*I", PAGE, ""),

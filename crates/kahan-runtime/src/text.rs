@@ -34,7 +34,7 @@ struct Shared {
     unproved: OnceLock<Checked>,
 }
 
-/// What a text says besides its equations.
+/// Everything that a text says besides its equations.
 #[derive(Debug)]
 struct Said {
     /// The block in the language of `kahan!`, where the text is in none.
@@ -177,7 +177,7 @@ impl FieldText {
         &self.said().reading.start
     }
 
-    /// What was read in a way that its writer should know of.
+    /// Notes on what was read in a way that its writer should know of.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.said().reading.notes

@@ -150,7 +150,7 @@ impl Study {
         self.read.text.text()
     }
 
-    /// What was read in a way that the writer of the text should know of.
+    /// Notes on what was read in a way that the writer of the text should know of.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         self.read.text.notes()

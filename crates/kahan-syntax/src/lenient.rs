@@ -33,7 +33,7 @@ pub struct Reading {
     pub parameters: Vec<(String, Rational)>,
     /// The first values that the text gives to states.
     pub start: Vec<(String, Rational)>,
-    /// What was read in a way that its writer should know of.
+    /// Notes on what was read in a way that its writer should know of.
     pub notes: Vec<String>,
 }
 

@@ -53,7 +53,7 @@ impl TokenKind {
         TokenKind::Unreadable(Box::new(Unreadable { message: message.into(), help: help.into() }))
     }
 
-    /// What a token of the language is that begins with this character.
+    /// The kind of a token of the language that begins with this character.
     pub(crate) fn beginning_with(c: char) -> Self {
         match c {
             '(' | '[' | '{' => TokenKind::Open(c),

@@ -16,7 +16,7 @@ fn mistakes(tokens: &[Token]) -> Vec<Diagnostic> {
     diagnostics.finish()
 }
 
-/// What a text is read as, on one line; values stand before it, and first values behind it.
+/// The reading of a text, on one line; values stand before it, and first values behind it.
 fn reading(text: &str) -> String {
     let read = read(text);
     assert_eq!(mistakes(&read.lexed.tokens), [], "{text}");
@@ -104,7 +104,7 @@ fn texts_of_other_tools_are_read() {
         ("init x = 1, a = -1e-3\nx' = -a*x", "a=-1/1000 xdot = -a*x; x=1"),
     ] {
         assert_eq!(reading(text), expected, "{text}");
-        // What is printed is read as the same.
+        // The printed text is read as the same field.
         let first = read(text);
         let again = read(&first.canonical());
         let kinds =
@@ -379,8 +379,8 @@ const PIECES: &[&str] = &[
     "xy",
 ];
 
-/// Whatever the text: it is read without a crash, and what is read without mistakes is printed as
-/// a text that is read as the same.
+/// Every text is read without a crash. A text without mistakes is printed as one that is read as
+/// the same field.
 #[test]
 fn hostile_texts_are_read() {
     let mut draws = Draws(1);

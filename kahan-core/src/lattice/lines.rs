@@ -24,7 +24,7 @@ pub struct Sizes {
     pub parameters: usize,
     /// The largest distance, in unknowns, of an entry of A to the left of the diagonal.
     pub lower: usize,
-    /// The same to the right.
+    /// The largest such distance to the right of the diagonal.
     pub upper: usize,
     /// The scalars that a line of one site computes in.
     pub registers: usize,
@@ -39,16 +39,16 @@ pub struct Sizes {
 /// parameters of these sites.
 #[expect(private_bounds, reason = "the kernels of a chain are nobody else's")]
 pub trait Lines<T: LatticeScalar>: Clone + Debug + Sync {
-    /// What steps the chain in parts.
+    /// The kernels that step the chain in parts.
     type Kernels: Kernels;
 
     /// The sizes.
     fn sizes(&self) -> Sizes;
 
-    /// What lies beyond the ends.
+    /// The values beyond the ends.
     fn boundary(&self) -> Boundary;
 
-    /// What the lines take as constants at this ε, the parameters taken to L by `convert`; `None`
+    /// The constants of the lines at this ε, the parameters taken to L by `convert`; `None`
     /// where the equations divide by a zero that has no reciprocal.
     fn constants<L: Scalar>(&self, eps: L, convert: impl Fn(&T) -> L) -> Option<Vec<L>>;
 

@@ -25,7 +25,7 @@ pub(super) struct Site<L> {
     i: usize,
     x: Vec<L>,
     c: Vec<L>,
-    /// What lines that are read at run time compute in.
+    /// Workspace of lines that are read at run time.
     registers: Vec<L>,
     f: Vec<L>,
     a: Vec<L>,

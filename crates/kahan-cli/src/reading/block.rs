@@ -88,7 +88,7 @@ impl Block {
         self.text.given()
     }
 
-    /// What its writer should know of how it is read: quantities, and values that the text gives
+    /// Notes on how the text is read: quantities, and values that the text gives
     /// where no option gives others.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
         let parameters = self.text.parameters().iter().filter(|(name, _)| !given.contains(&name.as_str()));

@@ -71,7 +71,7 @@ enum Operand {
     Register(usize),
 }
 
-/// What lines that are run one after another share: the numbers that sites see, and constants.
+/// The numbers that sites see, and constants: lines that are run one after another share them.
 pub(super) struct Numbering<'a> {
     pub(super) symbols: &'a Symbols,
     pub(super) block: usize,
@@ -254,7 +254,7 @@ impl<'a> Abreast<'a> {
         for (k, constant) in constants.iter().enumerate() {
             numbers[program.place(Operand::Constant(k)).numbers..][..ROOM].fill(*constant);
         }
-        // What no instruction writes is zero for every state.
+        // A result that no instruction writes is zero for every state.
         numbers[..program.results * ROOM].fill(0.0);
         Abreast { program, x, c, numbers, level, width, first: 0, end: 0 }
     }

@@ -15,7 +15,7 @@ pub(in crate::lattice) struct Scratch<T> {
     pub(super) x: Buffer<T>,
     /// Parameters of the same sites.
     pub(super) c: Buffer<T>,
-    /// What lines that are read at run time compute in.
+    /// Workspace of lines that are read at run time.
     pub(super) registers: Buffer<T>,
     /// The small system that the first pass ends with, and its largest multiplier.
     pub(super) dense: Buffer<T>,
