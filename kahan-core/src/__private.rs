@@ -25,7 +25,7 @@ pub mod dense {
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]
-pub use crate::field::supernodes::{PanelWorkspace, Supernodes};
+pub use crate::supernodes::{PanelWorkspace, Supernodes};
 /// The solver of chains that are read at run time: `kahan-runtime` calls it.
 #[cfg(feature = "std")]
 pub mod chain {

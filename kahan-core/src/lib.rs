@@ -90,6 +90,8 @@ mod ensemble;
 
 #[cfg(feature = "std")]
 mod dense;
+#[cfg(feature = "std")]
+mod supernodes;
 
 pub mod observe;
 

@@ -35,6 +35,7 @@ const CORE: Layered = Layered {
         "composition",
         "ensemble",
         "dense",
+        "supernodes",
         "observe",
         "periodic",
         "lattice",

@@ -48,15 +48,15 @@ impl CouplingRow {
         CouplingRow { start, own, diagonal, end }
     }
 
-    pub(super) fn left(&self) -> core::ops::Range<usize> {
+    pub(crate) fn left(&self) -> core::ops::Range<usize> {
         self.own as usize..self.diagonal as usize
     }
 
-    pub(super) fn right(&self) -> core::ops::Range<usize> {
+    pub(crate) fn right(&self) -> core::ops::Range<usize> {
         self.diagonal as usize + 1..self.end as usize
     }
 
-    pub(super) fn own(&self) -> core::ops::Range<usize> {
+    pub(crate) fn own(&self) -> core::ops::Range<usize> {
         self.own as usize..self.end as usize
     }
 

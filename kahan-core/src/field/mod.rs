@@ -6,8 +6,6 @@
 pub(crate) mod couplings;
 pub(crate) mod linear;
 mod named;
-#[cfg(feature = "std")]
-pub(crate) mod supernodes;
 
 use nalgebra::{SMatrix, SVector};
 

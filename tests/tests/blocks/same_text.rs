@@ -5,24 +5,42 @@
 
 mod cases;
 
-use kahan_algebra::lexer::lex;
+use std::ops::Range;
+
+use kahan_algebra::lexer::{Lexed, lex};
 use kahan_algebra::render::report;
+use kahan_algebra::token::Token;
 
 use cases::{CompileCase, compile_cases};
+
+/// The tokens that rustc has for the macro: `**` is two stars, where texts have a power.
+fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
+    let Lexed { tokens, ranges, .. } = lex(text);
+    let star = &lex("*").tokens[0];
+    let split = |(token, range): (Token, Range<usize>)| {
+        if &text[range.clone()] != "**" {
+            return vec![(token, range)];
+        }
+        let first = (Token { touches_next: true, ..star.clone() }, range.start..range.start + 1);
+        let second = Token { touches_next: token.touches_next, ..star.clone() };
+        vec![first, (second, range.start + 1..range.end)]
+    };
+    tokens.into_iter().zip(ranges).flat_map(split).collect()
+}
 
 /// `<line>:<column>` as rustc prints it, with the lines of the message, for each mistake.
 fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
     let mut mistakes = Vec::new();
     for block in &case.blocks {
         let text = &case.source[block.clone()];
-        let lexed = lex(text);
-        for diagnostic in kahan_algebra::read(&lexed.tokens).diagnostics() {
-            let place = lexed.ranges.get(diagnostic.span.first).map(|range| {
+        let (tokens, ranges): (Vec<_>, Vec<_>) = tokens_of_rust(text).into_iter().unzip();
+        for diagnostic in kahan_algebra::read(&tokens).diagnostics() {
+            let place = ranges.get(diagnostic.span.first).map(|range| {
                 let (line, column) = case.line_and_column(block.start + range.start);
                 format!("{line}:{column}")
             });
             let lines: Vec<String> = diagnostic.to_string().lines().map(str::to_owned).collect();
-            let paragraph = report(diagnostic, text, &lexed.ranges, "--field");
+            let paragraph = report(diagnostic, text, &ranges, "--field");
             for line in &lines {
                 assert!(paragraph.contains(line.as_str()), "{}: the command leaves out {line}", case.name);
             }

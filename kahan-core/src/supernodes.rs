@@ -12,9 +12,9 @@ mod tests;
 use core::ops::Range;
 use std::vec::Vec;
 
-use super::couplings::{Couplings, LARGEST_FACTOR};
 use crate::dense::Float;
 use crate::ensemble::lanes::{Lanes, OverLanes, Register, minus_product};
+use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
 /// The most rows of a panel: so many rows of pivots stay in the cache that is nearest.
