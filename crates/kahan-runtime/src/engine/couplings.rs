@@ -10,7 +10,7 @@ use super::floats::MachineFloat;
 
 /// The fewest entries of A(x,ε) that are eliminated by panels of rows. Code is compiled for
 /// eliminations that take fewer operations than these do.
-pub(crate) const FEWEST_IN_PANELS: usize = 16_000;
+const FEWEST_IN_PANELS: usize = 16_000;
 
 /// Where A(x,ε) has entries.
 #[derive(Debug)]

@@ -34,7 +34,7 @@ pub(crate) use abreast::Abreast;
 pub(crate) use coded::CodedStages;
 pub(crate) use columns::Columns;
 pub(crate) use columns::given;
-pub(crate) use couplings::{FEWEST_IN_PANELS, Factors, Tables};
+pub(crate) use couplings::{Factors, Tables};
 pub(crate) use dense::advance as advance_dense;
 pub use floats::{MachineFloat, RuntimeFloat};
 use scratch::Workspace;

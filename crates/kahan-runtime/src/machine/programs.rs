@@ -4,9 +4,7 @@ use kahan_core::{Precision, Scalar};
 use kahan_jit::Instruction::{Constant, State};
 use kahan_jit::Program;
 
-use crate::engine::{
-    Engine, FEWEST_IN_PANELS, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals,
-};
+use crate::engine::{Engine, Object, Scratch, Step, Tables, into_matrix, jacobian_by_duals};
 use crate::line::Line;
 
 use super::double_double::{self, Pair};
@@ -14,7 +12,7 @@ use super::traced::{self, Traced};
 use super::{Coded, StepKind};
 
 /// The most operations of an elimination that is compiled.
-const MOST_OPERATIONS: u32 = 2 * FEWEST_IN_PANELS as u32;
+const MOST_OPERATIONS: u32 = 20_000;
 
 impl StepKind {
     /// The program from the numbers of a state to those of the next, for the prepared constants of
