@@ -31,8 +31,8 @@ pub trait Float: InLanes + Scalar + Copy {
     /// The rows that stand together: as many as a register of 256 bits holds.
     const ROWS: usize = Self::MOST / 2;
 
-    /// An entry of a row that is smaller by this factor than the largest adds nothing to the
-    /// solution: its square is still far above the smallest normal number.
+    /// An entry that is smaller by this factor than the largest ones of its row and of its column
+    /// adds nothing to the solution. The square of the factor is still a normal number.
     const NEGLIGIBLE: Self;
 }
 

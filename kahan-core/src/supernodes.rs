@@ -17,15 +17,15 @@ use crate::ensemble::lanes::{Lanes, OverLanes, Register, minus_product};
 use crate::field::couplings::{Couplings, LARGEST_FACTOR};
 use crate::{Constant, Level};
 
-/// The most rows of a panel: so many rows of pivots stay in the cache that is nearest.
+/// The most rows of a panel: the nearest cache holds this number of rows of pivots.
 const MOST_ROWS: usize = 32;
 /// The rows that are reduced together.
 const ROWS: usize = 4;
 /// The pivots that rows are reduced by at once.
 const PIVOTS: usize = 16;
-/// The fewest pivots that are worth it for.
+/// The fewest pivots of a panel that reduce rows together, whatever their columns are.
 const FEWEST: usize = 4;
-/// The fewest columns that loops over lanes are worth it for.
+/// The fewest columns in a row that loops over lanes are used for.
 const SHORTEST: u32 = 4;
 
 /// The panels of an elimination.
@@ -86,8 +86,10 @@ struct Run {
 pub struct PanelWorkspace<T> {
     /// The rows of a panel, each over its columns.
     rows: Vec<T>,
-    /// For each of them the magnitude below which an entry counts as 0.
+    /// For each of them the magnitude below which an entry may count as 0.
     limits: Vec<T>,
+    /// Such magnitudes of all columns of A: an entry that counts as 0 is below both.
+    column_limits: Vec<T>,
     /// The factors by which rows are reduced together, pivot after pivot.
     factors: Vec<T>,
     /// Where the entries of the rows of pivots begin.
@@ -96,7 +98,8 @@ pub struct PanelWorkspace<T> {
 
 impl<T> Default for PanelWorkspace<T> {
     fn default() -> Self {
-        PanelWorkspace { rows: Vec::new(), limits: Vec::new(), factors: Vec::new(), uppers: Vec::new() }
+        let [rows, limits, column_limits, factors] = [const { Vec::new() }; 4];
+        PanelWorkspace { rows, limits, column_limits, factors, uppers: Vec::new() }
     }
 }
 
@@ -195,9 +198,11 @@ impl Supernodes {
     /// Replaces A by its factors, as [`Couplings::factor`] does. `false` where a pivot is 0, or too
     /// small; the values then are of no use.
     ///
-    /// With `flushes` an entry of a row that is smaller than [`Float::NEGLIGIBLE`] times the largest
-    /// one of A in this row counts as 0: factors that decay like a power of ε with the distance
-    /// between variables would reach numbers that processors compute very slowly with.
+    /// With `flushes` an entry counts as 0 that is smaller than [`Float::NEGLIGIBLE`] times the
+    /// largest entry of A in its row, and in its column, beside the diagonal. Factors decay like a
+    /// power of ε with the distance between variables, and processors are slow with numbers below
+    /// the normal ones. A unit of a variable multiplies a row and divides a column: solutions keep
+    /// their bits, in f64, in all units whose quotients are at least 2¹⁰⁰ times `NEGLIGIBLE`.
     #[must_use]
     pub fn factor<T: Float>(
         &self,
@@ -244,6 +249,7 @@ impl<T: Float> OverLanes<T> for Work<'_, T> {
 
     #[inline(always)]
     fn run<L: Lanes<T>>(mut self) -> bool {
+        self.set_column_limits();
         self.workspace.limits.resize(MOST_ROWS, T::zero());
         self.workspace.factors.resize(PIVOTS * ROWS, T::zero());
         self.workspace.uppers.resize(PIVOTS, 0);
@@ -255,6 +261,14 @@ impl<T: Float> OverLanes<T> for Work<'_, T> {
         }
         true
     }
+}
+
+/// The magnitude below which an entry may count as 0 beside the largest one; 0 where that is not
+/// finite.
+#[inline(always)]
+fn negligible<T: Float>(largest: T) -> T {
+    let limit = largest * T::NEGLIGIBLE;
+    if (limit * T::zero()).is_zero() { limit } else { T::zero() }
 }
 
 /// Rows of a panel that are reduced together by the pivots of a reduction before `end`.
@@ -382,20 +396,51 @@ impl<T: Float> Work<'_, T> {
         true
     }
 
+    /// Finds the limits of columns; without flushing they are 0.
+    #[inline(always)]
+    fn set_column_limits(&mut self) {
+        let limits = &mut self.workspace.column_limits;
+        limits.clear();
+        limits.resize(self.couplings.rows.len(), T::zero());
+        if !self.flushes {
+            return;
+        }
+        for row in self.couplings.rows {
+            for place in row.own() {
+                let largest = &mut limits[self.couplings.columns[place] as usize];
+                if place + 1 != row.right().start && self.values[place].is_better_pivot(largest) {
+                    *largest = self.values[place];
+                }
+            }
+        }
+        for limit in limits {
+            *limit = negligible(*limit);
+        }
+    }
+
     /// Copies a row of A to row r of the panel.
     #[inline(always)]
     fn gather(&mut self, panel: &Panel, r: usize) {
         let own = &mut self.workspace.rows[r * panel.width..][..panel.width];
+        let row = &self.couplings.rows[panel.rows.start + r];
         let mut largest = T::zero();
-        for place in self.couplings.rows[panel.rows.start + r].own() {
+        for place in row.own() {
             let entry = self.values[place];
             own[self.supernodes.columns[place] as usize] = entry;
-            if self.flushes && entry.is_better_pivot(&largest) {
+            if self.flushes && place + 1 != row.right().start && entry.is_better_pivot(&largest) {
                 largest = entry;
             }
         }
-        let limit = largest * T::NEGLIGIBLE;
-        self.workspace.limits[r] = if (limit * T::zero()).is_zero() { limit } else { T::zero() };
+        self.workspace.limits[r] = negligible(largest);
+    }
+
+    /// An entry of row r of the panel in a column of A, or 0 where it is negligible.
+    #[inline(always)]
+    fn flushed(&self, entry: T, r: usize, column: usize) -> T {
+        let PanelWorkspace { limits, column_limits, .. } = &*self.workspace;
+        let is_negligible =
+            limits[r].is_better_pivot(&entry) && column_limits[column].is_better_pivot(&entry);
+        if is_negligible { T::zero() } else { entry }
     }
 
     /// Copies row r of the panel back, with the reciprocal of its pivot; `false` where that is 0.
@@ -403,13 +448,12 @@ impl<T: Float> Work<'_, T> {
     fn has_scattered(&mut self, panel: &Panel, r: usize) -> bool {
         let own = &self.workspace.rows[r * panel.width..][..panel.width];
         let row = &self.couplings.rows[panel.rows.start + r];
-        let limit = self.workspace.limits[r];
         for place in row.left() {
             self.values[place] = own[self.supernodes.columns[place] as usize];
         }
         for place in row.right() {
             let entry = own[self.supernodes.columns[place] as usize];
-            self.values[place] = if limit.is_better_pivot(&entry) { T::zero() } else { entry };
+            self.values[place] = self.flushed(entry, r, self.couplings.columns[place] as usize);
         }
         let [diagonal, _] = self.pivot(panel.rows.start + r);
         let pivot = own[self.supernodes.columns[diagonal] as usize];
@@ -509,9 +553,7 @@ impl<T: Float> Work<'_, T> {
     fn factor(&mut self, row: usize, place: usize, pivot: usize, end: usize) -> Option<T> {
         let [diagonal, behind] = self.pivot(pivot);
         let reciprocal = self.values[diagonal];
-        let own = &mut self.workspace.rows[place..][..end - pivot];
-        let entry = if self.workspace.limits[row].is_better_pivot(&own[0]) { T::zero() } else { own[0] };
-        let factor = entry * reciprocal;
+        let factor = self.flushed(self.workspace.rows[place], row, pivot) * reciprocal;
         if factor.is_better_pivot(&self.most) {
             for place in diagonal + 1..behind {
                 if (self.values[place] * reciprocal).is_better_pivot(&self.most) {
@@ -519,6 +561,7 @@ impl<T: Float> Work<'_, T> {
                 }
             }
         }
+        let own = &mut self.workspace.rows[place..][..end - pivot];
         own[0] = factor;
         let upper = &self.values[diagonal..][..end - pivot];
         for k in 1..upper.len() {
@@ -527,8 +570,8 @@ impl<T: Float> Work<'_, T> {
         Some(factor)
     }
 
-    /// Subtracts rows of `count` pivots, times their factors, in so many columns from one on. The
-    /// rows of pivots have `before` entries before them.
+    /// Subtracts rows of `count` pivots, times their factors, in `length` columns from `column` on.
+    /// The rows of pivots have `before` entries before them.
     #[inline(always)]
     fn subtract<L: Lanes<T>, const R: usize>(
         &mut self,

@@ -24,8 +24,8 @@ pub struct Asker {
 /// An answer.
 #[derive(Debug, Default)]
 pub struct Answered {
-    /// `{"answer": …, "html": …, "parameters": […], "values": {…}}`, or `{"mistake": …}`, which says
-    /// in words what was wrong.
+    /// `{"answer": …, "html": …, "parameters": […], "values": {…}}`, or `{"mistake": …}`, which
+    /// says in words what was wrong.
     pub json: String,
     /// Of an orbit its rows, column by column.
     pub columns: Vec<f64>,

@@ -128,8 +128,8 @@ fn hints_on_what_is_not_quadratic_name_the_page() {
     assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(PAGE).exists());
 }
 
-/// Texts of other tools that are refused, and where each hint leads: to a text that is read, or to a
-/// page.
+/// Texts of other tools that are refused, and where each hint leads: to a text that is read, or to
+/// a page.
 #[test]
 fn hints_on_texts_of_other_tools_lead_on() {
     let leniently = |text: &str| read(&lenient::read(text).lexed.tokens);

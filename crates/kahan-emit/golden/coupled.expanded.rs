@@ -93,26 +93,26 @@ const _: () = {
     pub struct __Coupled;
     impl __kahan::CoupledField<9, 1, 27, 39> for __Coupled {
         const COUPLINGS: __kahan::Couplings<'static> = __kahan::Couplings {
-            order: &[0, 2, 1, 4, 6, 5, 3, 7, 8],
+            order: &[0, 2, 4, 6, 1, 5, 3, 7, 8],
             rows: &[
                 __kahan::CouplingRow::new(0, 0, 0, 3),
                 __kahan::CouplingRow::new(3, 3, 3, 6),
-                __kahan::CouplingRow::new(6, 6, 8, 11),
-                __kahan::CouplingRow::new(11, 11, 11, 14),
-                __kahan::CouplingRow::new(14, 14, 14, 17),
+                __kahan::CouplingRow::new(6, 6, 6, 9),
+                __kahan::CouplingRow::new(9, 9, 9, 12),
+                __kahan::CouplingRow::new(12, 12, 14, 17),
                 __kahan::CouplingRow::new(17, 17, 19, 22),
                 __kahan::CouplingRow::new(22, 22, 26, 29),
                 __kahan::CouplingRow::new(29, 29, 32, 34),
                 __kahan::CouplingRow::new(34, 34, 38, 39),
             ],
             columns: &[
-                0, 2, 8, 1, 2, 6, 0, 1, 2, 6, 8, 3, 5, 6, 4, 5, 7, 3, 4, 5, 6, 7, 1, 2,
-                3, 5, 6, 7, 8, 4, 5, 6, 7, 8, 0, 2, 6, 7, 8,
+                0, 4, 8, 1, 4, 6, 2, 5, 6, 3, 5, 7, 0, 1, 4, 6, 8, 2, 3, 5, 6, 7, 1, 2,
+                4, 5, 6, 7, 8, 3, 5, 6, 7, 8, 0, 4, 6, 7, 8,
             ],
             blocks: &[9],
             places: &[
-                0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 13, 14, 15, 16, 17, 18, 19, 22, 24,
-                26, 29, 32, 33, 34, 37, 38,
+                0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 17, 18, 19, 22, 23, 26,
+                29, 32, 33, 34, 37, 38,
             ],
         };
         const FIELD: &'static [__kahan::Postfix<'static>] = {
@@ -203,15 +203,6 @@ const _: () = {
                 Done,
                 State(2),
                 Done,
-                State(1),
-                Negate,
-                Done,
-                State(1),
-                Done,
-                State(2),
-                State(0),
-                Subtract,
-                Done,
                 State(5),
                 State(3),
                 Subtract,
@@ -229,6 +220,15 @@ const _: () = {
                 Negate,
                 Done,
                 State(6),
+                Done,
+                State(1),
+                Negate,
+                Done,
+                State(1),
+                Done,
+                State(2),
+                State(0),
+                Subtract,
                 Done,
                 State(5),
                 Negate,
@@ -297,15 +297,15 @@ const _: () = {
                 __s_x3.clone() - __s_x1.clone(),
                 -__s_x2.clone(),
                 __s_x2.clone(),
-                -__s_x1.clone(),
-                __s_x1.clone(),
-                __s_x2.clone() - __s_x0.clone(),
                 __s_x5.clone() - __s_x3.clone(),
                 __s_x4.clone(),
                 -__s_x4.clone(),
                 __s_x7.clone() - __s_x5.clone(),
                 -__s_x6.clone(),
                 __s_x6.clone(),
+                -__s_x1.clone(),
+                __s_x1.clone(),
+                __s_x2.clone() - __s_x0.clone(),
                 -__s_x5.clone(),
                 __s_x5.clone(),
                 __s_x6.clone() - __s_x4.clone(),
@@ -338,17 +338,17 @@ const _: () = {
             let __a6 = -(eps.clone() * __d6);
             let __a7 = -(eps.clone() * __d7);
             let __a8 = -(eps.clone() * __d8);
-            let __a11 = -(eps.clone() * __d9);
-            let __a12 = -(eps.clone() * __d10);
-            let __a13 = -(eps.clone() * __d11);
-            let __a14 = -(eps.clone() * __d12);
-            let __a15 = -(eps.clone() * __d13);
-            let __a16 = -(eps.clone() * __d14);
+            let __a9 = -(eps.clone() * __d9);
+            let __a10 = -(eps.clone() * __d10);
+            let __a11 = -(eps.clone() * __d11);
+            let __a12 = -(eps.clone() * __d12);
+            let __a13 = -(eps.clone() * __d13);
+            let __a14 = -(eps.clone() * __d14);
             let __a17 = -(eps.clone() * __d15);
             let __a18 = -(eps.clone() * __d16);
             let __a19 = -(eps.clone() * __d17);
             let __a22 = -(eps.clone() * __d18);
-            let __a24 = -(eps.clone() * __d19);
+            let __a23 = -(eps.clone() * __d19);
             let __a26 = -(eps.clone() * __d20);
             let __a29 = -(eps.clone() * __d21);
             let __a32 = -(eps.clone() * __d22);
@@ -358,8 +358,8 @@ const _: () = {
             let __a38 = -(eps.clone() * __d26);
             let __a0 = __one.clone() + __a0;
             let __a3 = __one.clone() + __a3;
-            let __a8 = __one.clone() + __a8;
-            let __a11 = __one.clone() + __a11;
+            let __a6 = __one.clone() + __a6;
+            let __a9 = __one.clone() + __a9;
             let __a14 = __one.clone() + __a14;
             let __a19 = __one.clone() + __a19;
             let __a26 = __one.clone() + __a26;
@@ -371,40 +371,40 @@ const _: () = {
             let __a0 = __a0.reciprocal()?;
             __is_refused |= __a3.is_zero();
             let __a3 = __a3.reciprocal()?;
-            let __a6 = __a6 * __a0.clone();
+            __is_refused |= __a6.is_zero();
+            let __a6 = __a6.reciprocal()?;
+            __is_refused |= __a9.is_zero();
+            let __a9 = __a9.reciprocal()?;
+            let __a12 = __a12 * __a0.clone();
             __is_refused
-                |= __a6.is_better_pivot(&__most)
+                |= __a12.is_better_pivot(&__most)
                     && (false || (__a1.clone() * __a0.clone()).is_better_pivot(&__most)
                         || (__a2.clone() * __a0.clone()).is_better_pivot(&__most));
-            let __a8 = __a8.subtract_product(__a6.clone(), __a1.clone());
-            let __a10 = __zero.clone().subtract_product(__a6.clone(), __a2.clone());
-            let __a7 = __a7 * __a3.clone();
+            let __a14 = __a14.subtract_product(__a12.clone(), __a1.clone());
+            let __a16 = __zero.clone().subtract_product(__a12.clone(), __a2.clone());
+            let __a13 = __a13 * __a3.clone();
             __is_refused
-                |= __a7.is_better_pivot(&__most)
+                |= __a13.is_better_pivot(&__most)
                     && (false || (__a4.clone() * __a3.clone()).is_better_pivot(&__most)
                         || (__a5.clone() * __a3.clone()).is_better_pivot(&__most));
-            let __a8 = __a8.subtract_product(__a7.clone(), __a4.clone());
-            let __a9 = __zero.clone().subtract_product(__a7.clone(), __a5.clone());
-            __is_refused |= __a8.is_zero();
-            let __a8 = __a8.reciprocal()?;
-            __is_refused |= __a11.is_zero();
-            let __a11 = __a11.reciprocal()?;
+            let __a14 = __a14.subtract_product(__a13.clone(), __a4.clone());
+            let __a15 = __zero.clone().subtract_product(__a13.clone(), __a5.clone());
             __is_refused |= __a14.is_zero();
             let __a14 = __a14.reciprocal()?;
-            let __a17 = __a17 * __a11.clone();
+            let __a17 = __a17 * __a6.clone();
             __is_refused
                 |= __a17.is_better_pivot(&__most)
-                    && (false || (__a12.clone() * __a11.clone()).is_better_pivot(&__most)
-                        || (__a13.clone() * __a11.clone()).is_better_pivot(&__most));
-            let __a19 = __a19.subtract_product(__a17.clone(), __a12.clone());
-            let __a20 = __zero.clone().subtract_product(__a17.clone(), __a13.clone());
-            let __a18 = __a18 * __a14.clone();
+                    && (false || (__a7.clone() * __a6.clone()).is_better_pivot(&__most)
+                        || (__a8.clone() * __a6.clone()).is_better_pivot(&__most));
+            let __a19 = __a19.subtract_product(__a17.clone(), __a7.clone());
+            let __a20 = __zero.clone().subtract_product(__a17.clone(), __a8.clone());
+            let __a18 = __a18 * __a9.clone();
             __is_refused
                 |= __a18.is_better_pivot(&__most)
-                    && (false || (__a15.clone() * __a14.clone()).is_better_pivot(&__most)
-                        || (__a16.clone() * __a14.clone()).is_better_pivot(&__most));
-            let __a19 = __a19.subtract_product(__a18.clone(), __a15.clone());
-            let __a21 = __zero.clone().subtract_product(__a18.clone(), __a16.clone());
+                    && (false || (__a10.clone() * __a9.clone()).is_better_pivot(&__most)
+                        || (__a11.clone() * __a9.clone()).is_better_pivot(&__most));
+            let __a19 = __a19.subtract_product(__a18.clone(), __a10.clone());
+            let __a21 = __zero.clone().subtract_product(__a18.clone(), __a11.clone());
             __is_refused |= __a19.is_zero();
             let __a19 = __a19.reciprocal()?;
             let __a22 = __a22 * __a3.clone();
@@ -412,22 +412,22 @@ const _: () = {
                 |= __a22.is_better_pivot(&__most)
                     && (false || (__a4.clone() * __a3.clone()).is_better_pivot(&__most)
                         || (__a5.clone() * __a3.clone()).is_better_pivot(&__most));
-            let __a23 = __zero.clone().subtract_product(__a22.clone(), __a4.clone());
+            let __a24 = __zero.clone().subtract_product(__a22.clone(), __a4.clone());
             let __a26 = __a26.subtract_product(__a22.clone(), __a5.clone());
-            let __a23 = __a23 * __a8.clone();
+            let __a23 = __a23 * __a6.clone();
             __is_refused
                 |= __a23.is_better_pivot(&__most)
-                    && (false || (__a9.clone() * __a8.clone()).is_better_pivot(&__most)
-                        || (__a10.clone() * __a8.clone()).is_better_pivot(&__most));
-            let __a26 = __a26.subtract_product(__a23.clone(), __a9.clone());
-            let __a28 = __zero.clone().subtract_product(__a23.clone(), __a10.clone());
-            let __a24 = __a24 * __a11.clone();
+                    && (false || (__a7.clone() * __a6.clone()).is_better_pivot(&__most)
+                        || (__a8.clone() * __a6.clone()).is_better_pivot(&__most));
+            let __a25 = __zero.clone().subtract_product(__a23.clone(), __a7.clone());
+            let __a26 = __a26.subtract_product(__a23.clone(), __a8.clone());
+            let __a24 = __a24 * __a14.clone();
             __is_refused
                 |= __a24.is_better_pivot(&__most)
-                    && (false || (__a12.clone() * __a11.clone()).is_better_pivot(&__most)
-                        || (__a13.clone() * __a11.clone()).is_better_pivot(&__most));
-            let __a25 = __zero.clone().subtract_product(__a24.clone(), __a12.clone());
-            let __a26 = __a26.subtract_product(__a24.clone(), __a13.clone());
+                    && (false || (__a15.clone() * __a14.clone()).is_better_pivot(&__most)
+                        || (__a16.clone() * __a14.clone()).is_better_pivot(&__most));
+            let __a26 = __a26.subtract_product(__a24.clone(), __a15.clone());
+            let __a28 = __zero.clone().subtract_product(__a24.clone(), __a16.clone());
             let __a25 = __a25 * __a19.clone();
             __is_refused
                 |= __a25.is_better_pivot(&__most)
@@ -437,13 +437,13 @@ const _: () = {
             let __a27 = __zero.clone().subtract_product(__a25.clone(), __a21.clone());
             __is_refused |= __a26.is_zero();
             let __a26 = __a26.reciprocal()?;
-            let __a29 = __a29 * __a14.clone();
+            let __a29 = __a29 * __a9.clone();
             __is_refused
                 |= __a29.is_better_pivot(&__most)
-                    && (false || (__a15.clone() * __a14.clone()).is_better_pivot(&__most)
-                        || (__a16.clone() * __a14.clone()).is_better_pivot(&__most));
-            let __a30 = __zero.clone().subtract_product(__a29.clone(), __a15.clone());
-            let __a32 = __a32.subtract_product(__a29.clone(), __a16.clone());
+                    && (false || (__a10.clone() * __a9.clone()).is_better_pivot(&__most)
+                        || (__a11.clone() * __a9.clone()).is_better_pivot(&__most));
+            let __a30 = __zero.clone().subtract_product(__a29.clone(), __a10.clone());
+            let __a32 = __a32.subtract_product(__a29.clone(), __a11.clone());
             let __a30 = __a30 * __a19.clone();
             __is_refused
                 |= __a30.is_better_pivot(&__most)
@@ -467,13 +467,13 @@ const _: () = {
                         || (__a2.clone() * __a0.clone()).is_better_pivot(&__most));
             let __a35 = __zero.clone().subtract_product(__a34.clone(), __a1.clone());
             let __a38 = __a38.subtract_product(__a34.clone(), __a2.clone());
-            let __a35 = __a35 * __a8.clone();
+            let __a35 = __a35 * __a14.clone();
             __is_refused
                 |= __a35.is_better_pivot(&__most)
-                    && (false || (__a9.clone() * __a8.clone()).is_better_pivot(&__most)
-                        || (__a10.clone() * __a8.clone()).is_better_pivot(&__most));
-            let __a36 = __zero.clone().subtract_product(__a35.clone(), __a9.clone());
-            let __a38 = __a38.subtract_product(__a35.clone(), __a10.clone());
+                    && (false || (__a15.clone() * __a14.clone()).is_better_pivot(&__most)
+                        || (__a16.clone() * __a14.clone()).is_better_pivot(&__most));
+            let __a36 = __zero.clone().subtract_product(__a35.clone(), __a15.clone());
+            let __a38 = __a38.subtract_product(__a35.clone(), __a16.clone());
             let __a36 = __a36 * __a26.clone();
             __is_refused
                 |= __a36.is_better_pivot(&__most)
@@ -497,15 +497,15 @@ const _: () = {
                 x,
             );
             let __b1 = __b1
-                .subtract_product(__a6.clone(), __b0.clone())
-                .subtract_product(__a7.clone(), __b2.clone());
+                .subtract_product(__a12.clone(), __b0.clone())
+                .subtract_product(__a13.clone(), __b2.clone());
             let __b5 = __b5
                 .subtract_product(__a17.clone(), __b4.clone())
                 .subtract_product(__a18.clone(), __b6.clone());
             let __b3 = __b3
                 .subtract_product(__a22.clone(), __b2.clone())
-                .subtract_product(__a23.clone(), __b1.clone())
-                .subtract_product(__a24.clone(), __b4.clone())
+                .subtract_product(__a23.clone(), __b4.clone())
+                .subtract_product(__a24.clone(), __b1.clone())
                 .subtract_product(__a25.clone(), __b5.clone());
             let __b7 = __b7
                 .subtract_product(__a29.clone(), __b6.clone())
@@ -524,15 +524,15 @@ const _: () = {
             let __b5 = __b5
                 .subtract_product(__a21.clone(), __b7.clone())
                 .subtract_product(__a20.clone(), __b3.clone()) * __a19;
-            let __b6 = __b6
-                .subtract_product(__a16.clone(), __b7.clone())
-                .subtract_product(__a15.clone(), __b5.clone()) * __a14;
-            let __b4 = __b4
-                .subtract_product(__a13.clone(), __b3.clone())
-                .subtract_product(__a12.clone(), __b5.clone()) * __a11;
             let __b1 = __b1
-                .subtract_product(__a10.clone(), __b8.clone())
-                .subtract_product(__a9.clone(), __b3.clone()) * __a8;
+                .subtract_product(__a16.clone(), __b8.clone())
+                .subtract_product(__a15.clone(), __b3.clone()) * __a14;
+            let __b6 = __b6
+                .subtract_product(__a11.clone(), __b7.clone())
+                .subtract_product(__a10.clone(), __b5.clone()) * __a9;
+            let __b4 = __b4
+                .subtract_product(__a8.clone(), __b3.clone())
+                .subtract_product(__a7.clone(), __b5.clone()) * __a6;
             let __b2 = __b2
                 .subtract_product(__a5.clone(), __b3.clone())
                 .subtract_product(__a4.clone(), __b1.clone()) * __a3;

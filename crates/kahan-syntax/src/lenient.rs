@@ -67,15 +67,19 @@ impl Reading {
 #[must_use]
 pub fn read(text: &str) -> Reading {
     let Lexed { tokens, ranges, has_hash_comments } = lex(text);
-    let given = tokens.into_iter().zip(ranges).collect();
-    let mut reader = Reader { text, given, ..Reader::default() };
+    let count = tokens.len();
+    let mut reader = Reader { text, given: tokens.into_iter().zip(ranges).collect(), ..Reader::default() };
+    // A list of equations, as SymPy prints it and Mathematica takes it.
+    if matches!((reader.at(0), reader.at(count.saturating_sub(1))), ("[", "]") | ("{", "}")) {
+        reader.given = reader.given[1..count - 1].to_vec();
+    }
     match reader.reaction() {
         Some(mistake) => reader.out.push(mistake),
         None => reader.read(),
     }
-    let Reader { given, out, mut read, .. } = reader;
+    let Reader { out, mut read, .. } = reader;
     let is_there = |(token, range): &Placed| text.get(range.clone()) == Some(&token.text);
-    read.is_canonical = given.len() == out.len() && !has_hash_comments && out.iter().all(is_there);
+    read.is_canonical = count == out.len() && !has_hash_comments && out.iter().all(is_there);
     (read.lexed.tokens, read.lexed.ranges) = out.into_iter().unzip();
     read
 }

@@ -2,8 +2,8 @@
 //! number, `.5` is not).
 //!
 //! The macro never comes here: rustc has lexed its input already. So signs that stop rustc's lexer
-//! are read here: `**`, `x²`, `−`, `# comments`. Others, such as `x'`, become a token that carries
-//! its explanation, so that the command reports it like any other mistake.
+//! are read here: `**`, `x²`, `−`, `# comments`. Others, such as `x'`, become a token that
+//! carries its explanation, so that the command reports it like any other mistake.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -65,7 +65,7 @@ impl Lexer<'_> {
         self.at += length;
     }
 
-    /// Writes a token for so many bytes, which are not passed by.
+    /// Writes a token for the next `length` bytes, and stays before them.
     fn put(&mut self, kind: TokenKind, text: Cow<'static, str>, length: usize) {
         let range = self.at..self.at + length;
         if let (Some(previous), Some(last)) = (self.out.tokens.last_mut(), self.out.ranges.last()) {

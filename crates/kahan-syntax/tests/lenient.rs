@@ -53,6 +53,8 @@ fn texts_of_other_tools_are_read() {
             "Eq(Derivative(x(t), (t, 2)), -(x(t) + 1)*2), Eq(Derivative(y(t), t), y(t));",
             "xdot = v; vdot = -(x + 1)*2; ydot = y;",
         ),
+        ("[Eq(Derivative(x(t), t), y(t)), Eq(Derivative(y(t), t), -x(t))]", "xdot = y; ydot = -x;"),
+        ("{x'[t] == y[t], y'[t] == -x[t]}", "xdot = y; ydot = -x;"),
         ("\\dot{x} = y, \\dot{y} = -x", "xdot = y; ydot = -x;"),
         ("\\frac{dx}{dt} = y, \\ddot{y} = -x", "xdot = y; ydot = v; vdot = -x;"),
         ("D(x) ~ y\nD(y) ~ -x", "xdot = y; ydot = -x;"),

@@ -91,27 +91,51 @@ fn panels_have_the_bits_of_rows() {
     factors_are_those_of_rows(|number| number as f32);
 }
 
+/// A square lattice of variables, each coupled to those beside it.
+fn lattice(side: usize) -> Pattern {
+    Pattern::of(side * side, |i, j| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1)
+}
+
+/// The smallest factor that is not 0, and the solution; `units` are those of the variables.
+fn solved(pattern: &Pattern, eps: f64, units: impl Fn(usize) -> f64, flushes: bool) -> (f64, Vec<f64>) {
+    let n = pattern.order.len();
+    let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };
+    let pairs = couplings.pairs().enumerate();
+    let slopes: Vec<f64> =
+        pairs.map(|(place, (i, j))| (1.0 + (place % 7) as f64) * (units(i) / units(j))).collect();
+    let mut values = vec![0.0; pattern.columns.len()];
+    couplings.fill(&slopes, &eps, &mut values);
+    let supernodes = Supernodes::of(&couplings);
+    assert!(supernodes.factor(&couplings, flushes, &mut values, &mut PanelWorkspace::default()));
+    let sizes = values.iter().map(|value| value.abs()).filter(|size| *size > 0.0);
+    let smallest = sizes.fold(1.0, f64::min);
+    let mut solution: Vec<f64> = (0..n).map(|i| (1.0 + i as f64) * units(i)).collect();
+    couplings.solve(&values, &mut solution);
+    (smallest, (0..n).map(|i| solution[i] / units(i)).collect())
+}
+
 #[test]
 fn negligible_factors_are_zero_and_solutions_keep_their_bits() {
-    let (side, eps) = (24, 1e-12);
-    let n = side * side;
-    let are_neighbours =
-        |i: usize, j: usize| i.abs_diff(j) == side || i / side == j / side && i.abs_diff(j) == 1;
-    let pattern = Pattern::of(n, are_neighbours);
-    let couplings = Couplings { blocks: &[n as u32], ..pattern.couplings() };
-    let supernodes = Supernodes::of(&couplings);
-    let slopes: Vec<f64> = (0..pattern.places.len()).map(|place| 1.0 + (place % 7) as f64).collect();
-    let [exact, flushed] = [false, true].map(|flushes| {
-        let mut values = vec![0.0; pattern.columns.len()];
-        couplings.fill(&slopes, &eps, &mut values);
-        assert!(supernodes.factor(&couplings, flushes, &mut values, &mut PanelWorkspace::default()));
-        let smallest = values.iter().map(|value| value.abs()).filter(|value| *value > 0.0);
-        let smallest = smallest.fold(1.0, f64::min);
-        let mut solution: Vec<f64> = (0..n).map(|i| 1.0 + i as f64).collect();
-        couplings.solve(&values, &mut solution);
-        (smallest, solution)
-    });
-    // A has entries of magnitude 1 in each row.
-    assert!(exact.0 < f64::NEGLIGIBLE && flushed.0 >= f64::NEGLIGIBLE, "{} {}", exact.0, flushed.0);
-    assert_eq!(exact.1, flushed.1);
+    let (pattern, eps) = (lattice(24), 1e-12);
+    let (smallest, exact) = solved(&pattern, eps, |_| 1.0, false);
+    let (smallest_flushed, flushed) = solved(&pattern, eps, |_| 1.0, true);
+    // The largest entries beside the diagonal are 5 to 7 times ε.
+    assert!(smallest < eps * f64::NEGLIGIBLE, "{smallest}");
+    assert!(smallest_flushed >= eps * f64::NEGLIGIBLE, "{smallest_flushed}");
+    assert_eq!(flushed, exact);
+}
+
+/// Units are powers of 2, so that they change no digit. Two units in turns never make both a factor
+/// and an entry behind its pivot large.
+#[test]
+fn solutions_are_independent_of_extreme_units() {
+    let (pattern, eps) = (lattice(24), 1e-3);
+    let (_, expected) = solved(&pattern, eps, |_| 1.0, false);
+    for power in [-400, -200, 200, 400] {
+        let unit = 2.0_f64.powi(power);
+        for own in [|i: usize| i == 300, |i: usize| i.is_multiple_of(5), |i: usize| i >= 300] {
+            let units = |i| if own(i) { unit } else { 1.0 };
+            assert_eq!(solved(&pattern, eps, units, true).1, expected, "2^{power}");
+        }
+    }
 }

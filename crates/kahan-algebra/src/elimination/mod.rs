@@ -25,7 +25,7 @@ use crate::kept::Values;
 use crate::plan::{DenseField, Plan, StepCost, triangular_blocks};
 
 use graph::{Graph, turns};
-use orders::{cheapest, in_postorder};
+use orders::cheapest;
 
 /// The most variables of a field whose map is written out where that is possible. Beyond, every
 /// step eliminates along the couplings.
@@ -119,13 +119,7 @@ impl Couplings {
         let mut blocks = triangular_blocks(&depends);
         let mut all_filled = Vec::with_capacity(blocks.len());
         for (graph, block) in Graph::of_blocks(&depends, &blocks).iter().zip(&mut blocks) {
-            let (cheapest, filled) = cheapest(graph);
-            let postorder = in_postorder(&cheapest, &filled);
-            // Where a coupling is not mutual, postorder may fill in more.
-            let (order, filled) = match graph.filled(&postorder, Some(filled.price)) {
-                Some(filled) => (postorder, filled),
-                None => (cheapest, filled),
-            };
+            let (order, filled) = cheapest(graph);
             *block = order.into_iter().map(|place| block[place]).collect();
             all_filled.push(filled);
         }

@@ -22,33 +22,6 @@ pub(super) fn cheapest(graph: &Graph) -> (Vec<usize>, Filled) {
     (order, filled)
 }
 
-/// An order that fills in the same entries, in which rows with the same columns are neighbours: the
-/// elimination tree in postorder, with the child that has the most columns last. A row's parent is
-/// the next turn that it shares an entry with. (J. W. H. Liu, SIAM J. Matrix Anal. Appl. 11 (1990)
-/// 134–172.)
-pub(super) fn in_postorder(order: &[usize], filled: &Filled) -> Vec<usize> {
-    let root = order.len();
-    let mut parents = vec![root; order.len()];
-    for (turn, row) in filled.rows.iter().enumerate().rev() {
-        if let Some(&next) = row.columns.get(row.diagonal + 1) {
-            parents[turn] = parents[turn].min(next);
-        }
-        row.columns[..row.diagonal].iter().for_each(|&left| parents[left] = parents[left].min(turn));
-    }
-    let width = |&turn: &usize| filled.rows[turn].columns.len() - filled.rows[turn].diagonal;
-    let mut children = vec![Vec::new(); root + 1];
-    sorted_by_key(0..root, width).into_iter().for_each(|turn| children[parents[turn]].push(turn));
-    let mut visited = Vec::with_capacity(root);
-    let mut waiting = std::mem::take(&mut children[root]);
-    // A turn comes before its children here, so that the list is read backwards.
-    while let Some(turn) = waiting.pop() {
-        visited.push(order[turn]);
-        waiting.append(&mut children[turn]);
-    }
-    visited.reverse();
-    visited
-}
-
 /// Best where a variable acts on the next few only.
 fn as_written(count: usize) -> Vec<usize> {
     (0..count).collect()
@@ -181,38 +154,6 @@ mod tests {
             let rows = random_rows(&mut random, n, false);
             let neighbours = Graph::of_blocks(&rows, &[(0..n).collect()])[0].neighbours();
             assert_eq!(by_degree(&neighbours), by_definition(&neighbours), "{neighbours:?}");
-        }
-    }
-
-    #[test]
-    fn postorder_fills_in_what_the_order_fills_in_and_puts_equal_rows_side_by_side() {
-        let mut random = SplitMix64::new(17);
-        let side = 12;
-        let lattice = (0..side * side).map(|i: usize| {
-            let beside =
-                [i.checked_sub(side), (!i.is_multiple_of(side)).then(|| i - 1)].into_iter().flatten();
-            let behind =
-                [(i % side + 1 < side).then_some(i + 1), Some(i + side).filter(|j| *j < side * side)];
-            beside.chain(behind.into_iter().flatten()).collect()
-        });
-        let lattice: Vec<Vec<usize>> = lattice.collect();
-        let random_rows = (1..60).map(|n| random_rows(&mut random, n, true));
-        for rows in random_rows.chain([lattice]) {
-            let n = rows.len();
-            let graph = Graph::of_blocks(&rows, &[(0..n).collect()]).remove(0);
-            let (order, before) = cheapest(&graph);
-            let postorder = in_postorder(&order, &before);
-            let after = graph.filled(&postorder, None).unwrap();
-            assert_eq!(after.price, before.price, "{rows:?}");
-
-            // Rows whose columns right of the diagonal are those of the next row and its diagonal.
-            let nested = |filled: &Filled| {
-                let right = |k: usize| &filled.rows[k].columns[filled.rows[k].diagonal + 1..];
-                let is_nested =
-                    |k: &usize| right(*k).first() == Some(&(k + 1)) && right(*k)[1..] == *right(k + 1);
-                (0..n - 1).filter(is_nested).count()
-            };
-            assert!(nested(&after) >= nested(&before), "{rows:?}");
         }
     }
 

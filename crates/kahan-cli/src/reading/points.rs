@@ -24,7 +24,7 @@ pub(super) fn read<V: Entry>(path: &str, option: &str) -> Result<Numbers<V>, Ref
     Numbers::of(path, &bytes).map_err(refused)
 }
 
-/// The points that `--at` gives, at least one; without it the point that the text of the field gives.
+/// The points that `--at` gives, at least one; without it the first point of the field's text.
 pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational>>, Refusal> {
     let states = study.variables();
     let Some(at) = at else {

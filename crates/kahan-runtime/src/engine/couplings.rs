@@ -60,14 +60,19 @@ impl Tables {
         Couplings { order, rows, columns, blocks, places }
     }
 
+    /// A(x,ε), from the entries of f′, with room for the work of [`Couplings::eliminate`].
+    fn filled<'a, V: Scalar>(&'a self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> Couplings<'a> {
+        factors.values.resize(self.columns.len(), V::zero());
+        factors.row.resize(self.order.len(), V::zero());
+        let couplings = self.couplings();
+        couplings.fill(slopes, eps, &mut factors.values);
+        couplings
+    }
+
     /// Factors A(x,ε), from the entries of f′; `false` where a pivot is too small.
     pub(crate) fn factor<V: Scalar>(&self, slopes: &[V], eps: &V, factors: &mut Factors<V>) -> bool {
-        let Factors { values, row, .. } = factors;
-        values.resize(self.columns.len(), V::zero());
-        row.resize(self.order.len(), V::zero());
-        let couplings = self.couplings();
-        couplings.fill(slopes, eps, values);
-        couplings.factor(values, row)
+        let couplings = self.filled(slopes, eps, factors);
+        couplings.factor(&mut factors.values, &mut factors.row)
     }
 
     /// Whether floats are eliminated by panels of rows.
@@ -91,16 +96,12 @@ impl Tables {
         eps: &T,
         factors: &mut Factors<T>,
     ) -> bool {
-        let Factors { values, row, panels } = factors;
-        values.resize(self.columns.len(), T::zero());
-        row.resize(self.order.len(), T::zero());
-        let couplings = self.couplings();
-        couplings.fill(slopes, eps, values);
         if !self.has_panels() {
-            return couplings.factor(values, row);
+            return self.factor(slopes, eps, factors);
         }
+        let couplings = self.filled(slopes, eps, factors);
         let supernodes = self.panels.get_or_init(|| Supernodes::of(&couplings));
-        supernodes.factor(&couplings, self.flushes(), values, panels)
+        supernodes.factor(&couplings, self.flushes(), &mut factors.values, &mut factors.panels)
     }
 
     /// Factors A(x,ε) whatever its pivots are. Returns a number that is larger than
@@ -120,11 +121,8 @@ impl Tables {
         size: impl Fn(V) -> V,
         [larger, smaller]: [fn(V, V) -> V; 2],
     ) -> Option<V> {
+        let couplings = self.filled(slopes, eps, factors);
         let Factors { values, row, .. } = factors;
-        values.resize(self.columns.len(), V::zero());
-        row.resize(self.order.len(), V::zero());
-        let couplings = self.couplings();
-        couplings.fill(slopes, eps, values);
         let mut largest: Vec<Option<V>> = vec![None; self.order.len()];
         couplings.eliminate(values, row, |turn, factor, _| {
             let factor = size(factor.clone());

@@ -12,8 +12,8 @@ use kahan_core::{Level, Scalar};
 
 use crate::literal::Literal;
 
-/// The numbers of an operand for which an instruction is run: a multiple of all lanes, so many that
-/// decoding costs little beside them, so few that registers stay in the nearest cache.
+/// The numbers of an operand for which an instruction is run. This is a multiple of the lanes of
+/// every level. Decoding costs little beside it, and the nearest cache holds the registers.
 const ROOM: usize = 128;
 
 /// A line whose results, and with them whose registers, have places.
@@ -40,8 +40,8 @@ struct Instruction {
     places: [Place; 3],
 }
 
-/// Where the numbers of an operand begin: so many numbers, and so many registers of the lanes that
-/// sites are gathered in, behind the first number.
+/// Where the numbers of an operand begin, counted from the first number of all: a distance in
+/// numbers, and to be added to it one in registers of the lanes that sites are gathered in.
 #[derive(Clone, Copy, Debug, Default)]
 struct Place {
     numbers: usize,

@@ -66,8 +66,8 @@ impl Reader<'_> {
         Some((self.states.get(&name)?.get(order.checked_sub(1)?)?, end))
     }
 
-    /// Writes a name, or what stands for it: `x` for `x(t)`, the formula of a quantity, the value of
-    /// a root. Returns the token behind it.
+    /// Writes a name, or what stands for it: `x` for `x(t)`, the formula of a quantity, the value
+    /// of a root. Returns the token behind it.
     fn write_name(&mut self, at: usize, in_equation: bool, out: &mut Vec<Placed>) -> usize {
         let is_of_time = self.is_group(at + 1, "t") && !is_function(self.at(at));
         let end = at + if is_of_time { 4 } else { 1 };

@@ -70,7 +70,7 @@ const fn separator<S: Shape>() -> usize {
     S::REACH * S::BLOCK
 }
 
-/// A solver that takes chains of some sizes through both passes: one kernel, or the one of a menu that fits.
+/// Takes chains of some sizes through both passes: one kernel, or the one of a menu that fits.
 pub(in crate::lattice) trait Kernels {
     /// Whether there is a kernel of these sizes.
     fn have(sizes: Sizes) -> bool;
