@@ -19,15 +19,16 @@ pub struct Name {
     pub span: Span,
 }
 
-/// `[header] (const | equation | family | claim)*`.
-#[derive(Clone, Debug, Default)]
-pub struct Block {
+/// `[header] (const | equation | family | claim)*`. `X` is what constants and the right-hand sides
+/// of equations have besides arithmetic: in a block that is to be lifted, functions and any powers.
+#[derive(Clone, Debug)]
+pub struct Block<X = InFamily> {
     /// `pub struct E7 { xi }`, where there is one.
     pub header: Option<Header>,
     /// `const xi = 1/2;`
-    pub constants: Vec<Constant>,
+    pub constants: Vec<Constant<X>>,
     /// `xdot = y*z;`, or the equations of the family, whose states are the names of its arrays.
-    pub equations: Vec<Equation>,
+    pub equations: Vec<Equation<X>>,
     /// `for i in periodic { … }`, where the equations stand in one.
     pub family: Option<FamilyHead>,
     /// `integral`, `density`, `bracket`.
@@ -37,6 +38,20 @@ pub struct Block {
     /// Left-hand sides without `dot`: mistakes already, but their names are not to be reported a
     /// second time.
     pub misspelt_states: Vec<Name>,
+}
+
+impl<X> Default for Block<X> {
+    fn default() -> Self {
+        Block {
+            header: None,
+            constants: Vec::new(),
+            equations: Vec::new(),
+            family: None,
+            claims: Vec::new(),
+            hamiltonians: Vec::new(),
+            misspelt_states: Vec::new(),
+        }
+    }
 }
 
 /// What lies beyond the two ends of a chain.
@@ -87,20 +102,20 @@ pub struct Written {
 
 /// `const NAME = constant expr;`
 #[derive(Clone, Debug)]
-pub struct Constant {
+pub struct Constant<X = InFamily> {
     /// The constant's name.
     pub name: Name,
     /// Its value; absent where it could not be read.
-    pub value: Option<Expr>,
+    pub value: Option<Expr<X>>,
 }
 
 /// `STATEdot = expr;`
 #[derive(Clone, Debug)]
-pub struct Equation {
+pub struct Equation<X = InFamily> {
     /// The state: the left-hand side without `dot`.
     pub state: Name,
     /// The right-hand side; absent where it could not be read.
-    pub value: Option<Expr>,
+    pub value: Option<Expr<X>>,
 }
 
 /// What a claim asserts.

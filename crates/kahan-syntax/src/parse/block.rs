@@ -8,7 +8,7 @@ use crate::token::{Span, TokenKind};
 
 use super::claim::{claim, hamiltonian};
 use super::cursor::Cursor;
-use super::expr::parse_expr;
+use super::expr::{Dialect, parse_expr};
 use super::keyword::wrong_keyword;
 use super::{Parsed, error};
 
@@ -17,7 +17,7 @@ const SHAPES: &str =
 
 /// Reads one item. On a mistake the cursor stays inside the item; what was learnt of it is in the
 /// block already.
-pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
+pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     if let Some(diagnostic) = cursor.unreadable() {
         return Err(diagnostic);
     }
@@ -51,7 +51,7 @@ pub(super) fn parse_item(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<(
     }
 }
 
-fn constant(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
+fn constant<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     cursor.advance();
     let name = cursor.expect_name("the name of a constant")?;
     block.constants.push(Constant { name, value: None });
@@ -63,14 +63,18 @@ fn constant(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
     semicolon(cursor)
 }
 
-fn equation(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
+fn equation<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     let left = cursor.expect_name("an equation")?;
     let state = state_of(cursor, block, left)?;
     right_side(cursor, block, state)
 }
 
 /// Reads `= expr;` behind the left-hand side of this state.
-pub(super) fn right_side(cursor: &mut Cursor<'_>, block: &mut Block, state: Name) -> Parsed<()> {
+pub(super) fn right_side<X: Dialect>(
+    cursor: &mut Cursor<'_>,
+    block: &mut Block<X>,
+    state: Name,
+) -> Parsed<()> {
     block.equations.push(Equation { state, value: None });
     equals(cursor)?;
     let value = parse_expr(cursor)?;
@@ -81,7 +85,7 @@ pub(super) fn right_side(cursor: &mut Cursor<'_>, block: &mut Block, state: Name
 }
 
 /// The state of the left-hand side `left`.
-fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> {
+fn state_of<X>(cursor: &Cursor<'_>, block: &mut Block<X>, left: Name) -> Parsed<Name> {
     let span = left.span;
     if let Some(state) = left.text.strip_suffix("dot") {
         if let Some((meant, order)) = derivative_of(cursor, state) {
@@ -124,7 +128,7 @@ fn state_of(cursor: &Cursor<'_>, block: &mut Block, left: Name) -> Parsed<Name> 
 
 /// Notes the equation of the state that `left` means, so that the field keeps its dimension and its
 /// names.
-fn broken_equation(block: &mut Block, left: Name, meant: String) {
+fn broken_equation<X>(block: &mut Block<X>, left: Name, meant: String) {
     let state = Name { text: meant, span: left.span };
     block.equations.push(Equation { state: state.clone(), value: None });
     block.misspelt_states.extend([left, state]);

@@ -11,7 +11,7 @@ use super::expr::parse_expr;
 use super::{Parsed, error};
 
 /// Reads a claim, which the cursor is at the keyword of.
-pub(super) fn claim(cursor: &mut Cursor<'_>, block: &mut Block, kind: ClaimKind) -> Parsed<()> {
+pub(super) fn claim<X>(cursor: &mut Cursor<'_>, block: &mut Block<X>, kind: ClaimKind) -> Parsed<()> {
     cursor.advance();
     let name = cursor.expect_name("the name of a claim")?;
     let mut claim = Claim { kind, name, body: None, conditions: Vec::new() };
@@ -21,7 +21,7 @@ pub(super) fn claim(cursor: &mut Cursor<'_>, block: &mut Block, kind: ClaimKind)
 }
 
 /// Reads `hamiltonian NAME = expr;`.
-pub(super) fn hamiltonian(cursor: &mut Cursor<'_>, block: &mut Block) -> Parsed<()> {
+pub(super) fn hamiltonian<X>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> Parsed<()> {
     let outcome = claim(cursor, block, ClaimKind::Integral);
     block.hamiltonians.extend(block.claims.pop());
     outcome

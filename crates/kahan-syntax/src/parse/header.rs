@@ -4,26 +4,30 @@
 //! not understood; whoever emits Rust finds them at their places.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Block, Header, Name, Written};
+use crate::syntax::{Header, Name, Written};
 use crate::token::{Token, TokenKind};
 
 use super::Parsed;
 use super::cursor::Cursor;
 
-/// Reads the header if the block begins with one.
-pub(super) fn parse_header(cursor: &mut Cursor<'_>, block: &mut Block, diagnostics: &mut Diagnostics) {
+/// Reads the header, where the block begins with one.
+pub(super) fn parse_header(
+    cursor: &mut Cursor<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Header> {
     let names_a_type = cursor.identifier(1).is_some();
     let begins = cursor.is_punctuation(0, '#')
         || matches!(cursor.identifier(0), Some("pub" | "struct"))
         || (matches!(cursor.identifier(0), Some("enum" | "union" | "type")) && names_a_type);
     if !begins {
-        return;
+        return None;
     }
     match header(cursor, diagnostics) {
-        Ok(header) => block.header = Some(header),
+        Ok(header) => Some(header),
         Err(diagnostic) => {
             diagnostics.push(diagnostic);
             skip_header(cursor);
+            None
         }
     }
 }

@@ -37,7 +37,7 @@ fn meant(word: &str) -> Option<&'static str> {
 
 /// The mistake of an item `WORD NAME …` whose word is none of the language; the name counts as
 /// known from here on.
-pub(super) fn wrong_keyword(cursor: &Cursor<'_>, block: &mut Block) -> Option<Diagnostic> {
+pub(super) fn wrong_keyword<X>(cursor: &Cursor<'_>, block: &mut Block<X>) -> Option<Diagnostic> {
     let word = cursor.identifier(0)?;
     cursor.identifier(1)?;
     // `first integral H = …`

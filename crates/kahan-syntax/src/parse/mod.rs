@@ -20,7 +20,7 @@ mod mistakes;
 mod number;
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::Block;
+use crate::syntax::{Block, InFormula};
 use crate::token::{Span, Token};
 
 use cursor::Cursor;
@@ -38,17 +38,32 @@ fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<
 /// Reads a whole block.
 #[must_use]
 pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
+    block(tokens, diagnostics, |cursor, block, diagnostics| {
+        if family::begins(cursor) {
+            family::family(cursor, block, diagnostics)
+        } else {
+            block::parse_item(cursor, block)
+        }
+    })
+}
+
+/// Reads a block that is to be lifted: its equations may hold functions and any powers.
+#[must_use]
+pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<InFormula> {
+    block(tokens, diagnostics, |cursor, block, _| block::parse_item(cursor, block))
+}
+
+fn block<X>(
+    tokens: &[Token],
+    diagnostics: &mut Diagnostics,
+    item: impl Fn(&mut Cursor<'_>, &mut Block<X>, &mut Diagnostics) -> Parsed<()>,
+) -> Block<X> {
     let mut cursor = Cursor::new(tokens);
-    let mut block = Block::default();
-    header::parse_header(&mut cursor, &mut block, diagnostics);
+    let mut block =
+        Block { header: header::parse_header(&mut cursor, diagnostics), ..Block::default() };
     while !cursor.is_at_end() {
         let start = cursor.position();
-        let outcome = if family::begins(&cursor) {
-            family::family(&mut cursor, &mut block, diagnostics)
-        } else {
-            block::parse_item(&mut cursor, &mut block)
-        };
-        if let Err(diagnostic) = outcome {
+        if let Err(diagnostic) = item(&mut cursor, &mut block, diagnostics) {
             diagnostics.push(diagnostic);
             cursor.skip_item(start);
         }

@@ -1,0 +1,119 @@
+//! The equations of a block that is to be lifted, checked and in coordinates.
+
+use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_algebra::parse::parse_lifted;
+use kahan_algebra::syntax::{Block, Expr, ExprKind, Header, InFormula};
+use kahan_algebra::token::Token;
+
+use crate::laurent::Monomial;
+use crate::read::Reader;
+use crate::ring::{Meaning, Ring};
+use crate::search::Problem;
+
+/// Checked equations.
+#[derive(Debug)]
+pub struct Equations {
+    /// The header, where the block has one.
+    pub header: Option<Header>,
+    /// The states in the order of their equations; `t` last where it was lifted.
+    pub states: Vec<String>,
+    /// The parameters in the order of the header, or in which they occur.
+    pub parameters: Vec<String>,
+    /// Whether the last state is the time.
+    pub has_time: bool,
+    /// The coordinates, their relations and derivatives.
+    pub ring: Ring,
+}
+
+impl Equations {
+    /// Reads the tokens of a block.
+    ///
+    /// # Errors
+    /// Every mistake, each with its place and the way out.
+    pub fn read(tokens: &[Token]) -> Result<Self, Vec<Diagnostic>> {
+        let mut diagnostics = Diagnostics::default();
+        let block = parse_lifted(tokens, &mut diagnostics);
+        let equations = check(block, &mut diagnostics);
+        let diagnostics = diagnostics.finish();
+        equations.filter(|_| diagnostics.is_empty()).ok_or(diagnostics)
+    }
+
+    /// The search for monomials that close the equations.
+    pub fn problem(&self) -> Problem {
+        let given: Vec<Monomial> = (0..self.states.len()).map(|state| Monomial::power(state, 1)).collect();
+        let required: Vec<Monomial> =
+            self.ring.field.iter().flat_map(|side| side.terms()).map(|(one, _)| one.clone()).collect();
+        let mut negative: Vec<usize> = required
+            .iter()
+            .flat_map(|monomial| monomial.powers().filter(|&(_, exponent)| exponent < 0))
+            .map(|(coordinate, _)| coordinate)
+            .collect();
+        // The derivative of u^n is n u^n u′/u.
+        for coordinate in &self.ring.coordinates {
+            if let Meaning::Power(base, _) = &coordinate.meaning {
+                negative.extend(base.terms().flat_map(|(one, _)| one.powers().map(|(inner, _)| inner)));
+            }
+        }
+        negative.sort_unstable();
+        negative.dedup();
+        Problem { given, sums: Vec::new(), required, negative }
+    }
+}
+
+/// The names that an expression uses, as they occur.
+fn names(expr: &Expr<InFormula>, visit: &mut dyn FnMut(&str)) {
+    match &expr.kind {
+        ExprKind::Number(_) => {}
+        ExprKind::Name(name) => visit(name),
+        ExprKind::Sum(terms) => terms.iter().for_each(|term| names(&term.expr, visit)),
+        ExprKind::Product(factors) => factors.iter().for_each(|factor| names(&factor.expr, visit)),
+        ExprKind::Negation(inner) | ExprKind::Power(inner, _) => names(inner, visit),
+        ExprKind::Special(InFormula::Power(parts)) => parts.iter().for_each(|part| names(part, visit)),
+        ExprKind::Special(InFormula::Call { arguments, .. }) => {
+            arguments.iter().for_each(|argument| names(argument, visit));
+        }
+    }
+}
+
+fn check(block: Block<InFormula>, diagnostics: &mut Diagnostics) -> Option<Equations> {
+    let states: Vec<String> = block.equations.iter().map(|equation| equation.state.text.clone()).collect();
+    for (index, equation) in block.equations.iter().enumerate() {
+        if states[..index].contains(&equation.state.text) {
+            let name = &equation.state.text;
+            let message = format!("`{name}` has two equations");
+            diagnostics.report(Kind::Name, equation.state.span, message, "remove one of them");
+        }
+    }
+    let sides: Vec<&Expr<InFormula>> = block.equations.iter().filter_map(|one| one.value.as_ref()).collect();
+    if sides.is_empty() || sides.len() < states.len() {
+        return None;
+    }
+    let mut reader = Reader::default();
+    reader.states = states;
+    let known = block.header.as_ref().map(|header| &header.parameters);
+    reader.parameters = known.iter().flat_map(|names| names.iter()).map(|name| name.text.clone()).collect();
+    let mut has_time = false;
+    for side in &sides {
+        names(side, &mut |name| {
+            let is_known = reader.states.iter().chain(&reader.parameters).any(|one| one == name)
+                || block.constants.iter().any(|constant| constant.name.text == name);
+            if is_known {
+                return;
+            }
+            if name == "t" {
+                has_time = true;
+            } else if known.is_none() {
+                reader.parameters.push(name.to_owned());
+            }
+        });
+    }
+    if has_time {
+        reader.states.push("t".to_owned());
+    }
+    if let Err(mistake) = reader.field(&sides, &block.constants) {
+        diagnostics.push(mistake);
+        return None;
+    }
+    let Reader { states, parameters, ring, .. } = reader;
+    Some(Equations { header: block.header, states, parameters, has_time, ring })
+}

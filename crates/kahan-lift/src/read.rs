@@ -1,0 +1,465 @@
+//! Equations as they are written, as Laurent polynomials in coordinates.
+//!
+//! Functions that occur become coordinates, one for arguments that are rational multiples of each
+//! other. How fine these must be is known once all equations are read, so they are read until
+//! nothing changes.
+
+use kahan_algebra::diagnostics::{Diagnostic, Kind};
+use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::syntax::{Constant, Expr, ExprKind, InFormula};
+use kahan_algebra::token::Span;
+
+use crate::laurent::{Laurent, Monomial};
+use crate::ring::{Function, Meaning, Ring};
+
+/// The largest power that is multiplied out.
+const LARGEST_POWER: i64 = 64;
+/// The most terms of a polynomial.
+const MOST_TERMS: usize = 20_000;
+
+type Read<T> = Result<T, Diagnostic>;
+
+/// Names, and how finely the functions of each argument must be divided.
+#[derive(Debug, Default)]
+pub struct Reader {
+    /// The states; `t` is the last one where it was lifted.
+    pub states: Vec<String>,
+    /// The parameters.
+    pub parameters: Vec<String>,
+    /// Constants that were read, with their values.
+    constants: Vec<(String, Laurent)>,
+    /// The coordinates and relations so far.
+    pub ring: Ring,
+    /// Arguments up to rational multiples, and the greatest common divisor of the multiples.
+    units: Vec<(Family, Laurent, Rational)>,
+}
+
+/// Functions whose values at multiples of an argument are polynomials in each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Family {
+    Exponential,
+    Circular,
+    Hyperbolic,
+    /// The multiple is the inverse of a root's index.
+    Root,
+}
+
+fn refuse<T>(span: Span, message: impl Into<String>, help: impl Into<String>) -> Read<T> {
+    Err(Diagnostic::new(Kind::NotAPolynomial, span, message, help))
+}
+
+impl Reader {
+    /// Reads the right-hand sides.
+    ///
+    /// # Errors
+    /// The first expression that cannot be lifted.
+    pub fn field(&mut self, sides: &[&Expr<InFormula>], constants: &[Constant<InFormula>]) -> Read<()> {
+        loop {
+            let before = self.units.clone();
+            self.constants.clear();
+            self.ring = Ring::default();
+            for state in 0..self.states.len() {
+                self.ring.add(Meaning::State(state), Laurent::number(Rational::one()));
+            }
+            for constant in constants {
+                let value = constant.value.as_ref().map_or_else(|| Ok(Laurent::zero()), |value| self.expr(value))?;
+                self.constants.push((constant.name.text.clone(), value));
+            }
+            let mut field = sides.iter().map(|side| self.expr(side)).collect::<Read<Vec<_>>>()?;
+            if field.len() < self.states.len() {
+                field.push(Laurent::number(Rational::one()));
+            }
+            if self.units == before {
+                let field = field.iter().map(|side| self.ring.normalised(side)).collect();
+                self.ring.set_field(field);
+                return Ok(());
+            }
+        }
+    }
+
+    /// Reads an expression.
+    pub fn expr(&mut self, expr: &Expr<InFormula>) -> Read<Laurent> {
+        let value = match &expr.kind {
+            ExprKind::Number(value) => Laurent::number(value.clone()),
+            ExprKind::Name(name) => self.name(name, expr.span)?,
+            ExprKind::Negation(inner) => self.expr(inner)?.scale(&-&RationalFunction::one()),
+            ExprKind::Sum(terms) => {
+                let mut sum = Laurent::zero();
+                for term in terms {
+                    let sign = Rational::from(if term.negative { -1 } else { 1 });
+                    sum.add_scaled(&self.expr(&term.expr)?, &RationalFunction::constant(sign));
+                }
+                sum
+            }
+            ExprKind::Product(factors) => {
+                let mut product = Laurent::number(Rational::one());
+                for factor in factors {
+                    let mut value = self.expr(&factor.expr)?;
+                    if factor.divides {
+                        value = self.power(&value, &Rational::from(-1), factor.expr.span)?;
+                    }
+                    product = self.product(&product, &value, expr.span)?;
+                }
+                product
+            }
+            ExprKind::Power(base, exponent) => {
+                let base = self.expr(base)?;
+                self.power(&base, &Rational::from(*exponent), expr.span)?
+            }
+            ExprKind::Special(InFormula::Power(parts)) => {
+                let (base, exponent) = (self.expr(&parts[0])?, self.expr(&parts[1])?);
+                self.general_power(&base, &exponent, expr.span)?
+            }
+            ExprKind::Special(InFormula::Call { function, arguments }) => match &arguments[..] {
+                [argument] => {
+                    let argument = self.expr(argument)?;
+                    self.call(function, &argument, expr.span)?
+                }
+                [base, exponent] if function == "pow" => {
+                    let (base, exponent) = (self.expr(base)?, self.expr(exponent)?);
+                    self.general_power(&base, &exponent, expr.span)?
+                }
+                [time, ..] if matches!(&time.kind, ExprKind::Name(name) if name == "t") => {
+                    let help = "a chain of states can stand for it: docs/how-to/texts.md shows how";
+                    return refuse(expr.span, format!("`{function}(t …)` is a delay"), help);
+                }
+                _ => return refuse(expr.span, unknown(function), KNOWN),
+            },
+        };
+        if value.len() > MOST_TERMS {
+            let message = format!("the expression has more than {MOST_TERMS} terms once it is expanded");
+            return refuse(expr.span, message, "name a part of it as a parameter or a state");
+        }
+        Ok(value)
+    }
+
+    fn name(&self, name: &str, span: Span) -> Read<Laurent> {
+        if let Some(state) = self.states.iter().position(|known| known == name) {
+            return Ok(Laurent::coordinate(state));
+        }
+        if let Some((_, value)) = self.constants.iter().find(|(known, _)| known == name) {
+            return Ok(value.clone());
+        }
+        match self.parameters.iter().position(|known| known == name) {
+            Some(index) => {
+                let variable = Variable(u16::try_from(index).expect("fewer names than 16 bits number"));
+                Ok(Laurent::constant(RationalFunction::variable(variable)))
+            }
+            None => Err(Diagnostic::new(
+                Kind::Name,
+                span,
+                format!("`{name}` is neither a state nor a parameter"),
+                format!("write its equation `{name}dot = …;`, or name it in the header"),
+            )),
+        }
+    }
+
+    fn product(&self, left: &Laurent, right: &Laurent, span: Span) -> Read<Laurent> {
+        if left.len().saturating_mul(right.len()) > 50 * MOST_TERMS {
+            return refuse(span, "the product has too many terms once it is expanded", "name a factor");
+        }
+        Ok(self.ring.product(left, right))
+    }
+
+    fn integer_power(&self, base: &Laurent, exponent: i64, span: Span) -> Read<Laurent> {
+        let mut power = Laurent::number(Rational::one());
+        for _ in 0..exponent {
+            power = self.product(&power, base, span)?;
+        }
+        Ok(power)
+    }
+
+    /// base^exponent.
+    fn power(&mut self, base: &Laurent, exponent: &Rational, span: Span) -> Read<Laurent> {
+        let Some((numerator, denominator)) = exponent
+            .as_small_ratio()
+            .filter(|(above, below)| above.abs() <= LARGEST_POWER && *below <= LARGEST_POWER)
+        else {
+            let help = format!("powers up to {LARGEST_POWER} are read; name the power as a state");
+            return refuse(span, format!("the exponent {exponent} is too large"), help);
+        };
+        if base.is_zero() {
+            return match numerator {
+                1.. => Ok(Laurent::zero()),
+                0 => Ok(Laurent::number(Rational::one())),
+                _ => refuse(span, "this divides by zero", "remove the divisor, or the term"),
+            };
+        }
+        if denominator == 1 {
+            if numerator >= 0 {
+                return self.integer_power(base, numerator, span);
+            }
+            let content = base.monomial_content();
+            let rest = base.shifted(&content.pow(-1));
+            let (factor, rest) = monic(&rest);
+            let inverse = RationalFunction::one().checked_div(&factor).expect("a coefficient is not 0");
+            let outer = Laurent::term(content.pow(-1), inverse);
+            let one = if rest.len() == 1 { outer } else { outer.shifted(&self.root(&rest, 1, -1)) };
+            return self.integer_power(&one, -numerator, span);
+        }
+        let (above, below) = (small(numerator), small(denominator));
+        let power = self.root(base, below, above);
+        Ok(self.ring.normal(&power))
+    }
+
+    /// The monomial base^(exponent/index).
+    fn root(&mut self, base: &Laurent, index: i16, exponent: i16) -> Monomial {
+        let unit = self.unit(Family::Root, base, &Rational::new(1, i64::from(index)));
+        let finest = small(unit.recip().and_then(|unit| unit.as_i64()).expect("the inverse of an index"));
+        let meaning = Meaning::Root(base.clone(), finest);
+        let coordinate = self.ring.find(&meaning).unwrap_or_else(|| {
+            // d(P^(1/q)) = P^(1/q − 1) dP/q.
+            let coordinate = self.ring.coordinates.len();
+            let factor = RationalFunction::constant(Rational::new(1, i64::from(finest)));
+            let slope = Laurent::term(Monomial::power(coordinate, 1 - finest), factor);
+            self.ring.add(meaning, slope);
+            self.ring.relate_root(coordinate, finest, base);
+            coordinate
+        });
+        Monomial::power(coordinate, exponent.saturating_mul(finest / index))
+    }
+
+    /// The greatest common divisor of the multiples of an argument so far and this one.
+    fn unit(&mut self, family: Family, argument: &Laurent, multiple: &Rational) -> Rational {
+        let known = self.units.iter_mut().find(|(of, known, _)| *of == family && known == argument);
+        match known {
+            Some((_, _, unit)) => {
+                *unit = unit.gcd(multiple);
+                unit.clone()
+            }
+            None => {
+                let unit = multiple.abs();
+                self.units.push((family, argument.clone(), unit.clone()));
+                unit
+            }
+        }
+    }
+
+    fn general_power(&mut self, base: &Laurent, exponent: &Laurent, span: Span) -> Read<Laurent> {
+        if let Some(number) = exponent.as_number() {
+            return self.power(base, &number, span);
+        }
+        let Some(exponent) = exponent.as_constant() else {
+            let logarithm = self.call("log", base, span)?;
+            let argument = self.product(&logarithm, exponent, span)?;
+            return self.call("exp", &argument, span);
+        };
+        if base.is_zero() {
+            return refuse(span, "a power of 0 whose exponent is a parameter", "write a number");
+        }
+        // b^(n + 2) = b^n b²: the number in the exponent stands apart.
+        let constant = exponent.as_polynomial().map_or_else(Rational::zero, |sum| {
+            sum.terms().find(|(one, _)| one.is_one()).map_or_else(Rational::zero, |(_, value)| value.clone())
+        });
+        let symbolic = &exponent - &RationalFunction::constant(constant.clone());
+        let (content, primitive) = signed_content(&symbolic);
+        let meaning = Meaning::Power(base.clone(), primitive.clone());
+        let coordinate = match self.ring.find(&meaning) {
+            Some(known) => known,
+            None => {
+                let inverse = self.power(base, &Rational::from(-1), span)?;
+                let coordinate = self.ring.coordinates.len();
+                let slope = inverse.shifted(&Monomial::power(coordinate, 1)).scale(&primitive);
+                self.ring.add(meaning, slope)
+            }
+        };
+        let Some(times) = content.as_i64().filter(|times| times.abs() <= LARGEST_POWER) else {
+            let help = "write the exponent as an integer multiple of a parameter";
+            return refuse(span, "this exponent is a fraction of a parameter", help);
+        };
+        let symbolic = Laurent::from(Monomial::power(coordinate, small(times)));
+        let number = self.power(base, &constant, span)?;
+        self.product(&symbolic, &number, span)
+    }
+
+    fn call(&mut self, function: &str, argument: &Laurent, span: Span) -> Read<Laurent> {
+        let inverse = |reader: &mut Self, value: &Laurent| reader.power(value, &Rational::from(-1), span);
+        let over = |reader: &mut Self, above: &str, below: &str| {
+            let below = reader.call(below, argument, span)?;
+            let below = inverse(reader, &below)?;
+            let above = reader.call(above, argument, span)?;
+            reader.product(&above, &below, span)
+        };
+        let reciprocal = |reader: &mut Self, of: &str| {
+            let value = reader.call(of, argument, span)?;
+            inverse(reader, &value)
+        };
+        match function {
+            "exp" => self.exponential(argument, span),
+            "sin" => self.circular(Family::Circular, argument, span).map(|[sine, _]| sine),
+            "cos" => self.circular(Family::Circular, argument, span).map(|[_, cosine]| cosine),
+            "sinh" => self.circular(Family::Hyperbolic, argument, span).map(|[sine, _]| sine),
+            "cosh" => self.circular(Family::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
+            "tan" => over(self, "sin", "cos"),
+            "cot" => over(self, "cos", "sin"),
+            "sec" => reciprocal(self, "cos"),
+            "csc" => reciprocal(self, "sin"),
+            "tanh" => over(self, "sinh", "cosh"),
+            "coth" => over(self, "cosh", "sinh"),
+            "sech" => reciprocal(self, "cosh"),
+            "csch" => reciprocal(self, "sinh"),
+            "sqrt" => self.power(argument, &Rational::new(1, 2), span),
+            "cbrt" => self.power(argument, &Rational::new(1, 3), span),
+            "log" | "ln" => {
+                let slope = inverse(self, argument)?;
+                Ok(self.function(Function::Log, argument, slope))
+            }
+            "atan" | "arctan" => self.inverse_function(Function::Atan, argument, [1, 1], -1, span),
+            "asin" | "arcsin" => self.inverse_function(Function::Asin, argument, [1, -1], 0, span),
+            "acos" | "arccos" => {
+                let help = "write `asin`: acos(u) = pi/2 - asin(u)";
+                refuse(span, "`acos(…)` is not lifted", help)
+            }
+            "asinh" => self.inverse_function(Function::Asinh, argument, [1, 1], 0, span),
+            "acosh" => self.inverse_function(Function::Acosh, argument, [-1, 1], 0, span),
+            "atanh" => self.inverse_function(Function::Atanh, argument, [1, -1], -1, span),
+            "log2" | "log10" => {
+                refuse(span, format!("`{function}(…)` has an irrational factor"), "write `c*log(…)`")
+            }
+            "abs" | "sign" | "sgn" | "max" | "min" | "floor" | "ceil" | "round" | "mod" | "heaviside"
+            | "Heaviside" | "piecewise" => {
+                let message = format!("`{function}(…)` has a corner or a jump, and a lift needs an analytic field");
+                let help = "write a smooth function, such as `tanh(k*x)` for a sign, or study each side of the corner";
+                refuse(span, message, help)
+            }
+            "erf" | "gamma" => {
+                let message = format!("`{function}(…)` is not lifted");
+                refuse(span, message, "its equation can be written as that of a state of its own")
+            }
+            _ => refuse(span, unknown(function), KNOWN),
+        }
+    }
+
+    fn function(&mut self, function: Function, argument: &Laurent, slope: Laurent) -> Laurent {
+        let meaning = Meaning::Function(function, argument.clone());
+        let known = self.ring.find(&meaning);
+        Laurent::coordinate(known.unwrap_or_else(|| self.ring.add(meaning, slope)))
+    }
+
+    /// A function with the slope (a + b u²)^(−1), or with the power −1/2 of that where
+    /// `whole` is 0.
+    fn inverse_function(
+        &mut self,
+        function: Function,
+        argument: &Laurent,
+        [constant, square]: [i64; 2],
+        whole: i64,
+        span: Span,
+    ) -> Read<Laurent> {
+        let mut radicand = Laurent::number(Rational::from(constant));
+        let squared = self.product(argument, argument, span)?;
+        radicand.add_scaled(&squared, &RationalFunction::constant(Rational::from(square)));
+        let exponent = if whole == 0 { Rational::new(-1, 2) } else { Rational::from(whole) };
+        let slope = self.power(&radicand, &exponent, span)?;
+        Ok(self.function(function, argument, slope))
+    }
+
+    /// exp u, as a product over the terms of u unless one of them is constant.
+    fn exponential(&mut self, argument: &Laurent, span: Span) -> Read<Laurent> {
+        if argument.is_zero() {
+            return Ok(Laurent::number(Rational::one()));
+        }
+        let one_by_one = argument.coefficient(&Monomial::one()).is_zero();
+        let parts: Vec<Laurent> = if one_by_one {
+            argument.terms().map(|(one, value)| Laurent::term(one.clone(), value.clone())).collect()
+        } else {
+            vec![argument.clone()]
+        };
+        let mut product = Monomial::one();
+        for part in parts {
+            let (multiple, primitive) = part.primitive();
+            let unit = self.unit(Family::Exponential, &primitive, &multiple);
+            let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
+            let meaning = Meaning::Function(Function::Exp, inner);
+            let coordinate = self.ring.find(&meaning).unwrap_or_else(|| {
+                let slope = Laurent::coordinate(self.ring.coordinates.len());
+                self.ring.add(meaning, slope)
+            });
+            product = product.times(&Monomial::power(coordinate, self.times(&multiple, &unit, span)?));
+        }
+        Ok(Laurent::from(product))
+    }
+
+    fn times(&self, multiple: &Rational, unit: &Rational, span: Span) -> Read<i16> {
+        let times = multiple.checked_div(unit).and_then(|times| times.as_i64());
+        match times.filter(|times| times.abs() <= LARGEST_POWER) {
+            Some(times) => Ok(small(times)),
+            None => {
+                let message = "the arguments of these functions have no common measure that is near";
+                refuse(span, message, "name one of the functions as a state")
+            }
+        }
+    }
+
+    /// sin and cos, or sinh and cosh.
+    fn circular(&mut self, family: Family, argument: &Laurent, span: Span) -> Read<[Laurent; 2]> {
+        let one = Laurent::number(Rational::one());
+        if argument.is_zero() {
+            return Ok([Laurent::zero(), one]);
+        }
+        let (multiple, primitive) = argument.primitive();
+        let unit = self.unit(family, &primitive, &multiple);
+        let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
+        // cos′ = sign·sin, and sin² = 1 − cos², cosh² = 1 + sinh².
+        let (functions, sign) = match family {
+            Family::Circular => ([Function::Sin, Function::Cos], -1),
+            _ => ([Function::Sinh, Function::Cosh], 1),
+        };
+        let sign = RationalFunction::constant(Rational::from(sign));
+        let sine = Meaning::Function(functions[0], inner.clone());
+        let at = self.ring.find(&sine).unwrap_or_else(|| {
+            let at = self.ring.coordinates.len();
+            self.ring.add(sine, Laurent::coordinate(at + 1));
+            self.ring.add(Meaning::Function(functions[1], inner), Laurent::coordinate(at).scale(&sign));
+            let [from, other] = if sign == RationalFunction::one() { [at + 1, at] } else { [at, at + 1] };
+            let mut square = one.clone();
+            square.add_term(Monomial::power(other, 2), &sign);
+            self.ring.replace(Monomial::power(from, 2), square);
+            at
+        });
+        let (base_sine, base_cosine) = (Laurent::coordinate(at), Laurent::coordinate(at + 1));
+        let times = self.times(&multiple, &unit, span)?;
+        let (mut sine, mut cosine) = (Laurent::zero(), one);
+        for _ in 0..times.unsigned_abs() {
+            let mut next = self.product(&sine, &base_cosine, span)?;
+            next.add_scaled(&self.product(&cosine, &base_sine, span)?, &RationalFunction::one());
+            let product = self.product(&sine, &base_sine, span)?;
+            cosine = self.product(&cosine, &base_cosine, span)?;
+            cosine.add_scaled(&product, &sign);
+            sine = next;
+        }
+        if times < 0 {
+            sine = sine.scale(&-&RationalFunction::one());
+        }
+        Ok([sine, cosine])
+    }
+}
+
+const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
+                     cbrt, asin, atan, asinh, acosh, atanh and pow; for a product write `f*(…)`";
+
+fn unknown(function: &str) -> String {
+    format!("`{function}(…)` is no function that can be lifted")
+}
+
+fn small(number: i64) -> i16 {
+    i16::try_from(number).expect("exponents are at most LARGEST_POWER, indices at most their multiple")
+}
+
+/// The coefficient of the leading term, and the polynomial over it.
+fn monic(polynomial: &Laurent) -> (RationalFunction, Laurent) {
+    let (_, factor) = polynomial.leading_term().expect("not 0");
+    let inverse = RationalFunction::one().checked_div(factor).expect("a coefficient is not 0");
+    (factor.clone(), polynomial.scale(&inverse))
+}
+
+/// The rational content of a coefficient, with its sign, and the coefficient over it.
+fn signed_content(value: &RationalFunction) -> (Rational, RationalFunction) {
+    let content = value.numerator().content();
+    let negative = value.numerator().leading_term().is_some_and(|(_, number)| number.is_negative());
+    let content = if negative { -&content } else { content };
+    let inverse = content.recip().expect("not 0");
+    (content, value * &RationalFunction::from(Polynomial::constant(inverse)))
+}

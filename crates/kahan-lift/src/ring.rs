@@ -1,0 +1,251 @@
+//! The differential ring that the equations span: coordinates, their derivatives along the field,
+//! and the algebraic relations between them.
+//!
+//! Coordinates are the states and the functions that occur. The derivative of each is a Laurent
+//! polynomial in the coordinates; relations rewrite monomials, such as sin² to 1 − cos².
+
+use std::cell::RefCell;
+
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use rustc_hash::FxHashMap;
+
+use crate::laurent::{Laurent, Monomial};
+
+/// An elementary function whose derivative is a Laurent polynomial in coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Function {
+    /// exp u
+    Exp,
+    /// log u
+    Log,
+    /// sin u
+    Sin,
+    /// cos u
+    Cos,
+    /// sinh u
+    Sinh,
+    /// cosh u
+    Cosh,
+    /// arcsin u
+    Asin,
+    /// arctan u
+    Atan,
+    /// arsinh u
+    Asinh,
+    /// arcosh u
+    Acosh,
+    /// artanh u
+    Atanh,
+}
+
+/// What a coordinate stands for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Meaning {
+    /// The state with this index.
+    State(usize),
+    /// A function of a polynomial in coordinates.
+    Function(Function, Laurent),
+    /// The root of a polynomial with this index; the polynomial itself where the index is 1.
+    Root(Laurent, i16),
+    /// A power of a polynomial whose exponent depends on parameters.
+    Power(Laurent, RationalFunction),
+    /// A sum that occurs often.
+    Sum(Laurent),
+}
+
+impl Meaning {
+    /// The polynomial that the function is applied to; none for a state.
+    pub fn argument(&self) -> Option<&Laurent> {
+        match self {
+            Meaning::State(_) => None,
+            Meaning::Function(_, inner)
+            | Meaning::Root(inner, _)
+            | Meaning::Power(inner, _)
+            | Meaning::Sum(inner) => Some(inner),
+        }
+    }
+}
+
+/// A coordinate z = F(u).
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// What it stands for.
+    pub meaning: Meaning,
+    /// F′(u) as a polynomial in coordinates; 1 for a state.
+    pub slope: Laurent,
+}
+
+/// A relation between coordinates, as a rule that rewrites monomials.
+#[derive(Clone, Debug)]
+enum Rule {
+    /// Multiples of the monomial are multiples of the polynomial.
+    Replace(Monomial, Laurent),
+    /// b^index = base, where `leading` of base, with the coefficient 1, is the first field: powers
+    /// of b stay below the index, and beside negative powers of b no multiple of the leading
+    /// monomial stands.
+    Root { coordinate: usize, index: i16, base: Laurent, leading: Monomial, instead: Laurent },
+}
+
+/// Coordinates with their relations. Products of polynomials are in normal form.
+#[derive(Clone, Debug, Default)]
+pub struct Ring {
+    /// The coordinates; each argument contains earlier ones only. States come first.
+    pub coordinates: Vec<Coordinate>,
+    rules: Vec<Rule>,
+    /// The derivatives of the states.
+    pub field: Vec<Laurent>,
+    derivatives: RefCell<FxHashMap<Monomial, Laurent>>,
+    normal: RefCell<FxHashMap<Monomial, Laurent>>,
+}
+
+impl Ring {
+    /// Adds a coordinate.
+    pub fn add(&mut self, meaning: Meaning, slope: Laurent) -> usize {
+        self.coordinates.push(Coordinate { meaning, slope });
+        self.coordinates.len() - 1
+    }
+
+    /// The coordinate with this meaning.
+    pub fn find(&self, meaning: &Meaning) -> Option<usize> {
+        self.coordinates.iter().position(|known| known.meaning == *meaning)
+    }
+
+    /// Adds the relation monomial = polynomial.
+    pub fn replace(&mut self, monomial: Monomial, polynomial: Laurent) {
+        self.rules.push(Rule::Replace(monomial, polynomial));
+        self.forget();
+    }
+
+    /// Adds the relation b^index = base.
+    pub fn relate_root(&mut self, coordinate: usize, index: i16, base: &Laurent) {
+        let (leading, factor) = base.leading_term().expect("a root is of something");
+        let scale = RationalFunction::one().checked_div(factor).expect("coefficients are not 0");
+        let mut instead = Laurent::from(Monomial::power(coordinate, index));
+        instead.add_scaled(&base.filtered(|monomial| monomial != leading), &-&RationalFunction::one());
+        let instead = instead.scale(&scale);
+        self.rules.push(Rule::Root {
+            coordinate,
+            index,
+            base: base.clone(),
+            leading: leading.clone(),
+            instead,
+        });
+        self.forget();
+    }
+
+    /// Sets the derivatives of the states.
+    pub fn set_field(&mut self, field: Vec<Laurent>) {
+        self.field = field;
+        self.forget();
+    }
+
+    fn forget(&mut self) {
+        self.derivatives.get_mut().clear();
+        self.normal.get_mut().clear();
+    }
+
+    /// Whether no relation rewrites the monomial.
+    pub fn is_normal(&self, monomial: &Monomial) -> bool {
+        self.rewritten(monomial).is_none()
+    }
+
+    /// What a monomial is rewritten to by one rule; `None` if it is in normal form.
+    fn rewritten(&self, monomial: &Monomial) -> Option<Laurent> {
+        self.rules.iter().find_map(|rule| match rule {
+            Rule::Replace(from, to) => {
+                monomial.is_multiple_of(from).then(|| to.shifted(&monomial.over(from)))
+            }
+            Rule::Root { coordinate, index, base, leading, instead } => {
+                let exponent = monomial.exponent(*coordinate);
+                let root = Monomial::power(*coordinate, *index);
+                if exponent >= *index {
+                    return Some(base.shifted(&monomial.over(&root)));
+                }
+                if leading.is_one() {
+                    // The base is a constant c: b^−1 = b^(index−1)/c.
+                    return (exponent < 0).then(|| {
+                        let inverse = RationalFunction::one().checked_div(&base.coefficient(leading));
+                        Laurent::from(monomial.times(&root)).scale(&inverse.expect("not 0"))
+                    });
+                }
+                let single = base.len() == 1 && leading.size() == 1;
+                if single && leading.powers().any(|(inner, _)| monomial.exponent(inner) < 0) {
+                    let inverse = Laurent::from(monomial.times(leading).over(&root));
+                    return Some(inverse.scale(&base.coefficient(leading)));
+                }
+                (exponent < 0 && monomial.is_multiple_of(leading))
+                    .then(|| instead.shifted(&monomial.over(leading)))
+            }
+        })
+    }
+
+    /// The normal form of a monomial.
+    pub fn normal(&self, monomial: &Monomial) -> Laurent {
+        if let Some(known) = self.normal.borrow().get(monomial) {
+            return known.clone();
+        }
+        let normal = match self.rewritten(monomial) {
+            Some(polynomial) => self.normalised(&polynomial),
+            None => Laurent::from(monomial.clone()),
+        };
+        self.normal.borrow_mut().insert(monomial.clone(), normal.clone());
+        normal
+    }
+
+    /// The normal form of a polynomial.
+    pub fn normalised(&self, polynomial: &Laurent) -> Laurent {
+        let mut sum = Laurent::zero();
+        for (monomial, coefficient) in polynomial.terms() {
+            sum.add_scaled(&self.normal(monomial), coefficient);
+        }
+        sum
+    }
+
+    /// The product, in normal form.
+    pub fn product(&self, left: &Laurent, right: &Laurent) -> Laurent {
+        let mut product = Laurent::zero();
+        for (monomial, coefficient) in left.terms() {
+            product.add_scaled(&self.normalised(&right.shifted(monomial)), coefficient);
+        }
+        product
+    }
+
+    /// The derivative of a coordinate along the field.
+    fn derivative_of_coordinate(&self, index: usize) -> Laurent {
+        let Coordinate { meaning, slope } = &self.coordinates[index];
+        match meaning.argument() {
+            None => self.field.get(index).cloned().unwrap_or_default(),
+            Some(argument) => self.product(slope, &self.derivative(argument)),
+        }
+    }
+
+    /// The derivative of a monomial along the field, in normal form.
+    pub fn derivative_of(&self, monomial: &Monomial) -> Laurent {
+        if let Some(known) = self.derivatives.borrow().get(monomial) {
+            return known.clone();
+        }
+        let mut derivative = Laurent::zero();
+        for (coordinate, exponent) in monomial.powers() {
+            let lower = monomial.over(&Monomial::power(coordinate, 1));
+            let inner = if monomial.size() == 1 && exponent == 1 {
+                self.derivative_of_coordinate(coordinate)
+            } else {
+                self.derivative_of(&Monomial::power(coordinate, 1))
+            };
+            let factor = RationalFunction::constant(Rational::from(i64::from(exponent)));
+            derivative.add_scaled(&self.normalised(&inner.shifted(&lower)), &factor);
+        }
+        self.derivatives.borrow_mut().insert(monomial.clone(), derivative.clone());
+        derivative
+    }
+
+    /// The derivative of a polynomial along the field, in normal form.
+    pub fn derivative(&self, polynomial: &Laurent) -> Laurent {
+        let mut derivative = Laurent::zero();
+        for (monomial, coefficient) in polynomial.terms() {
+            derivative.add_scaled(&self.derivative_of(monomial), coefficient);
+        }
+        derivative
+    }
+}

@@ -1,0 +1,374 @@
+//! The search for a smallest set of monomials that makes the equations quadratic.
+//!
+//! A set of variables is closed if each monomial in the derivative of a variable is 1, a variable,
+//! a product of two variables, or follows from such a product by a relation of the ring. An
+//! iterative-deepening search branches over the ways to write one missing monomial; where its
+//! budget of nodes ends first, a greedy closure is improved by local changes. No clock is read.
+
+use std::rc::Rc;
+
+use kahan_algebra::prime_field::Shake256;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::laurent::{Laurent, Monomial};
+use crate::ring::Ring;
+use crate::table::{Id, Table};
+
+/// What the search starts from.
+#[derive(Clone, Debug, Default)]
+pub struct Problem {
+    /// Monomials that are variables already: the states.
+    pub given: Vec<Monomial>,
+    /// Polynomials that are variables already.
+    pub sums: Vec<Laurent>,
+    /// The monomials that must be written as products, beside those of the derivatives of new
+    /// variables.
+    pub required: Vec<Monomial>,
+    /// The coordinates whose powers in new variables may be negative.
+    pub negative: Vec<usize>,
+}
+
+/// Sets of new variables.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Sets in ascending order: of the least size that was found, then larger ones.
+    pub sets: Vec<Vec<Monomial>>,
+    /// Whether no smaller set exists in the class that is searched.
+    pub is_optimal: bool,
+}
+
+/// How many sets of one size are kept.
+const MOST_SETS: usize = 24;
+/// The most new variables of an answer.
+const MOST_VARIABLES: usize = 60;
+/// How many local changes are tried for each variable of a set that is not proved to be optimal.
+const LOCAL_CHANGES: usize = 40;
+
+/// The monomials that products of variables stand for.
+#[derive(Clone, Debug, Default)]
+struct Cover {
+    covered: FxHashSet<Id>,
+    /// The supports of products from which more than one monomial is not covered.
+    composite: Vec<Rc<[Id]>>,
+}
+
+impl Cover {
+    fn add(&mut self, support: &Rc<[Id]>) {
+        let mut missing = support.iter().filter(|one| !self.covered.contains(*one));
+        match (missing.next().copied(), missing.next()) {
+            (None, _) => {}
+            (Some(only), None) => {
+                self.covered.insert(only);
+            }
+            _ => self.composite.push(Rc::clone(support)),
+        }
+    }
+
+    /// A product with one monomial that nothing else stands for stands for that monomial.
+    fn close(&mut self) {
+        loop {
+            let before = self.covered.len();
+            let composite = std::mem::take(&mut self.composite);
+            composite.iter().for_each(|support| self.add(support));
+            if self.covered.len() == before {
+                return;
+            }
+        }
+    }
+}
+
+struct Search<'a> {
+    table: Table<'a>,
+    ring: &'a Ring,
+    problem: &'a Problem,
+    given: Vec<Id>,
+    required: Vec<Id>,
+    nodes: usize,
+    largest: u32,
+    visited: FxHashMap<Vec<Id>, usize>,
+    sets: Vec<Vec<Id>>,
+}
+
+/// Finds the smallest closed sets within a budget of nodes; `None` if there is none within it.
+/// Sets of `surplus` more variables are found as well.
+pub fn search(ring: &Ring, problem: &Problem, budget: usize, surplus: usize) -> Option<Found> {
+    let sizes = problem.required.iter().map(Monomial::size);
+    let mut table = Table::new(ring);
+    let mut search = Search {
+        ring,
+        problem,
+        given: problem.given.iter().map(|one| table.id(one)).collect(),
+        required: problem.required.iter().map(|one| table.id(one)).collect(),
+        nodes: budget,
+        largest: 2 * sizes.max().unwrap_or(0) + 4,
+        visited: FxHashMap::default(),
+        sets: Vec::new(),
+        table,
+    };
+    let greedy = search.greedy();
+    let most = greedy.as_ref().map_or(MOST_VARIABLES, Vec::len);
+    for size in 0..=most {
+        search.collect(size);
+        if search.sets.is_empty() && search.nodes > 0 {
+            continue;
+        }
+        if search.sets.is_empty() {
+            break;
+        }
+        let mut sets = std::mem::take(&mut search.sets);
+        if surplus > 0 {
+            search.nodes = budget / 4;
+            search.collect(size + surplus);
+            let larger = search.sets.drain(..).filter(|set| set.len() > size);
+            sets.extend(larger);
+        }
+        return Some(Found { sets: search.monomials(sets), is_optimal: true });
+    }
+    let set = search.improved(greedy?);
+    Some(Found { sets: search.monomials(vec![set]), is_optimal: false })
+}
+
+impl Search<'_> {
+    fn monomials(&self, sets: Vec<Vec<Id>>) -> Vec<Vec<Monomial>> {
+        let set = |ids: Vec<Id>| {
+            let mut set: Vec<Monomial> = ids.iter().map(|&id| self.table.monomial(id).clone()).collect();
+            set.sort_unstable_by_key(|one| (one.size(), one.clone()));
+            set
+        };
+        sets.into_iter().map(set).collect()
+    }
+
+    fn collect(&mut self, size: usize) {
+        self.visited.clear();
+        let cover = self.cover(&[]);
+        self.extend(&mut Vec::new(), &cover, size);
+    }
+
+    /// The monomials that products of two variables, or of one and 1, stand for.
+    fn cover(&mut self, new: &[Id]) -> Cover {
+        let mut cover = Cover::default();
+        cover.covered.insert(Table::ONE);
+        for (i, sum) in self.problem.sums.iter().enumerate() {
+            cover.composite.push(self.table.support(sum));
+            for other in &self.problem.sums[i..] {
+                cover.composite.push(self.table.support(&self.ring.product(sum, other)));
+            }
+        }
+        let given = self.given.clone();
+        let mut variables: Vec<Id> = Vec::new();
+        for &variable in given.iter().chain(new) {
+            self.join(&mut cover, &variables, variable);
+            variables.push(variable);
+        }
+        cover.close();
+        cover
+    }
+
+    /// Adds the products of a variable with itself, with others and with the sums.
+    fn join(&mut self, cover: &mut Cover, others: &[Id], variable: Id) {
+        cover.covered.insert(variable);
+        for &other in others.iter().chain([&variable]) {
+            let product = self.table.product(other, variable);
+            match self.table.rewritten(product) {
+                None => {
+                    cover.covered.insert(product);
+                }
+                Some(support) => cover.composite.push(Rc::clone(support)),
+            }
+        }
+        for sum in &self.problem.sums {
+            let shifted = self.ring.normalised(&sum.shifted(self.table.monomial(variable)));
+            cover.composite.push(self.table.support(&shifted));
+        }
+    }
+
+    /// The cover of `new` and one more variable.
+    fn joined(&mut self, cover: &Cover, new: &[Id], variable: Id) -> Cover {
+        let mut joined = cover.clone();
+        let others: Vec<Id> = self.given.iter().chain(new).copied().collect();
+        self.join(&mut joined, &others, variable);
+        joined.close();
+        joined
+    }
+
+    /// The monomials that must be written and cannot be, in ascending order.
+    fn missing(&mut self, cover: &Cover, new: &[Id]) -> Vec<Id> {
+        let mut missing = self.required.clone();
+        new.iter().for_each(|&variable| missing.extend(self.table.derivative(variable).iter()));
+        missing.retain(|one| !cover.covered.contains(one));
+        missing.sort_unstable();
+        missing.dedup();
+        missing
+    }
+
+    /// Whether a monomial may become a variable.
+    fn is_allowed(&self, id: Id) -> bool {
+        let monomial = self.table.monomial(id);
+        let negative = &self.problem.negative;
+        id != Table::ONE
+            && self.table.rewritten(id).is_none()
+            && monomial.size() <= self.largest
+            && monomial.powers().all(|(coordinate, exponent)| exponent > 0 || negative.contains(&coordinate))
+    }
+
+    /// The monomials each of which, as the only new variable, would make `target` a product.
+    fn singles(&mut self, target: Id, new: &[Id]) -> Vec<Id> {
+        let monomial = self.table.monomial(target).clone();
+        let variables: Vec<Id> = self.given.iter().chain(new).copied().collect();
+        let quotients = variables.iter().map(|&variable| monomial.over(self.table.monomial(variable)));
+        let mut candidates: Vec<Monomial> =
+            std::iter::once(monomial.clone()).chain(monomial.square_root()).chain(quotients).collect();
+        candidates.sort_unstable_by_key(|one| (one.size(), one.clone()));
+        candidates.dedup();
+        let ids: Vec<Id> = candidates.iter().map(|one| self.table.id(one)).collect();
+        ids.into_iter().filter(|&id| self.is_allowed(id)).collect()
+    }
+
+    /// The pairs of monomials with product `target` whose exponents lie between 0 and its own.
+    fn pairs(&mut self, target: Id) -> Vec<[Id; 2]> {
+        let target = self.table.monomial(target).clone();
+        let mut halves = vec![Monomial::one()];
+        for (coordinate, exponent) in target.powers() {
+            let range = exponent.min(0)..=exponent.max(0);
+            let power = |power| Monomial::power(coordinate, 1).pow(power);
+            halves =
+                halves.iter().flat_map(|half| range.clone().map(|own| half.times(&power(own)))).collect();
+        }
+        let mut pairs = Vec::new();
+        for left in halves {
+            let right = target.over(&left);
+            if left < right {
+                let pair = [self.table.id(&left), self.table.id(&right)];
+                if pair.iter().all(|&one| self.is_allowed(one)) {
+                    pairs.push(pair);
+                }
+            }
+        }
+        pairs
+    }
+
+    /// Collects the closed sets that extend `new` by at most `more` variables.
+    fn extend(&mut self, new: &mut Vec<Id>, cover: &Cover, more: usize) {
+        if self.nodes == 0 || self.sets.len() >= MOST_SETS {
+            return;
+        }
+        self.nodes -= 1;
+        let mut key = new.clone();
+        key.sort_unstable();
+        if self.visited.get(&key).is_some_and(|&before| before >= more) {
+            return;
+        }
+        self.visited.insert(key.clone(), more);
+        let missing = self.missing(cover, new);
+        if missing.is_empty() {
+            if !self.sets.contains(&key) {
+                self.sets.push(key);
+            }
+            return;
+        }
+        if more == 0 {
+            return;
+        }
+        let mut options: Option<(Vec<Id>, Id)> = None;
+        for &target in missing.iter().take(40) {
+            let singles = self.singles(target, new);
+            if options.as_ref().is_none_or(|(best, _)| singles.len() < best.len()) {
+                options = Some((singles, target));
+            }
+        }
+        let (singles, target) = options.expect("something is missing");
+        for single in singles {
+            let joined = self.joined(cover, new, single);
+            // With one variable to go, all that is missing now must follow from it.
+            if more > 1 || missing.iter().all(|one| joined.covered.contains(one)) {
+                new.push(single);
+                self.extend(new, &joined, more - 1);
+                new.pop();
+            }
+        }
+        if more >= 2 {
+            for [left, right] in self.pairs(target) {
+                if new.contains(&left) || new.contains(&right) {
+                    continue;
+                }
+                let joined = self.joined(cover, new, left);
+                new.push(left);
+                let joined = self.joined(&joined, new, right);
+                new.push(right);
+                self.extend(new, &joined, more - 2);
+                new.truncate(new.len() - 2);
+            }
+        }
+    }
+
+    /// A closed set by adding, again and again, the variable that leaves least to be written; then
+    /// without each variable that a new closure can do without.
+    fn greedy(&mut self) -> Option<Vec<Id>> {
+        let mut best = self.closure(Vec::new(), MOST_VARIABLES, 0)?;
+        let mut at = 0;
+        while at < best.len() {
+            let mut fewer = best.clone();
+            fewer.remove(at);
+            match self.closure(fewer, best.len() - 1, 0) {
+                Some(smaller) => (best, at) = (smaller, 0),
+                None => at += 1,
+            }
+        }
+        Some(best)
+    }
+
+    /// A closed set of at most `most` variables that extends `new`. `twist` chooses between
+    /// variables that leave equally much to be written, and at times the second best.
+    fn closure(&mut self, mut new: Vec<Id>, most: usize, twist: u64) -> Option<Vec<Id>> {
+        let mut cover = self.cover(&new);
+        loop {
+            let missing = self.missing(&cover, &new);
+            let turn = |id: Id| u64::from(id).wrapping_mul(twist | 1).rotate_left(17).wrapping_mul(twist);
+            let size = |id: Id| self.table.monomial(id).size();
+            let Some(&target) = missing.iter().min_by_key(|&&id| (size(id), turn(id), id)) else {
+                return Some(new);
+            };
+            if new.len() >= most {
+                return None;
+            }
+            let mut ranked: Vec<(usize, u64, Id, Cover)> = Vec::new();
+            for single in self.singles(target, &new) {
+                let joined = self.joined(&cover, &new, single);
+                let left = missing.iter().filter(|one| !joined.covered.contains(one)).count();
+                let added = self.table.derivative(single);
+                let added = added.iter().filter(|one| !joined.covered.contains(one)).count();
+                ranked.push((left + added, turn(single), single, joined));
+            }
+            ranked.sort_by_key(|&(left, turn, single, _)| (left, turn, single));
+            let second = twist != 0 && ranked.len() > 1 && turn(target) % 4 == 0;
+            let (_, _, next, joined) = ranked.into_iter().nth(usize::from(second))?;
+            (cover, new) = (joined, [new, vec![next]].concat());
+        }
+    }
+
+    /// The smallest closed set by removing up to four variables at a time and closing again.
+    fn improved(&mut self, mut best: Vec<Id>) -> Vec<Id> {
+        let mut random = Shake256::new(b"local changes");
+        let mut since = 0;
+        let mut current = best.clone();
+        while since < LOCAL_CHANGES * best.len() {
+            since += 1;
+            let seed = random.next_seed();
+            let twist = u64::from_le_bytes(seed[..8].try_into().expect("eight bytes"));
+            let mut fewer = current.clone();
+            for &byte in &seed[8..9 + usize::from(seed[31] % 4)] {
+                if !fewer.is_empty() {
+                    fewer.remove(usize::from(byte) % fewer.len());
+                }
+            }
+            if let Some(next) = self.closure(fewer, current.len(), twist) {
+                if next.len() < best.len() {
+                    since = 0;
+                    best = next.clone();
+                }
+                current = next;
+            }
+        }
+        best
+    }
+}

@@ -1,0 +1,94 @@
+//! Monomials by number, with their products and the supports of their derivatives.
+
+use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
+
+use crate::laurent::{Laurent, Monomial};
+use crate::ring::Ring;
+
+/// The number of a monomial.
+pub(crate) type Id = u32;
+
+/// What is known of a monomial.
+#[derive(Clone, Debug)]
+struct Entry {
+    monomial: Monomial,
+    /// The monomials of its normal form, where it is not in normal form itself.
+    rewritten: Option<Rc<[Id]>>,
+    /// The monomials of its derivative, once asked for.
+    derivative: Option<Rc<[Id]>>,
+}
+
+/// Monomials that were met, by number.
+#[derive(Debug)]
+pub(crate) struct Table<'a> {
+    ring: &'a Ring,
+    entries: Vec<Entry>,
+    ids: FxHashMap<Monomial, Id>,
+    products: FxHashMap<(Id, Id), Id>,
+}
+
+impl<'a> Table<'a> {
+    /// The number of the empty product.
+    pub(crate) const ONE: Id = 0;
+
+    pub(crate) fn new(ring: &'a Ring) -> Self {
+        let mut table =
+            Table { ring, entries: Vec::new(), ids: FxHashMap::default(), products: FxHashMap::default() };
+        table.id(&Monomial::one());
+        table
+    }
+
+    /// The number of a monomial.
+    pub(crate) fn id(&mut self, monomial: &Monomial) -> Id {
+        if let Some(&id) = self.ids.get(monomial) {
+            return id;
+        }
+        let id = Id::try_from(self.entries.len()).expect("a search meets fewer monomials");
+        self.ids.insert(monomial.clone(), id);
+        self.entries.push(Entry { monomial: monomial.clone(), rewritten: None, derivative: None });
+        if !self.ring.is_normal(monomial) {
+            self.entries[id as usize].rewritten = Some(self.support(&self.ring.normal(monomial)));
+        }
+        id
+    }
+
+    /// The numbers of the monomials of a polynomial.
+    pub(crate) fn support(&mut self, polynomial: &Laurent) -> Rc<[Id]> {
+        polynomial.terms().map(|(monomial, _)| self.id(monomial)).collect()
+    }
+
+    /// The monomial with a number.
+    pub(crate) fn monomial(&self, id: Id) -> &Monomial {
+        &self.entries[id as usize].monomial
+    }
+
+    /// The monomials of the normal form, where the monomial is not in normal form.
+    pub(crate) fn rewritten(&self, id: Id) -> Option<&Rc<[Id]>> {
+        self.entries[id as usize].rewritten.as_ref()
+    }
+
+    /// The product of two monomials.
+    pub(crate) fn product(&mut self, left: Id, right: Id) -> Id {
+        let key = (left.min(right), left.max(right));
+        if let Some(&known) = self.products.get(&key) {
+            return known;
+        }
+        let product = self.monomial(left).times(self.monomial(right));
+        let id = self.id(&product);
+        self.products.insert(key, id);
+        id
+    }
+
+    /// The monomials of the derivative.
+    pub(crate) fn derivative(&mut self, id: Id) -> Rc<[Id]> {
+        if let Some(known) = &self.entries[id as usize].derivative {
+            return Rc::clone(known);
+        }
+        let derivative = self.ring.derivative_of(&self.entries[id as usize].monomial);
+        let support = self.support(&derivative);
+        self.entries[id as usize].derivative = Some(Rc::clone(&support));
+        support
+    }
+}
