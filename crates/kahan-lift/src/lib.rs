@@ -1,9 +1,37 @@
 //! Lifting: from any analytic ordinary differential equation to an equivalent quadratic one.
+//!
+//! In: a block of equations with functions, quotients and powers. Out: a [`Lift`], a quadratic
+//! field in the states and in new variables that stand for functions of them. All formulas are
+//! exact; floats serve the choice between lifts and the first values of new variables. The crate
+//! must not know Kahan's map: what a map keeps is found by its rules in `kahan-algebra`.
+
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
-pub mod laurent;
-pub mod ring;
+// Each needs those before it only, which a test guards.
+mod laurent;
+
+mod ring;
+
 mod read;
-pub mod search;
+
+mod equations;
+
 mod table;
-pub mod equations;
+
+mod search;
+
+mod linear;
+
+mod energy;
+
+mod quadratic;
+
+mod numeric;
+
+mod stability;
+
+mod names;
+
+mod lift;
+
+pub use lift::{Along, Lift, NewVariable, Options, Relation, Which, lift};

@@ -140,6 +140,40 @@ impl Ring {
         self.forget();
     }
 
+    /// The ring with sums that occur in derivatives as coordinates: for the base P of each root,
+    /// the parts of P′, P″ and P‴ that are polynomials in the states. Kepler's problem becomes one
+    /// in r, x·p and p·p. `None` if no derivative has such a part.
+    pub fn grouped(&self) -> Option<Self> {
+        let mut ring = self.clone();
+        let is_polynomial = |monomial: &Monomial| {
+            monomial.powers().all(|(coordinate, exponent)| coordinate < self.field.len() && exponent > 0)
+        };
+        let bases = self.coordinates.iter().filter_map(|coordinate| match &coordinate.meaning {
+            Meaning::Root(base, _) if base.len() > 1 => Some(base),
+            _ => None,
+        });
+        for base in bases {
+            let mut sum = base.clone();
+            for _ in 0..3 {
+                let derivative = ring.derivative(&sum).filtered(is_polynomial);
+                sum = derivative.primitive().1;
+                if !(2..=12).contains(&sum.len()) || ring.find(&Meaning::Sum(sum.clone())).is_some() {
+                    break;
+                }
+                let coordinate = ring.add(Meaning::Sum(sum.clone()), Laurent::number(Rational::one()));
+                let (leading, factor) = sum.leading_term().expect("at least two terms");
+                let mut instead = Laurent::coordinate(coordinate);
+                let rest = sum.filtered(|monomial| monomial != leading);
+                instead.add_scaled(&rest, &-&RationalFunction::one());
+                let scale = RationalFunction::one().checked_div(factor).expect("coefficients are not 0");
+                ring.replace(leading.clone(), instead.scale(&scale));
+            }
+        }
+        let field = ring.field.iter().map(|side| ring.normalised(side)).collect();
+        ring.set_field(field);
+        (ring.coordinates.len() > self.coordinates.len()).then_some(ring)
+    }
+
     fn forget(&mut self) {
         self.derivatives.get_mut().clear();
         self.normal.get_mut().clear();

@@ -1,0 +1,194 @@
+//! Names and expressions of monomials in coordinates.
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::render::{Notation, push_term};
+use kahan_algebra::symbols::Symbols;
+
+use crate::laurent::{Laurent, Monomial};
+use crate::ring::{Function, Meaning, Ring};
+
+impl Function {
+    /// The name by which it is called.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Function::Exp => "exp",
+            Function::Log => "log",
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Sinh => "sinh",
+            Function::Cosh => "cosh",
+            Function::Asin => "asin",
+            Function::Atan => "atan",
+            Function::Asinh => "asinh",
+            Function::Acosh => "acosh",
+            Function::Atanh => "atanh",
+        }
+    }
+}
+
+/// What coordinates are called and how they are written.
+#[derive(Debug)]
+pub(crate) struct Writer<'a> {
+    pub(crate) ring: &'a Ring,
+    pub(crate) states: &'a [String],
+    /// No states, and the parameters.
+    pub(crate) parameters: &'a Symbols,
+}
+
+impl Writer<'_> {
+    /// A polynomial as an expression.
+    pub(crate) fn polynomial(&self, polynomial: &Laurent, notation: &dyn Notation) -> String {
+        let mut text = String::new();
+        for (monomial, coefficient) in polynomial.terms() {
+            let (negative, size) = signed(coefficient);
+            push_term(&mut text, negative, &self.term(monomial, &size, notation));
+        }
+        if text.is_empty() { "0".to_owned() } else { text }
+    }
+
+    /// A monomial as an expression.
+    pub(crate) fn monomial(&self, monomial: &Monomial, notation: &dyn Notation) -> String {
+        self.term(monomial, &RationalFunction::one(), notation)
+    }
+
+    /// coefficient·monomial; negative powers stand below a line.
+    fn term(&self, monomial: &Monomial, coefficient: &RationalFunction, notation: &dyn Notation) -> String {
+        let mut above = self.factors(coefficient.numerator(), notation);
+        let mut below = self.factors(coefficient.denominator(), notation);
+        for (coordinate, exponent) in monomial.powers() {
+            let side = if exponent > 0 { &mut above } else { &mut below };
+            side.push(self.power(coordinate, exponent.unsigned_abs(), notation));
+        }
+        if above.is_empty() {
+            above.push(notation.number(&Rational::one()));
+        }
+        let above = notation.product(&above);
+        if below.is_empty() { above } else { notation.quotient(&above, &notation.product(&below)) }
+    }
+
+    /// The factors of a coefficient's numerator or denominator; none for 1.
+    fn factors(&self, polynomial: &Polynomial, notation: &dyn Notation) -> Vec<String> {
+        if polynomial.is_one() {
+            return Vec::new();
+        }
+        let text = notation.polynomial(self.parameters, polynomial);
+        vec![if polynomial.len() > 1 { format!("({text})") } else { text }]
+    }
+
+    fn power(&self, coordinate: usize, exponent: u16, notation: &dyn Notation) -> String {
+        let call = |name: &str, argument: &Laurent| {
+            let argument = self.polynomial(argument, notation);
+            notation.power(&format!("{name}({argument})"), i64::from(exponent))
+        };
+        match &self.ring.coordinates[coordinate].meaning {
+            Meaning::State(state) => notation.power(&notation.name(&self.states[*state]), i64::from(exponent)),
+            Meaning::Function(function, argument) => call(function.name(), argument),
+            Meaning::Root(base, 1) | Meaning::Sum(base) => call("", base),
+            Meaning::Root(base, 2) => call("sqrt", base),
+            Meaning::Root(base, 3) => call("cbrt", base),
+            Meaning::Root(base, index) => {
+                format!("({})^({exponent}/{index})", self.polynomial(base, notation))
+            }
+            Meaning::Power(base, power) => {
+                let power = power * &RationalFunction::constant(Rational::from(i64::from(exponent)));
+                let power = self.polynomial(&Laurent::constant(power), notation);
+                format!("({})^({power})", self.polynomial(base, notation))
+            }
+        }
+    }
+
+    /// A name for the variable that stands for a monomial: `x2`, `sin_x`, `inv_P`, `x_y`.
+    pub(crate) fn name(&self, monomial: &Monomial) -> String {
+        let mut above = Vec::new();
+        let mut below = Vec::new();
+        for (coordinate, exponent) in monomial.powers() {
+            let name = self.coordinate_name(coordinate);
+            let size = exponent.unsigned_abs();
+            let name = if size == 1 { name } else { format!("{name}{size}") };
+            if exponent > 0 { above.push(name) } else { below.push(name) }
+        }
+        // A tangent reads better than a quotient.
+        if let ([sine], [cosine]) = (&above[..], &below[..])
+            && let Some(angle) = sine.strip_prefix("sin")
+            && cosine.strip_prefix("cos") == Some(angle)
+        {
+            return format!("tan{angle}");
+        }
+        if !below.is_empty() {
+            above.push(format!("inv_{}", below.join("_")));
+        }
+        above.join("_")
+    }
+
+    fn coordinate_name(&self, coordinate: usize) -> String {
+        let of_kind = |kind: &dyn Fn(&Meaning) -> bool| {
+            let earlier = &self.ring.coordinates[..coordinate];
+            earlier.iter().filter(|one| kind(&one.meaning)).count()
+        };
+        match &self.ring.coordinates[coordinate].meaning {
+            Meaning::State(state) => self.states[*state].clone(),
+            Meaning::Function(function, argument) => match self.short(argument) {
+                Some(short) => format!("{}_{short}", function.name()),
+                None => {
+                    let same = |one: &Meaning| matches!(one, Meaning::Function(known, _) if known == function);
+                    let shift = matches!(function, Function::Cos | Function::Cosh);
+                    let earlier = match function {
+                        Function::Cos | Function::Sin => {
+                            of_kind(&|one| matches!(one, Meaning::Function(Function::Sin, _)))
+                        }
+                        _ => of_kind(&same),
+                    };
+                    format!("{}_{}", function.name(), earlier + 1 - usize::from(shift && *function == Function::Cos))
+                }
+            },
+            Meaning::Root(base, index) => match (self.short(base), index) {
+                (Some(short), 2) => format!("sqrt_{short}"),
+                (Some(short), _) => format!("root_{short}"),
+                (None, index) => {
+                    let is_root = |one: &Meaning| matches!(one, Meaning::Root(base, _) if self.short(base).is_none());
+                    let letters = if *index == 1 { ["P", "Q", "R", "S"] } else { ["r", "s", "u", "w"] };
+                    let earlier = of_kind(&is_root);
+                    letters.get(earlier).map_or_else(|| format!("{}{earlier}", letters[0]), |&one| one.to_owned())
+                }
+            },
+            Meaning::Power(base, _) => match self.short(base) {
+                Some(short) => format!("{short}_pow"),
+                None => format!("pow{}", of_kind(&|one| matches!(one, Meaning::Power(..))) + 1),
+            },
+            Meaning::Sum(_) => format!("sum{}", of_kind(&|one| matches!(one, Meaning::Sum(_))) + 1),
+        }
+    }
+
+    /// A short name of an argument with one term: `x`, `2x`, `wt`.
+    fn short(&self, argument: &Laurent) -> Option<String> {
+        let (monomial, coefficient) = argument.terms().next().filter(|_| argument.len() == 1)?;
+        let (_, number) = coefficient.numerator().leading_term()?;
+        let is_plain = coefficient.numerator().len() == 1 && coefficient.denominator().is_one();
+        if !is_plain || !number.is_integer() || monomial.powers().any(|(_, exponent)| exponent < 0) {
+            return None;
+        }
+        let mut short = if number.abs().is_one() { String::new() } else { number.abs().to_string() };
+        for &(parameter, exponent) in coefficient.numerator().leading_term()?.0.powers() {
+            short.push_str(&self.parameters.name(parameter));
+            if exponent > 1 {
+                short.push_str(&exponent.to_string());
+            }
+        }
+        for (coordinate, exponent) in monomial.powers() {
+            short.push_str(&self.coordinate_name(coordinate));
+            if exponent > 1 {
+                short.push_str(&exponent.to_string());
+            }
+        }
+        Some(short)
+    }
+}
+
+/// Whether a coefficient is written with a minus sign, and the coefficient without it.
+pub(crate) fn signed(coefficient: &RationalFunction) -> (bool, RationalFunction) {
+    let negative = coefficient.numerator().len() == 1
+        && coefficient.numerator().leading_term().is_some_and(|(_, number)| number.is_negative());
+    (negative, if negative { -coefficient } else { coefficient.clone() })
+}

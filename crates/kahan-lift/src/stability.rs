@@ -1,0 +1,165 @@
+//! Whether the relations between the variables of a lift stay small along an orbit.
+//!
+//! The error r = w − g(x) of the relations obeys r′ = Λ r + …, where
+//!
+//!   Λ = ∂F_w/∂w − Dg · ∂F_x/∂w
+//!
+//! along the orbit. A lift is usable where the solutions of r′ = Λ r stay bounded.
+
+use crate::laurent::Laurent;
+use crate::numeric::{Numeric, NumericLaurent, quadratic};
+use crate::quadratic::Quadratic;
+
+/// The time over which orbits are followed.
+const HORIZON: f64 = 100.0;
+/// The largest exponent of a lift that counts as stable.
+pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
+/// The largest amplification of a lift that counts as stable.
+pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
+/// The most points of an orbit.
+const MOST_POINTS: usize = 20_000;
+/// The error that a step of the orbit may have, relative to the state's own size.
+const TOLERANCE: f64 = 1e-6;
+
+/// How errors of the relations grow along an orbit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Growth {
+    /// The mean rate over the horizon.
+    pub(crate) exponent: f64,
+    /// The largest factor at any time.
+    pub(crate) amplification: f64,
+}
+
+impl Growth {
+    pub(crate) fn is_stable(&self) -> bool {
+        self.exponent <= LARGEST_EXPONENT && self.amplification <= LARGEST_AMPLIFICATION
+    }
+}
+
+/// An orbit of the original equations.
+#[derive(Clone, Debug)]
+pub(crate) struct Orbit {
+    /// Steps of time, and the states in their middle.
+    points: Vec<(f64, Vec<f64>)>,
+}
+
+fn advanced(x: &[f64], slope: &[f64], time: f64) -> Vec<f64> {
+    x.iter().zip(slope).map(|(x, slope)| x + time * slope).collect()
+}
+
+/// A step of the classical Runge–Kutta method.
+fn runge_kutta(numeric: &Numeric, x: &[f64], h: f64) -> Vec<f64> {
+    let a = numeric.field(x);
+    let b = numeric.field(&advanced(x, &a, h / 2.0));
+    let c = numeric.field(&advanced(x, &b, h / 2.0));
+    let d = numeric.field(&advanced(x, &c, h));
+    (0..x.len()).map(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])).collect()
+}
+
+impl Orbit {
+    /// The orbit over the horizon, or as far as it is finite.
+    pub(crate) fn new(numeric: &Numeric, start: &[f64]) -> Self {
+        let (mut x, mut time, mut h) = (start.to_vec(), 0.0, 0.01);
+        let mut points = Vec::new();
+        while time < HORIZON && points.len() < MOST_POINTS {
+            let whole = runge_kutta(numeric, &x, h);
+            let half = runge_kutta(numeric, &x, h / 2.0);
+            let next = runge_kutta(numeric, &half, h / 2.0);
+            let size = next.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+            let error = next.iter().zip(&whole).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            if !(error.is_finite() && size.is_finite()) || error > TOLERANCE * size {
+                h /= 2.0;
+                if h < 1e-9 {
+                    break;
+                }
+                continue;
+            }
+            time += h;
+            points.push((h, half));
+            x = next;
+            if error < TOLERANCE * size / 50.0 {
+                h = (2.0 * h).min(0.05);
+            }
+        }
+        Orbit { points }
+    }
+
+    /// How errors of the relations grow along the orbit; `new` are the new variables, `field` one
+    /// equation a variable, those of the states first.
+    pub(crate) fn growth(&self, numeric: &Numeric, new: &[Laurent], field: &[Quadratic], parameters: &[f64]) -> Growth {
+        let states = field.len() - new.len();
+        let functions: Vec<NumericLaurent> = new.iter().map(|one| numeric.laurent(one)).collect();
+        let field: Vec<_> = field.iter().map(|equation| quadratic(equation, parameters)).collect();
+        let count = new.len();
+        let mut matrix: Vec<Vec<f64>> = (0..count)
+            .map(|i| (0..count).map(|k| if i == k { 1.0 } else { 0.0 }).collect())
+            .collect();
+        // Errors count relative to the size of their variable, so that units do not matter.
+        let mut sizes = vec![0.0_f64; count];
+        for (_, x) in &self.points {
+            let coordinates = numeric.coordinates(x);
+            sizes.iter_mut().zip(&functions).for_each(|(size, function)| {
+                *size = size.max(function.value(&coordinates).abs());
+            });
+        }
+        let scale = |i: usize, k: usize| if sizes[i] > 0.0 && sizes[k] > 0.0 { sizes[k] / sizes[i] } else { 1.0 };
+        let largest = |matrix: &[Vec<f64>]| {
+            let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
+            entries.fold(0.0, |norm: f64, (i, k)| norm.max(matrix[i][k].abs() * scale(i, k)))
+        };
+        let (mut logarithm, mut most, mut time) = (0.0, 0.0_f64, 0.0);
+        for (h, x) in &self.points {
+            let coordinates = numeric.coordinates(x);
+            let gradients = numeric.gradients(&coordinates);
+            let values: Vec<f64> =
+                x.iter().copied().chain(functions.iter().map(|one| one.value(&coordinates))).collect();
+            // ∂F_i/∂w_k at the point.
+            let partial = |equation: &[(Option<usize>, Option<usize>, f64)], k: usize| {
+                let value = |index: Option<usize>| index.map_or(1.0, |index| values[index]);
+                equation.iter().fold(0.0, |sum, &(left, right, factor)| {
+                    let first = if left == Some(states + k) { value(right) } else { 0.0 };
+                    let second = if right == Some(states + k) { value(left) } else { 0.0 };
+                    sum + factor * (first + second)
+                })
+            };
+            let jacobian: Vec<Vec<f64>> =
+                field.iter().map(|equation| (0..count).map(|k| partial(equation, k)).collect()).collect();
+            let lambda: Vec<Vec<f64>> = (0..count)
+                .map(|i| {
+                    let gradient = numeric.gradient(&functions[i], &coordinates, &gradients);
+                    (0..count)
+                        .map(|k| {
+                            let moved = gradient.iter().zip(&jacobian).map(|(slope, row)| slope * row[k]);
+                            jacobian[states + i][k] - moved.sum::<f64>()
+                        })
+                        .collect()
+                })
+                .collect();
+            // Two terms of the exponential beyond the first: (1 + hΛ + (hΛ)²/2) Φ.
+            let times = |matrix: &[Vec<f64>]| -> Vec<Vec<f64>> {
+                let entry = |i: usize, k: usize| (0..count).map(|j| lambda[i][j] * matrix[j][k]).sum::<f64>();
+                (0..count).map(|i| (0..count).map(|k| entry(i, k)).collect()).collect()
+            };
+            let first = times(&matrix);
+            let second = times(&first);
+            for i in 0..count {
+                for k in 0..count {
+                    matrix[i][k] += h * first[i][k] + h * h / 2.0 * second[i][k];
+                }
+            }
+            time += h;
+            let norm = largest(&matrix);
+            if !norm.is_finite() {
+                return Growth { exponent: f64::INFINITY, amplification: f64::INFINITY };
+            }
+            most = most.max(logarithm + norm.ln());
+            if !(1e-100..1e100).contains(&norm) && norm > 0.0 {
+                logarithm += norm.ln();
+                matrix.iter_mut().flatten().for_each(|entry| *entry /= norm);
+            }
+        }
+        let norm = largest(&matrix);
+        let exponent = if time > 0.0 && count > 0 { (logarithm + norm.ln()) / time } else { 0.0 };
+        Growth { exponent, amplification: most.exp() }
+    }
+}
