@@ -162,9 +162,9 @@ impl<'a> Flow<'a> {
         let symbols = self.symbols;
         let states: Vec<Polynomial> = (0..self.components.len()).map(|i| self.state(i)).collect();
         let of_degree_two = |component: &Polynomial| {
-            let terms = component.terms().filter(|(monomial, _)| {
-                monomial.degree_where(|variable| symbols.is_state(variable)) == 2
-            });
+            let terms = component
+                .terms()
+                .filter(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 2);
             Polynomial::from_terms(terms.map(|(monomial, value)| (monomial.clone(), value.clone())))
         };
         let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
@@ -368,7 +368,8 @@ impl<'a> Flow<'a> {
             let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
             first = first.add_within(&-&product, budget)?;
         }
-        let forms: Vec<Polynomial> = std::iter::once(first).chain(slopes.into_iter().map(|(_, y)| y)).collect();
+        let forms: Vec<Polynomial> =
+            std::iter::once(first).chain(slopes.into_iter().map(|(_, y)| y)).collect();
         let mut derivatives = Vec::with_capacity(forms.len());
         for form in &forms {
             derivatives.push(self.along(form, &self.components, budget)?);

@@ -8,6 +8,9 @@ use crate::symbols::Symbols;
 /// The entries of a row or of a relation that are not zero, by ascending column.
 type Row = Vec<(usize, RationalFunction)>;
 
+/// The cost of reducing a fraction of long integers, by that of a product of them.
+const COST_OF_FRACTIONS: u64 = 50;
+
 /// The coefficients cₖ of a relation Σ cₖ vₖ = 0 that are not zero, by ascending k: polynomials in
 /// the parameters with coprime integer coefficients.
 pub(super) type Relation = Vec<(usize, Polynomial)>;
@@ -101,12 +104,16 @@ fn reduced(
     pivot: &Row,
     budget: &mut Budget,
 ) -> Result<Row, OverBudget> {
+    let words = factor.numerator().coefficient_words();
     let mut difference = Row::with_capacity(row.len() + pivot.len());
     let mut own = row.iter().peekable();
     for (column, entry) in pivot {
         while let Some(before) = own.next_if(|(other, _)| other < column) {
             difference.push(before.clone());
         }
+        // Long fractions cost more than the product of their numerators, which the budget counts.
+        let long = entry.numerator().coefficient_words().max(words) - 1;
+        budget.charge(long.saturating_mul(long).saturating_mul(COST_OF_FRACTIONS))?;
         let product = entry.mul_within(factor, budget)?;
         let entry = match own.next_if(|(other, _)| other == column) {
             Some((_, known)) => known.sub_within(&product, budget)?,
