@@ -34,6 +34,8 @@ pub mod plan;
 
 pub mod relations;
 
+pub mod modified_integrals;
+
 pub mod system;
 
 mod variational;

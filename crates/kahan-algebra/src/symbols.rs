@@ -2,7 +2,7 @@
 //!
 //! The order is fixed: states, parameters, ε, then a second copy of the states for bilinear forms.
 
-use crate::poly::{Polynomial, Variable};
+use crate::poly::{Polynomial, Variable, gcd_all};
 
 /// The names of a system, and the variables that stand for them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -99,6 +99,15 @@ impl Symbols {
     #[must_use]
     pub fn has_state(&self, polynomial: &Polynomial) -> bool {
         self.degree(polynomial) > 0
+    }
+
+    /// The polynomial over the greatest common divisor of its coefficients as one in the states:
+    /// coprime integer coefficients, the leading one positive. 0 stays 0.
+    #[must_use]
+    pub fn primitive_part(&self, polynomial: &Polynomial) -> Polynomial {
+        let groups = polynomial.group(|variable| self.is_state(variable));
+        let content = gcd_all(groups.values());
+        polynomial.checked_div(&content).unwrap_or_else(|| polynomial.clone()).primitive_part()
     }
 
     /// The name of a variable as the user wrote it; the second copy of a state with a prime.

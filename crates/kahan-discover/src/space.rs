@@ -211,8 +211,6 @@ pub(crate) fn combination(
 /// positive.
 #[must_use]
 pub fn tidy(symbols: &Symbols, polynomial: &Polynomial) -> Polynomial {
-    let groups = polynomial.group(|variable| symbols.is_state(variable));
-    let content = groups.values().fold(Polynomial::zero(), |content, group| gcd(&content, group));
-    let primitive = polynomial.checked_div(&content).unwrap_or_else(|| polynomial.clone()).primitive_part();
+    let primitive = symbols.primitive_part(polynomial);
     if begins_negative(&primitive) { -&primitive } else { primitive }
 }

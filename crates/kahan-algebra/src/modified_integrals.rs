@@ -1,0 +1,444 @@
+//! Integrals of Kahan's map that follow from an integral of the flow by linear algebra alone.
+//!
+//! In: a checked field ẋ = f(x). Out: quadratic integrals I of the flow with the functions that the
+//! map keeps in their place, as exact formulas with symbolic parameters and ε (half the time step).
+//! Two theorems make them, both for any number of variables; [`Rule`] states them with the cases
+//! that have names of their own. Everything is a null space over the rational functions of the
+//! parameters. Absent on purpose: orbits, primes, and searches (`kahan-discover`).
+//!
+//! Write x̃ for the image of x, h = 2ε, and f(x,x̃) for the polarised field, so that
+//! x̃ − x = h f(x,x̃). A *form* is an affine function of x.
+//!
+//! **Polarisation.** Let I = a·x + xᵀCx with dI/dt = 0 identically, and let Cf be affine. Then
+//! I − ε² fᵀCf is kept. Proof: C acts on forms y whose derivative ℓ = ẏ is affine; say
+//! I = a·x + yᵀCy. The quadratic polynomial dI/dt = 2ℓᵀCy + a·f vanishes, and so does its
+//! polarisation, ℓᵀCỹ + ℓ̃ᵀCy + a·f(x,x̃) = 0. With ỹ − y = ε(ℓ + ℓ̃),
+//!
+//! Ĩ − I = ε(ℓ + ℓ̃)ᵀC(y + ỹ) − 2ε(ℓᵀCỹ + ℓ̃ᵀCy) = ε(ℓ̃ − ℓ)ᵀC(ỹ − y) = ε²(ℓ̃ᵀCℓ̃ − ℓᵀCℓ).
+//!
+//! **Rotation.** Let y be forms with ẏ = m N y, where m is a form and N a constant matrix, and let
+//! I = yᵀQy with QN antisymmetric (dI/dt = 0) and QN² = −δQ. Then I/(1 + ε²δm²) is kept. Proof:
+//! ỹ − y = ε N(m ỹ + m̃ y), that is (1 − εmN)ỹ = (1 + εm̃N)y. As QN = −NᵀQ, the value of I at
+//! (1 − εmN)ỹ is ỹᵀQ(1 − ε²m²N²)ỹ = (1 + ε²δm²)Ĩ, and that at (1 + εm̃N)y is (1 + ε²δm̃²)I.
+
+mod linear_relations;
+
+use kahan_syntax::rational::Rational;
+
+use crate::field::Field;
+use crate::poly::{Budget, OverBudget, Polynomial, Variable, gcd_all_within, gcd_within};
+use crate::rational_function::RationalFunction;
+use crate::symbols::Symbols;
+use linear_relations::{Relation, common_multiple, linear_relations};
+
+/// The most terms of a coefficient, and the work for each theorem: fields of a hundred variables
+/// take a fraction of a second.
+const MOST_TERMS: usize = 2_000;
+const MOST_WORK: u64 = 4_000_000;
+
+/// The theorem by which a function is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// I = a·x + xᵀCx with Cf affine keeps I − ε² fᵀCf.
+    ///
+    /// For linear I this is I itself. *Relations*: with w = x² and ẋ = y, w − x² + ε²y² is kept,
+    /// whatever ẏ is. *Energy*: with ẋ = p, ṗ = −F and Ẇ = F·p, where W stands for a potential and
+    /// F for its gradient, |p|²/2 + W − ε²|F|²/2 is kept, whatever the equations of F are.
+    Polarisation,
+    /// ẏ = m N y with N² = −δ, δ > 0, keeps yᵀQy/(1 + ε²δm²). For ṡ = αcm, ċ = −βsm this is
+    /// (βs² + αc²)/(1 + ε²αβm²), whatever ṁ is.
+    Rotation,
+    /// Like [`Rotation`](Rule::Rotation) with δ < 0: for ṡ = κsm, ẇ = −κwm it is
+    /// sw/(1 − ε²κ²m²). The sign of a δ with parameters is that of its leading coefficient.
+    Hyperbolic,
+}
+
+/// A quadratic or linear integral of the flow, and what Kahan's map keeps in its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ModifiedIntegral {
+    /// Why it is kept.
+    pub rule: Rule,
+    /// The integral I of the flow, a polynomial in states and parameters of degree at most two in
+    /// the states.
+    pub of_flow: Polynomial,
+    /// The integral of the map, in states, parameters and ε; I where ε = 0.
+    pub of_map: RationalFunction,
+}
+
+/// All functions that the two theorems say Kahan's map of a field keeps: a basis of the linear
+/// integrals, then one of the I of the polarisation rule but for products of these, then those of
+/// the rotation rule for each m. They are linearly independent, and functionally most often.
+///
+/// What would take more than a bounded amount of work is left out.
+#[must_use]
+pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
+    let Ok(flow) = Flow::of(field, &mut budget()) else { return Vec::new() };
+    let mut found = Vec::new();
+    // Integrals before the budget is spent are integrals.
+    let _ = flow.add_polarised(&mut found, &mut budget());
+    let _ = flow.add_rotations(&mut found, &mut budget());
+    found
+}
+
+/// What Kahan's map keeps in the place of an integral of the flow, of degree at most two in the
+/// states; `None` where neither theorem applies, or beyond a bounded amount of work. The rotation
+/// rule may change the constant term, which makes a denominator without states a factor.
+#[must_use]
+pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
+    let flow = Flow::of(field, &mut budget()).ok()?;
+    flow.polarised(integral, &mut budget()).or_else(|_| flow.rotated(integral, &mut budget())).ok()
+}
+
+fn budget() -> Budget {
+    Budget::new(MOST_TERMS, MOST_WORK)
+}
+
+/// Why a theorem gives nothing.
+#[derive(Clone, Copy, Debug)]
+enum No {
+    /// Its premises do not hold.
+    Rule,
+    Budget,
+}
+
+impl From<OverBudget> for No {
+    fn from(OverBudget: OverBudget) -> Self {
+        No::Budget
+    }
+}
+
+/// A form λ and its derivative, or that over m.
+type WithSlope = (Polynomial, Polynomial);
+
+/// A product of two linear integrals, and two states whose product occurs in it.
+#[derive(Clone)]
+struct Product {
+    value: Polynomial,
+    pair: [Variable; 2],
+}
+
+/// ẋ = F(x)/q with polynomials in states and parameters, q free of states.
+struct Flow<'a> {
+    symbols: &'a Symbols,
+    /// F
+    components: Vec<Polynomial>,
+    /// q
+    divisor: Polynomial,
+}
+
+impl<'a> Flow<'a> {
+    fn of(field: &'a Field, budget: &mut Budget) -> Result<Self, OverBudget> {
+        let mut divisor = Polynomial::one();
+        for component in &field.components {
+            divisor = common_multiple(&divisor, &component.denominator, budget)?;
+        }
+        let mut components = Vec::with_capacity(field.dimension());
+        for component in &field.components {
+            let cofactor = divisor.div_within(&component.denominator, budget)?.expect("a multiple of it");
+            components.push(component.numerator.mul_within(&cofactor, budget)?);
+        }
+        Ok(Flow { symbols: &field.symbols, components, divisor })
+    }
+
+    fn state(&self, i: usize) -> Polynomial {
+        Polynomial::variable(self.symbols.state(i))
+    }
+
+    /// Σ ∂P/∂xᵢ vᵢ.
+    fn along(
+        &self,
+        polynomial: &Polynomial,
+        v: &[Polynomial],
+        budget: &mut Budget,
+    ) -> Result<Polynomial, OverBudget> {
+        let slopes = polynomial.gradient(|variable| self.symbols.is_state(variable));
+        slopes.iter().try_fold(Polynomial::zero(), |sum, (variable, slope)| {
+            sum.add_within(&slope.mul_within(&v[usize::from(variable.0)], budget)?, budget)
+        })
+    }
+
+    /// Adds the linear integrals, and those by polarisation.
+    fn add_polarised(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
+        let symbols = self.symbols;
+        let states: Vec<Polynomial> = (0..self.components.len()).map(|i| self.state(i)).collect();
+        let of_degree_two = |component: &Polynomial| {
+            let terms = component
+                .terms()
+                .filter(|(monomial, _)| monomial.degree_where(|variable| symbols.is_state(variable)) == 2);
+            Polynomial::from_terms(terms.map(|(monomial, value)| (monomial.clone(), value.clone())))
+        };
+        let quadratic: Vec<Polynomial> = self.components.iter().map(of_degree_two).collect();
+        let constant = linear_relations(&self.components, symbols, budget)?;
+        let affine = linear_relations(&quadratic, symbols, budget)?;
+        // The integrals begin a basis of the forms whose derivative is affine.
+        let is_last = |index: usize| constant.iter().any(|relation| last(relation) == index);
+        let others = affine.iter().filter(|relation| !is_last(last(relation)));
+        let mut forms = Vec::new();
+        for relation in constant.iter().chain(others) {
+            let form = combination(relation, &states, budget)?;
+            forms.push((form, combination(relation, &self.components, budget)?));
+        }
+        for (form, _) in &forms[..constant.len()] {
+            found.push(self.polarised(&symbols.primitive_part(form), budget)?);
+        }
+        let products = self.products(&constant, &forms, budget)?;
+        let linear = states.into_iter().zip(self.components.iter().cloned()).enumerate();
+        let linear = linear.filter(|(index, _)| !is_last(*index)).map(|(_, pair)| pair).collect();
+        for mut integral in self.invariants(&forms, constant.len(), linear, budget)? {
+            // With a momentum the energy is known but for its square: without x·y in (x + y)² it
+            // is a sum of squares.
+            for Product { value, pair } in &products {
+                let [own, other] = [&integral, value].map(|of| of.derivative(pair[0]).derivative(pair[1]));
+                let scaled = integral.mul_within(&other, budget)?;
+                integral = scaled.add_within(&-&value.mul_within(&own, budget)?, budget)?;
+            }
+            found.push(self.polarised(&symbols.primitive_part(&integral), budget)?);
+        }
+        Ok(())
+    }
+
+    /// The products of linear integrals, given as relations and as forms, those of different ones
+    /// first. The last state of each occurs in no other one, so that no later product has the pair
+    /// of an earlier one.
+    fn products(
+        &self,
+        relations: &[Relation],
+        forms: &[WithSlope],
+        budget: &mut Budget,
+    ) -> Result<Vec<Product>, OverBudget> {
+        let (mut of_two, mut squares) = (Vec::new(), Vec::new());
+        for i in 0..relations.len() {
+            for j in 0..=i {
+                let is_square = i == j;
+                let other = if is_square { relations[i][0].0 } else { last(&relations[j]) };
+                let pair = [last(&relations[i]), other].map(|state| self.symbols.state(state));
+                // The square of a state was left out already.
+                if pair[0] != pair[1] {
+                    let value = forms[i].0.mul_within(&forms[j].0, budget)?;
+                    if is_square { &mut squares } else { &mut of_two }.push(Product { value, pair });
+                }
+            }
+        }
+        Ok([of_two, squares].concat())
+    }
+
+    /// Adds those by rotation.
+    fn add_rotations(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
+        for multiplier in self.multipliers(budget)? {
+            // The constant 1 stands behind the states, with the derivative 0.
+            let one = self.components.len();
+            let mut slopes = vec![None; one];
+            for (i, component) in self.components.iter().enumerate() {
+                slopes[i] = component.div_within(&multiplier, budget)?.filter(|n| self.symbols.degree(n) < 2);
+            }
+            self.close(&mut slopes);
+            let members: Vec<usize> = (0..one).filter(|&i| slopes[i].is_some()).collect();
+            let slopes: Vec<Polynomial> = slopes.into_iter().map(Option::unwrap_or_default).collect();
+            let mut second = Vec::with_capacity(members.len());
+            for &i in &members {
+                second.push(self.along(&slopes[i], &slopes, budget)?);
+            }
+            let on_diagonal = |(&i, second): (&usize, &Polynomial)| second.derivative(self.symbols.state(i));
+            let mut deltas: Vec<Polynomial> = Vec::new();
+            for delta in members.iter().zip(&second).map(on_diagonal).map(|entry| -&entry) {
+                if !delta.is_zero() && !deltas.contains(&delta) {
+                    deltas.push(delta);
+                }
+            }
+            for delta in deltas {
+                // The forms λ with λN² = −δλ.
+                let mut vectors = vec![delta.clone()];
+                for (&i, second) in members.iter().zip(&second) {
+                    vectors.push(second.add_within(&delta.mul_within(&self.state(i), budget)?, budget)?);
+                }
+                let basis: Vec<WithSlope> = std::iter::once((Polynomial::one(), Polynomial::zero()))
+                    .chain(members.iter().map(|&i| (self.state(i), slopes[i].clone())))
+                    .collect();
+                let (values, derivatives): (Vec<_>, Vec<_>) = basis.into_iter().unzip();
+                let mut forms = Vec::new();
+                for relation in linear_relations(&vectors, self.symbols, budget)? {
+                    let form = combination(&relation, &values, budget)?;
+                    forms.push((form, combination(&relation, &derivatives, budget)?));
+                }
+                for integral in self.invariants(&forms, 0, Vec::new(), budget)? {
+                    found.push(self.rotated(&integral, budget)?);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The integrals Σ cᵢⱼ λᵢλⱼ + Σ aₖ vₖ for forms λᵢ and further functions vₖ, each beside its
+    /// derivative; but for products of the first `constant` forms.
+    fn invariants(
+        &self,
+        forms: &[WithSlope],
+        constant: usize,
+        further: Vec<WithSlope>,
+        budget: &mut Budget,
+    ) -> Result<Vec<Polynomial>, OverBudget> {
+        let (mut values, mut derivatives) = (Vec::new(), Vec::new());
+        for (i, (first, first_slope)) in forms.iter().enumerate() {
+            for (second, second_slope) in &forms[i.max(constant)..] {
+                values.push(first.mul_within(second, budget)?);
+                let left = first.mul_within(second_slope, budget)?;
+                derivatives.push(left.add_within(&first_slope.mul_within(second, budget)?, budget)?);
+            }
+        }
+        for (value, derivative) in further {
+            values.push(value);
+            derivatives.push(derivative);
+        }
+        let mut integrals = Vec::new();
+        for relation in linear_relations(&derivatives, self.symbols, budget)? {
+            integrals.push(self.symbols.primitive_part(&combination(&relation, &values, budget)?));
+        }
+        Ok(integrals)
+    }
+
+    /// The forms m by which two components at least can be divided, as far as a pair of variables
+    /// could be turned by m: one of them occurs in the other's component, or each in its own.
+    fn multipliers(&self, budget: &mut Budget) -> Result<Vec<Polynomial>, OverBudget> {
+        let mut found: Vec<Polynomial> = Vec::new();
+        let mut add = |divisor: &Polynomial| {
+            let form = self.symbols.primitive_part(divisor);
+            if self.symbols.degree(&form) == 1 && !found.contains(&form) {
+                found.push(form);
+            }
+        };
+        for (i, component) in self.components.iter().enumerate() {
+            if let Some(quotient) = component.div_within(&self.state(i), budget)? {
+                add(&quotient);
+            }
+            for variable in component.variables() {
+                let j = usize::from(variable.0);
+                if self.symbols.is_state(variable) && j != i && !self.components[j].is_zero() {
+                    add(&gcd_within(component, &self.components[j], budget)?);
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// Leaves out the variables whose n depends on one that is left out.
+    fn close(&self, slopes: &mut [Option<Polynomial>]) {
+        loop {
+            let is_out = |slope: &Polynomial| {
+                let mut states = slope.variables().into_iter().filter(|&v| self.symbols.is_state(v));
+                states.any(|variable| slopes[usize::from(variable.0)].is_none())
+            };
+            let out: Vec<usize> =
+                (0..slopes.len()).filter(|&i| slopes[i].as_ref().is_some_and(is_out)).collect();
+            if out.is_empty() {
+                return;
+            }
+            out.into_iter().for_each(|i| slopes[i] = None);
+        }
+    }
+
+    /// I − ε² fᵀCf.
+    fn polarised(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, No> {
+        self.check(integral, budget)?;
+        // 2fᵀCf = Σ fᵢ (2Cf)ᵢ, the bracket being the derivative of ∂I/∂xᵢ.
+        let mut twice = Polynomial::zero();
+        for (variable, slope) in integral.gradient(|variable| self.symbols.is_state(variable)) {
+            let second = self.along(&slope, &self.components, budget)?;
+            if self.symbols.degree(&second) > 1 {
+                return Err(No::Rule);
+            }
+            let product = second.mul_within(&self.components[usize::from(variable.0)], budget)?;
+            twice = twice.add_within(&product, budget)?;
+        }
+        let eps = Polynomial::variable(self.symbols.epsilon());
+        let correction = (&eps * &eps).scale(&Rational::new(1, 2)).mul_within(&twice, budget)?;
+        let below = self.divisor.mul_within(&self.divisor, budget)?;
+        let above = integral.mul_within(&below, budget)?.add_within(&-&correction, budget)?;
+        let of_map = RationalFunction::new_within(above, below, budget)?.expect("a divisor is not zero");
+        Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map })
+    }
+
+    /// I/(1 + ε²δm²), found from the forms y = 2Qx: ẏ = m u, u̇ = −δ m y.
+    fn rotated(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, No> {
+        self.check(integral, budget)?;
+        let symbols = self.symbols;
+        let slopes = integral.gradient(|variable| symbols.is_state(variable));
+        // The first form stands for the constant 1 in I as a quadratic form of (1, x).
+        let mut first = integral.scale(&Rational::from(2));
+        for (variable, slope) in slopes.iter() {
+            let product = Polynomial::variable(*variable).mul_within(slope, budget)?;
+            first = first.add_within(&-&product, budget)?;
+        }
+        let forms: Vec<Polynomial> =
+            std::iter::once(first).chain(slopes.into_iter().map(|(_, y)| y)).collect();
+        let mut derivatives = Vec::with_capacity(forms.len());
+        for form in &forms {
+            derivatives.push(self.along(form, &self.components, budget)?);
+        }
+        let multiplier = symbols.primitive_part(&gcd_all_within(&derivatives, budget)?);
+        if symbols.degree(&multiplier) != 1 {
+            return Err(No::Rule);
+        }
+        let mut second = Vec::with_capacity(forms.len());
+        for derivative in &derivatives {
+            let over = derivative.div_within(&multiplier, budget)?.ok_or(No::Rule)?;
+            let twice = self.along(&over, &self.components, budget)?;
+            second.push(twice.div_within(&multiplier, budget)?.ok_or(No::Rule)?);
+        }
+        let [form, turned] = [&forms, &second].map(|list| list[1].clone());
+        let delta = RationalFunction::new_within(-&turned, form, budget)?.ok_or(No::Rule)?;
+        let (above, below) = (delta.numerator(), delta.denominator());
+        if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
+            return Err(No::Rule);
+        }
+        // What is left of u̇/m + δy: 0, but for the constant term of I.
+        let mut rest = Vec::with_capacity(forms.len());
+        for (form, turned) in forms.iter().zip(&second) {
+            let turned = turned.mul_within(below, budget)?;
+            rest.push(turned.add_within(&form.mul_within(above, budget)?, budget)?);
+        }
+        if symbols.has_state(&rest[0]) || rest[1..].iter().any(|rest| !rest.is_zero()) {
+            return Err(No::Rule);
+        }
+        let twice = above.scale(&Rational::from(2));
+        let centred = integral.mul_within(&twice, budget)?.add_within(&-&rest[0], budget)?;
+        let centred = RationalFunction::new_within(centred, twice, budget)?.expect("δ is not 0");
+        let of_flow = centred.numerator().clone();
+        let eps = symbols.epsilon();
+        let squared = [Polynomial::variable(eps), multiplier].map(|factor| &factor * &factor);
+        let scale = self.divisor.mul_within(&self.divisor, budget)?.mul_within(below, budget)?;
+        let turning = squared[0].mul_within(&squared[1], budget)?.mul_within(above, budget)?;
+        let factor = RationalFunction::new_within(scale.add_within(&turning, budget)?, scale, budget)?;
+        let of_map = RationalFunction::from(of_flow.clone())
+            .div_within(&factor.expect("a divisor is not zero"), budget)?;
+        let (_, leading) = above.leading_term().expect("δ is not 0");
+        Ok(ModifiedIntegral {
+            rule: if leading.is_negative() { Rule::Hyperbolic } else { Rule::Rotation },
+            of_flow,
+            of_map: of_map.expect("1 + ε²δm² is not zero"),
+        })
+    }
+
+    /// Whether a polynomial is an integral of the flow that a theorem could speak of.
+    fn check(&self, integral: &Polynomial, budget: &mut Budget) -> Result<(), No> {
+        let is_fit = (1..=2).contains(&self.symbols.degree(integral))
+            && integral.variables().iter().all(|variable| *variable < self.symbols.epsilon())
+            && self.along(integral, &self.components, budget)?.is_zero();
+        if is_fit { Ok(()) } else { Err(No::Rule) }
+    }
+}
+
+/// The index of a relation's last coefficient.
+fn last(relation: &Relation) -> usize {
+    relation.last().expect("a relation has a coefficient").0
+}
+
+/// Σ cₖ vₖ.
+fn combination(
+    relation: &Relation,
+    vectors: &[Polynomial],
+    budget: &mut Budget,
+) -> Result<Polynomial, OverBudget> {
+    relation.iter().try_fold(Polynomial::zero(), |sum, (index, coefficient)| {
+        sum.add_within(&coefficient.mul_within(&vectors[*index], budget)?, budget)
+    })
+}
