@@ -19,11 +19,9 @@ use crate::ring::{Function, Meaning, Ring};
 
 /// A mechanical system.
 #[derive(Clone, Debug)]
-pub struct Mechanical {
-    /// The states that are momenta, in the order of the positions that they move.
+pub(crate) struct Mechanical {
+    /// The states that are momenta.
     pub momenta: Vec<usize>,
-    /// The states that are positions.
-    pub positions: Vec<usize>,
     /// S: ½ pᵀSp is the kinetic energy.
     pub kinetic: Vec<Vec<RationalFunction>>,
     /// V, where an antiderivative was found.
@@ -35,7 +33,7 @@ const MOST_CANDIDATES: usize = 120;
 
 impl Mechanical {
     /// Recognises a mechanical system; its curl is tested exactly.
-    pub fn recognise(ring: &Ring) -> Option<Self> {
+    pub(crate) fn recognise(ring: &Ring) -> Option<Self> {
         let [positions, momenta] = positions_and_momenta(ring)?;
         // The partial derivatives by the positions are derivatives along constant fields.
         let partials: Vec<Ring> = positions.iter().map(|&position| along(ring, position)).collect();
@@ -53,7 +51,7 @@ impl Mechanical {
             })
             .collect();
         let potential = antiderivative(ring, &partials, &positions, &slopes);
-        Some(Mechanical { momenta, positions, kinetic, potential })
+        Some(Mechanical { momenta, kinetic, potential })
     }
 }
 
@@ -129,10 +127,8 @@ fn kinetic_energy(
         .iter()
         .map(|&momentum| partials.iter().map(|along| along.derivative(&ring.field[momentum])).collect())
         .collect();
-    let shapes: [Vec<(usize, usize)>; 2] = [
-        (0..n).map(|i| (i, i)).collect(),
-        (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect(),
-    ];
+    let shapes: [Vec<(usize, usize)>; 2] =
+        [(0..n).map(|i| (i, i)).collect(), (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect()];
     let inverse: Vec<RationalFunction> = moves
         .iter()
         .map(|factor| RationalFunction::one().checked_div(factor).expect("a velocity is not 0"))
@@ -230,9 +226,9 @@ fn antiderivative(
         columns.push(slope.clone());
         rows.extend(coefficient_rows(&columns));
     }
-    let solution = null_space(rows, candidates.len() + 1).into_iter().find(|vector| {
-        vector.last().is_some_and(|last| !last.is_zero())
-    })?;
+    let solution = null_space(rows, candidates.len() + 1)
+        .into_iter()
+        .find(|vector| vector.last().is_some_and(|last| !last.is_zero()))?;
     let factor = -&RationalFunction::one().checked_div(solution.last()?)?;
     let mut potential = Laurent::zero();
     for (monomial, value) in candidates.iter().zip(&solution) {

@@ -5,14 +5,14 @@ use kahan_algebra::parse::parse_lifted;
 use kahan_algebra::syntax::{Block, Expr, ExprKind, Header, InFormula};
 use kahan_algebra::token::Token;
 
-use crate::laurent::Monomial;
+use crate::laurent::{Laurent, Monomial};
 use crate::read::Reader;
 use crate::ring::{Meaning, Ring};
 use crate::search::Problem;
 
 /// Checked equations.
 #[derive(Debug)]
-pub struct Equations {
+pub(crate) struct Equations {
     /// The header, where the block has one.
     pub header: Option<Header>,
     /// The states in the order of their equations; `t` last where it was lifted.
@@ -30,7 +30,7 @@ impl Equations {
     ///
     /// # Errors
     /// Every mistake, each with its place and the way out.
-    pub fn read(tokens: &[Token]) -> Result<Self, Vec<Diagnostic>> {
+    pub(crate) fn read(tokens: &[Token]) -> Result<Self, Vec<Diagnostic>> {
         let mut diagnostics = Diagnostics::default();
         let block = parse_lifted(tokens, &mut diagnostics);
         let equations = check(block, &mut diagnostics);
@@ -38,18 +38,18 @@ impl Equations {
         equations.filter(|_| diagnostics.is_empty()).ok_or(diagnostics)
     }
 
-    /// The search for monomials that close the equations.
-    pub fn problem(&self) -> Problem {
+    /// The search for monomials that close the equations, in a ring with their coordinates.
+    pub(crate) fn problem_in(&self, ring: &Ring) -> Problem {
         let given: Vec<Monomial> = (0..self.states.len()).map(|state| Monomial::power(state, 1)).collect();
         let required: Vec<Monomial> =
-            self.ring.field.iter().flat_map(|side| side.terms()).map(|(one, _)| one.clone()).collect();
+            ring.field.iter().flat_map(Laurent::terms).map(|(one, _)| one.clone()).collect();
         let mut negative: Vec<usize> = required
             .iter()
             .flat_map(|monomial| monomial.powers().filter(|&(_, exponent)| exponent < 0))
             .map(|(coordinate, _)| coordinate)
             .collect();
         // The derivative of u^n is n u^n u′/u.
-        for coordinate in &self.ring.coordinates {
+        for coordinate in &ring.coordinates {
             if let Meaning::Power(base, _) = &coordinate.meaning {
                 negative.extend(base.terms().flat_map(|(one, _)| one.powers().map(|(inner, _)| inner)));
             }

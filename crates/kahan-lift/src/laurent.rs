@@ -8,23 +8,23 @@ use kahan_algebra::rational_function::RationalFunction;
 /// A power product of coordinates with exponents of either sign, as a list of exponents by
 /// coordinate that does not end in 0.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Monomial(Vec<i16>);
+pub(crate) struct Monomial(Vec<i16>);
 
 impl Monomial {
     /// The empty product.
-    pub fn one() -> Self {
+    pub(crate) fn one() -> Self {
         Self::default()
     }
 
     /// A power of one coordinate.
-    pub fn power(coordinate: usize, exponent: i16) -> Self {
+    pub(crate) fn power(coordinate: usize, exponent: i16) -> Self {
         let mut exponents = vec![0; coordinate + 1];
         exponents[coordinate] = exponent;
         Self::from_exponents(exponents)
     }
 
     /// The monomial with these exponents, by coordinate.
-    pub fn from_exponents(mut exponents: Vec<i16>) -> Self {
+    pub(crate) fn from_exponents(mut exponents: Vec<i16>) -> Self {
         while exponents.last() == Some(&0) {
             exponents.pop();
         }
@@ -32,22 +32,22 @@ impl Monomial {
     }
 
     /// Whether this is the empty product.
-    pub fn is_one(&self) -> bool {
+    pub(crate) fn is_one(&self) -> bool {
         self.0.is_empty()
     }
 
     /// The exponent of a coordinate.
-    pub fn exponent(&self, coordinate: usize) -> i16 {
+    pub(crate) fn exponent(&self, coordinate: usize) -> i16 {
         self.0.get(coordinate).copied().unwrap_or(0)
     }
 
     /// The coordinates that occur, with their exponents.
-    pub fn powers(&self) -> impl Iterator<Item = (usize, i16)> + '_ {
+    pub(crate) fn powers(&self) -> impl Iterator<Item = (usize, i16)> + '_ {
         self.0.iter().copied().enumerate().filter(|&(_, exponent)| exponent != 0)
     }
 
     /// The sum of the sizes of the exponents.
-    pub fn size(&self) -> u32 {
+    pub(crate) fn size(&self) -> u32 {
         self.0.iter().map(|exponent| u32::from(exponent.unsigned_abs())).sum()
     }
 
@@ -57,108 +57,108 @@ impl Monomial {
     }
 
     /// The product.
-    pub fn times(&self, other: &Self) -> Self {
+    pub(crate) fn times(&self, other: &Self) -> Self {
         self.zip(other, i16::saturating_add)
     }
 
     /// The quotient.
-    pub fn over(&self, other: &Self) -> Self {
+    pub(crate) fn over(&self, other: &Self) -> Self {
         self.zip(other, i16::saturating_sub)
     }
 
     /// The power with an integer exponent.
-    pub fn pow(&self, exponent: i16) -> Self {
+    pub(crate) fn pow(&self, exponent: i16) -> Self {
         Monomial::from_exponents(self.0.iter().map(|own| own.saturating_mul(exponent)).collect())
     }
 
     /// The monomial whose square this is.
-    pub fn square_root(&self) -> Option<Self> {
+    pub(crate) fn square_root(&self) -> Option<Self> {
         let is_square = self.0.iter().all(|exponent| exponent % 2 == 0);
         is_square.then(|| Monomial(self.0.iter().map(|exponent| exponent / 2).collect()))
     }
 
     /// Whether `divisor`, which has no negative exponents, divides this without making an exponent
     /// negative.
-    pub fn is_multiple_of(&self, divisor: &Self) -> bool {
+    pub(crate) fn is_multiple_of(&self, divisor: &Self) -> bool {
         divisor.powers().all(|(coordinate, exponent)| self.exponent(coordinate) >= exponent)
     }
 }
 
 /// A Laurent polynomial: its monomials with coefficients other than 0.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Laurent(BTreeMap<Monomial, RationalFunction>);
+pub(crate) struct Laurent(BTreeMap<Monomial, RationalFunction>);
 
 impl Laurent {
     /// The polynomial 0.
-    pub fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self::default()
     }
 
     /// One term.
-    pub fn term(monomial: Monomial, coefficient: RationalFunction) -> Self {
+    pub(crate) fn term(monomial: Monomial, coefficient: RationalFunction) -> Self {
         let mut polynomial = Self::zero();
         polynomial.add_term(monomial, &coefficient);
         polynomial
     }
 
     /// A constant.
-    pub fn constant(value: RationalFunction) -> Self {
+    pub(crate) fn constant(value: RationalFunction) -> Self {
         Self::term(Monomial::one(), value)
     }
 
     /// A rational number.
-    pub fn number(value: Rational) -> Self {
+    pub(crate) fn number(value: Rational) -> Self {
         Self::constant(RationalFunction::constant(value))
     }
 
     /// A coordinate.
-    pub fn coordinate(index: usize) -> Self {
+    pub(crate) fn coordinate(index: usize) -> Self {
         Self::from(Monomial::power(index, 1))
     }
 
     /// The terms, the monomials ascending.
-    pub fn terms(&self) -> impl ExactSizeIterator<Item = (&Monomial, &RationalFunction)> {
+    pub(crate) fn terms(&self) -> impl ExactSizeIterator<Item = (&Monomial, &RationalFunction)> {
         self.0.iter()
     }
 
     /// The number of terms.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
     /// Whether this is 0.
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
     /// The coefficient of a monomial.
-    pub fn coefficient(&self, monomial: &Monomial) -> RationalFunction {
+    pub(crate) fn coefficient(&self, monomial: &Monomial) -> RationalFunction {
         self.0.get(monomial).cloned().unwrap_or_else(RationalFunction::zero)
     }
 
     /// The value, where it depends on no coordinate.
-    pub fn as_constant(&self) -> Option<RationalFunction> {
+    pub(crate) fn as_constant(&self) -> Option<RationalFunction> {
         self.terms().all(|(monomial, _)| monomial.is_one()).then(|| self.coefficient(&Monomial::one()))
     }
 
     /// The number, where this is one.
-    pub fn as_number(&self) -> Option<Rational> {
+    pub(crate) fn as_number(&self) -> Option<Rational> {
         self.as_constant()?.as_polynomial()?.as_constant()
     }
 
     /// The monomial, where this is one with coefficient 1.
-    pub fn as_monomial(&self) -> Option<&Monomial> {
+    pub(crate) fn as_monomial(&self) -> Option<&Monomial> {
         let (monomial, coefficient) = self.0.first_key_value().filter(|_| self.len() == 1)?;
         (*coefficient == RationalFunction::one()).then_some(monomial)
     }
 
     /// The greatest monomial by size, then by exponents, and its coefficient.
-    pub fn leading_term(&self) -> Option<(&Monomial, &RationalFunction)> {
+    pub(crate) fn leading_term(&self) -> Option<(&Monomial, &RationalFunction)> {
         self.terms().max_by_key(|&(monomial, _)| (monomial.size(), monomial))
     }
 
     /// Adds a term.
-    pub fn add_term(&mut self, monomial: Monomial, coefficient: &RationalFunction) {
+    pub(crate) fn add_term(&mut self, monomial: Monomial, coefficient: &RationalFunction) {
         let sum = &self.coefficient(&monomial) + coefficient;
         if sum.is_zero() {
             self.0.remove(&monomial);
@@ -168,32 +168,32 @@ impl Laurent {
     }
 
     /// Adds a multiple of another polynomial.
-    pub fn add_scaled(&mut self, other: &Self, factor: &RationalFunction) {
+    pub(crate) fn add_scaled(&mut self, other: &Self, factor: &RationalFunction) {
         for (monomial, coefficient) in other.terms() {
             self.add_term(monomial.clone(), &(coefficient * factor));
         }
     }
 
     /// The multiple by a coefficient.
-    pub fn scale(&self, factor: &RationalFunction) -> Self {
+    pub(crate) fn scale(&self, factor: &RationalFunction) -> Self {
         let mut scaled = Self::zero();
         scaled.add_scaled(self, factor);
         scaled
     }
 
     /// The product with a monomial.
-    pub fn shifted(&self, by: &Monomial) -> Self {
+    pub(crate) fn shifted(&self, by: &Monomial) -> Self {
         Laurent(self.0.iter().map(|(monomial, value)| (monomial.times(by), value.clone())).collect())
     }
 
     /// The terms with these monomials.
-    pub fn filtered(&self, keep: impl Fn(&Monomial) -> bool) -> Self {
+    pub(crate) fn filtered(&self, keep: impl Fn(&Monomial) -> bool) -> Self {
         let kept = self.0.iter().filter(|(monomial, _)| keep(monomial));
         Laurent(kept.map(|(monomial, value)| (monomial.clone(), value.clone())).collect())
     }
 
     /// The greatest monomial that divides every term.
-    pub fn monomial_content(&self) -> Monomial {
+    pub(crate) fn monomial_content(&self) -> Monomial {
         let least = |content: Monomial, next: &Monomial| content.zip(next, i16::min);
         let first = self.0.keys().next().cloned().unwrap_or_default();
         self.0.keys().skip(1).fold(first, least)
@@ -201,7 +201,7 @@ impl Laurent {
 
     /// The number ρ and the polynomial p with this = ρ·p, where the integer contents of p have no
     /// common divisor and its first coefficient has a positive leading number.
-    pub fn primitive(&self) -> (Rational, Self) {
+    pub(crate) fn primitive(&self) -> (Rational, Self) {
         let contents = self.0.values().map(|value| value.numerator().content());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);
         let first = self.0.values().next().and_then(|value| value.numerator().leading_term());

@@ -48,11 +48,6 @@ impl Writer<'_> {
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// A monomial as an expression.
-    pub(crate) fn monomial(&self, monomial: &Monomial, notation: &dyn Notation) -> String {
-        self.term(monomial, &RationalFunction::one(), notation)
-    }
-
     /// coefficient·monomial; negative powers stand below a line.
     fn term(&self, monomial: &Monomial, coefficient: &RationalFunction, notation: &dyn Notation) -> String {
         let mut above = self.factors(coefficient.numerator(), notation);
@@ -83,7 +78,9 @@ impl Writer<'_> {
             notation.power(&format!("{name}({argument})"), i64::from(exponent))
         };
         match &self.ring.coordinates[coordinate].meaning {
-            Meaning::State(state) => notation.power(&notation.name(&self.states[*state]), i64::from(exponent)),
+            Meaning::State(state) => {
+                notation.power(&notation.name(&self.states[*state]), i64::from(exponent))
+            }
             Meaning::Function(function, argument) => call(function.name(), argument),
             Meaning::Root(base, 1) | Meaning::Sum(base) => call("", base),
             Meaning::Root(base, 2) => call("sqrt", base),
@@ -132,7 +129,8 @@ impl Writer<'_> {
             Meaning::Function(function, argument) => match self.short(argument) {
                 Some(short) => format!("{}_{short}", function.name()),
                 None => {
-                    let same = |one: &Meaning| matches!(one, Meaning::Function(known, _) if known == function);
+                    let same =
+                        |one: &Meaning| matches!(one, Meaning::Function(known, _) if known == function);
                     let shift = matches!(function, Function::Cos | Function::Cosh);
                     let earlier = match function {
                         Function::Cos | Function::Sin => {
@@ -140,17 +138,24 @@ impl Writer<'_> {
                         }
                         _ => of_kind(&same),
                     };
-                    format!("{}_{}", function.name(), earlier + 1 - usize::from(shift && *function == Function::Cos))
+                    format!(
+                        "{}_{}",
+                        function.name(),
+                        earlier + 1 - usize::from(shift && *function == Function::Cos)
+                    )
                 }
             },
             Meaning::Root(base, index) => match (self.short(base), index) {
                 (Some(short), 2) => format!("sqrt_{short}"),
                 (Some(short), _) => format!("root_{short}"),
                 (None, index) => {
-                    let is_root = |one: &Meaning| matches!(one, Meaning::Root(base, _) if self.short(base).is_none());
+                    let is_root =
+                        |one: &Meaning| matches!(one, Meaning::Root(base, _) if self.short(base).is_none());
                     let letters = if *index == 1 { ["P", "Q", "R", "S"] } else { ["r", "s", "u", "w"] };
                     let earlier = of_kind(&is_root);
-                    letters.get(earlier).map_or_else(|| format!("{}{earlier}", letters[0]), |&one| one.to_owned())
+                    letters
+                        .get(earlier)
+                        .map_or_else(|| format!("{}{earlier}", letters[0]), |&one| one.to_owned())
                 }
             },
             Meaning::Power(base, _) => match self.short(base) {

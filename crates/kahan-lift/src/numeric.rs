@@ -12,11 +12,11 @@ use crate::ring::{Function, Meaning, Ring};
 
 /// A Laurent polynomial with coefficients in floats.
 #[derive(Clone, Debug)]
-pub struct NumericLaurent(Vec<(f64, Vec<(usize, i32)>)>);
+pub(crate) struct NumericLaurent(Vec<(f64, Vec<(usize, i32)>)>);
 
 impl NumericLaurent {
     /// The polynomial with these values of the parameters.
-    pub fn new(polynomial: &Laurent, parameters: &[f64]) -> Self {
+    pub(crate) fn new(polynomial: &Laurent, parameters: &[f64]) -> Self {
         let powers = |monomial: &crate::laurent::Monomial| {
             monomial.powers().map(|(coordinate, exponent)| (coordinate, i32::from(exponent))).collect()
         };
@@ -26,9 +26,10 @@ impl NumericLaurent {
     }
 
     /// The value.
-    pub fn value(&self, coordinates: &[f64]) -> f64 {
+    pub(crate) fn value(&self, coordinates: &[f64]) -> f64 {
         self.0.iter().fold(0.0, |sum, (coefficient, powers)| {
-            let product = |product, &(at, exponent): &(usize, i32)| product * power(coordinates[at], exponent);
+            let product =
+                |product, &(at, exponent): &(usize, i32)| product * power(coordinates[at], exponent);
             sum + powers.iter().fold(*coefficient, product)
         })
     }
@@ -64,7 +65,7 @@ fn power(base: f64, exponent: i32) -> f64 {
 }
 
 /// The value of a coefficient.
-pub fn coefficient(value: &RationalFunction, parameters: &[f64]) -> f64 {
+pub(crate) fn coefficient(value: &RationalFunction, parameters: &[f64]) -> f64 {
     let polynomial = |polynomial: &Polynomial| {
         polynomial.terms().fold(0.0, |sum, (monomial, number)| {
             let powers = monomial.powers().iter();
@@ -87,7 +88,7 @@ enum Kind {
 
 /// A ring with values of its parameters.
 #[derive(Clone, Debug)]
-pub struct Numeric {
+pub(crate) struct Numeric {
     coordinates: Vec<(Kind, NumericLaurent, NumericLaurent)>,
     field: Vec<NumericLaurent>,
     parameters: Vec<f64>,
@@ -95,7 +96,7 @@ pub struct Numeric {
 
 impl Numeric {
     /// The ring with these values of the parameters.
-    pub fn new(ring: &Ring, parameters: &[f64]) -> Self {
+    pub(crate) fn new(ring: &Ring, parameters: &[f64]) -> Self {
         let laurent = |polynomial: &Laurent| NumericLaurent::new(polynomial, parameters);
         let nothing = Laurent::zero();
         let coordinates = ring.coordinates.iter().map(|coordinate| {
@@ -117,12 +118,12 @@ impl Numeric {
     }
 
     /// A polynomial with the values of the parameters.
-    pub fn laurent(&self, polynomial: &Laurent) -> NumericLaurent {
+    pub(crate) fn laurent(&self, polynomial: &Laurent) -> NumericLaurent {
         NumericLaurent::new(polynomial, &self.parameters)
     }
 
     /// The coordinates at a point.
-    pub fn coordinates(&self, states: &[f64]) -> Vec<f64> {
+    pub(crate) fn coordinates(&self, states: &[f64]) -> Vec<f64> {
         let mut values: Vec<f64> = states.to_vec();
         for (kind, argument, _) in &self.coordinates[states.len()..] {
             let argument = argument.value(&values);
@@ -140,7 +141,7 @@ impl Numeric {
     }
 
     /// The gradients of the coordinates by the states.
-    pub fn gradients(&self, coordinates: &[f64]) -> Vec<Vec<f64>> {
+    pub(crate) fn gradients(&self, coordinates: &[f64]) -> Vec<Vec<f64>> {
         let states = self.field.len();
         let mut gradients: Vec<Vec<f64>> = Vec::new();
         for (index, (kind, argument, slope)) in self.coordinates.iter().enumerate() {
@@ -156,14 +157,19 @@ impl Numeric {
     }
 
     /// The gradient of a polynomial by the states.
-    pub fn gradient(&self, of: &NumericLaurent, coordinates: &[f64], gradients: &[Vec<f64>]) -> Vec<f64> {
+    pub(crate) fn gradient(
+        &self,
+        of: &NumericLaurent,
+        coordinates: &[f64],
+        gradients: &[Vec<f64>],
+    ) -> Vec<f64> {
         let mut gradient = vec![0.0; self.field.len()];
         of.add_gradient(coordinates, gradients, 1.0, &mut gradient);
         gradient
     }
 
     /// The field at a point.
-    pub fn field(&self, states: &[f64]) -> Vec<f64> {
+    pub(crate) fn field(&self, states: &[f64]) -> Vec<f64> {
         let coordinates = self.coordinates(states);
         self.field.iter().map(|component| component.value(&coordinates)).collect()
     }
@@ -186,10 +192,9 @@ fn evaluate(function: Function, argument: f64) -> f64 {
 }
 
 /// A quadratic polynomial with values of its parameters, as products of variables.
-pub fn quadratic(polynomial: &Quadratic, parameters: &[f64]) -> Vec<(Option<usize>, Option<usize>, f64)> {
-    polynomial
-        .0
-        .iter()
-        .map(|(&(left, right), value)| (left, right, coefficient(value, parameters)))
-        .collect()
+pub(crate) fn quadratic(
+    polynomial: &Quadratic,
+    parameters: &[f64],
+) -> Vec<(Option<usize>, Option<usize>, f64)> {
+    polynomial.0.iter().map(|(&(left, right), value)| (left, right, coefficient(value, parameters))).collect()
 }

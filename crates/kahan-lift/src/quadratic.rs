@@ -14,18 +14,25 @@ use crate::laurent::{Laurent, Monomial};
 use crate::ring::Ring;
 
 /// The factors of a product of at most two variables, the first not greater; `None` is 1.
-pub type Pair = (Option<usize>, Option<usize>);
+pub(crate) type Pair = (Option<usize>, Option<usize>);
 
 /// A quadratic polynomial in the lifted variables.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Quadratic(pub BTreeMap<Pair, RationalFunction>);
+pub(crate) struct Quadratic(pub BTreeMap<Pair, RationalFunction>);
 
 impl Quadratic {
     /// A multiple of a variable.
-    pub fn multiple(variable: usize, factor: &RationalFunction) -> Self {
+    pub(crate) fn multiple(variable: usize, factor: &RationalFunction) -> Self {
         let mut sum = Self::default();
         sum.add((None, Some(variable)), factor);
         sum
+    }
+
+    /// The product of two variables.
+    pub(crate) fn product(left: usize, right: usize) -> Self {
+        let mut product = Self::default();
+        product.add((Some(left), Some(right)), &RationalFunction::one());
+        product
     }
 
     fn add(&mut self, (left, right): Pair, factor: &RationalFunction) {
@@ -39,17 +46,12 @@ impl Quadratic {
     }
 
     /// Adds a multiple of another polynomial.
-    pub fn add_scaled(&mut self, other: &Self, factor: &RationalFunction) {
+    pub(crate) fn add_scaled(&mut self, other: &Self, factor: &RationalFunction) {
         other.0.iter().for_each(|(&pair, value)| self.add(pair, &(value * factor)));
     }
 
-    /// Whether no product of two variables occurs.
-    pub fn is_affine(&self) -> bool {
-        self.0.keys().all(|(left, _)| left.is_none())
-    }
-
     /// The product of an affine polynomial with a variable.
-    pub fn times(&self, variable: usize) -> Option<Self> {
+    pub(crate) fn times(&self, variable: usize) -> Option<Self> {
         let mut product = Self::default();
         for (&(left, right), value) in &self.0 {
             if left.is_some() {
@@ -62,7 +64,7 @@ impl Quadratic {
 
     /// The polynomial over its common denominator, variable i of the lift being `Variable(i)` and
     /// parameter k `Variable(variables + k)`.
-    pub fn component(&self, variables: usize) -> RationalFunction {
+    pub(crate) fn component(&self, variables: usize) -> RationalFunction {
         let number = |index: usize| Variable(u16::try_from(index).expect("a lift has few variables"));
         let shift = |polynomial: &Polynomial| {
             polynomial.map_variables(|parameter| number(usize::from(parameter.0) + variables))
@@ -82,7 +84,7 @@ impl Quadratic {
 
 /// The products of variables, by the monomial that they are.
 #[derive(Debug)]
-pub struct Products<'a> {
+pub(crate) struct Products<'a> {
     ring: &'a Ring,
     variables: &'a [Laurent],
     direct: FxHashMap<Monomial, Vec<Pair>>,
@@ -93,7 +95,7 @@ pub struct Products<'a> {
 
 impl<'a> Products<'a> {
     /// All products of at most two variables.
-    pub fn new(ring: &'a Ring, variables: &'a [Laurent]) -> Self {
+    pub(crate) fn new(ring: &'a Ring, variables: &'a [Laurent]) -> Self {
         let mut products = Products {
             ring,
             variables,
@@ -104,7 +106,8 @@ impl<'a> Products<'a> {
         let one = Laurent::from(Monomial::one());
         let value = |index: Option<usize>| index.map_or(&one, |index| &variables[index]);
         let mut composite = Vec::new();
-        let indices: Vec<Option<usize>> = std::iter::once(None).chain((0..variables.len()).map(Some)).collect();
+        let indices: Vec<Option<usize>> =
+            std::iter::once(None).chain((0..variables.len()).map(Some)).collect();
         for (at, &left) in indices.iter().enumerate() {
             for &right in &indices[at..] {
                 let product = ring.product(value(left), value(right));
@@ -180,7 +183,7 @@ impl<'a> Products<'a> {
 
     /// The polynomial as a quadratic polynomial in the variables: with the first way to write each
     /// monomial, or `None` where one cannot be written.
-    pub fn written(&self, polynomial: &Laurent) -> Option<Quadratic> {
+    pub(crate) fn written(&self, polynomial: &Laurent) -> Option<Quadratic> {
         let mut sum = Quadratic::default();
         for (monomial, coefficient) in polynomial.terms() {
             sum.add_scaled(&self.known(monomial)?, coefficient);
@@ -189,7 +192,7 @@ impl<'a> Products<'a> {
     }
 
     /// The polynomial as an affine polynomial in the variables.
-    pub fn affine(&self, polynomial: &Laurent) -> Option<Quadratic> {
+    pub(crate) fn affine(&self, polynomial: &Laurent) -> Option<Quadratic> {
         let mut sum = Quadratic::default();
         for (monomial, coefficient) in polynomial.terms() {
             let pairs = self.direct.get(monomial)?;
@@ -238,7 +241,11 @@ impl<'a> Products<'a> {
 
     /// The forms of the field: lists of equations, one a variable, the preferred form first.
     /// `fixed` holds equations that have one form.
-    pub fn forms(&self, states: usize, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
+    pub(crate) fn forms(
+        &self,
+        states: usize,
+        fixed: &BTreeMap<usize, Quadratic>,
+    ) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
         for (index, variable) in self.variables.iter().enumerate() {
             ways.push(match fixed.get(&index) {

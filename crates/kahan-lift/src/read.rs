@@ -23,7 +23,7 @@ type Read<T> = Result<T, Diagnostic>;
 
 /// Names, and how finely the functions of each argument must be divided.
 #[derive(Debug, Default)]
-pub struct Reader {
+pub(crate) struct Reader {
     /// The states; `t` is the last one where it was lifted.
     pub states: Vec<String>,
     /// The parameters.
@@ -55,7 +55,11 @@ impl Reader {
     ///
     /// # Errors
     /// The first expression that cannot be lifted.
-    pub fn field(&mut self, sides: &[&Expr<InFormula>], constants: &[Constant<InFormula>]) -> Read<()> {
+    pub(crate) fn field(
+        &mut self,
+        sides: &[&Expr<InFormula>],
+        constants: &[Constant<InFormula>],
+    ) -> Read<()> {
         loop {
             let before = self.units.clone();
             self.constants.clear();
@@ -64,7 +68,8 @@ impl Reader {
                 self.ring.add(Meaning::State(state), Laurent::number(Rational::one()));
             }
             for constant in constants {
-                let value = constant.value.as_ref().map_or_else(|| Ok(Laurent::zero()), |value| self.expr(value))?;
+                let value =
+                    constant.value.as_ref().map_or_else(|| Ok(Laurent::zero()), |value| self.expr(value))?;
                 self.constants.push((constant.name.text.clone(), value));
             }
             let mut field = sides.iter().map(|side| self.expr(side)).collect::<Read<Vec<_>>>()?;
@@ -80,7 +85,7 @@ impl Reader {
     }
 
     /// Reads an expression.
-    pub fn expr(&mut self, expr: &Expr<InFormula>) -> Read<Laurent> {
+    pub(crate) fn expr(&mut self, expr: &Expr<InFormula>) -> Read<Laurent> {
         let value = match &expr.kind {
             ExprKind::Number(value) => Laurent::number(value.clone()),
             ExprKind::Name(name) => self.name(name, expr.span)?,
@@ -320,7 +325,8 @@ impl Reader {
             }
             "abs" | "sign" | "sgn" | "max" | "min" | "floor" | "ceil" | "round" | "mod" | "heaviside"
             | "Heaviside" | "piecewise" => {
-                let message = format!("`{function}(…)` has a corner or a jump, and a lift needs an analytic field");
+                let message =
+                    format!("`{function}(…)` has a corner or a jump, and a lift needs an analytic field");
                 let help = "write a smooth function, such as `tanh(k*x)` for a sign, or study each side of the corner";
                 refuse(span, message, help)
             }

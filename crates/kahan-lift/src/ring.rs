@@ -14,7 +14,7 @@ use crate::laurent::{Laurent, Monomial};
 
 /// An elementary function whose derivative is a Laurent polynomial in coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Function {
+pub(crate) enum Function {
     /// exp u
     Exp,
     /// log u
@@ -41,7 +41,7 @@ pub enum Function {
 
 /// What a coordinate stands for.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Meaning {
+pub(crate) enum Meaning {
     /// The state with this index.
     State(usize),
     /// A function of a polynomial in coordinates.
@@ -56,7 +56,7 @@ pub enum Meaning {
 
 impl Meaning {
     /// The polynomial that the function is applied to; none for a state.
-    pub fn argument(&self) -> Option<&Laurent> {
+    pub(crate) fn argument(&self) -> Option<&Laurent> {
         match self {
             Meaning::State(_) => None,
             Meaning::Function(_, inner)
@@ -69,7 +69,7 @@ impl Meaning {
 
 /// A coordinate z = F(u).
 #[derive(Clone, Debug)]
-pub struct Coordinate {
+pub(crate) struct Coordinate {
     /// What it stands for.
     pub meaning: Meaning,
     /// F′(u) as a polynomial in coordinates; 1 for a state.
@@ -89,7 +89,7 @@ enum Rule {
 
 /// Coordinates with their relations. Products of polynomials are in normal form.
 #[derive(Clone, Debug, Default)]
-pub struct Ring {
+pub(crate) struct Ring {
     /// The coordinates; each argument contains earlier ones only. States come first.
     pub coordinates: Vec<Coordinate>,
     rules: Vec<Rule>,
@@ -101,24 +101,24 @@ pub struct Ring {
 
 impl Ring {
     /// Adds a coordinate.
-    pub fn add(&mut self, meaning: Meaning, slope: Laurent) -> usize {
+    pub(crate) fn add(&mut self, meaning: Meaning, slope: Laurent) -> usize {
         self.coordinates.push(Coordinate { meaning, slope });
         self.coordinates.len() - 1
     }
 
     /// The coordinate with this meaning.
-    pub fn find(&self, meaning: &Meaning) -> Option<usize> {
+    pub(crate) fn find(&self, meaning: &Meaning) -> Option<usize> {
         self.coordinates.iter().position(|known| known.meaning == *meaning)
     }
 
     /// Adds the relation monomial = polynomial.
-    pub fn replace(&mut self, monomial: Monomial, polynomial: Laurent) {
+    pub(crate) fn replace(&mut self, monomial: Monomial, polynomial: Laurent) {
         self.rules.push(Rule::Replace(monomial, polynomial));
         self.forget();
     }
 
     /// Adds the relation b^index = base.
-    pub fn relate_root(&mut self, coordinate: usize, index: i16, base: &Laurent) {
+    pub(crate) fn relate_root(&mut self, coordinate: usize, index: i16, base: &Laurent) {
         let (leading, factor) = base.leading_term().expect("a root is of something");
         let scale = RationalFunction::one().checked_div(factor).expect("coefficients are not 0");
         let mut instead = Laurent::from(Monomial::power(coordinate, index));
@@ -135,7 +135,7 @@ impl Ring {
     }
 
     /// Sets the derivatives of the states.
-    pub fn set_field(&mut self, field: Vec<Laurent>) {
+    pub(crate) fn set_field(&mut self, field: Vec<Laurent>) {
         self.field = field;
         self.forget();
     }
@@ -143,7 +143,7 @@ impl Ring {
     /// The ring with sums that occur in derivatives as coordinates: for the base P of each root,
     /// the parts of P′, P″ and P‴ that are polynomials in the states. Kepler's problem becomes one
     /// in r, x·p and p·p. `None` if no derivative has such a part.
-    pub fn grouped(&self) -> Option<Self> {
+    pub(crate) fn grouped(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| {
             monomial.powers().all(|(coordinate, exponent)| coordinate < self.field.len() && exponent > 0)
@@ -180,7 +180,7 @@ impl Ring {
     }
 
     /// Whether no relation rewrites the monomial.
-    pub fn is_normal(&self, monomial: &Monomial) -> bool {
+    pub(crate) fn is_normal(&self, monomial: &Monomial) -> bool {
         self.rewritten(monomial).is_none()
     }
 
@@ -215,7 +215,7 @@ impl Ring {
     }
 
     /// The normal form of a monomial.
-    pub fn normal(&self, monomial: &Monomial) -> Laurent {
+    pub(crate) fn normal(&self, monomial: &Monomial) -> Laurent {
         if let Some(known) = self.normal.borrow().get(monomial) {
             return known.clone();
         }
@@ -228,7 +228,7 @@ impl Ring {
     }
 
     /// The normal form of a polynomial.
-    pub fn normalised(&self, polynomial: &Laurent) -> Laurent {
+    pub(crate) fn normalised(&self, polynomial: &Laurent) -> Laurent {
         let mut sum = Laurent::zero();
         for (monomial, coefficient) in polynomial.terms() {
             sum.add_scaled(&self.normal(monomial), coefficient);
@@ -237,7 +237,7 @@ impl Ring {
     }
 
     /// The product, in normal form.
-    pub fn product(&self, left: &Laurent, right: &Laurent) -> Laurent {
+    pub(crate) fn product(&self, left: &Laurent, right: &Laurent) -> Laurent {
         let mut product = Laurent::zero();
         for (monomial, coefficient) in left.terms() {
             product.add_scaled(&self.normalised(&right.shifted(monomial)), coefficient);
@@ -255,7 +255,7 @@ impl Ring {
     }
 
     /// The derivative of a monomial along the field, in normal form.
-    pub fn derivative_of(&self, monomial: &Monomial) -> Laurent {
+    pub(crate) fn derivative_of(&self, monomial: &Monomial) -> Laurent {
         if let Some(known) = self.derivatives.borrow().get(monomial) {
             return known.clone();
         }
@@ -275,7 +275,7 @@ impl Ring {
     }
 
     /// The derivative of a polynomial along the field, in normal form.
-    pub fn derivative(&self, polynomial: &Laurent) -> Laurent {
+    pub(crate) fn derivative(&self, polynomial: &Laurent) -> Laurent {
         let mut derivative = Laurent::zero();
         for (monomial, coefficient) in polynomial.terms() {
             derivative.add_scaled(&self.derivative_of(monomial), coefficient);

@@ -16,7 +16,7 @@ use crate::table::{Id, Table};
 
 /// What the search starts from.
 #[derive(Clone, Debug, Default)]
-pub struct Problem {
+pub(crate) struct Problem {
     /// Monomials that are variables already: the states.
     pub given: Vec<Monomial>,
     /// Polynomials that are variables already.
@@ -30,7 +30,7 @@ pub struct Problem {
 
 /// Sets of new variables.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub(crate) struct Found {
     /// Sets in ascending order: of the least size that was found, then larger ones.
     pub sets: Vec<Vec<Monomial>>,
     /// Whether no smaller set exists in the class that is searched.
@@ -91,7 +91,7 @@ struct Search<'a> {
 
 /// Finds the smallest closed sets within a budget of nodes; `None` if there is none within it.
 /// Sets of `surplus` more variables are found as well.
-pub fn search(ring: &Ring, problem: &Problem, budget: usize, surplus: usize) -> Option<Found> {
+pub(crate) fn search(ring: &Ring, problem: &Problem, budget: usize, surplus: usize) -> Option<Found> {
     let sizes = problem.required.iter().map(Monomial::size);
     let mut table = Table::new(ring);
     let mut search = Search {

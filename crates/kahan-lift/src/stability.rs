@@ -86,14 +86,19 @@ impl Orbit {
 
     /// How errors of the relations grow along the orbit; `new` are the new variables, `field` one
     /// equation a variable, those of the states first.
-    pub(crate) fn growth(&self, numeric: &Numeric, new: &[Laurent], field: &[Quadratic], parameters: &[f64]) -> Growth {
+    pub(crate) fn growth(
+        &self,
+        numeric: &Numeric,
+        new: &[Laurent],
+        field: &[Quadratic],
+        parameters: &[f64],
+    ) -> Growth {
         let states = field.len() - new.len();
         let functions: Vec<NumericLaurent> = new.iter().map(|one| numeric.laurent(one)).collect();
         let field: Vec<_> = field.iter().map(|equation| quadratic(equation, parameters)).collect();
         let count = new.len();
-        let mut matrix: Vec<Vec<f64>> = (0..count)
-            .map(|i| (0..count).map(|k| if i == k { 1.0 } else { 0.0 }).collect())
-            .collect();
+        let mut matrix: Vec<Vec<f64>> =
+            (0..count).map(|i| (0..count).map(|k| if i == k { 1.0 } else { 0.0 }).collect()).collect();
         // Errors count relative to the size of their variable, so that units do not matter.
         let mut sizes = vec![0.0_f64; count];
         for (_, x) in &self.points {
@@ -102,7 +107,8 @@ impl Orbit {
                 *size = size.max(function.value(&coordinates).abs());
             });
         }
-        let scale = |i: usize, k: usize| if sizes[i] > 0.0 && sizes[k] > 0.0 { sizes[k] / sizes[i] } else { 1.0 };
+        let scale =
+            |i: usize, k: usize| if sizes[i] > 0.0 && sizes[k] > 0.0 { sizes[k] / sizes[i] } else { 1.0 };
         let largest = |matrix: &[Vec<f64>]| {
             let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
             entries.fold(0.0, |norm: f64, (i, k)| norm.max(matrix[i][k].abs() * scale(i, k)))

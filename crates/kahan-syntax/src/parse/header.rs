@@ -11,10 +11,7 @@ use super::Parsed;
 use super::cursor::Cursor;
 
 /// Reads the header, where the block begins with one.
-pub(super) fn parse_header(
-    cursor: &mut Cursor<'_>,
-    diagnostics: &mut Diagnostics,
-) -> Option<Header> {
+pub(super) fn parse_header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Option<Header> {
     let names_a_type = cursor.identifier(1).is_some();
     let begins = cursor.is_punctuation(0, '#')
         || matches!(cursor.identifier(0), Some("pub" | "struct"))

@@ -59,8 +59,7 @@ fn block<X>(
     item: impl Fn(&mut Cursor<'_>, &mut Block<X>, &mut Diagnostics) -> Parsed<()>,
 ) -> Block<X> {
     let mut cursor = Cursor::new(tokens);
-    let mut block =
-        Block { header: header::parse_header(&mut cursor, diagnostics), ..Block::default() };
+    let mut block = Block { header: header::parse_header(&mut cursor, diagnostics), ..Block::default() };
     while !cursor.is_at_end() {
         let start = cursor.position();
         if let Err(diagnostic) = item(&mut cursor, &mut block, diagnostics) {
