@@ -117,7 +117,7 @@ impl Laurent {
     }
 
     /// The terms, the monomials ascending.
-    pub(crate) fn terms(&self) -> impl ExactSizeIterator<Item = (&Monomial, &RationalFunction)> {
+    pub(crate) fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &RationalFunction)> {
         self.0.iter()
     }
 
@@ -202,7 +202,7 @@ impl Laurent {
     /// The number ρ and the polynomial p with this = ρ·p, where the integer contents of p have no
     /// common divisor and its first coefficient has a positive leading number.
     pub(crate) fn primitive(&self) -> (Rational, Self) {
-        let contents = self.0.values().map(|value| value.numerator().content());
+        let contents = self.0.values().map(|value| value.numerator().content().abs());
         let content = contents.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Rational::one);
         let first = self.0.values().next().and_then(|value| value.numerator().leading_term());
         let negative = first.is_some_and(|(_, number)| number.is_negative());

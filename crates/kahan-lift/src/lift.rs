@@ -20,8 +20,8 @@ use crate::names::Writer;
 use crate::numeric::Numeric;
 use crate::quadratic::{Products, Quadratic};
 use crate::ring::Ring;
-use crate::search::{Problem, search};
-use crate::stability::{Growth, Orbit};
+use crate::search::{Problem, founded, search};
+use crate::stability::{Growth, LARGEST_EXPONENT, Orbit};
 
 /// Which lift is wanted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,8 +66,10 @@ pub struct Options {
 const NODES: usize = 20_000;
 /// More parameters than a field has.
 const MOST_PARAMETERS: usize = 1_000;
+/// The most sets of new variables of one size that are judged.
+const MOST_SETS: usize = 8;
 /// The most pairs of a lift and a form that are followed along an orbit.
-const MOST_FOLLOWED: usize = 60;
+const MOST_FOLLOWED: usize = 24;
 
 /// A variable of a lift beyond the states.
 #[derive(Clone, Debug)]
@@ -89,6 +91,8 @@ pub enum Along {
     Bounded,
     /// Its error decays but for what each step adds.
     Decays,
+    /// Its error grows in proportion to time.
+    Drifts,
     /// Its error grows exponentially.
     Grows,
 }
@@ -149,7 +153,7 @@ struct Candidate {
 /// A candidate with one form, and what is known of it.
 struct Judged<'a> {
     candidate: &'a Candidate,
-    form: &'a [Quadratic],
+    form: Vec<Quadratic>,
     kept: Vec<(Quadratic, ModifiedIntegral)>,
     growth: Option<Growth>,
 }
@@ -167,7 +171,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
     };
     let mut candidates = Vec::new();
     if matches!(options.which, Which::Automatic | Which::Energy) && !equations.has_time {
-        candidates.extend(energy_candidate(&equations, budget));
+        candidates = energy_candidates(&equations, budget);
     }
     if candidates.is_empty() && options.which == Which::Energy {
         let help =
@@ -204,10 +208,17 @@ fn ordinary_candidates(equations: &Equations, budget: usize, surplus: bool) -> V
     let least = found.iter().map(|(_, found)| found.sets[0].len()).min().unwrap_or(0);
     let mut candidates = Vec::new();
     for (ring, found) in &found {
-        for set in found.sets.iter().filter(|set| set.len() <= least + usize::from(surplus)) {
-            let new: Vec<Laurent> = set.iter().cloned().map(Laurent::from).collect();
-            candidates.extend(candidate(ring, new, found.is_optimal && set.len() == least, &BTreeMap::new()));
+        for size in least..=least + usize::from(surplus) {
+            let sets = found.sets.iter().filter(|set| set.len() == size).take(MOST_SETS);
+            candidates.extend(sets.filter_map(|set| {
+                let new = set.iter().cloned().map(Laurent::from).collect();
+                candidate(ring, new, found.is_optimal && size == least, &BTreeMap::new())
+            }));
         }
+    }
+    if surplus && let Some(set) = founded(&equations.ring, &equations.problem_in(&equations.ring)) {
+        let new = set.into_iter().map(Laurent::from).collect();
+        candidates.extend(candidate(&equations.ring, new, false, &BTreeMap::new()));
     }
     candidates.sort_by_key(|candidate| candidate.new.len());
     candidates
@@ -232,32 +243,30 @@ fn candidate(
     Some(Candidate { ring: ring.clone(), new, forms, relations, is_optimal, energy: None })
 }
 
-/// The lift of a mechanical system whose map keeps an energy.
-fn energy_candidate(equations: &Equations, budget: usize) -> Option<Candidate> {
-    let mechanical = Mechanical::recognise(&equations.ring)?;
+/// The lifts of a mechanical system whose map keeps an energy, of the least order.
+fn energy_candidates(equations: &Equations, budget: usize) -> Vec<Candidate> {
+    let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
-    let mut best: Option<Candidate> = None;
+    let mut candidates = Vec::new();
     for ring in rings.iter().flatten() {
         for as_sums in [false, true] {
-            let limit = best.as_ref().map_or(usize::MAX, |best| best.new.len());
-            let next = energy_lift(equations, ring, &mechanical, as_sums, budget);
-            if let Some(next) = next.filter(|next| next.new.len() < limit) {
-                best = Some(next);
-            }
+            candidates.extend(energy_lifts(equations, ring, &mechanical, as_sums, budget));
         }
     }
-    best
+    let least = candidates.iter().map(|one: &Candidate| one.new.len()).min();
+    candidates.retain(|one| Some(one.new.len()) == least);
+    candidates
 }
 
-/// The energy lift in which the components of the force are variables, each as a sum or each of
+/// The energy lifts in which the components of the force are variables, each as a sum or each of
 /// its monomials.
-fn energy_lift(
+fn energy_lifts(
     equations: &Equations,
     ring: &Ring,
     mechanical: &Mechanical,
     as_sums: bool,
     budget: usize,
-) -> Option<Candidate> {
+) -> Vec<Candidate> {
     let states = ring.field.len();
     let is_state =
         |monomial: &Monomial| monomial.is_one() || (0..states).any(|i| *monomial == Monomial::power(i, 1));
@@ -283,21 +292,23 @@ fn energy_lift(
             None => problem.sums.push(force.clone()),
         }
     }
-    let found = search(ring, &problem, budget, 0)?;
-    let mut new: Vec<Laurent> = forces;
-    new.extend(found.sets[0].iter().cloned().map(Laurent::from));
-    // A sum that is affine in the other variables is no variable.
-    let mut index = 0;
-    while index < new.len() {
-        let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
-        let variables = variables(ring, &others);
-        if new[index].len() > 1 && Products::new(ring, &variables).affine(&new[index]).is_some() {
-            new.remove(index);
-        } else {
-            index += 1;
+    let Some(found) = search(ring, &problem, budget, 0) else { return Vec::new() };
+    let lift = |set: &Vec<Monomial>| {
+        let mut new = [forces.clone(), set.iter().cloned().map(Laurent::from).collect()].concat();
+        // A sum that is affine in the other variables is no variable.
+        let mut index = 0;
+        while index < new.len() {
+            let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
+            let variables = variables(ring, &others);
+            if new[index].len() > 1 && Products::new(ring, &variables).affine(&new[index]).is_some() {
+                new.remove(index);
+            } else {
+                index += 1;
+            }
         }
-    }
-    with_potential(ring, mechanical, new, found.is_optimal)
+        with_potential(ring, mechanical, new, found.is_optimal)
+    };
+    found.sets.iter().filter_map(lift).collect()
 }
 
 /// Adds the variable for the potential where it is needed, and the equations that keep the energy.
@@ -348,7 +359,7 @@ fn with_potential(
     let potential = mechanical.potential.as_ref().map(|potential| ring.normalised(potential));
     let curved = potential.as_ref().map(|potential| potential.filtered(|monomial| !is_quadratic(monomial)));
     if let Some(potential) = &potential {
-        let plain = products.written(&potential.filtered(is_quadratic))?;
+        let plain = Quadratic::in_states(&potential.filtered(is_quadratic));
         energy.add_scaled(&plain, &RationalFunction::one());
         for (&(left, right), factor) in &plain.0 {
             // d(x y)/dt = x′y + x y′ with velocities that are multiples of momenta.
@@ -411,7 +422,7 @@ fn choose<'a>(
         for candidate in candidates {
             let Some(form) = candidate.forms.get(place) else { continue };
             if judged.len() < MOST_FOLLOWED {
-                judged.push(Judged::new(candidate, form, orbit, parameters));
+                judged.push(Judged::new(candidate, form.clone(), orbit, parameters));
             }
         }
     }
@@ -457,22 +468,28 @@ fn choose<'a>(
         let chosen = "errors of its relations do not grow along the orbit, and no smaller lift has that";
         return Some((best(stable)?, chosen.to_owned()));
     }
+    for one in &others {
+        for damped in one.damped(orbit, parameters) {
+            if damped.growth.is_some_and(|growth| growth.is_stable()) {
+                let chosen = "multiples of its relations in its equations make their errors decay";
+                return Some((damped, chosen.to_owned()));
+            }
+        }
+    }
     let least = others.into_iter().min_by(|a, b| exponent(a).total_cmp(&exponent(b)))?;
     let rate = exponent(&least);
-    let chosen = format!(
-        "errors of its relations grow least along the orbit, yet at the rate {rate:.3}: re-embed, or take a smaller eps"
-    );
+    let chosen = format!("errors of its relations grow least along the orbit, yet at the rate {rate:.3}");
     Some((least, chosen))
 }
 
 impl<'a> Judged<'a> {
     fn new(
         candidate: &'a Candidate,
-        form: &'a [Quadratic],
+        form: Vec<Quadratic>,
         orbit: Option<&(Orbit, &Vec<f64>)>,
         parameters: usize,
     ) -> Self {
-        let field = field_of(form, parameters);
+        let field = field_of(&form, parameters);
         let kept = candidate
             .relations
             .iter()
@@ -481,10 +498,35 @@ impl<'a> Judged<'a> {
         let growth = orbit.map(|(orbit, parameters)| {
             let numeric = Numeric::new(&candidate.ring, parameters);
             let known: Vec<Laurent> = candidate.new.iter().map_while(Clone::clone).collect();
-            let form: Vec<Quadratic> = form[..candidate.ring.field.len() + known.len()].to_vec();
-            orbit.growth(&numeric, &known, &form, parameters)
+            orbit.growth(&numeric, &known, &form[..candidate.ring.field.len() + known.len()], parameters)
         });
         Judged { candidate, form, kept, growth }
+    }
+
+    /// Forms with multiples of the relations that let errors decay: w′ −= κ R, where the relation R
+    /// holds w linearly. κ exceeds the rate at which errors grow.
+    fn damped(&self, orbit: Option<&(Orbit, &Vec<f64>)>, parameters: usize) -> Vec<Judged<'a>> {
+        let states = self.candidate.ring.field.len();
+        let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
+        let damped = |factor: f64| {
+            let damping = Rational::from_f64((factor * rate).log2().ceil().exp2())?;
+            let mut form = self.form.clone();
+            for (variable, equation) in form.iter_mut().enumerate().skip(states) {
+                let own = (None, Some(variable));
+                let others = |relation: &Quadratic| {
+                    let new = |index: &Option<usize>| {
+                        index.is_some_and(|index| index >= states && index != variable)
+                    };
+                    relation.0.keys().filter(|(left, right)| new(left) || new(right)).count()
+                };
+                let relations = self.candidate.relations.iter().filter(|one| one.0.contains_key(&own));
+                let relation = relations.min_by_key(|relation| others(relation))?;
+                let scale = RationalFunction::constant(-&damping).checked_div(&relation.0[&own])?;
+                equation.add_scaled(relation, &scale);
+            }
+            Some(Judged::new(self.candidate, form, orbit, parameters))
+        };
+        [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
     }
 
     /// Whether each new variable occurs in a relation that is kept exactly.
@@ -528,7 +570,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     let variables: Vec<String> =
         equations.states.iter().cloned().chain(new.iter().map(|one| one.name.clone())).collect();
     let symbols = Symbols { states: variables, parameters: equations.parameters.clone() };
-    let field = Field { symbols, ..field_of(judged.form, equations.parameters.len()) };
+    let field = Field { symbols, ..field_of(&judged.form, equations.parameters.len()) };
     let text = |polynomial: &Polynomial| Text.polynomial(&field.symbols, polynomial);
     let fraction = |value: &RationalFunction| {
         if value.denominator().is_one() {
@@ -557,14 +599,11 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         if is_monomial && judged.kept.iter().any(|(relation, _)| occurs(relation)) {
             continue;
         }
-        let along = judged.growth.map(|growth| {
-            if growth.exponent < -crate::stability::LARGEST_EXPONENT {
-                Along::Decays
-            } else if growth.is_stable() {
-                Along::Bounded
-            } else {
-                Along::Grows
-            }
+        let along = judged.growth.map(|growth| match growth {
+            growth if growth.exponent < -LARGEST_EXPONENT => Along::Decays,
+            growth if growth.is_stable() => Along::Bounded,
+            growth if growth.is_polynomial() => Along::Drifts,
+            _ => Along::Grows,
         });
         relations.push(Relation {
             text: format!("{} - ({expression})", variable.name),

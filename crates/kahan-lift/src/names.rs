@@ -41,26 +41,53 @@ impl Writer<'_> {
     /// A polynomial as an expression.
     pub(crate) fn polynomial(&self, polynomial: &Laurent, notation: &dyn Notation) -> String {
         let mut text = String::new();
-        for (monomial, coefficient) in polynomial.terms() {
+        for (monomial, coefficient) in polynomial.terms().rev() {
             let (negative, size) = signed(coefficient);
             push_term(&mut text, negative, &self.term(monomial, &size, notation));
         }
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// coefficient·monomial; negative powers stand below a line.
+    /// coefficient·monomial; negative powers stand below a line, exponentials are one.
     fn term(&self, monomial: &Monomial, coefficient: &RationalFunction, notation: &dyn Notation) -> String {
         let mut above = self.factors(coefficient.numerator(), notation);
         let mut below = self.factors(coefficient.denominator(), notation);
-        for (coordinate, exponent) in monomial.powers() {
+        let (exponent, rest) = self.split_exponentials(monomial);
+        for (coordinate, exponent) in rest {
             let side = if exponent > 0 { &mut above } else { &mut below };
             side.push(self.power(coordinate, exponent.unsigned_abs(), notation));
+        }
+        if !exponent.is_zero() {
+            above.push(format!("exp({})", self.polynomial(&exponent, notation)));
         }
         if above.is_empty() {
             above.push(notation.number(&Rational::one()));
         }
-        let above = notation.product(&above);
-        if below.is_empty() { above } else { notation.quotient(&above, &notation.product(&below)) }
+        if below.is_empty() {
+            return notation.product(&above);
+        }
+        let above = match &above[..] {
+            // A quotient puts its own parentheses around a sum.
+            [sum] if sum.starts_with('(') && sum.ends_with(')') => sum[1..sum.len() - 1].to_owned(),
+            factors => notation.product(factors),
+        };
+        notation.quotient(&above, &notation.product(&below))
+    }
+
+    /// The exponent of the exponentials in a monomial, and its other powers.
+    fn split_exponentials(&self, monomial: &Monomial) -> (Laurent, Vec<(usize, i16)>) {
+        let mut sum = Laurent::zero();
+        let mut rest = Vec::new();
+        for (coordinate, exponent) in monomial.powers() {
+            match &self.ring.coordinates[coordinate].meaning {
+                Meaning::Function(Function::Exp, argument) => {
+                    let times = RationalFunction::constant(Rational::from(i64::from(exponent)));
+                    sum.add_scaled(argument, &times);
+                }
+                _ => rest.push((coordinate, exponent)),
+            }
+        }
+        (sum, rest)
     }
 
     /// The factors of a coefficient's numerator or denominator; none for 1.
@@ -100,10 +127,25 @@ impl Writer<'_> {
     pub(crate) fn name(&self, monomial: &Monomial) -> String {
         let mut above = Vec::new();
         let mut below = Vec::new();
-        for (coordinate, exponent) in monomial.powers() {
+        let (exponentials, rest) = self.split_exponentials(monomial);
+        if !exponentials.is_zero() {
+            let parts: Option<Vec<String>> = exponentials
+                .terms()
+                .rev()
+                .map(|(one, value)| self.short(&Laurent::term(one.clone(), value.clone())))
+                .collect();
+            above.push(match parts {
+                Some(parts) => format!("exp_{}", parts.join("_")),
+                None => {
+                    let (first, _) = monomial.powers().next().expect("an exponential occurs");
+                    format!("exp_{}", first + 1 - self.states.len())
+                }
+            });
+        }
+        for (coordinate, exponent) in rest {
             let name = self.coordinate_name(coordinate);
             let size = exponent.unsigned_abs();
-            let name = if size == 1 { name } else { format!("{name}{size}") };
+            let name = if size == 1 { name } else { raised(&name, size) };
             if exponent > 0 { above.push(name) } else { below.push(name) }
         }
         // A tangent reads better than a quotient.
@@ -174,7 +216,10 @@ impl Writer<'_> {
         if !is_plain || !number.is_integer() || monomial.powers().any(|(_, exponent)| exponent < 0) {
             return None;
         }
-        let mut short = if number.abs().is_one() { String::new() } else { number.abs().to_string() };
+        let mut short = if number.is_negative() { "minus_".to_owned() } else { String::new() };
+        if !number.abs().is_one() {
+            short.push_str(&number.abs().to_string());
+        }
         for &(parameter, exponent) in coefficient.numerator().leading_term()?.0.powers() {
             short.push_str(&self.parameters.name(parameter));
             if exponent > 1 {
@@ -189,6 +234,12 @@ impl Writer<'_> {
         }
         Some(short)
     }
+}
+
+/// `x2` for x², `x1_2` for x1².
+fn raised(name: &str, exponent: u16) -> String {
+    let gap = if name.ends_with(|last: char| last.is_ascii_digit()) { "_" } else { "" };
+    format!("{name}{gap}{exponent}")
 }
 
 /// Whether a coefficient is written with a minus sign, and the coefficient without it.

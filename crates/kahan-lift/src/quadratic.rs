@@ -28,6 +28,19 @@ impl Quadratic {
         sum
     }
 
+    /// A polynomial of degree at most two in the states.
+    pub(crate) fn in_states(polynomial: &Laurent) -> Self {
+        let mut sum = Self::default();
+        for (monomial, coefficient) in polynomial.terms() {
+            let repeated = |(state, power): (usize, i16)| {
+                std::iter::repeat_n(state, usize::try_from(power).expect("a power of a polynomial"))
+            };
+            let mut factors = monomial.powers().flat_map(repeated);
+            sum.add((factors.next(), factors.next()), coefficient);
+        }
+        sum
+    }
+
     /// The product of two variables.
     pub(crate) fn product(left: usize, right: usize) -> Self {
         let mut product = Self::default();
@@ -181,16 +194,6 @@ impl<'a> Products<'a> {
         self.derived.get(monomial).cloned()
     }
 
-    /// The polynomial as a quadratic polynomial in the variables: with the first way to write each
-    /// monomial, or `None` where one cannot be written.
-    pub(crate) fn written(&self, polynomial: &Laurent) -> Option<Quadratic> {
-        let mut sum = Quadratic::default();
-        for (monomial, coefficient) in polynomial.terms() {
-            sum.add_scaled(&self.known(monomial)?, coefficient);
-        }
-        Some(sum)
-    }
-
     /// The polynomial as an affine polynomial in the variables.
     pub(crate) fn affine(&self, polynomial: &Laurent) -> Option<Quadratic> {
         let mut sum = Quadratic::default();
@@ -216,6 +219,10 @@ impl<'a> Products<'a> {
                 let is_own = left.is_none() && right == Some(of);
                 (!(is_own && is_negative), new(left) + new(right), left, right)
             });
+            // The equation of a state stays as it is written where it is quadratic already.
+            if of < states && pairs.first().is_some_and(|&(left, right)| new(left) + new(right) == 0) {
+                pairs.truncate(1);
+            }
             for pair in pairs {
                 let mut option = Quadratic::default();
                 option.add(pair, &RationalFunction::one());

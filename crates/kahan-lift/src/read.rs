@@ -198,10 +198,13 @@ impl Reader {
             }
             let content = base.monomial_content();
             let rest = base.shifted(&content.pow(-1));
-            let (factor, rest) = monic(&rest);
-            let inverse = RationalFunction::one().checked_div(&factor).expect("a coefficient is not 0");
+            let (factor, rest) = rest.primitive();
+            let inverse = RationalFunction::constant(factor.recip().expect("a coefficient is not 0"));
             let outer = Laurent::term(content.pow(-1), inverse);
-            let one = if rest.len() == 1 { outer } else { outer.shifted(&self.root(&rest, 1, -1)) };
+            let one = match rest.as_constant() {
+                Some(rest) => outer.scale(&RationalFunction::one().checked_div(&rest).expect("not 0")),
+                None => outer.shifted(&self.root(&rest, 1, -1)),
+            };
             return self.integer_power(&one, -numerator, span);
         }
         let (above, below) = (small(numerator), small(denominator));
@@ -454,18 +457,9 @@ fn small(number: i64) -> i16 {
     i16::try_from(number).expect("exponents are at most LARGEST_POWER, indices at most their multiple")
 }
 
-/// The coefficient of the leading term, and the polynomial over it.
-fn monic(polynomial: &Laurent) -> (RationalFunction, Laurent) {
-    let (_, factor) = polynomial.leading_term().expect("not 0");
-    let inverse = RationalFunction::one().checked_div(factor).expect("a coefficient is not 0");
-    (factor.clone(), polynomial.scale(&inverse))
-}
-
 /// The rational content of a coefficient, with its sign, and the coefficient over it.
 fn signed_content(value: &RationalFunction) -> (Rational, RationalFunction) {
     let content = value.numerator().content();
-    let negative = value.numerator().leading_term().is_some_and(|(_, number)| number.is_negative());
-    let content = if negative { -&content } else { content };
     let inverse = content.recip().expect("not 0");
     (content, value * &RationalFunction::from(Polynomial::constant(inverse)))
 }

@@ -5,13 +5,14 @@
 //! iterative-deepening search branches over the ways to write one missing monomial; where its
 //! budget of nodes ends first, a greedy closure is improved by local changes. No clock is read.
 
+use std::cmp::Reverse;
 use std::rc::Rc;
 
 use kahan_algebra::prime_field::Shake256;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::laurent::{Laurent, Monomial};
-use crate::ring::Ring;
+use crate::ring::{Meaning, Ring};
 use crate::table::{Id, Table};
 
 /// What the search starts from.
@@ -85,6 +86,8 @@ struct Search<'a> {
     required: Vec<Id>,
     nodes: usize,
     largest: u32,
+    /// Whether new variables must be coordinates, their inverses, or products of two variables.
+    founded: bool,
     visited: FxHashMap<Vec<Id>, usize>,
     sets: Vec<Vec<Id>>,
 }
@@ -92,19 +95,7 @@ struct Search<'a> {
 /// Finds the smallest closed sets within a budget of nodes; `None` if there is none within it.
 /// Sets of `surplus` more variables are found as well.
 pub(crate) fn search(ring: &Ring, problem: &Problem, budget: usize, surplus: usize) -> Option<Found> {
-    let sizes = problem.required.iter().map(Monomial::size);
-    let mut table = Table::new(ring);
-    let mut search = Search {
-        ring,
-        problem,
-        given: problem.given.iter().map(|one| table.id(one)).collect(),
-        required: problem.required.iter().map(|one| table.id(one)).collect(),
-        nodes: budget,
-        largest: 2 * sizes.max().unwrap_or(0) + 4,
-        visited: FxHashMap::default(),
-        sets: Vec::new(),
-        table,
-    };
+    let mut search = Search::new(ring, problem, budget);
     let greedy = search.greedy();
     let most = greedy.as_ref().map_or(MOST_VARIABLES, Vec::len);
     for size in 0..=most {
@@ -128,11 +119,88 @@ pub(crate) fn search(ring: &Ring, problem: &Problem, budget: usize, surplus: usi
     Some(Found { sets: search.monomials(vec![set]), is_optimal: false })
 }
 
-impl Search<'_> {
+/// Finds a closed set, not always a smallest one, in which each variable has a quadratic relation
+/// of its own: it is the product of two others, or the inverse of a polynomial whose product with
+/// it can be written.
+pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Monomial>> {
+    let mut search = Search { founded: true, ..Search::new(ring, problem, 0) };
+    let mut seeds: Vec<Id> = Vec::new();
+    for coordinate in &ring.coordinates {
+        let Meaning::Root(base, 1) = &coordinate.meaning else { continue };
+        for (term, _) in base.terms() {
+            // x⁴ is the square of x², x³ the product of x² and x.
+            let mut power = term.clone();
+            while power.size() > 1 {
+                let id = search.table.id(&power);
+                if !seeds.contains(&id) && search.is_allowed(id) {
+                    seeds.push(id);
+                }
+                let first = power.powers().next().map_or(0, |(first, _)| first);
+                power = power.square_root().unwrap_or_else(|| power.over(&Monomial::power(first, 1)));
+            }
+        }
+    }
+    let closed = search.closure(seeds, MOST_VARIABLES, 0)?;
+    let set = search.reduced(closed);
+    search.are_founded(&set).then(|| search.monomials(vec![set]).pop())?
+}
+
+impl<'a> Search<'a> {
+    fn new(ring: &'a Ring, problem: &'a Problem, budget: usize) -> Self {
+        let sizes = problem.required.iter().map(Monomial::size);
+        let mut table = Table::new(ring);
+        Search {
+            ring,
+            problem,
+            given: problem.given.iter().map(|one| table.id(one)).collect(),
+            required: problem.required.iter().map(|one| table.id(one)).collect(),
+            nodes: budget,
+            largest: 2 * sizes.max().unwrap_or(0) + 4,
+            founded: false,
+            visited: FxHashMap::default(),
+            sets: Vec::new(),
+            table,
+        }
+    }
+
+    /// Whether a monomial is a coordinate, the inverse of one, or the product of two variables.
+    fn is_founded(&mut self, id: Id, new: &[Id]) -> bool {
+        if !self.founded || self.table.monomial(id).size() == 1 {
+            return true;
+        }
+        let monomial = self.table.monomial(id).clone();
+        self.is_product(&monomial, new)
+    }
+
+    /// Whether a monomial is the product of two variables other than itself.
+    fn is_product(&mut self, monomial: &Monomial, new: &[Id]) -> bool {
+        let own = self.table.id(monomial);
+        let variables: Vec<Id> = self.given.iter().chain(new).copied().filter(|&one| one != own).collect();
+        variables.iter().any(|&variable| {
+            let other = monomial.over(self.table.monomial(variable));
+            variables.contains(&self.table.id(&other))
+        })
+    }
+
+    /// Whether each variable has a quadratic relation of its own.
+    fn are_founded(&mut self, set: &[Id]) -> bool {
+        set.iter().all(|&id| {
+            let monomial = self.table.monomial(id).clone();
+            let (coordinate, _) = monomial.powers().next().expect("no variable is 1");
+            match &self.ring.coordinates[coordinate].meaning {
+                Meaning::Root(base, _) if monomial.size() == 1 => base.terms().all(|(term, _)| {
+                    let product = term.times(&monomial);
+                    product == monomial || self.is_product(&product, set)
+                }),
+                _ => monomial.size() == 1 || self.is_product(&monomial, set),
+            }
+        })
+    }
+
     fn monomials(&self, sets: Vec<Vec<Id>>) -> Vec<Vec<Monomial>> {
         let set = |ids: Vec<Id>| {
             let mut set: Vec<Monomial> = ids.iter().map(|&id| self.table.monomial(id).clone()).collect();
-            set.sort_unstable_by_key(|one| (one.size(), one.clone()));
+            set.sort_unstable_by_key(|one| (one.size(), Reverse(one.clone())));
             set
         };
         sets.into_iter().map(set).collect()
@@ -302,19 +370,25 @@ impl Search<'_> {
     }
 
     /// A closed set by adding, again and again, the variable that leaves least to be written; then
-    /// without each variable that a new closure can do without.
+    /// reduced.
     fn greedy(&mut self) -> Option<Vec<Id>> {
-        let mut best = self.closure(Vec::new(), MOST_VARIABLES, 0)?;
+        let closed = self.closure(Vec::new(), MOST_VARIABLES, 0)?;
+        Some(self.reduced(closed))
+    }
+
+    /// A closed set without each variable that a new closure can do without.
+    fn reduced(&mut self, mut best: Vec<Id>) -> Vec<Id> {
         let mut at = 0;
         while at < best.len() {
             let mut fewer = best.clone();
             fewer.remove(at);
-            match self.closure(fewer, best.len() - 1, 0) {
+            let smaller = self.closure(fewer, best.len() - 1, 0);
+            match smaller.filter(|smaller| !self.founded || self.are_founded(smaller)) {
                 Some(smaller) => (best, at) = (smaller, 0),
                 None => at += 1,
             }
         }
-        Some(best)
+        best
     }
 
     /// A closed set of at most `most` variables that extends `new`. `twist` chooses between
@@ -333,6 +407,9 @@ impl Search<'_> {
             }
             let mut ranked: Vec<(usize, u64, Id, Cover)> = Vec::new();
             for single in self.singles(target, &new) {
+                if !self.is_founded(single, &new) {
+                    continue;
+                }
                 let joined = self.joined(&cover, &new, single);
                 let left = missing.iter().filter(|one| !joined.covered.contains(one)).count();
                 let added = self.table.derivative(single);
@@ -341,7 +418,15 @@ impl Search<'_> {
             }
             ranked.sort_by_key(|&(left, turn, single, _)| (left, turn, single));
             let second = twist != 0 && ranked.len() > 1 && turn(target) % 4 == 0;
-            let (_, _, next, joined) = ranked.into_iter().nth(usize::from(second))?;
+            let Some((_, _, next, joined)) = ranked.into_iter().nth(usize::from(second)) else {
+                // A factor of the target that is founded leads on.
+                let pairs = self.pairs(target).into_iter().flatten();
+                let next = pairs.filter(|one| !new.contains(one)).collect::<Vec<Id>>();
+                let next = next.into_iter().find(|&one| self.is_founded(one, &new))?;
+                cover = self.joined(&cover, &new, next);
+                new.push(next);
+                continue;
+            };
             (cover, new) = (joined, [new, vec![next]].concat());
         }
     }

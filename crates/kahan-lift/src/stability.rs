@@ -16,8 +16,12 @@ const HORIZON: f64 = 100.0;
 pub(crate) const LARGEST_EXPONENT: f64 = 0.01;
 /// The largest amplification of a lift that counts as stable.
 pub(crate) const LARGEST_AMPLIFICATION: f64 = 10.0;
+/// The amplification at which a lift is given up before the horizon, where it grows fast.
+const HOPELESS: f64 = 1e8;
 /// The most points of an orbit.
 const MOST_POINTS: usize = 20_000;
+/// The most parts of a step in which the errors of the relations are advanced.
+const MOST_PARTS: f64 = 64.0;
 /// The error that a step of the orbit may have, relative to the state's own size.
 const TOLERANCE: f64 = 1e-6;
 
@@ -28,11 +32,18 @@ pub(crate) struct Growth {
     pub(crate) exponent: f64,
     /// The largest factor at any time.
     pub(crate) amplification: f64,
+    /// The largest factor in the first half of the time.
+    half: f64,
 }
 
 impl Growth {
     pub(crate) fn is_stable(&self) -> bool {
         self.exponent <= LARGEST_EXPONENT && self.amplification <= LARGEST_AMPLIFICATION
+    }
+
+    /// Whether the largest factor grows in proportion to time, and not faster.
+    pub(crate) fn is_polynomial(&self) -> bool {
+        self.amplification <= 3.0 * self.half
     }
 }
 
@@ -113,7 +124,7 @@ impl Orbit {
             let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
             entries.fold(0.0, |norm: f64, (i, k)| norm.max(matrix[i][k].abs() * scale(i, k)))
         };
-        let (mut logarithm, mut most, mut time) = (0.0, 0.0_f64, 0.0);
+        let (mut logarithm, mut most, mut half, mut time) = (0.0, 0.0_f64, 0.0_f64, 0.0);
         for (h, x) in &self.points {
             let coordinates = numeric.coordinates(x);
             let gradients = numeric.gradients(&coordinates);
@@ -141,24 +152,35 @@ impl Orbit {
                         .collect()
                 })
                 .collect();
-            // Two terms of the exponential beyond the first: (1 + hΛ + (hΛ)²/2) Φ.
             let times = |matrix: &[Vec<f64>]| -> Vec<Vec<f64>> {
                 let entry = |i: usize, k: usize| (0..count).map(|j| lambda[i][j] * matrix[j][k]).sum::<f64>();
                 (0..count).map(|i| (0..count).map(|k| entry(i, k)).collect()).collect()
             };
-            let first = times(&matrix);
-            let second = times(&first);
-            for i in 0..count {
-                for k in 0..count {
-                    matrix[i][k] += h * first[i][k] + h * h / 2.0 * second[i][k];
+            // exp(hΛ) as a power of (1 + sΛ + (sΛ)²/2) with s ‖Λ‖ ≤ 1/2.
+            let size = lambda.iter().map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
+            let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
+            let part = h / parts;
+            for _ in 0..parts as usize {
+                let first = times(&matrix);
+                let second = times(&first);
+                for i in 0..count {
+                    for k in 0..count {
+                        matrix[i][k] += part * first[i][k] + part * part / 2.0 * second[i][k];
+                    }
                 }
             }
             time += h;
             let norm = largest(&matrix);
             if !norm.is_finite() {
-                return Growth { exponent: f64::INFINITY, amplification: f64::INFINITY };
+                return Growth { exponent: f64::INFINITY, amplification: f64::INFINITY, half: 1.0 };
             }
             most = most.max(logarithm + norm.ln());
+            if time <= HORIZON / 2.0 {
+                half = most;
+            }
+            if most > HOPELESS.ln() && most / time > 10.0 * LARGEST_EXPONENT {
+                return Growth { exponent: most / time, amplification: most.exp(), half: 1.0 };
+            }
             if !(1e-100..1e100).contains(&norm) && norm > 0.0 {
                 logarithm += norm.ln();
                 matrix.iter_mut().flatten().for_each(|entry| *entry /= norm);
@@ -166,6 +188,6 @@ impl Orbit {
         }
         let norm = largest(&matrix);
         let exponent = if time > 0.0 && count > 0 { (logarithm + norm.ln()) / time } else { 0.0 };
-        Growth { exponent, amplification: most.exp() }
+        Growth { exponent, amplification: most.exp(), half: half.exp() }
     }
 }
