@@ -7,7 +7,7 @@ use kahan_algebra::token::Token;
 
 use crate::laurent::{Laurent, Monomial};
 use crate::read::Reader;
-use crate::ring::{Meaning, Ring};
+use crate::ring::Ring;
 use crate::search::Problem;
 
 /// Checked equations.
@@ -43,17 +43,14 @@ impl Equations {
         let given: Vec<Monomial> = (0..self.states.len()).map(|state| Monomial::power(state, 1)).collect();
         let required: Vec<Monomial> =
             ring.field.iter().flat_map(Laurent::terms).map(|(one, _)| one.clone()).collect();
+        // Negative powers occur in the equations, and in derivatives of functions: log u has u′/u.
+        let slopes = ring.coordinates.iter().flat_map(|one| one.slope.terms()).map(|(one, _)| one);
         let mut negative: Vec<usize> = required
             .iter()
+            .chain(slopes)
             .flat_map(|monomial| monomial.powers().filter(|&(_, exponent)| exponent < 0))
             .map(|(coordinate, _)| coordinate)
             .collect();
-        // The derivative of u^n is n u^n u′/u.
-        for coordinate in &ring.coordinates {
-            if let Meaning::Power(base, _) = &coordinate.meaning {
-                negative.extend(base.terms().flat_map(|(one, _)| one.powers().map(|(inner, _)| inner)));
-            }
-        }
         negative.sort_unstable();
         negative.dedup();
         Problem { given, sums: Vec::new(), required, negative }

@@ -28,6 +28,8 @@ mod quadratic;
 
 mod numeric;
 
+mod exact;
+
 mod stability;
 
 mod names;

@@ -1,5 +1,8 @@
 //! Which lift is chosen, and what is said of it.
 
+#[cfg(test)]
+mod tests;
+
 use std::collections::BTreeMap;
 
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
@@ -15,6 +18,7 @@ use kahan_algebra::token::{Span, Token};
 
 use crate::energy::Mechanical;
 use crate::equations::Equations;
+use crate::exact;
 use crate::laurent::{Laurent, Monomial};
 use crate::names::Writer;
 use crate::numeric::Numeric;
@@ -660,6 +664,22 @@ impl Lift {
         let coordinates = numeric.coordinates(states);
         let value = |new: &NewVariable| {
             new.value.as_ref().map_or(0.0, |value| numeric.laurent(value).value(&coordinates))
+        };
+        self.new.iter().map(value).collect()
+    }
+
+    /// The values of the new variables at these states, with these values of the parameters: exact
+    /// where they are rational functions of the states, else from [`embed`](Self::embed)'s floats.
+    /// `None` where one has no finite value.
+    ///
+    /// # Panics
+    /// If there are fewer states or parameters than the lift has.
+    #[must_use]
+    pub fn embed_exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
+        let coordinates = exact::coordinates(&self.ring, states, parameters)?;
+        let value = |new: &NewVariable| match &new.value {
+            Some(value) => exact::value(value, &coordinates, parameters),
+            None => Some(Rational::zero()),
         };
         self.new.iter().map(value).collect()
     }

@@ -66,12 +66,12 @@ impl Writer<'_> {
         if below.is_empty() {
             return notation.product(&above);
         }
-        let above = match &above[..] {
-            // A quotient puts its own parentheses around a sum.
+        // A quotient puts its own parentheses around a sum.
+        let side = |factors: &[String]| match factors {
             [sum] if sum.starts_with('(') && sum.ends_with(')') => sum[1..sum.len() - 1].to_owned(),
             factors => notation.product(factors),
         };
-        notation.quotient(&above, &notation.product(&below))
+        notation.quotient(&side(&above), &side(&below))
     }
 
     /// The exponent of the exponentials in a monomial, and its other powers.

@@ -146,7 +146,8 @@ impl Ring {
     pub(crate) fn grouped(&self) -> Option<Self> {
         let mut ring = self.clone();
         let is_polynomial = |monomial: &Monomial| {
-            monomial.powers().all(|(coordinate, exponent)| coordinate < self.field.len() && exponent > 0)
+            monomial.size() > 1
+                && monomial.powers().all(|(state, exponent)| state < self.field.len() && exponent > 0)
         };
         let bases = self.coordinates.iter().filter_map(|coordinate| match &coordinate.meaning {
             Meaning::Root(base, _) if base.len() > 1 => Some(base),

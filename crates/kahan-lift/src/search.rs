@@ -42,6 +42,8 @@ pub(crate) struct Found {
 const MOST_SETS: usize = 24;
 /// The most new variables of an answer.
 const MOST_VARIABLES: usize = 60;
+/// The nodes of the search that take as long as a local change.
+const NODES_A_CHANGE: usize = 20;
 /// How many local changes are tried for each variable of a set that is not proved to be optimal.
 const LOCAL_CHANGES: usize = 40;
 
@@ -115,7 +117,7 @@ pub(crate) fn search(ring: &Ring, problem: &Problem, budget: usize, surplus: usi
         }
         return Some(Found { sets: search.monomials(sets), is_optimal: true });
     }
-    let set = search.improved(greedy?);
+    let set = search.improved(greedy?, budget / NODES_A_CHANGE);
     Some(Found { sets: search.monomials(vec![set]), is_optimal: false })
 }
 
@@ -432,11 +434,11 @@ impl<'a> Search<'a> {
     }
 
     /// The smallest closed set by removing up to four variables at a time and closing again.
-    fn improved(&mut self, mut best: Vec<Id>) -> Vec<Id> {
+    fn improved(&mut self, mut best: Vec<Id>, most: usize) -> Vec<Id> {
         let mut random = Shake256::new(b"local changes");
         let mut since = 0;
         let mut current = best.clone();
-        while since < LOCAL_CHANGES * best.len() {
+        while since < most.min(LOCAL_CHANGES * best.len()) {
             since += 1;
             let seed = random.next_seed();
             let twist = u64::from_le_bytes(seed[..8].try_into().expect("eight bytes"));
