@@ -23,7 +23,7 @@ use crate::laurent::{Laurent, Monomial};
 use crate::names::Writer;
 use crate::numeric::Numeric;
 use crate::quadratic::{Products, Quadratic};
-use crate::ring::Ring;
+use crate::ring::{Function, Meaning, Ring};
 use crate::search::{Problem, founded, search};
 use crate::stability::{Growth, LARGEST_EXPONENT, Orbit};
 
@@ -138,6 +138,9 @@ pub struct Lift {
     pub relations: Vec<Relation>,
     /// The energy that the map keeps exactly.
     pub energy: Option<String>,
+    /// What a user should know of: points where a new variable is infinite though the equations are
+    /// not, and errors of the phases of periodic forces.
+    pub notes: Vec<String>,
     ring: Ring,
 }
 
@@ -533,15 +536,23 @@ impl<'a> Judged<'a> {
         [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
     }
 
-    /// Whether each new variable occurs in a relation that is kept exactly.
+    /// Whether the map keeps one relation for each new variable, and one for each pair of a sine and
+    /// a cosine.
     fn keeps_all(&self) -> bool {
-        let states = self.candidate.ring.field.len();
-        (states..self.form.len()).all(|variable| {
-            let occurs = |relation: &Quadratic| {
-                relation.0.keys().any(|&(left, right)| left == Some(variable) || right == Some(variable))
-            };
-            self.kept.iter().any(|(relation, _)| occurs(relation))
-        })
+        let Candidate { ring, new, .. } = self.candidate;
+        let is_cosine = |value: &Option<Laurent>| {
+            let monomial = value.as_ref().and_then(Laurent::as_monomial);
+            monomial.is_some_and(|one| {
+                one.size() == 1
+                    && one.powers().all(|(index, _)| {
+                        matches!(
+                            ring.coordinates[index].meaning,
+                            Meaning::Function(Function::Cos | Function::Cosh, _)
+                        )
+                    })
+            })
+        };
+        self.kept.len() + new.iter().filter(|value| is_cosine(value)).count() >= new.len()
     }
 }
 
@@ -628,9 +639,59 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         chosen,
         relations,
         energy,
+        notes: notes(ring, &judged.candidate.new, &writer),
         ring: ring.clone(),
         field,
     }
+}
+
+/// What a user should know of the new variables.
+fn notes(ring: &Ring, new: &[Option<Laurent>], writer: &Writer<'_>) -> Vec<String> {
+    let occurs = |index: usize, sign: i16| {
+        let mut monomials = new.iter().flatten().flat_map(Laurent::terms);
+        monomials.any(|(monomial, _)| monomial.exponent(index) * sign > 0)
+    };
+    let mut notes = Vec::new();
+    for (index, coordinate) in ring.coordinates.iter().enumerate() {
+        match &coordinate.meaning {
+            // 1 − exp u vanishes where u does, and the equations may hold u/(1 − exp u).
+            Meaning::Root(base, 1) if occurs(index, -1) => {
+                let exponent = base.terms().find_map(|(monomial, _)| {
+                    let (inner, power) =
+                        monomial.powers().next().filter(|_| monomial.powers().count() == 1)?;
+                    match &ring.coordinates[inner].meaning {
+                        Meaning::Function(Function::Exp, argument) => Some((inner, power, argument)),
+                        _ => None,
+                    }
+                });
+                let Some((inner, power, argument)) = exponent else { continue };
+                let value_at_one =
+                    base.terms().try_fold(RationalFunction::zero(), |sum, (monomial, value)| {
+                        (monomial.is_one() || *monomial == Monomial::power(inner, power))
+                            .then(|| &sum + value)
+                    });
+                if value_at_one.is_some_and(|value| value.is_zero()) {
+                    notes.push(format!(
+                        "1/({}) is infinite where {} = 0, even if the equations are finite there: orbits must not cross it",
+                        writer.polynomial(base, &Text),
+                        writer.polynomial(argument, &Text),
+                    ));
+                }
+            }
+            Meaning::Function(Function::Sin, argument) if occurs(index, 1) => {
+                let frequency = ring.derivative(argument);
+                if frequency.as_constant().is_some() {
+                    notes.push(format!(
+                        "the phase of sin({}) falls behind by ({})^3*eps^2/3 in a unit of time",
+                        writer.polynomial(argument, &Text),
+                        writer.polynomial(&frequency, &Text),
+                    ));
+                }
+            }
+            _ => {}
+        }
+    }
+    notes
 }
 
 impl Lift {
