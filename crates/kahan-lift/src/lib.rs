@@ -36,4 +36,7 @@ mod names;
 
 mod lift;
 
+mod reembedding;
+
 pub use lift::{Along, Lift, NewVariable, Options, Relation, Which, lift};
+pub use reembedding::Reembedding;
