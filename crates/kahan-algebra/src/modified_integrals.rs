@@ -41,7 +41,7 @@ const MOST_WORK: u64 = 4_000_000;
 pub enum Rule {
     /// I = a·x + xᵀCx with Cf affine keeps I − ε² fᵀCf.
     ///
-    /// For linear I this is I itself. *Relations*: with w = x² and ẋ = y, w − x² + ε²y² is kept,
+    /// For linear I this is I itself, and I itself is kept where f is linear. *Relations*: with w = x² and ẋ = y, w − x² + ε²y² is kept,
     /// whatever ẏ is. *Energy*: with ẋ = p, ṗ = −F and Ẇ = F·p, where W stands for a potential and
     /// F for its gradient, |p|²/2 + W − ε²|F|²/2 is kept, whatever the equations of F are.
     Polarisation,
@@ -339,6 +339,11 @@ impl<'a> Flow<'a> {
     /// I − ε² fᵀCf.
     fn polarised(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, No> {
         self.check(integral, budget)?;
+        // Of a linear field the map is the midpoint rule, which keeps I itself.
+        if self.components.iter().all(|component| self.symbols.degree(component) < 2) {
+            let of_map = integral.clone().into();
+            return Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map });
+        }
         // 2fᵀCf = Σ fᵢ (2Cf)ᵢ, the bracket being the derivative of ∂I/∂xᵢ.
         let mut twice = Polynomial::zero();
         for (variable, slope) in integral.gradient(|variable| self.symbols.is_state(variable)) {

@@ -2,6 +2,7 @@
 //! − t f′) is even in t.
 
 use kahan_algebra::field::Field;
+use kahan_algebra::modified_integrals::{ModifiedIntegral, Rule, modified_integrals};
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
@@ -37,6 +38,31 @@ pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
             sample.map.determinant(&point, t) == sample.map.determinant(&point, modulus.opposite(t))
         })
     })
+}
+
+/// In so many variables all integrals of degree 2 are found within seconds.
+const FEW_VARIABLES: usize = 10;
+
+/// Integrals P/Q of the map that the field shows by linear algebra alone.
+pub(crate) struct ByRules {
+    /// Those to be taken before all others.
+    pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
+    /// Those by rotation of a field in few variables: others of their degree, which may have one
+    /// denominator, come before them.
+    pub(crate) later: Vec<(Polynomial, Polynomial)>,
+}
+
+/// The integrals of the map by the rules of polarisation and rotation, at the ε that is fixed.
+pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
+    let has_few = field.dimension() <= FEW_VARIABLES;
+    let is_later = |found: &ModifiedIntegral| has_few && found.rule != Rule::Polarisation;
+    let (later, at_once): (Vec<_>, Vec<_>) = modified_integrals(field).into_iter().partition(is_later);
+    let sides = |found: ModifiedIntegral| {
+        let [above, below] = [found.of_map.numerator(), found.of_map.denominator()];
+        (searched.at_eps(above.clone()), searched.at_eps(below.clone()))
+    };
+    let [at_once, later] = [at_once, later].map(|found| found.into_iter().map(sides).collect());
+    ByRules { at_once, later }
 }
 
 /// Polynomial integrals of the flow ẋ = f(x).
