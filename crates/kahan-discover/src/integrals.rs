@@ -34,8 +34,8 @@ pub struct Aims<'a> {
     /// Integrals P/Q that are known beforehand.
     pub kept: &'a [(Polynomial, Polynomial)],
     /// Integrals P/Q that are known, too, each to be taken unless others are found up to its
-    /// degree.
-    pub further: &'a [(Polynomial, Polynomial)],
+    /// degree, and in any case before this deadline.
+    pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
     /// How many there are, and in which degrees orbits show them; without it nothing is looked for.
     pub hilbert: Option<&'a Hilbert>,
     /// An integral P/Q that need not be looked for, kept unless others are found below its degree.
@@ -60,7 +60,7 @@ pub fn integrals(
         claims,
         wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.proved.len() + aims.kept.len()),
         known: aims.known,
-        further: aims.further,
+        further: aims.further.0,
         step: searched.step(random),
         independent: Independent::new(searched, random),
         tell: aims.tell,
@@ -75,9 +75,12 @@ pub fn integrals(
     if let Some(hilbert) = aims.hilbert.filter(|_| !collector.is_done()) {
         collector.search(hilbert, aims.reach, random, deadline);
     }
-    // They are integrals, however many orbits show.
-    collector.wanted = usize::MAX;
-    collector.offer_further(u32::MAX);
+    let (further, end) = aims.further;
+    if !further.is_empty() && !end.passed() {
+        // They are integrals, however many orbits show.
+        collector.wanted = usize::MAX;
+        collector.offer_further(u32::MAX);
+    }
     collector.formulas
 }
 

@@ -92,7 +92,7 @@ pub(crate) fn discover_within(
 
     begins("linear and quadratic integrals of the flow");
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
-    let ByRules { at_once, later } = by_rules(&searched, &fixed.field);
+    let rules = if for_flow.passed() { ByRules::default() } else { by_rules(&searched, &fixed.field) };
     let tell_if_short = |formula: &Formula| {
         if formula.text.len() <= MOST_CHARACTERS {
             tell(formula.kind, &formula.text);
@@ -100,8 +100,8 @@ pub(crate) fn discover_within(
     };
     let aims = Aims {
         proved: &[],
-        kept: &at_once,
-        further: &[],
+        kept: &rules.at_once,
+        further: (&[], &for_flow),
         hilbert: None,
         known: None,
         reach: Reach::SHORT,
@@ -147,7 +147,7 @@ pub(crate) fn discover_within(
         modified: modified.as_ref(),
         proved: &proved,
         kept: &kept,
-        further: &later,
+        further: &rules.later,
         is_even: structure.is_even,
         place: &place,
         begins: &begins,
@@ -340,7 +340,7 @@ impl Search<'_> {
         let aims = Aims {
             proved: self.proved,
             kept: self.kept,
-            further: self.further,
+            further: (self.further, &until.end),
             hilbert,
             known: self.modified,
             reach,

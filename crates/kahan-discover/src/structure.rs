@@ -44,18 +44,23 @@ pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
 const FEW_VARIABLES: usize = 10;
 
 /// Integrals P/Q of the map that the field shows by linear algebra alone.
+#[derive(Default)]
 pub(crate) struct ByRules {
     /// Those to be taken before all others.
     pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
-    /// Those by rotation of a field in few variables: others of their degree, which may have one
-    /// denominator, come before them.
+    /// Those of a field in few variables by rotation, and of a linear field: others of their degree
+    /// come before them, which may have one denominator.
     pub(crate) later: Vec<(Polynomial, Polynomial)>,
 }
 
 /// The integrals of the map by the rules of polarisation and rotation, at the ε that is fixed.
 pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
     let has_few = field.dimension() <= FEW_VARIABLES;
-    let is_later = |found: &ModifiedIntegral| has_few && found.rule != Rule::Polarisation;
+    let is_linear = (0..field.dimension()).all(|i| field.homogeneous_part(i, 2).is_zero());
+    let is_later = |found: &ModifiedIntegral| {
+        has_few
+            && (is_linear && field.symbols.degree(&found.of_flow) == 2 || found.rule != Rule::Polarisation)
+    };
     let (later, at_once): (Vec<_>, Vec<_>) = modified_integrals(field).into_iter().partition(is_later);
     let sides = |found: ModifiedIntegral| {
         let [above, below] = [found.of_map.numerator(), found.of_map.denominator()];
