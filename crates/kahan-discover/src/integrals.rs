@@ -31,8 +31,8 @@ const CHEAP: usize = 100;
 pub struct Aims<'a> {
     /// Integrals that are proved already, independent.
     pub proved: &'a [Formula],
-    /// Integrals P/Q that are known beforehand.
-    pub kept: &'a [(Polynomial, Polynomial)],
+    /// Integrals that are known beforehand.
+    pub kept: &'a [Polynomial],
     /// Integrals P/Q that are known, too, each to be taken unless others are found up to its
     /// degree, and in any case before this deadline.
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
@@ -69,8 +69,8 @@ pub fn integrals(
     for Formula { numerator, denominator, .. } in aims.proved {
         collector.independent.keep(numerator, denominator);
     }
-    for (above, below) in aims.kept {
-        collector.offer(above.clone(), below.clone());
+    for kept in aims.kept {
+        collector.offer_one(kept.clone(), Polynomial::one());
     }
     if let Some(hilbert) = aims.hilbert.filter(|_| !collector.is_done()) {
         collector.search(hilbert, aims.reach, random, deadline);

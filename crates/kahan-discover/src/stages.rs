@@ -93,21 +93,10 @@ pub(crate) fn discover_within(
     begins("linear and quadratic integrals of the flow");
     let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
     let rules = if for_flow.passed() { ByRules::default() } else { by_rules(&searched, &fixed.field) };
-    let tell_if_short = |formula: &Formula| {
-        if formula.text.len() <= MOST_CHARACTERS {
-            tell(formula.kind, &formula.text);
-        }
-    };
-    let aims = Aims {
-        proved: &[],
-        kept: &rules.at_once,
-        further: (&[], &for_flow),
-        hilbert: None,
-        known: None,
-        reach: Reach::SHORT,
-        tell: &tell_if_short,
-    };
-    let proved = integrals(&searched, &claims, &aims, &mut random.clone(), &for_flow);
+    let proved = rules.proved(&searched, &claims, &mut random.clone());
+    for formula in proved.iter().filter(|formula| formula.text.len() <= MOST_CHARACTERS) {
+        tell(formula.kind, &formula.text);
+    }
     let of_flow = flow_integrals(&searched, 2, random, &for_flow);
 
     begins("degrees of iterates");
@@ -137,7 +126,6 @@ pub(crate) fn discover_within(
     let place = sample.step(random).ok_or(DiscoverError::NoMap)?;
     let kept = of_flow.kept(&searched, random);
     structure.kept = kept.len();
-    let kept: Vec<_> = kept.into_iter().map(|kept| (kept, Polynomial::one())).collect();
 
     let search = Search {
         searched: &searched,
@@ -272,7 +260,7 @@ struct Search<'a> {
     /// Integrals of the map that the field shows at once, proved.
     proved: &'a [Formula],
     /// Integrals of the flow that the map keeps.
-    kept: &'a [(Polynomial, Polynomial)],
+    kept: &'a [Polynomial],
     /// Integrals of the map by the rotation rule.
     further: &'a [(Polynomial, Polynomial)],
     is_even: bool,

@@ -7,6 +7,7 @@ use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
 
+use crate::claims::{Claims, Formula};
 use crate::deadline::Deadline;
 use crate::independent::Independent;
 use crate::map::ModularMap;
@@ -68,6 +69,30 @@ pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
     };
     let [at_once, later] = [at_once, later].map(|found| found.into_iter().map(sides).collect());
     ByRules { at_once, later }
+}
+
+impl ByRules {
+    /// Those to be taken before all others, independent ones.
+    pub(crate) fn proved(
+        &self,
+        searched: &SearchField,
+        claims: &Claims<'_>,
+        random: &mut SplitMix64,
+    ) -> Vec<Formula> {
+        let symbols = searched.family().symbols();
+        let mut independent = Independent::new(searched, random);
+        let mut proved: Vec<Formula> = Vec::new();
+        for (above, below) in &self.at_once {
+            if independent.admits(above, below) {
+                let [above, below] = [above, below].map(|side| tidy(symbols, side));
+                if let Some(formula) = claims.integral_by_theorem(symbols, proved.len() + 1, &above, &below) {
+                    independent.keep(&above, &below);
+                    proved.push(formula);
+                }
+            }
+        }
+        proved
+    }
 }
 
 /// Polynomial integrals of the flow ẋ = f(x).
