@@ -58,7 +58,7 @@ pub fn integrals(
     let mut collector = Collector {
         searched,
         claims,
-        wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.proved.len() + aims.kept.len()),
+        wanted: usize::MAX,
         known: aims.known,
         further: aims.further.0,
         step: searched.step(random),
@@ -72,6 +72,7 @@ pub fn integrals(
     for kept in aims.kept {
         collector.offer_one(kept.clone(), Polynomial::one());
     }
+    collector.wanted = aims.hilbert.map_or(0, |hilbert| hilbert.integrals);
     if let Some(hilbert) = aims.hilbert.filter(|_| !collector.is_done()) {
         collector.search(hilbert, aims.reach, random, deadline);
     }
