@@ -66,6 +66,7 @@ const ALGEBRA: Layered = Layered {
         "kept",
         "plan",
         "relations",
+        "modified_integrals",
         "system",
         "variational",
         "elimination",

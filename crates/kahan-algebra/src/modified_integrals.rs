@@ -41,12 +41,12 @@ const MOST_WORK: u64 = 4_000_000;
 pub enum Rule {
     /// I = a·x + xᵀCx with Cf affine keeps I − ε² fᵀCf.
     ///
-    /// For linear I this is I itself. *Relations*: with w = x² and ẋ = y, w − x² + ε²y² is kept,
+    /// For linear I this is I itself, and I itself is kept where f is linear. *Relations*: with w = x² and ẋ = y, w − x² + ε²y² is kept,
     /// whatever ẏ is. *Energy*: with ẋ = p, ṗ = −F and Ẇ = F·p, where W stands for a potential and
     /// F for its gradient, |p|²/2 + W − ε²|F|²/2 is kept, whatever the equations of F are.
     Polarisation,
     /// ẏ = m N y with N² = −δ, δ > 0, keeps yᵀQy/(1 + ε²δm²). For ṡ = αcm, ċ = −βsm this is
-    /// (βs² + αc²)/(1 + ε²αβm²), whatever ṁ is.
+    /// (βs² + αc²)/(1 + ε²αβm²), whatever ṁ is; where m is constant along orbits, I itself.
     Rotation,
     /// Like [`Rotation`](Rule::Rotation) with δ < 0: for ṡ = κsm, ẇ = −κwm it is
     /// sw/(1 − ε²κ²m²). The sign of a δ with parameters is that of its leading coefficient.
@@ -339,6 +339,11 @@ impl<'a> Flow<'a> {
     /// I − ε² fᵀCf.
     fn polarised(&self, integral: &Polynomial, budget: &mut Budget) -> Result<ModifiedIntegral, No> {
         self.check(integral, budget)?;
+        // Of a linear field the map is the midpoint rule, which keeps I itself.
+        if self.components.iter().all(|component| self.symbols.degree(component) < 2) {
+            let of_map = integral.clone().into();
+            return Ok(ModifiedIntegral { rule: Rule::Polarisation, of_flow: integral.clone(), of_map });
+        }
         // 2fᵀCf = Σ fᵢ (2Cf)ᵢ, the bracket being the derivative of ∂I/∂xᵢ.
         let mut twice = Polynomial::zero();
         for (variable, slope) in integral.gradient(|variable| self.symbols.is_state(variable)) {
@@ -403,6 +408,12 @@ impl<'a> Flow<'a> {
         let centred = integral.mul_within(&twice, budget)?.add_within(&-&rest[0], budget)?;
         let centred = RationalFunction::new_within(centred, twice, budget)?.expect("δ is not 0");
         let of_flow = centred.numerator().clone();
+        let (_, leading) = above.leading_term().expect("δ is not 0");
+        let rule = if leading.is_negative() { Rule::Hyperbolic } else { Rule::Rotation };
+        // Where m is an integral, so is 1 + ε²δm².
+        if self.along(&multiplier, &self.components, budget)?.is_zero() {
+            return Ok(ModifiedIntegral { rule, of_map: of_flow.clone().into(), of_flow });
+        }
         let eps = symbols.epsilon();
         let squared = [Polynomial::variable(eps), multiplier].map(|factor| &factor * &factor);
         let scale = self.divisor.mul_within(&self.divisor, budget)?.mul_within(below, budget)?;
@@ -410,12 +421,7 @@ impl<'a> Flow<'a> {
         let factor = RationalFunction::new_within(scale.add_within(&turning, budget)?, scale, budget)?;
         let of_map = RationalFunction::from(of_flow.clone())
             .div_within(&factor.expect("a divisor is not zero"), budget)?;
-        let (_, leading) = above.leading_term().expect("δ is not 0");
-        Ok(ModifiedIntegral {
-            rule: if leading.is_negative() { Rule::Hyperbolic } else { Rule::Rotation },
-            of_flow,
-            of_map: of_map.expect("1 + ε²δm² is not zero"),
-        })
+        Ok(ModifiedIntegral { rule, of_flow, of_map: of_map.expect("1 + ε²δm² is not zero") })
     }
 
     /// Whether a polynomial is an integral of the flow that a theorem could speak of.

@@ -1,20 +1,26 @@
 //! Formulas as claims in the language of `kahan!`: written, read again, and proved.
 //!
 //! What is printed is what was proved: the text of the claim is parsed behind the equations of the
-//! field and goes through the prover of claims. A formula that does not pass is not returned.
+//! field and goes through the prover of claims, or states exactly a formula that a theorem proves. A
+//! formula that does not pass is not returned.
 
 use std::slice::from_ref;
 
-use kahan_algebra::poly::Polynomial;
+use kahan_algebra::arithmetic::{Arithmetic, Function, Functions};
+use kahan_algebra::poly::{Budget, Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_algebra::render::{Formulas, Text};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
-use kahan_algebra::{lexer, read};
+use kahan_algebra::{lexer, read, read_unproved};
 
 use crate::writing::{is_product, quotient, state_factors};
+
+/// What comparing a formula with its text may cost.
+const MOST_TERMS: usize = 100_000;
+const MOST_WORK: u64 = 10_000_000;
 
 /// What densities are called.
 const DENSITY: &str = "rho";
@@ -133,11 +139,53 @@ impl<'a> Claims<'a> {
         denominator: &Polynomial,
         by: &[Polynomial],
     ) -> Option<Formula> {
+        let formula = self.written(symbols, index, numerator, denominator, by);
+        self.is_proved(&formula.text).then_some(formula)
+    }
+
+    /// The claim that numerator/denominator is an integral, which a theorem proves; `None` where
+    /// the text, read again, would say something else. A proof would take minutes in hundreds of
+    /// variables.
+    pub(crate) fn integral_by_theorem(
+        &self,
+        symbols: &Symbols,
+        index: usize,
+        numerator: &Polynomial,
+        denominator: &Polynomial,
+    ) -> Option<Formula> {
+        let formula = self.written(symbols, index, numerator, denominator, &[]);
+        let reading = read_unproved(&lexer::lex(&format!("{} {}", self.equations, formula.text)).tokens);
+        let system = reading.system().ok()?;
+        let own = |name: &str| {
+            let mut all = (0..symbols.count()).map(|index| Variable(index as u16));
+            all.find(|&variable| symbols.name(variable) == name)
+        };
+        let value = |variable: Variable| {
+            let own = own(&system.field.symbols.name(variable));
+            own.map_or(Function::TooLarge, |own| Function::polynomial(Polynomial::variable(own)))
+        };
+        let functions = Functions::new(Budget::new(MOST_TERMS, MOST_WORK));
+        let stated = system.claims.last()?.plan.evaluate(&functions, value).pop()??;
+        let [above, below] = [numerator, denominator].map(|side| Function::polynomial(side.clone()));
+        let meant = functions.divide(&above, &below)?;
+        let is_stated = [functions.subtract(&stated, &meant), functions.add(&stated, &meant)]
+            .iter()
+            .any(|difference| functions.is_zero(difference));
+        is_stated.then_some(formula)
+    }
+
+    fn written(
+        &self,
+        symbols: &Symbols,
+        index: usize,
+        numerator: &Polynomial,
+        denominator: &Polynomial,
+        by: &[Polynomial],
+    ) -> Formula {
         let value = unsigned(quotient(symbols, from_ref(numerator), from_ref(denominator), by));
         let text = format!("integral {} = {value}{};", self.name("H", Some(index)), self.condition);
-        let formula = self.proved(symbols, ClaimKind::Integral, text, numerator, denominator)?;
         let factors = [numerator, denominator].map(|side| state_factors(symbols, side)).concat();
-        Some(Formula { factors, ..formula })
+        formula(symbols, ClaimKind::Integral, text, numerator, denominator, factors)
     }
 
     /// The claim that ∏ factorᵏ is an invariant density, if it is proved; written as integrals are.
@@ -159,7 +207,9 @@ impl<'a> Claims<'a> {
         let text = format!("density {} = {value}{};", self.name(DENSITY, index), self.condition);
         let product =
             |side: &[Polynomial]| side.iter().fold(Polynomial::one(), |product, factor| &product * factor);
-        self.proved(symbols, ClaimKind::Density, text, &product(&above), &product(&below))
+        self.is_proved(&text).then(|| {
+            formula(symbols, ClaimKind::Density, text, &product(&above), &product(&below), Vec::new())
+        })
     }
 
     /// The entries of a bracket in factors, as they stand in a claim; `tensor` has those above the
@@ -184,27 +234,18 @@ impl<'a> Claims<'a> {
     pub(crate) fn is_proved(&self, text: &str) -> bool {
         read(&lexer::lex(&format!("{} {text}", self.equations)).tokens).diagnostics().is_empty()
     }
+}
 
-    fn proved(
-        &self,
-        symbols: &Symbols,
-        kind: ClaimKind,
-        text: String,
-        numerator: &Polynomial,
-        denominator: &Polynomial,
-    ) -> Option<Formula> {
-        if !self.is_proved(&text) {
-            return None;
-        }
-        Some(Formula {
-            kind,
-            text,
-            degree: symbols.degree(numerator).max(symbols.degree(denominator)),
-            numerator: numerator.clone(),
-            denominator: denominator.clone(),
-            factors: Vec::new(),
-        })
-    }
+fn formula(
+    symbols: &Symbols,
+    kind: ClaimKind,
+    text: String,
+    numerator: &Polynomial,
+    denominator: &Polynomial,
+    factors: Vec<Polynomial>,
+) -> Formula {
+    let degree = symbols.degree(numerator).max(symbols.degree(denominator));
+    Formula { kind, text, degree, numerator: numerator.clone(), denominator: denominator.clone(), factors }
 }
 
 /// Without the sign in front of a product: what is conserved is so with the other sign, too.

@@ -22,6 +22,7 @@ pub(crate) struct Collector<'a> {
     pub(crate) claims: &'a Claims<'a>,
     pub(crate) wanted: usize,
     pub(crate) known: Option<&'a (Polynomial, Polynomial)>,
+    pub(crate) further: &'a [(Polynomial, Polynomial)],
     /// A point and its image.
     pub(crate) step: Option<SampledStep>,
     pub(crate) independent: Independent<'a>,
@@ -48,14 +49,25 @@ impl Collector<'_> {
         }
     }
 
-    /// Keeps the integral that need not be looked for, if the search has come to its degree, or to
-    /// one that costs more than is to be gained.
+    /// Keeps the modified Hamiltonian, which need not be looked for, if the search has come to its
+    /// degree, or to one that costs more than is to be gained; and what is known of lower degrees.
     pub(crate) fn offer_known(&mut self, degree: u32) {
+        self.offer_further(degree);
         let symbols = self.searched.family().symbols();
         let Some((above, below)) = self.known else { return };
         let is_expensive = 2 * Monomials::count(self.searched.dimension(), degree) > MOST_AHEAD;
         if is_expensive || symbols.degree(above).max(symbols.degree(below)) <= degree {
             self.offer(above.clone(), below.clone());
+        }
+    }
+
+    /// Keeps the integrals that need not be looked for of degrees that the search has behind it.
+    pub(crate) fn offer_further(&mut self, degree: u32) {
+        let symbols = self.searched.family().symbols();
+        for (above, below) in self.further {
+            if symbols.degree(above).max(symbols.degree(below)) < degree {
+                self.offer(above.clone(), below.clone());
+            }
         }
     }
 

@@ -29,8 +29,13 @@ const CHEAP: usize = 100;
 
 /// What to look for.
 pub struct Aims<'a> {
+    /// Integrals that are proved already, independent.
+    pub proved: &'a [Formula],
     /// Integrals that are known beforehand.
-    pub kept: Vec<Polynomial>,
+    pub kept: &'a [Polynomial],
+    /// Integrals P/Q that are known, too, each to be taken unless others are found up to its
+    /// degree, and in any case before this deadline.
+    pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
     /// How many there are, and in which degrees orbits show them; without it nothing is looked for.
     pub hilbert: Option<&'a Hilbert>,
     /// An integral P/Q that need not be looked for, kept unless others are found below its degree.
@@ -53,18 +58,29 @@ pub fn integrals(
     let mut collector = Collector {
         searched,
         claims,
-        wanted: aims.hilbert.map_or(0, |hilbert| hilbert.integrals).max(aims.kept.len()),
+        wanted: usize::MAX,
         known: aims.known,
+        further: aims.further.0,
         step: searched.step(random),
         independent: Independent::new(searched, random),
         tell: aims.tell,
-        formulas: Vec::new(),
+        formulas: aims.proved.to_vec(),
     };
-    for kept in &aims.kept {
+    for Formula { numerator, denominator, .. } in aims.proved {
+        collector.independent.keep(numerator, denominator);
+    }
+    for kept in aims.kept {
         collector.offer_one(kept.clone(), Polynomial::one());
     }
+    collector.wanted = aims.hilbert.map_or(0, |hilbert| hilbert.integrals);
     if let Some(hilbert) = aims.hilbert.filter(|_| !collector.is_done()) {
         collector.search(hilbert, aims.reach, random, deadline);
+    }
+    let (further, end) = aims.further;
+    if !further.is_empty() && !end.passed() {
+        // They are integrals, however many orbits show.
+        collector.wanted = usize::MAX;
+        collector.offer_further(u32::MAX);
     }
     collector.formulas
 }

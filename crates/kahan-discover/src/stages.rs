@@ -35,7 +35,7 @@ use crate::search::Reach;
 use crate::search_field::{SampledStep, SearchField};
 use crate::space::tidy;
 use crate::stepping::Stepping;
-use crate::structure::{FlowIntegrals, divergence, flow_integrals, is_even};
+use crate::structure::{ByRules, FlowIntegrals, by_rules, divergence, flow_integrals, is_even};
 use crate::watch::{Progress, Watch};
 use crate::words::sentences;
 use crate::writing::factors_of;
@@ -91,6 +91,12 @@ pub(crate) fn discover_within(
     }
 
     begins("linear and quadratic integrals of the flow");
+    let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
+    let rules = if for_flow.passed() { ByRules::default() } else { by_rules(&searched, &fixed.field) };
+    let proved = rules.proved(&searched, &claims, &mut random.clone());
+    for formula in proved.iter().filter(|formula| formula.text.len() <= MOST_CHARACTERS) {
+        tell(formula.kind, &formula.text);
+    }
     let of_flow = flow_integrals(&searched, 2, random, &for_flow);
 
     begins("degrees of iterates");
@@ -110,7 +116,6 @@ pub(crate) fn discover_within(
     }
 
     begins("structure of the field");
-    let claims = Claims::new(system, &options.parameters, options.eps.as_ref());
     let mut structure = structure(&searched, &fixed, &of_flow, random);
     let hamiltonian =
         hamiltonian(&searched, random, &for_structure).filter(|found| found.holds(&fixed.field));
@@ -128,7 +133,9 @@ pub(crate) fn discover_within(
         claims: &claims,
         hamiltonian: hamiltonian.as_ref(),
         modified: modified.as_ref(),
+        proved: &proved,
         kept: &kept,
+        further: &rules.later,
         is_even: structure.is_even,
         place: &place,
         begins: &begins,
@@ -250,8 +257,12 @@ struct Search<'a> {
     hamiltonian: Option<&'a Hamiltonian>,
     /// The modified Hamiltonian written out, where it is not too long.
     modified: Option<&'a (Polynomial, Polynomial)>,
+    /// Integrals of the map that the field shows at once, proved.
+    proved: &'a [Formula],
     /// Integrals of the flow that the map keeps.
     kept: &'a [Polynomial],
+    /// Integrals of the map by the rotation rule.
+    further: &'a [(Polynomial, Polynomial)],
     is_even: bool,
     /// Where independence is seen.
     place: &'a SampledStep,
@@ -314,8 +325,15 @@ impl Search<'_> {
                 tell(formula);
             }
         };
-        let aims =
-            Aims { kept: self.kept.to_vec(), hilbert, known: self.modified, reach, tell: &tell_if_short };
+        let aims = Aims {
+            proved: self.proved,
+            kept: self.kept,
+            further: (self.further, &until.end),
+            hilbert,
+            known: self.modified,
+            reach,
+            tell: &tell_if_short,
+        };
         let mut all_integrals = integrals(searched, self.claims, &aims, random, &until.integrals);
         let modified_is_proved = self.add_modified(&mut all_integrals, random);
         // Each but the modified Hamiltonian was told; none is told twice.

@@ -2,10 +2,12 @@
 //! − t f′) is even in t.
 
 use kahan_algebra::field::Field;
+use kahan_algebra::modified_integrals::{ModifiedIntegral, Rule, modified_integrals};
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
 
+use crate::claims::{Claims, Formula};
 use crate::deadline::Deadline;
 use crate::independent::Independent;
 use crate::map::ModularMap;
@@ -37,6 +39,60 @@ pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
             sample.map.determinant(&point, t) == sample.map.determinant(&point, modulus.opposite(t))
         })
     })
+}
+
+/// In so many variables all integrals of degree 2 are found within seconds.
+const FEW_VARIABLES: usize = 10;
+
+/// Integrals P/Q of the map that the field shows by linear algebra alone.
+#[derive(Default)]
+pub(crate) struct ByRules {
+    /// Those to be taken before all others.
+    pub(crate) at_once: Vec<(Polynomial, Polynomial)>,
+    /// Those of a field in few variables by rotation, and of a linear field: others of their degree
+    /// come before them, which may have one denominator.
+    pub(crate) later: Vec<(Polynomial, Polynomial)>,
+}
+
+/// The integrals of the map by the rules of polarisation and rotation, at the ε that is fixed.
+pub(crate) fn by_rules(searched: &SearchField, field: &Field) -> ByRules {
+    let has_few = field.dimension() <= FEW_VARIABLES;
+    let is_linear = (0..field.dimension()).all(|i| field.homogeneous_part(i, 2).is_zero());
+    let is_later = |found: &ModifiedIntegral| {
+        has_few
+            && (is_linear && field.symbols.degree(&found.of_flow) == 2 || found.rule != Rule::Polarisation)
+    };
+    let (later, at_once): (Vec<_>, Vec<_>) = modified_integrals(field).into_iter().partition(is_later);
+    let sides = |found: ModifiedIntegral| {
+        let [above, below] = [found.of_map.numerator(), found.of_map.denominator()];
+        (searched.at_eps(above.clone()), searched.at_eps(below.clone()))
+    };
+    let [at_once, later] = [at_once, later].map(|found| found.into_iter().map(sides).collect());
+    ByRules { at_once, later }
+}
+
+impl ByRules {
+    /// Those to be taken before all others, independent ones.
+    pub(crate) fn proved(
+        &self,
+        searched: &SearchField,
+        claims: &Claims<'_>,
+        random: &mut SplitMix64,
+    ) -> Vec<Formula> {
+        let symbols = searched.family().symbols();
+        let mut independent = Independent::new(searched, random);
+        let mut proved: Vec<Formula> = Vec::new();
+        for (above, below) in &self.at_once {
+            if independent.admits(above, below) {
+                let [above, below] = [above, below].map(|side| tidy(symbols, side));
+                if let Some(formula) = claims.integral_by_theorem(symbols, proved.len() + 1, &above, &below) {
+                    independent.keep(&above, &below);
+                    proved.push(formula);
+                }
+            }
+        }
+        proved
+    }
 }
 
 /// Polynomial integrals of the flow ẋ = f(x).
