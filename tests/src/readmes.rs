@@ -27,6 +27,9 @@ struct Algebra;
 #[doc = include_str!("../../crates/kahan-factor/README.md")]
 struct Factor;
 
+#[doc = include_str!("../../crates/kahan-lift/README.md")]
+struct Lift;
+
 #[doc = include_str!("../../crates/kahan-latex/README.md")]
 struct Latex;
 

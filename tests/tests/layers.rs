@@ -102,7 +102,17 @@ const PLAN: Layered = Layered {
 };
 
 /// All of them.
-const ALL: [Layered; 6] = [CORE, SYNTAX, ALGEBRA, PLAN, DRAW, COMMAND];
+const ALL: [Layered; 7] = [CORE, SYNTAX, ALGEBRA, PLAN, LIFT, DRAW, COMMAND];
+
+const LIFT: Layered = Layered {
+    folder: "crates/kahan-lift",
+    name: "kahan_lift",
+    module: None,
+    layers: &[
+        "laurent", "ring", "read", "equations", "table", "search", "linear", "energy", "quadratic", "numeric",
+        "exact", "stability", "names", "lift",
+    ],
+};
 
 const COMMAND: Layered = Layered {
     folder: "crates/kahan-cli",
