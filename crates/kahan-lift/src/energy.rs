@@ -37,22 +37,48 @@ impl Mechanical {
         let [positions, momenta] = positions_and_momenta(ring)?;
         // The partial derivatives by the positions are derivatives along constant fields.
         let partials: Vec<Ring> = positions.iter().map(|&position| along(ring, position)).collect();
-        let moves: Vec<RationalFunction> = (0..positions.len())
-            .map(|i| ring.field[positions[i]].coefficient(&Monomial::power(momenta[i], 1)))
+        let velocity = |position: usize, momentum: usize| {
+            ring.field[position].coefficient(&Monomial::power(momentum, 1))
+        };
+        let moves: Matrix = positions
+            .iter()
+            .map(|&position| momenta.iter().map(|&momentum| velocity(position, momentum)).collect())
             .collect();
-        let kinetic = kinetic_energy(ring, &partials, &momenta, &moves)?;
-        let slopes: Vec<Laurent> = (0..positions.len())
-            .map(|i| {
-                let mut slope = Laurent::zero();
-                for (factor, &momentum) in kinetic[i].iter().zip(&momenta) {
-                    slope.add_scaled(&ring.field[momentum], &-factor);
+        let inverse = inverse_transpose(&moves)?;
+        let kinetic = kinetic_energy(ring, &partials, &momenta, &moves, &inverse)?;
+        // ∇V = −A⁻ᵀ S G.
+        let slope = |row: &Vec<RationalFunction>| {
+            let mut slope = Laurent::zero();
+            for (factor, kinetic) in row.iter().zip(&kinetic) {
+                for (entry, &momentum) in kinetic.iter().zip(&momenta) {
+                    slope.add_scaled(&ring.field[momentum], &-&(factor * entry));
                 }
-                slope.scale(&RationalFunction::one().checked_div(&moves[i]).expect("a velocity is not 0"))
-            })
-            .collect();
+            }
+            slope
+        };
+        let slopes: Vec<Laurent> = inverse.iter().map(slope).collect();
         let potential = antiderivative(ring, &partials, &positions, &slopes);
         Some(Mechanical { momenta, kinetic, potential })
     }
+}
+
+/// A matrix, row by row.
+type Matrix = Vec<Vec<RationalFunction>>;
+
+/// A⁻ᵀ; `None` if A is singular.
+fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
+    let n = matrix.len();
+    let rows = |i: usize| {
+        // A row b of A⁻ᵀ has A b = e_i.
+        let unit = |k: usize| if k == i { -&RationalFunction::one() } else { RationalFunction::zero() };
+        let rows = matrix.iter().enumerate().map(|(k, row)| [&row[..], &[unit(k)]].concat()).collect();
+        let mut solutions = null_space(rows, n + 1);
+        let mut solution = solutions.pop().filter(|_| solutions.is_empty())?;
+        let last = solution.pop().filter(|last| *last == RationalFunction::one());
+        last.map(|_| solution)
+    };
+    let columns: Matrix = (0..n).map(rows).collect::<Option<_>>()?;
+    Some(columns)
 }
 
 /// The states that a polynomial depends on, also through functions.
@@ -69,40 +95,37 @@ fn dependencies(ring: &Ring, polynomial: &Laurent, into: &mut BTreeSet<usize>) {
     }
 }
 
-/// Positions, each of which moves by a constant multiple of one momentum, and these momenta, whose
-/// derivatives depend on positions only.
+/// Positions, whose derivatives are linear in momenta, and as many momenta, whose derivatives depend
+/// on positions only.
 fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
     let states = ring.field.len();
-    let uses: Vec<BTreeSet<usize>> = ring
-        .field
-        .iter()
-        .map(|side| {
-            let mut uses = BTreeSet::new();
-            dependencies(ring, side, &mut uses);
-            uses
-        })
-        .collect();
-    let moved_by = |state: usize| {
-        let (monomial, _) = ring.field[state].terms().next().filter(|_| ring.field[state].len() == 1)?;
-        let momentum = (0..states).find(|&other| *monomial == Monomial::power(other, 1))?;
-        (momentum != state).then_some(momentum)
+    let uses = |state: usize| {
+        let mut uses = BTreeSet::new();
+        dependencies(ring, &ring.field[state], &mut uses);
+        uses
     };
-    // A state that moves by one momentum is a position unless it is a momentum itself.
+    let moved_by = |state: usize| -> Option<Vec<usize>> {
+        let terms = ring.field[state].terms().map(|(monomial, _)| {
+            (0..states).find(|&other| other != state && *monomial == Monomial::power(other, 1))
+        });
+        terms.rev().collect::<Option<Vec<usize>>>().filter(|by| !by.is_empty())
+    };
+    // A state that moves by momenta is a position unless it is a momentum itself.
     let mut positions: Vec<usize> = Vec::new();
     let mut momenta: Vec<usize> = Vec::new();
     for state in 0..states {
-        if let Some(momentum) = moved_by(state)
-            && !momenta.contains(&state)
-            && !momenta.contains(&momentum)
-            && !positions.contains(&momentum)
-        {
+        let Some(by) = moved_by(state).filter(|_| !momenta.contains(&state)) else { continue };
+        if by.iter().all(|momentum| !positions.contains(momentum)) {
             positions.push(state);
-            momenta.push(momentum);
+            momenta.extend(by);
         }
     }
-    let is_mechanical = positions.len() * 2 == states
+    momenta.sort_unstable();
+    momenta.dedup();
+    let is_mechanical = positions.len() == momenta.len()
+        && positions.len() * 2 == states
         && !positions.is_empty()
-        && momenta.iter().all(|&momentum| uses[momentum].iter().all(|state| positions.contains(state)));
+        && momenta.iter().all(|&momentum| uses(momentum).iter().all(|state| positions.contains(state)));
     is_mechanical.then_some([positions, momenta])
 }
 
@@ -114,63 +137,56 @@ fn along(ring: &Ring, state: usize) -> Ring {
     ring
 }
 
-/// A symmetric matrix S for which −A⁻ᵀSG is a gradient: A itself, else a diagonal matrix, else any.
+/// A symmetric matrix S for which −A⁻ᵀSG is a gradient: A itself if it is symmetric, else a diagonal
+/// matrix, else any.
 fn kinetic_energy(
     ring: &Ring,
     partials: &[Ring],
     momenta: &[usize],
-    moves: &[RationalFunction],
-) -> Option<Vec<Vec<RationalFunction>>> {
+    moves: &Matrix,
+    inverse: &Matrix,
+) -> Option<Matrix> {
     let n = momenta.len();
     // slopes[k][l] = ∂G_k/∂x_l.
     let slopes: Vec<Vec<Laurent>> = momenta
         .iter()
         .map(|&momentum| partials.iter().map(|along| along.derivative(&ring.field[momentum])).collect())
         .collect();
-    let shapes: [Vec<(usize, usize)>; 2] =
-        [(0..n).map(|i| (i, i)).collect(), (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect()];
-    let inverse: Vec<RationalFunction> = moves
-        .iter()
-        .map(|factor| RationalFunction::one().checked_div(factor).expect("a velocity is not 0"))
-        .collect();
-    for shape in shapes {
-        let mut rows: Vec<Vec<RationalFunction>> = Vec::new();
+    let diagonal: Vec<(usize, usize)> = (0..n).map(|i| (i, i)).collect();
+    let symmetric: Vec<(usize, usize)> = (0..n).flat_map(|i| (i..n).map(move |k| (i, k))).collect();
+    for (shape, is_own) in [(&symmetric, true), (&diagonal, false), (&symmetric, false)] {
+        // With B = A⁻ᵀ: Σ B_ij s_jk ∂G_k/∂x_l = Σ B_lj s_jk ∂G_k/∂x_i for i < l.
+        let mut rows: Matrix = Vec::new();
         for i in 0..n {
             for l in i + 1..n {
-                // (1/a_i) Σ s_ik ∂G_k/∂x_l = (1/a_l) Σ s_lk ∂G_k/∂x_i.
-                let mut columns: Vec<Laurent> = vec![Laurent::zero(); shape.len()];
-                for (column, &(first, second)) in columns.iter_mut().zip(&shape) {
-                    let mut add = |row: usize, k: usize| {
-                        if row == i {
-                            column.add_scaled(&slopes[k][l], &inverse[i]);
-                        }
-                        if row == l {
-                            column.add_scaled(&slopes[k][i], &-&inverse[l]);
-                        }
+                let column = |&(first, second): &(usize, usize)| {
+                    let mut column = Laurent::zero();
+                    let mut add = |j: usize, k: usize| {
+                        column.add_scaled(&slopes[k][l], &inverse[i][j]);
+                        column.add_scaled(&slopes[k][i], &-&inverse[l][j]);
                     };
                     add(first, second);
                     if first != second {
                         add(second, first);
                     }
-                }
-                rows.extend(coefficient_rows(&columns));
+                    column
+                };
+                rows.extend(coefficient_rows(&shape.iter().map(column).collect::<Vec<_>>()));
             }
         }
-        let solutions = null_space(rows.clone(), shape.len());
-        let own: Vec<RationalFunction> = shape
-            .iter()
-            .map(|&(i, k)| if i == k { moves[i].clone() } else { RationalFunction::zero() })
-            .collect();
-        let sum = solutions.iter().fold(vec![RationalFunction::zero(); shape.len()], |sum, next| {
-            sum.iter().zip(next).map(|(a, b)| a + b).collect()
-        });
-        for vector in [own, sum] {
+        let vector = if is_own {
+            Some(shape.iter().map(|&(i, k)| moves[i][k].clone()).collect())
+        } else {
+            let add = |sum: Vec<_>, next: Vec<_>| sum.iter().zip(&next).map(|(a, b)| a + b).collect();
+            null_space(rows.clone(), shape.len()).into_iter().reduce(add)
+        };
+        if let Some(vector) = vector {
             let holds = rows.iter().all(|row| {
                 let terms = row.iter().zip(&vector).map(|(a, b)| a * b);
                 terms.fold(RationalFunction::zero(), |sum, term| &sum + &term).is_zero()
             });
             let mut matrix = vec![vec![RationalFunction::zero(); n]; n];
-            for (value, &(i, k)) in vector.iter().zip(&shape) {
+            for (value, &(i, k)) in vector.iter().zip(shape) {
                 matrix[i][k] = value.clone();
                 matrix[k][i] = value.clone();
             }

@@ -143,7 +143,7 @@ fn orders_are_at_most_those_of_the_literature() {
 }
 
 /// Mechanical systems: the text, and whether every relation is kept as well.
-const MECHANICAL: [&str; 10] = [
+const MECHANICAL: [&str; 12] = [
     "x' = v; v' = -g*sin(x)",
     "x' = p; p' = x - x^3",
     "x' = p; p' = -2*a*D*(exp(-a*x) - exp(-2*a*x))",
@@ -154,6 +154,8 @@ const MECHANICAL: [&str; 10] = [
     "x1' = p1; x2' = p2; x3' = p3; p1' = x2 - 2*x1 - sin(x1); p2' = x1 + x3 - 2*x2 - sin(x2); p3' = x2 - 2*x3 - sin(x3)",
     "q1' = p1; q2' = p2; q3' = p3; p1' = exp(q3 - q1) - exp(q1 - q2); p2' = exp(q1 - q2) - exp(q2 - q3); p3' = exp(q2 - q3) - exp(q3 - q1)",
     "x' = p/m1; y' = q/m2; p' = -sin(x - y); q' = sin(x - y) - k*y",
+    "x' = 2*p + q; y' = p + 3*q; p' = -sin(x); q' = -y^3",
+    "x' = v; y' = u; v' = -2*sin(x) + y^3; u' = sin(x) - y^3",
 ];
 
 #[test]
