@@ -42,8 +42,9 @@ pub enum Rule {
     /// I = a·x + xᵀCx with Cf affine keeps I − ε² fᵀCf.
     ///
     /// For linear I this is I itself, and where f is linear I itself is kept. *Relations*: with
-    /// w = x² and ẋ = y, w − x² + ε²y² is kept, whatever ẏ is. *Energy*: with ẋ = p, ṗ = −F and Ẇ = F·p, where W stands for a potential and
-    /// F for its gradient, |p|²/2 + W − ε²|F|²/2 is kept, whatever the equations of F are.
+    /// w = x² and ẋ = y, w − x² + ε²y² is kept, whatever ẏ is. *Energy*: with ẋ = p, ṗ = −F and
+    /// Ẇ = F·p, where W stands for a potential and F for its gradient, |p|²/2 + W − ε²|F|²/2 is
+    /// kept, whatever the equations of F are.
     Polarisation,
     /// ẏ = m N y with N² = −δ, δ > 0, keeps yᵀQy/(1 + ε²δm²). For ṡ = αcm, ċ = −βsm this is
     /// (βs² + αc²)/(1 + ε²αβm²), whatever ṁ is; where m is constant along orbits, I itself.
