@@ -31,9 +31,9 @@ use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, common_multiple, linear_relations};
 
-/// The most terms of a coefficient, and the work for each theorem: fields of a hundred variables
-/// take a fraction of a second.
-const MOST_TERMS: usize = 2_000;
+/// The most terms of a formula, and the work for each theorem: lifted chains of hundreds of variables
+/// are far from it.
+const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
 /// The theorem by which a function is kept.
@@ -41,9 +41,10 @@ const MOST_WORK: u64 = 4_000_000;
 pub enum Rule {
     /// I = a·x + xᵀCx with Cf affine keeps I − ε² fᵀCf.
     ///
-    /// For linear I this is I itself, and I itself is kept where f is linear. *Relations*: with w = x² and ẋ = y, w − x² + ε²y² is kept,
-    /// whatever ẏ is. *Energy*: with ẋ = p, ṗ = −F and Ẇ = F·p, where W stands for a potential and
-    /// F for its gradient, |p|²/2 + W − ε²|F|²/2 is kept, whatever the equations of F are.
+    /// For linear I this is I itself, and where f is linear I itself is kept. *Relations*: with
+    /// w = x² and ẋ = y, w − x² + ε²y² is kept, whatever ẏ is. *Energy*: with ẋ = p, ṗ = −F and
+    /// Ẇ = F·p, where W stands for a potential and F for its gradient, |p|²/2 + W − ε²|F|²/2 is
+    /// kept, whatever the equations of F are.
     Polarisation,
     /// ẏ = m N y with N² = −δ, δ > 0, keeps yᵀQy/(1 + ε²δm²). For ṡ = αcm, ċ = −βsm this is
     /// (βs² + αc²)/(1 + ε²αβm²), whatever ṁ is; where m is constant along orbits, I itself.
@@ -222,43 +223,41 @@ impl<'a> Flow<'a> {
         Ok([of_two, squares].concat())
     }
 
-    /// Adds those by rotation.
+    /// Adds those by rotation, with ẏ = m N y for one m after the other.
     fn add_rotations(&self, found: &mut Vec<ModifiedIntegral>, budget: &mut Budget) -> Result<(), No> {
         for multiplier in self.multipliers(budget)? {
-            // The constant 1 stands behind the states, with the derivative 0.
-            let one = self.components.len();
-            let mut slopes = vec![None; one];
-            for (i, component) in self.components.iter().enumerate() {
-                slopes[i] = component.div_within(&multiplier, budget)?.filter(|n| self.symbols.degree(n) < 2);
+            // The variables with ẋ = m n and forms n of each other, and the constant 1.
+            let mut slopes = Vec::with_capacity(self.components.len());
+            for component in &self.components {
+                let slope = component.div_within(&multiplier, budget)?;
+                slopes.push(slope.filter(|slope| self.symbols.degree(slope) < 2));
             }
             self.close(&mut slopes);
-            let members: Vec<usize> = (0..one).filter(|&i| slopes[i].is_some()).collect();
+            let members: Vec<usize> = (0..slopes.len()).filter(|&i| slopes[i].is_some()).collect();
             let slopes: Vec<Polynomial> = slopes.into_iter().map(Option::unwrap_or_default).collect();
-            let mut second = Vec::with_capacity(members.len());
-            for &i in &members {
-                second.push(self.along(&slopes[i], &slopes, budget)?);
-            }
-            let on_diagonal = |(&i, second): (&usize, &Polynomial)| second.derivative(self.symbols.state(i));
+            let (mut values, mut first, mut second) =
+                (vec![Polynomial::one()], vec![Polynomial::zero()], vec![Polynomial::zero()]);
             let mut deltas: Vec<Polynomial> = Vec::new();
-            for delta in members.iter().zip(&second).map(on_diagonal).map(|entry| -&entry) {
+            for &i in &members {
+                let twice = self.along(&slopes[i], &slopes, budget)?;
+                let delta = -&twice.derivative(self.symbols.state(i));
                 if !delta.is_zero() && !deltas.contains(&delta) {
                     deltas.push(delta);
                 }
+                values.push(self.state(i));
+                first.push(slopes[i].clone());
+                second.push(twice);
             }
             for delta in deltas {
                 // The forms λ with λN² = −δλ.
-                let mut vectors = vec![delta.clone()];
-                for (&i, second) in members.iter().zip(&second) {
-                    vectors.push(second.add_within(&delta.mul_within(&self.state(i), budget)?, budget)?);
+                let mut vectors = Vec::with_capacity(values.len());
+                for (value, twice) in values.iter().zip(&second) {
+                    vectors.push(twice.add_within(&delta.mul_within(value, budget)?, budget)?);
                 }
-                let basis: Vec<WithSlope> = std::iter::once((Polynomial::one(), Polynomial::zero()))
-                    .chain(members.iter().map(|&i| (self.state(i), slopes[i].clone())))
-                    .collect();
-                let (values, derivatives): (Vec<_>, Vec<_>) = basis.into_iter().unzip();
                 let mut forms = Vec::new();
                 for relation in linear_relations(&vectors, self.symbols, budget)? {
                     let form = combination(&relation, &values, budget)?;
-                    forms.push((form, combination(&relation, &derivatives, budget)?));
+                    forms.push((form, combination(&relation, &first, budget)?));
                 }
                 for integral in self.invariants(&forms, 0, Vec::new(), budget)? {
                     found.push(self.rotated(&integral, budget)?);
