@@ -11,8 +11,8 @@ use std::time::Instant;
 use kahan_algebra::lenient;
 use kahan_core::Composition;
 use kahan_lift::{Lift, Options, lift};
-use kahan_runtime::{Field, Map};
-use ode_solvers::{DVector, Dop853, OutputType};
+use kahan_runtime::Map;
+use ode_solvers::{Dop853, OutputType, SVector};
 
 const TIME: f64 = 100.0;
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
@@ -20,6 +20,15 @@ const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 const REPEATS: usize = 5;
 
 type Slope = fn(&[f64], &mut [f64]);
+
+/// A field as `ode_solvers` wants it.
+struct Field(Slope);
+
+impl<const N: usize> ode_solvers::System<f64, SVector<f64, N>> for Field {
+    fn system(&self, _time: f64, x: &SVector<f64, N>, slope: &mut SVector<f64, N>) {
+        self.0(x.as_slice(), slope.as_mut_slice());
+    }
+}
 
 /// A system with its field by hand.
 struct System {
@@ -107,17 +116,23 @@ impl System {
         let orbit = Some((self.start.to_vec(), Vec::new()));
         let tokens = lenient::read(self.text).lexed.tokens;
         let lift = lift(&tokens, &Options { orbit, ..Options::default() }).expect("a lift");
-        let field = Field::parse(&lift.text()).expect("a quadratic field");
+        let field = kahan_runtime::Field::parse(&lift.text()).expect("a quadratic field");
         let map = field.with([("", 0.0); 0]).expect("no parameters");
         (lift, map)
     }
 
     /// The state at the end with both tolerances `tolerance`.
     fn dormand_prince(&self, tolerance: f64) -> Vec<f64> {
-        let slope = self.slope;
-        let field = move |_time: f64, x: &DVector<f64>, f: &mut DVector<f64>| slope(x.as_slice(), f.as_mut_slice());
-        let start = DVector::from_column_slice(self.start);
-        let mut solver = Dop853::new(field, 0.0, TIME, TIME, start, tolerance, tolerance);
+        match self.start.len() {
+            2 => self.dormand_prince_of::<2>(tolerance),
+            4 => self.dormand_prince_of::<4>(tolerance),
+            _ => self.dormand_prince_of::<6>(tolerance),
+        }
+    }
+
+    fn dormand_prince_of<const N: usize>(&self, tolerance: f64) -> Vec<f64> {
+        let start = SVector::<f64, N>::from_column_slice(self.start);
+        let mut solver = Dop853::new(Field(self.slope), 0.0, TIME, TIME, start, tolerance, tolerance);
         solver.set_output(OutputType::Sparse);
         solver.integrate().expect("a tame orbit");
         solver.y_out().last().expect("the end is put out").as_slice().to_vec()
@@ -151,7 +166,9 @@ impl System {
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-    a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / size
+    // `max` would forget what is not a number.
+    let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };
+    a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
 }
 
 /// Seconds, and the result.
@@ -219,7 +236,7 @@ fn main() {
         }
         if system.is_mechanical {
             for (name, composition) in [("order 2", Composition::KAHAN), ("order 8", Composition::KAHAN_LI_8)] {
-                let weights: Vec<f64> = composition.coefficients().collect();
+                let weights: Vec<f64> = composition.coefficients().map(kahan_core::Constant::to_f64).collect();
                 let runs = (0..60).map_while(|k| {
                     let steps = steps(k);
                     (steps < 2_000_000).then(|| timed(|| system.verlet(steps, &weights)))

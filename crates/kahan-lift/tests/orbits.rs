@@ -42,7 +42,9 @@ impl System {
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-    a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / size
+    // `max` would forget what is not a number.
+    let far = |a: f64, b: f64| if a.is_finite() && b.is_finite() { (a - b).abs() } else { f64::INFINITY };
+    a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
 }
 
 /// The solution at a time by the classical Runge–Kutta method.
