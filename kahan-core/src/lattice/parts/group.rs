@@ -130,7 +130,11 @@ struct Transposed<'a, T> {
 /// The numbers of a side of a square.
 const SIDE: usize = 4;
 
-#[expect(clippy::needless_range_loop, reason = "loops of a length that is known are unrolled")]
+#[expect(
+    clippy::needless_range_loop,
+    clippy::manual_memcpy,
+    reason = "loops of a length that is known are unrolled, and slices are copied by calls"
+)]
 impl<T: InLanes + Copy> OverLanes<T> for Transposed<'_, T> {
     type Output = ();
     const IS_SMALL: bool = false;
