@@ -64,7 +64,8 @@ pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: 
         for r in candidates.into_iter().filter(|r| *r != pivot) {
             let factor = rows[r][0].1 * reciprocal;
             rows[r] = reduced(&rows[r][1..], &upper[1..], factor);
-            b[r] = b[r] - factor * b[pivot];
+            let of_pivot = b[pivot];
+            b[r] -= factor * of_pivot;
             if let Some((column, _)) = rows[r].first() {
                 beginning[*column].push(r);
             }
