@@ -3,8 +3,8 @@
 use std::sync::OnceLock;
 
 use kahan_algebra::elimination::{self, MOST_VARIABLES};
-use kahan_core::__private::{CouplingRow, Couplings, PanelWorkspace, Supernodes};
-use kahan_core::Scalar;
+use kahan_core::__private::{CouplingRow, Couplings, LARGEST_FACTOR, PanelWorkspace, Supernodes};
+use kahan_core::{Constant, Scalar};
 
 use super::elimination::solve_sparse;
 use super::floats::MachineFloat;
@@ -164,7 +164,8 @@ impl Tables {
         }
     }
 
-    /// Replaces b by A⁻¹b, by partial pivoting in the order of elimination; whether A is singular.
+    /// Replaces b by A⁻¹b, with pivots that are chosen in each column, in the order of elimination;
+    /// whether A is singular.
     pub(super) fn solve_by_pivoting<V: Scalar + Copy>(&self, slopes: &[V], eps: V, b: &mut [V]) -> bool {
         let mut turns = vec![0; self.order.len()];
         for (turn, variable) in self.order.iter().enumerate() {
@@ -181,7 +182,8 @@ impl Tables {
         }
         rows.iter_mut().for_each(|row| row.sort_unstable_by_key(|(column, _)| *column));
         let mut own: Vec<V> = self.order.iter().map(|variable| b[*variable as usize]).collect();
-        let is_singular = solve_sparse(rows, &mut own);
+        let most = V::constant(&Constant::integer(LARGEST_FACTOR));
+        let is_singular = solve_sparse(rows, &mut own, most);
         for (turn, entry) in self.order.iter().zip(own) {
             b[*turn as usize] = entry;
         }

@@ -39,11 +39,12 @@ pub(super) fn solve<V: Scalar + Copy>(a: &mut [V], b: &mut [V], n: usize) -> boo
     is_singular
 }
 
-/// Replaces `b` by the solution x of A·x = b, by the operations of [`solve`] on entries that are not
-/// structurally 0: of each row, none of them empty, these entries with their columns in order.
+/// Replaces `b` by the solution x of A·x = b, where rows are lists of the entries that are not
+/// structurally 0, none of them empty, with their columns in order. A pivot is the first entry of
+/// the shortest row whose first entry is at most `most` times smaller than the largest one.
 ///
 /// Whether A is singular: the answer is then not finite.
-pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: &mut [V]) -> bool {
+pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: &mut [V], most: V) -> bool {
     // The rows whose first entry is in each column.
     let mut beginning = vec![Vec::new(); rows.len()];
     for (r, row) in rows.iter().enumerate() {
@@ -52,12 +53,15 @@ pub(super) fn solve_sparse<V: Scalar + Copy>(mut rows: Vec<Vec<(usize, V)>>, b: 
     let (mut is_singular, mut pivots) = (false, Vec::with_capacity(rows.len()));
     for k in 0..rows.len() {
         let candidates = std::mem::take(&mut beginning[k]);
-        let better =
-            |best: usize, r: usize| if rows[r][0].1.is_better_pivot(&rows[best][0].1) { r } else { best };
-        let Some(pivot) = candidates.iter().copied().reduce(better) else {
+        let first = |r: usize| rows[r][0].1;
+        let larger = |a: usize, b: usize| if first(b).is_better_pivot(&first(a)) { b } else { a };
+        let Some(largest) = candidates.iter().copied().reduce(larger) else {
             b.fill(V::zero() * has_value(V::zero().reciprocal()));
             return true;
         };
+        let may_pivot = |r: &usize| !first(largest).is_better_pivot(&(most * first(*r)));
+        let shortest = candidates.iter().copied().filter(may_pivot).min_by_key(|r| rows[*r].len());
+        let pivot = shortest.unwrap_or(largest);
         let upper = std::mem::take(&mut rows[pivot]);
         is_singular |= upper[0].1.is_zero();
         let reciprocal = has_value(upper[0].1.reciprocal());
@@ -193,7 +197,7 @@ mod tests {
                 let mut expected: Vec<f64> = (0..n).map(|_| draw(&mut seed)).collect();
                 let mut found = expected.clone();
                 let is_singular = solve(&mut matrix, &mut expected, n);
-                assert_eq!(solve_sparse(rows, &mut found), is_singular, "{n} variables");
+                assert_eq!(solve_sparse(rows, &mut found, 1.0), is_singular, "{n} variables");
                 singular += usize::from(is_singular);
                 let is_finite = found.iter().all(|x| x.is_finite());
                 assert!(if is_singular { !is_finite } else { found == expected }, "{n} variables");
