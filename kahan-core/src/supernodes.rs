@@ -33,8 +33,7 @@ const SHORTEST: u32 = 4;
 pub struct Supernodes {
     panels: Vec<Panel>,
     reductions: Vec<Reduction>,
-    /// For each row of a reduction, the first pivot that reduces it.
-    first_pivots: Vec<usize>,
+    tasks: Vec<Task>,
     runs: Vec<Run>,
     /// For each entry of A, in its panel, the column.
     columns: Vec<u32>,
@@ -54,21 +53,32 @@ struct Panel {
     reductions: Range<usize>,
 }
 
-/// The rows of a panel are reduced by pivots of a panel: each row by those from some first one on.
+/// The rows of a panel are reduced by pivots of a panel.
 #[derive(Clone, Debug)]
 struct Reduction {
-    /// The panel of the pivots.
-    pivots: usize,
-    /// Where the first pivots of the rows begin; rows without an entry have the end of the panel.
-    first_pivots: usize,
+    /// The row behind the last pivot.
+    end: usize,
     /// The column behind that of the last pivot.
     behind: usize,
-    /// Which of the runs are the columns that are reduced, after those of the pivots: first those
-    /// of [`SHORTEST`] columns or more, from the middle number on the others.
-    runs: [usize; 3],
-    /// Where the columns right of the first pivot stand in the lists, if rows are reduced by one
-    /// pivot after the other.
+    tasks: Range<usize>,
+    /// Which of the runs are the columns that are reduced, after those of the pivots.
+    runs: Range<usize>,
+    /// Where the columns behind that of the last pivot stand in the lists, and before them those of
+    /// the pivots, if rows are reduced by one pivot after the other.
     list: Option<usize>,
+}
+
+/// Rows of a panel are reduced by the pivots of a reduction from a first one on.
+#[derive(Clone, Debug)]
+struct Task {
+    /// [`ROWS`] of them, or the first only.
+    rows: [u32; ROWS],
+    is_alone: bool,
+    /// Whether the row is done with.
+    is_last: bool,
+    first: u32,
+    /// At most [`PIVOTS`].
+    count: u32,
 }
 
 /// Columns of a panel one after the other, which a row of pivots has entries in.
@@ -111,7 +121,7 @@ impl Supernodes {
         let mut all = Supernodes {
             panels: Vec::new(),
             reductions: Vec::new(),
-            first_pivots: Vec::new(),
+            tasks: Vec::new(),
             runs: Vec::new(),
             columns: couplings.columns.to_vec(),
             lists: Vec::new(),
@@ -154,10 +164,8 @@ impl Supernodes {
         used.dedup();
         let first_reduction = self.reductions.len();
         for pivots in used {
-            let last = self.panels.get(pivots).map_or(rows.end, |panel| panel.rows.end) - 1;
-            let first_pivots = self.first_pivots.len();
-            self.first_pivots.resize(first_pivots + rows.len(), last + 1);
-            let first_run = self.runs.len();
+            let of_pivots = self.panels.get(pivots).map_or(rows.clone(), |panel| panel.rows.clone());
+            let (last, first_run) = (of_pivots.end - 1, self.runs.len());
             for (before, &column) in (0..).zip(couplings.columns_right(last)) {
                 let column = places[column as usize];
                 match self.runs[first_run..].last_mut().filter(|run| run.column + run.length == column) {
@@ -165,34 +173,93 @@ impl Supernodes {
                     None => self.runs.push(Run { before, column, length: 1 }),
                 }
             }
-            let is_short = |run: &Run| run.length < SHORTEST;
-            self.runs[first_run..].sort_by_key(is_short);
-            let wide = self.runs[first_run..].partition_point(|run| !is_short(run));
-            let runs = [first_run, first_run + wide, self.runs.len()];
-            let first = self.panels.get(pivots).map_or(rows.start, |panel| panel.rows.start);
-            let right = couplings.columns_right(first);
-            let is_narrow = last - first < FEWEST && right.len() < SHORTEST as usize * (runs[2] - first_run);
-            let list = is_narrow.then_some(self.lists.len());
+            self.runs[first_run..].sort_by_key(|run| run.length < SHORTEST);
+            let runs = first_run..self.runs.len();
+            let right = couplings.columns_right(of_pivots.start);
+            let is_narrow = of_pivots.start < rows.start
+                && of_pivots.len() <= FEWEST
+                && right.len() < SHORTEST as usize * runs.len();
+            let list = is_narrow.then_some(self.lists.len() + of_pivots.len() - 1);
             if is_narrow {
                 self.lists.extend(right.iter().map(|&column| places[column as usize]));
             }
+            let tasks = self.push_tasks(couplings, &rows, &of_pivots, is_narrow);
             let behind = places[last] as usize + 1;
-            self.reductions.push(Reduction { pivots, first_pivots, behind, runs, list });
+            self.reductions.push(Reduction { end: of_pivots.end, behind, tasks, runs, list });
         }
         let reductions = first_reduction..self.reductions.len();
-        for (r, row) in rows.clone().enumerate() {
-            let mut own = self.reductions[reductions.clone()].iter();
-            let mut panel = None;
-            for &column in couplings.columns_left(row) {
-                let of_column = panel_of[column as usize];
-                if panel.replace(of_column) != Some(of_column)
-                    && let Some(reduction) = own.find(|reduction| reduction.pivots == of_column)
-                {
-                    self.first_pivots[reduction.first_pivots + r] = column as usize;
+        self.panels.push(Panel { rows, width: columns.len(), reductions });
+    }
+
+    /// Appends what is to be done for a reduction of the rows of a panel, each by the pivots of
+    /// another, or of its own, from some first one on. Rows that are `apart` are never reduced
+    /// together.
+    fn push_tasks(
+        &mut self,
+        couplings: &Couplings<'_>,
+        rows: &Range<usize>,
+        pivots: &Range<usize>,
+        apart: bool,
+    ) -> Range<usize> {
+        let begin = self.tasks.len();
+        let firsts: Vec<usize> = rows
+            .clone()
+            .map(|row| {
+                let left = couplings.columns_left(row);
+                let place = left.partition_point(|&column| (column as usize) < pivots.start);
+                left.get(place).map_or(pivots.end, |&column| pivots.end.min(column as usize))
+            })
+            .collect();
+        if pivots.start < rows.start {
+            let reduced: Vec<usize> = (0..rows.len()).filter(|&r| firsts[r] < pivots.end).collect();
+            let (together, others) = reduced.as_chunks::<ROWS>();
+            let (together, others) = if apart { (&[][..], &reduced[..]) } else { (together, others) };
+            for four in together {
+                self.push_together(*four, four.map(|r| firsts[r]), pivots.end);
+            }
+            for &r in others {
+                self.push_alone(r, firsts[r]..pivots.end, false);
+            }
+        } else {
+            for block in (0..rows.len()).step_by(ROWS) {
+                let own = block..rows.len().min(block + ROWS);
+                let mut from = rows.start;
+                if block > 0 && own.len() == ROWS {
+                    from += block;
+                    let four = core::array::from_fn(|k| block + k);
+                    self.push_together(four, four.map(|r| firsts[r]), from);
+                }
+                for r in own {
+                    self.push_alone(r, firsts[r].max(from)..rows.start + r, true);
                 }
             }
         }
-        self.panels.push(Panel { rows, width: columns.len(), reductions });
+        begin..self.tasks.len()
+    }
+
+    /// Rows are reduced by pivots before `end`, each from a first one on.
+    fn push_together(&mut self, rows: [usize; ROWS], firsts: [usize; ROWS], end: usize) {
+        let first = firsts.into_iter().fold(0, usize::max).min(end);
+        for (r, own) in rows.into_iter().zip(firsts) {
+            self.push_alone(r, own.min(first)..first, false);
+        }
+        self.push_pivots(rows, false, first..end);
+    }
+
+    /// A row is reduced by these pivots, and then is done with if it `is_last`.
+    fn push_alone(&mut self, r: usize, pivots: Range<usize>, is_last: bool) {
+        self.push_pivots([r, 0, 0, 0], true, pivots);
+        if is_last {
+            self.tasks.push(Task { rows: [r as u32, 0, 0, 0], is_alone: true, is_last, first: 0, count: 0 });
+        }
+    }
+
+    fn push_pivots(&mut self, rows: [usize; ROWS], is_alone: bool, pivots: Range<usize>) {
+        for first in pivots.clone().step_by(PIVOTS) {
+            let count = PIVOTS.min(pivots.end - first) as u32;
+            let rows = rows.map(|r| r as u32);
+            self.tasks.push(Task { rows, is_alone, is_last: false, first: first as u32, count });
+        }
     }
 
     /// Replaces A by its factors, as [`Couplings::factor`] does. `false` where a pivot is 0, or too
@@ -271,19 +338,9 @@ fn negligible<T: Float>(largest: T) -> T {
     if (limit * T::zero()).is_zero() { limit } else { T::zero() }
 }
 
-/// Rows of a panel that are reduced together by the pivots of a reduction before `end`.
-struct Together<'a, const R: usize> {
-    rows: [usize; R],
-    /// The first pivot of each.
-    firsts: [usize; R],
-    reduction: &'a Reduction,
-    /// The width of their panel.
-    width: usize,
-    end: usize,
-}
-
 #[expect(clippy::needless_range_loop, reason = "what is no plain range is not always inlined")]
 impl<T: Float> Work<'_, T> {
+    /// Each function is called at one place for each number of rows, as its body is compiled there.
     #[inline(always)]
     fn has_factored<L: Lanes<T>>(&mut self, panel: &Panel) -> bool {
         let supernodes = self.supernodes;
@@ -294,103 +351,41 @@ impl<T: Float> Work<'_, T> {
         for r in 0..height {
             self.gather(panel, r);
         }
-        let reductions = &supernodes.reductions[panel.reductions.start..panel.reductions.end];
-        for reduction in reductions {
-            let firsts = &supernodes.first_pivots[reduction.first_pivots..][..height];
-            let end = supernodes.panels[reduction.pivots].rows.end;
-            if end == panel.rows.end {
-                return self.has_factored_itself::<L>(panel, reduction, firsts);
-            }
-            if let Some(list) = reduction.list {
-                if !self.has_reduced_along(panel, reduction, list, firsts) {
+        for reduction in panel.reductions.start..panel.reductions.end {
+            let reduction = &supernodes.reductions[reduction];
+            for task in reduction.tasks.start..reduction.tasks.end {
+                let task = &supernodes.tasks[task];
+                let is_possible = if task.is_last {
+                    self.has_scattered(panel, task.rows[0] as usize)
+                } else if let Some(list) = reduction.list {
+                    self.has_reduced_along(task, reduction, list, width)
+                } else if task.is_alone {
+                    self.has_reduced::<L, 1>(task, reduction, width)
+                } else {
+                    self.has_reduced::<L, ROWS>(task, reduction, width)
+                };
+                if !is_possible {
                     return false;
-                }
-                continue;
-            }
-            let (mut rows, mut own, mut count) = ([0; ROWS], [0; ROWS], 0);
-            for r in 0..height {
-                if firsts[r] == end {
-                    continue;
-                }
-                (rows[count], own[count]) = (r, firsts[r]);
-                count += 1;
-                if count == ROWS {
-                    count = 0;
-                    if !self.has_reduced::<L, ROWS>(&Together { rows, firsts: own, reduction, width, end }) {
-                        return false;
-                    }
-                }
-            }
-            for k in 0..count {
-                let (rows, firsts) = ([rows[k]], [own[k]]);
-                if !self.has_reduced::<L, 1>(&Together { rows, firsts, reduction, width, end }) {
-                    return false;
-                }
-            }
-        }
-        for r in 0..height {
-            if !self.has_scattered(panel, r) {
-                return false;
-            }
-        }
-        true
-    }
-
-    /// Reduces the rows of a panel by one pivot after the other, in the columns of a list.
-    #[inline(always)]
-    fn has_reduced_along(
-        &mut self,
-        panel: &Panel,
-        reduction: &Reduction,
-        list: usize,
-        firsts: &[usize],
-    ) -> bool {
-        let supernodes = self.supernodes;
-        let Range { start, end } = supernodes.panels[reduction.pivots].rows;
-        for r in 0..panel.rows.len() {
-            for pivot in firsts[r]..end {
-                let place = r * panel.width + reduction.behind + pivot - end;
-                let Some(factor) = self.factor(r, place, pivot, pivot + 1) else { return false };
-                let [diagonal, behind] = self.pivot(pivot);
-                let upper = &self.values[diagonal + 1..behind];
-                let columns = &supernodes.lists[list + pivot - start..][..upper.len()];
-                let own = &mut self.workspace.rows[r * panel.width..][..panel.width];
-                for k in 0..upper.len() {
-                    let entry = &mut own[columns[k] as usize];
-                    *entry = minus_product(*entry, factor, upper[k]);
                 }
             }
         }
         true
     }
 
-    /// Reduces the rows of a panel by each other.
+    /// Reduces a row by one pivot after the other, in the columns of a list.
     #[inline(always)]
-    fn has_factored_itself<L: Lanes<T>>(
-        &mut self,
-        panel: &Panel,
-        reduction: &Reduction,
-        firsts: &[usize],
-    ) -> bool {
-        let (start, height, width) = (panel.rows.start, panel.rows.len(), panel.width);
-        for block in 0..height.div_ceil(ROWS) {
-            let first = block * ROWS;
-            let last = height.min(first + ROWS);
-            let are_together = first > 0 && last - first == ROWS;
-            if are_together {
-                let rows = [first, first + 1, first + 2, first + 3];
-                let firsts = [firsts[first], firsts[first + 1], firsts[first + 2], firsts[first + 3]];
-                let together = Together { rows, firsts, reduction, width, end: start + first };
-                if !self.has_reduced::<L, ROWS>(&together) {
-                    return false;
-                }
-            }
-            for r in first..last {
-                let from = if are_together { firsts[r].max(start + first) } else { firsts[r] };
-                let alone = Together { rows: [r], firsts: [from], reduction, width, end: start + r };
-                if !self.has_reduced::<L, 1>(&alone) || !self.has_scattered(panel, r) {
-                    return false;
-                }
+    fn has_reduced_along(&mut self, task: &Task, reduction: &Reduction, list: usize, width: usize) -> bool {
+        let (r, first) = (task.rows[0] as usize, task.first as usize);
+        for pivot in first..first + task.count as usize {
+            let place = r * width + reduction.behind + pivot - reduction.end;
+            let Some(factor) = self.factor(r, place, pivot, pivot + 1) else { return false };
+            let [diagonal, behind] = self.pivot(pivot);
+            let upper = &self.values[diagonal + 1..behind];
+            let columns = &self.supernodes.lists[list + pivot + 1 - reduction.end..][..upper.len()];
+            let own = &mut self.workspace.rows[r * width..][..width];
+            for k in 0..upper.len() {
+                let entry = &mut own[columns[k] as usize];
+                *entry = minus_product(*entry, factor, upper[k]);
             }
         }
         true
@@ -471,79 +466,46 @@ impl<T: Float> Work<'_, T> {
         [right.start - 1, right.end]
     }
 
-    /// Reduces rows together; `false` where a pivot is too small.
+    /// Reduces R rows together; `false` where a pivot is too small.
     #[inline(always)]
-    fn has_reduced<L: Lanes<T>, const R: usize>(&mut self, together: &Together<'_, R>) -> bool {
-        let &Together { rows, firsts, reduction, width, end } = together;
-        let mut first = firsts[0];
-        if R > 1 {
-            for other in firsts {
-                first = first.max(other);
-            }
-            first = first.min(end);
-            for r in 0..R {
-                if firsts[r] < first {
-                    let (rows, firsts) = ([rows[r]], [firsts[r]]);
-                    if !self.has_reduced::<L, 1>(&Together { rows, firsts, reduction, width, end: first }) {
-                        return false;
-                    }
-                }
-            }
-        }
-        while first < end {
-            let next = end.min(first + PIVOTS);
-            if !self.has_reduced_by::<L, R>(together, first..next) {
-                return false;
-            }
-            first = next;
-        }
-        true
-    }
-
-    /// Reduces rows together by these pivots.
-    #[inline(always)]
-    fn has_reduced_by<L: Lanes<T>, const R: usize>(
+    fn has_reduced<L: Lanes<T>, const R: usize>(
         &mut self,
-        together: &Together<'_, R>,
-        pivots: Range<usize>,
+        task: &Task,
+        reduction: &Reduction,
+        width: usize,
     ) -> bool {
-        let &Together { rows, reduction, width, .. } = together;
-        let Range { start: first, end } = pivots;
-        let count = end - first;
+        let (first, count) = (task.first as usize, task.count as usize);
+        let end = first + count;
+        let mut places = [0; R];
+        for r in 0..R {
+            places[r] = task.rows[r] as usize * width;
+        }
         for k in 0..count {
             let [diagonal, _] = self.pivot(first + k);
             self.workspace.uppers[k] = diagonal + count - k;
         }
         // Columns of the pivots' panel behind these pivots, of which their rows have all.
-        let left = self.supernodes.panels[reduction.pivots].rows.end - end;
+        let left = reduction.end - end;
         let column = reduction.behind - left;
         for r in 0..R {
             for k in 0..count {
-                let place = rows[r] * width + column + k - count;
-                match self.factor(rows[r], place, first + k, end) {
+                match self.factor(task.rows[r] as usize, places[r] + column + k - count, first + k, end) {
                     Some(factor) => self.workspace.factors[k * R + r] = factor,
                     None => return false,
                 }
             }
         }
-        self.subtract::<L, R>(together, count, 0, column, left);
-        let [start, short, last] = reduction.runs;
-        for run in start..short {
-            let Run { before, column, length } = self.supernodes.runs[run];
-            self.subtract::<L, R>(together, count, left + before as usize, column as usize, length as usize);
-        }
-        for run in short..last {
-            let Run { before, column, length } = self.supernodes.runs[run];
-            for k in 0..length as usize {
-                self.subtract_from::<T, R, 1>(
-                    together,
-                    count,
-                    left + before as usize + k,
-                    column as usize + k,
-                );
+        let mut run = Run { before: 0, column: column as u32, length: left as u32 };
+        let mut next = reduction.runs.start;
+        loop {
+            self.subtract::<L, R>(places, count, &run);
+            if next == reduction.runs.end {
+                return true;
             }
+            run = self.supernodes.runs[next].clone();
+            run.before += left as u32;
+            next += 1;
         }
-        true
     }
 
     /// The factor that a row is reduced by with a pivot, by which it reduces the columns before
@@ -570,47 +532,40 @@ impl<T: Float> Work<'_, T> {
         Some(factor)
     }
 
-    /// Subtracts rows of `count` pivots, times their factors, in `length` columns from `column` on.
-    /// The rows of pivots have `before` entries before them.
+    /// Subtracts rows of `count` pivots, times their factors, from the rows at these places.
     #[inline(always)]
-    fn subtract<L: Lanes<T>, const R: usize>(
-        &mut self,
-        together: &Together<'_, R>,
-        count: usize,
-        before: usize,
-        column: usize,
-        length: usize,
-    ) {
-        let mut done = 0;
-        while done + 2 * L::WIDTH <= length {
-            self.subtract_from::<L, R, 2>(together, count, before + done, column + done);
-            done += 2 * L::WIDTH;
+    fn subtract<L: Lanes<T>, const R: usize>(&mut self, places: [usize; R], count: usize, run: &Run) {
+        let (mut before, mut column) = (run.before as usize, run.column as usize);
+        let end = column + run.length as usize;
+        while column + 2 * L::WIDTH <= end {
+            self.subtract_from::<L, R, 2>(places, count, before, column);
+            (before, column) = (before + 2 * L::WIDTH, column + 2 * L::WIDTH);
         }
-        while done + L::WIDTH <= length {
-            self.subtract_from::<L, R, 1>(together, count, before + done, column + done);
-            done += L::WIDTH;
+        while column + L::WIDTH <= end {
+            self.subtract_from::<L, R, 1>(places, count, before, column);
+            (before, column) = (before + L::WIDTH, column + L::WIDTH);
         }
-        while done < length {
-            self.subtract_from::<T, R, 1>(together, count, before + done, column + done);
-            done += 1;
+        while column < end {
+            self.subtract_from::<T, R, 1>(places, count, before, column);
+            (before, column) = (before + 1, column + 1);
         }
     }
 
+    /// Subtracts them in C registers of columns.
     #[inline(always)]
     fn subtract_from<V: Register<T>, const R: usize, const C: usize>(
         &mut self,
-        together: &Together<'_, R>,
+        places: [usize; R],
         count: usize,
         before: usize,
         column: usize,
     ) {
-        let &Together { rows, width, .. } = together;
         let PanelWorkspace { rows: entries, factors, uppers, .. } = &mut *self.workspace;
         let (factors, uppers) = (&factors[..count * R], &uppers[..count]);
         let mut own = [[V::spread(&T::zero()); C]; R];
         for r in 0..R {
             for c in 0..C {
-                own[r][c] = V::load(entries, rows[r] * width + column + c * V::WIDTH);
+                own[r][c] = V::load(entries, places[r] + column + c * V::WIDTH);
             }
         }
         for k in 0..count {
@@ -627,7 +582,7 @@ impl<T: Float> Work<'_, T> {
         }
         for r in 0..R {
             for c in 0..C {
-                own[r][c].store(entries, rows[r] * width + column + c * V::WIDTH);
+                own[r][c].store(entries, places[r] + column + c * V::WIDTH);
             }
         }
     }

@@ -4,7 +4,7 @@
 //! fused, every value once, no instruction that no result needs, and a copy where a result is a
 //! number that lies in another array.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::program::{Instruction, Program};
 
@@ -31,7 +31,7 @@ impl Program {
     /// The program that the machine runs. Where it changes a sign, [`SIGN`] is one of its
     /// instructions.
     pub(crate) fn lowered(&self, fuses: bool, ends: Ends) -> Self {
-        let mut lowering = Lowering { lowered: Program::default(), known: HashMap::new(), fuses };
+        let mut lowering = Lowering { lowered: Program::default(), known: FxHashMap::default(), fuses };
         // An instruction that no result needs is not written, and has no place.
         let (is_needed, mut places) = (self.needed(), vec![usize::MAX; self.instructions.len()]);
         for (index, instruction) in self.instructions.iter().enumerate() {
@@ -61,7 +61,7 @@ impl Program {
 struct Lowering {
     lowered: Program,
     /// The place of every instruction that was written.
-    known: HashMap<Instruction, usize>,
+    known: FxHashMap<Instruction, usize>,
     fuses: bool,
 }
 

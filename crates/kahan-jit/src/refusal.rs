@@ -8,7 +8,7 @@ use crate::Shape;
 pub enum Refusal {
     /// The processor lacks the instructions, or they do not fuse.
     Unavailable(Shape),
-    /// The program is too long for a straight line.
+    /// The program is too long for a straight line, or keeps too many numbers at once.
     TooLong {
         /// Its instructions, or its results where there are more of these.
         instructions: usize,

@@ -17,12 +17,29 @@ use super::sweep::Register;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Twice<L>(L, L);
 
-operators! {
-    [L: Scalar + Copy] Twice<L>:
-    |a: Self, b: Self| Self(a.0 + b.0, a.1 + b.1),
-    |a: Self, b: Self| Self(a.0 - b.0, a.1 - b.1),
-    |a: Self, b: Self| Self(a.0 * b.0, a.1 * b.1),
-    |a: Self, b: Self| Self(a.0 / b.0, a.1 / b.1)
+operators!([L: Scalar + Copy] Twice<L>: Self::sum, Self::difference, Self::product, Self::ratio);
+
+/// Functions, as closures are not inlined where a level's instructions are compiled.
+impl<L: Scalar + Copy> Twice<L> {
+    #[inline(always)]
+    fn sum(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1 + other.1)
+    }
+
+    #[inline(always)]
+    fn difference(self, other: Self) -> Self {
+        Self(self.0 - other.0, self.1 - other.1)
+    }
+
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        Self(self.0 * other.0, self.1 * other.1)
+    }
+
+    #[inline(always)]
+    fn ratio(self, other: Self) -> Self {
+        Self(self.0 / other.0, self.1 / other.1)
+    }
 }
 
 impl<L: Scalar + Copy> Neg for Twice<L> {

@@ -5,9 +5,10 @@ use crate::program::{Instruction, Program};
 
 /// The uses of every value, in order.
 pub(super) struct Uses {
-    uses: Vec<Vec<usize>>,
-    /// How many of them are over.
-    over: Vec<usize>,
+    /// Those of a value one after the other, and room for another one behind them.
+    times: Vec<u32>,
+    /// For each value, where those begin that are not over, and where they end.
+    of: Vec<[usize; 2]>,
     /// The place of [`SIGN`], which whoever changes a sign reads.
     sign: Option<usize>,
 }
@@ -15,13 +16,35 @@ pub(super) struct Uses {
 impl Uses {
     /// The uses as operands.
     pub(super) fn of(program: &Program) -> Self {
-        let mut uses = vec![Vec::new(); program.instructions.len()];
         let sign = program.instructions.iter().position(|instruction| *instruction == SIGN);
-        for (time, instruction) in program.instructions.iter().enumerate() {
+        let operands = |instruction: &Instruction| {
             let flipped = sign.filter(|_| matches!(instruction, Instruction::Negate(_)));
-            instruction.operands().chain(flipped).for_each(|operand| uses[operand].push(time));
+            instruction.operands().chain(flipped)
+        };
+        let mut counts = vec![1; program.instructions.len()];
+        program.instructions.iter().flat_map(operands).for_each(|operand| counts[operand] += 1);
+        let mut begin = 0;
+        let mut of: Vec<[usize; 2]> = Vec::with_capacity(counts.len());
+        for count in counts {
+            of.push([begin; 2]);
+            begin += count;
         }
-        Uses { over: vec![0; uses.len()], uses, sign }
+        let mut uses = Uses { times: vec![0; begin], of, sign };
+        for (time, instruction) in program.instructions.iter().enumerate() {
+            operands(instruction).for_each(|operand| uses.push(operand, time));
+        }
+        uses
+    }
+
+    fn push(&mut self, value: usize, time: usize) {
+        let [_, end] = &mut self.of[value];
+        self.times[*end] = u32::try_from(time).expect("programs are short");
+        *end += 1;
+    }
+
+    fn left(&self, value: usize) -> impl DoubleEndedIterator<Item = usize> + ExactSizeIterator {
+        let [first, end] = self.of[value];
+        self.times[first..end].iter().map(|time| *time as usize)
     }
 
     /// The place of [`SIGN`].
@@ -29,35 +52,37 @@ impl Uses {
         self.sign.unwrap_or_else(|| unreachable!("it stands in every program that changes a sign"))
     }
 
-    /// Notes a use after all that are known.
+    /// Notes a use after all operands, the same for whatever has one.
     pub(super) fn add(&mut self, value: usize, time: usize) {
-        self.uses[value].push(time);
+        if self.last(value) != Some(time) {
+            self.push(value, time);
+        }
     }
 
     /// The last use of a value.
     pub(super) fn last(&self, value: usize) -> Option<usize> {
-        self.uses[value].last().copied()
+        self.left(value).next_back()
     }
 
-    /// How often a value is used.
+    /// How often a value is used from now on.
     pub(super) fn count(&self, value: usize) -> usize {
-        self.uses[value].len()
+        self.left(value).len()
     }
 
     /// The next use of a value; `None` where there is none.
     pub(super) fn next(&self, value: usize) -> Option<usize> {
-        self.uses[value].get(self.over[value]).copied()
+        self.left(value).next()
     }
 
     /// The next use after `time`.
     pub(super) fn next_after(&self, value: usize, time: usize) -> Option<usize> {
-        self.uses[value][self.over[value]..].iter().copied().find(|use_| *use_ > time)
+        self.left(value).find(|use_| *use_ > time)
     }
 
     /// Uses up to `time` are over.
     pub(super) fn end(&mut self, value: usize, time: usize) {
         while self.next(value).is_some_and(|next| next <= time) {
-            self.over[value] += 1;
+            self.of[value][0] += 1;
         }
     }
 }

@@ -15,9 +15,11 @@ use crate::call::Extent;
 use crate::instructions::Float;
 use crate::{Program, Refusal, Shape};
 
-/// Longer programs are no better than a loop. So few operations keep too few numbers at once to
-/// fill the stack of a thread, and their code is short enough for all jumps and distances.
-const MOST_INSTRUCTIONS: usize = 20_000;
+/// Longer programs are no better than a loop. The code of so few operations is short enough for all
+/// jumps and distances.
+const MOST_INSTRUCTIONS: usize = 50_000;
+/// The bytes of the stack that slots take at most: half of what the stack of a thread has.
+const MOST_STACK: usize = 1 << 20;
 
 /// Where a number lies; what stands between a place and its address may take an instruction.
 type Addresses<'a> = &'a dyn Fn(&mut Assembler, Place) -> Memory;
@@ -59,8 +61,12 @@ impl Frame {
         }
         assert!(program.states() <= extent.states, "a state that is read has a result");
         let code = Allocation::of(&program.lowered(fuses, plan.ends), set.registers(), plan);
+        let stack = code.slots * form.bytes();
+        if stack > MOST_STACK {
+            return Err(Refusal::TooLong { instructions });
+        }
         let mut frame = Frame { assembler: Assembler::new(form), code, extent, saved };
-        frame.write_prologue(frame.code.slots * form.bytes());
+        frame.write_prologue(stack);
         Ok(frame)
     }
 

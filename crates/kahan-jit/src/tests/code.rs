@@ -207,7 +207,7 @@ fn what_an_instruction_set_lacks_is_refused() {
 
 #[test]
 fn a_program_beyond_the_budget_is_refused() {
-    let program = random_program(&mut Draw(6), 3, 2, 30_000);
+    let program = random_program(&mut Draw(6), 3, 2, 60_000);
     let refusal = Function::<f64>::compile(&program, SCALAR).expect_err("it is too long").to_string();
     assert!(!SCALAR.instructions.is_available() || refusal.contains("too long"), "{refusal}");
 }

@@ -53,9 +53,9 @@ fn entries_beyond_the_reach_of_an_instruction_are_refused() {
 
 #[test]
 fn more_results_than_a_straight_line_has_are_refused() {
-    let many = program(&[Instruction::literal(1.0)], vec![0; 20_001]);
+    let many = program(&[Instruction::literal(1.0)], vec![0; 50_001]);
     let refusal = Function::<f64>::compile(&many, SHAPE).expect_err("it is too long");
-    assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 20_001 }), "{refusal:?}");
+    assert!(is_unavailable() || matches!(refusal, Refusal::TooLong { instructions: 50_001 }), "{refusal:?}");
 }
 
 #[cfg(feature = "pages")]
@@ -102,6 +102,18 @@ fn run_widest(stack: usize) -> Option<f64> {
 fn every_program_fits_on_the_stack_of_a_thread() {
     if let Some(result) = run_widest(2 << 20) {
         assert_eq!(result, 1.0 + WIDEST as f64 / 2.0);
+    }
+}
+
+#[test]
+fn more_numbers_at_once_than_the_stack_holds_are_refused() {
+    let Some(instructions) = InstructionSet::best() else { return };
+    for lanes in [LaneCount::One, LaneCount::All] {
+        let shape = Shape { instructions, lanes, fuses: false };
+        let program = wide(2 * WIDEST - 10);
+        let code = Function::<f64>::compile(&program, shape);
+        let fits = shape.width::<f64>() * size_of::<f64>() * 2 * WIDEST < 1 << 20;
+        assert!(code.is_ok() == fits || !cfg!(feature = "pages"), "{lanes:?}");
     }
 }
 

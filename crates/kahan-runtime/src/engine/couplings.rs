@@ -3,9 +3,10 @@
 use std::sync::OnceLock;
 
 use kahan_algebra::elimination::{self, MOST_VARIABLES};
-use kahan_core::__private::{CouplingRow, Couplings, PanelWorkspace, Supernodes};
-use kahan_core::Scalar;
+use kahan_core::__private::{CouplingRow, Couplings, LARGEST_FACTOR, PanelWorkspace, Supernodes};
+use kahan_core::{Constant, Scalar};
 
+use super::elimination::solve_sparse;
 use super::floats::MachineFloat;
 
 /// The fewest entries of A(x,ε) that are eliminated by panels of rows. Code is compiled for
@@ -76,14 +77,14 @@ impl Tables {
     }
 
     /// Whether floats are eliminated by panels of rows.
-    pub(super) fn has_panels(&self) -> bool {
+    fn has_panels(&self) -> bool {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Whether entries of A that are negligible in their row count as 0. Blocks that are compiled
-    /// have fewer variables, so that nothing else steps these fields; those of dense fields have
-    /// entries everywhere, and none decays.
-    fn flushes(&self) -> bool {
+    /// Whether entries of A that are negligible in their row count as 0, and pivots are chosen among
+    /// sparse rows. Blocks that are compiled have fewer variables, so that nothing else steps these
+    /// fields; those of dense fields have entries everywhere, and none decays.
+    pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables
     }
@@ -101,7 +102,7 @@ impl Tables {
         }
         let couplings = self.filled(slopes, eps, factors);
         let supernodes = self.panels.get_or_init(|| Supernodes::of(&couplings));
-        supernodes.factor(&couplings, self.flushes(), &mut factors.values, &mut factors.panels)
+        supernodes.factor(&couplings, self.are_sparse(), &mut factors.values, &mut factors.panels)
     }
 
     /// Factors A(x,ε) whatever its pivots are. Returns a number that is larger than
@@ -161,6 +162,32 @@ impl Tables {
         for (own, turn) in row.iter().zip(&self.order) {
             b[place(*turn)].clone_from(own);
         }
+    }
+
+    /// Replaces b by A⁻¹b, with pivots that are chosen in each column, in the order of elimination;
+    /// whether A is singular.
+    pub(super) fn solve_by_pivoting<V: Scalar + Copy>(&self, slopes: &[V], eps: V, b: &mut [V]) -> bool {
+        let mut turns = vec![0; self.order.len()];
+        for (turn, variable) in self.order.iter().enumerate() {
+            turns[*variable as usize] = turn;
+        }
+        let mut rows: Vec<Vec<(usize, V)>> = (0..turns.len()).map(|turn| vec![(turn, V::one())]).collect();
+        for ((i, j), slope) in self.couplings().pairs().zip(slopes) {
+            let scaled = -(eps * *slope);
+            if i == j {
+                rows[turns[i]][0].1 += scaled;
+            } else {
+                rows[turns[i]].push((turns[j], scaled));
+            }
+        }
+        rows.iter_mut().for_each(|row| row.sort_unstable_by_key(|(column, _)| *column));
+        let mut own: Vec<V> = self.order.iter().map(|variable| b[*variable as usize]).collect();
+        let most = V::constant(&Constant::integer(LARGEST_FACTOR));
+        let is_singular = solve_sparse(rows, &mut own, most);
+        for (turn, entry) in self.order.iter().zip(own) {
+            b[*turn as usize] = entry;
+        }
+        is_singular
     }
 
     /// f′(x), row by row, from its entries.

@@ -270,7 +270,7 @@ impl Step {
         let eps = slopes.eps(of_slopes);
         outcome.extend(has_value(field.run(of_field, state)).iter());
         matrix.clear();
-        if !tables.has_panels() {
+        if !tables.are_sparse() {
             // Workspace for partial pivoting, which may be wanted at a later step only.
             matrix.reserve(state.len() * state.len());
         }
@@ -279,6 +279,8 @@ impl Step {
         *is_singular = if factor(tables, entries, &eps, factors) {
             tables.solve(factors, outcome, 1, 0);
             false
+        } else if tables.are_sparse() {
+            tables.solve_by_pivoting(entries, eps, outcome)
         } else {
             tables.spread(entries, matrix);
             into_matrix(matrix, eps, state.len());

@@ -261,34 +261,22 @@ impl<'a> Abreast<'a> {
 
     /// Computes the lines from a site on.
     fn compute(&mut self, site: usize) {
-        let Abreast { program, x, c, width, level, .. } = *self;
-        let sites = ROOM / width;
+        let sites = ROOM / self.width;
         (self.first, self.end) = (site, site + sites);
-        for (gathered, count, array) in [(x, program.block, 0), (c, program.parameters, program.block)] {
-            for index in 0..count {
-                let to = &mut self.numbers[program.array(array + index)..];
-                let from = &gathered[(site - program.reach) * count * width..];
-                // Behind the last site there is nothing, and nobody asks for it.
-                let seen = (from.len() / (count * width)).min(sites + 2 * program.reach);
-                if count == 1 {
-                    to[..seen * width].copy_from_slice(&from[..seen * width]);
-                } else {
-                    for site in 0..seen {
-                        let from = &from[(site * count + index) * width..][..width];
-                        to[site * width..][..width].copy_from_slice(from);
-                    }
-                }
-            }
-        }
-        f64::run(Run { program, numbers: self.numbers, width }, level);
+        let Abreast { program, x, c, width, level, .. } = *self;
+        f64::run(Run { program, x, c, numbers: self.numbers, width, site, sites }, level);
     }
 }
 
-/// One run of a line, for as many sites as there is room for.
+/// One run of a line, for as many sites as there is room for, from one on.
 struct Run<'a> {
     program: &'a Program,
+    x: &'a [f64],
+    c: &'a [f64],
     numbers: &'a mut [f64],
     width: usize,
+    site: usize,
+    sites: usize,
 }
 
 impl OverLanes<f64> for Run<'_> {
@@ -297,14 +285,32 @@ impl OverLanes<f64> for Run<'_> {
 
     #[inline(always)]
     fn run<L: Lanes<f64>>(self) {
-        for &Instruction { kind, to, places, .. } in &self.program.instructions {
+        let Run { program, width, site, sites, .. } = self;
+        for (gathered, count, array) in
+            [(self.x, program.block, 0), (self.c, program.parameters, program.block)]
+        {
+            for index in 0..count {
+                let to = &mut self.numbers[program.array(array + index)..];
+                let from = &gathered[(site - program.reach) * count * width..];
+                // Behind the last site there is nothing, and nobody asks for it.
+                let seen = (from.len() / (count * width)).min(sites + 2 * program.reach);
+                for site in 0..seen {
+                    for register in 0..width / L::WIDTH {
+                        let place = register * L::WIDTH;
+                        let numbers = L::load(from, (site * count + index) * width + place);
+                        numbers.store(to, site * width + place);
+                    }
+                }
+            }
+        }
+        for &Instruction { kind, to, places, .. } in &program.instructions {
             let (before, rest) = self.numbers.split_at_mut(to * ROOM);
             let (result, after) = rest.split_at_mut(ROOM);
             // A macro, as closures need not be compiled for the instructions of lanes.
             macro_rules! each {
                 (|$($operand:ident: $k:literal),*| $value:expr) => {{
                     $(
-                        let place = places[$k].numbers + places[$k].registers * self.width;
+                        let place = places[$k].numbers + places[$k].registers * width;
                         let $operand = match place.checked_sub(before.len() + ROOM) {
                             Some(place) => &after[place..][..ROOM],
                             None => &before[place..][..ROOM],

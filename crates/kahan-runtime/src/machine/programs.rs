@@ -12,7 +12,7 @@ use super::traced::{self, Traced};
 use super::{Coded, StepKind};
 
 /// The most operations of an elimination that is compiled.
-const MOST_OPERATIONS: u32 = 20_000;
+const MOST_OPERATIONS: u32 = 50_000;
 
 impl StepKind {
     /// The program from the numbers of a state to those of the next, for the prepared constants of

@@ -126,6 +126,41 @@ fn a_chain_of_sixty_variables_obeys_the_defining_equation() {
     assert!((total(&state) - total(&x)).abs() < 1e-11, "{}", total(&state) - total(&x));
 }
 
+/// Where x = 1 + 4j and ε = 1/8, the diagonal of A is 0 but for rounding, save at the ends of rows.
+#[test]
+fn a_lattice_without_pivots_on_the_diagonal_obeys_its_linear_equations() {
+    const SIDE: usize = 15;
+    let (n, eps) = (SIDE * SIDE, 0.125);
+    let site = |i: usize, j: usize| {
+        let beside = |i: usize, j: usize| {
+            if i < SIDE && j < SIDE { format!("x{}", i * SIDE + j) } else { "0".to_owned() }
+        };
+        let (right, left) = (beside(i, j + 1), beside(i, j.wrapping_sub(1)));
+        let (down, up) = (beside(i + 1, j), beside(i.wrapping_sub(1), j));
+        let x = beside(i, j);
+        format!("{x}dot = {x}*({right} - {left} + {down} - {up});")
+    };
+    let text: String = (0..n).map(|k| site(k / SIDE, k % SIDE)).collect();
+    let at = map(&text).at(eps);
+    for noise in [0.0, 1e-9, 1e-3, 1.0] {
+        let x: Vec<f64> =
+            (0..n).map(|k| 4.0 * (k % SIDE) as f64 + 1.0 + noise * (0.7 * k as f64).sin()).collect();
+        let (mut next, mut field, mut matrix) = (vec![0.0; n], vec![0.0; n], vec![0.0; n * n]);
+        at.step(&x, &mut next).unwrap();
+        at.field(&x, &mut field).unwrap();
+        at.matrix(&x, &mut matrix).unwrap();
+        let (mut largest, mut worst) = (0.0_f64, 0.0_f64);
+        for (i, row) in matrix.chunks_exact(n).enumerate() {
+            let products = row.iter().zip(next.iter().zip(&x)).map(|(entry, (next, x))| entry * (next - x));
+            let (mut sum, mut size) = (-2.0 * eps * field[i], 0.0);
+            products.for_each(|product| (sum, size) = (sum + product, size + product.abs()));
+            (largest, worst) = (largest.max(size), worst.max(sum.abs()));
+        }
+        // Partial pivoting is stable with respect to the largest entries.
+        assert!(worst <= 1e-13 * largest, "{noise}: {worst:e} of {largest:e}");
+    }
+}
+
 #[test]
 fn the_jacobian_of_sixty_variables_is_that_of_differences() {
     let map = map(&chain(60));

@@ -2,8 +2,10 @@
 //!
 //! In: where the parts lie. Out: their sites in turn, each array of a site one register. To either
 //! side of an interior stand its separator and R sites more, which the separators' own rows see.
+//! Kernels of all sizes share the code of a level.
 
-use crate::ensemble::lanes::Lanes;
+use crate::ensemble::Level;
+use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::lattice::sites::neighbour;
 use crate::lattice::{LatticeScalar, Lines};
 
@@ -14,157 +16,157 @@ pub(super) struct Parts {
     pub(super) start: usize,
     /// The sites of each, its separator included.
     pub(super) length: usize,
+    /// How many they are.
+    pub(super) width: usize,
 }
 
 impl Parts {
-    /// Gathers numbers of the sites from `from` to `to` of every part, counted from its first one:
-    /// `block` numbers a site, `stride` registers apart, found by their site in the chain.
-    #[inline(always)]
-    fn gather<L: Lanes<T>, T: LatticeScalar + Copy>(
-        self,
-        (from, to): (isize, isize),
-        block: usize,
-        stride: usize,
-        lanes: &mut [T],
-        number: impl Fn(isize, usize) -> T,
-    ) {
-        for (s, site) in (from..to).enumerate() {
-            for b in 0..block {
-                for k in 0..L::WIDTH {
-                    let chain = (self.start + k * self.length) as isize + site;
-                    lanes[(s * stride + b) * L::WIDTH + k] = number(chain, b);
-                }
-            }
+    /// Gathers the states and parameters of all sites that the rows of both separators see, from R
+    /// before the left one to R after the right one.
+    pub(super) fn gather<M, T>(self, map: &M, state: &[T], x: &mut [T], c: &mut [T], level: Level)
+    where
+        T: LatticeScalar + InLanes + Copy,
+        M: Lines<T>,
+    {
+        let (block, reach) = (map.sizes().block, map.sizes().reach);
+        let sites = state.len() / block;
+        let number = |site: usize, b: usize| state[site * block + b];
+        self.gather_edges(map, sites, block, block, x, number);
+        let inner = &mut x[reach * block * self.width..];
+        self.gather_inner(state, block, 1, self.length, inner, level);
+        self.gather_parameters(map, sites, c, level);
+    }
+
+    /// Gathers the parameters of these sites.
+    pub(super) fn gather_parameters<M, T>(self, map: &M, sites: usize, c: &mut [T], level: Level)
+    where
+        T: LatticeScalar + InLanes + Copy,
+        M: Lines<T>,
+    {
+        let (reach, parameters) = (map.sizes().reach, map.sizes().parameters);
+        for p in 0..parameters {
+            let (values, c) = (map.site_parameter(p), &mut c[p * self.width..]);
+            self.gather_edges(map, sites, 1, parameters, c, |site, _| values[site]);
+            let inner = &mut c[reach * parameters * self.width..];
+            self.gather_inner(values, 1, parameters, self.length, inner, level);
         }
     }
 
-    /// The states and parameters of all sites that the rows of both separators see, from R before
-    /// the left one to R after the right one.
-    #[inline(always)]
-    pub(super) fn gather_all<M, L, T>(self, map: &M, state: &[T], x: &mut [T], c: &mut [T])
-    where
-        L: Lanes<T>,
-        T: LatticeScalar + Copy,
-        M: Lines<T>,
-    {
-        let (block, reach) = (map.sizes().block, map.sizes().reach as isize);
-        let sites = state.len() / block;
-        let length = self.length as isize;
-        let edge = |site: isize, b: usize| {
-            neighbour(map.boundary(), sites, 0, site).map_or_else(T::zero, |site| state[site * block + b])
-        };
-        // Between the separators' outer neighbours nothing wraps around.
-        let place = |site: isize| (site + reach) as usize * block * L::WIDTH;
-        self.gather::<L, T>((-reach, 0), block, block, x, edge);
-        self.gather_inner::<L, T>(state, block, 1, 0, self.length, &mut x[place(0)..]);
-        self.gather::<L, T>((length, length + 2 * reach), block, block, &mut x[place(length)..], edge);
-        self.gather_parameters::<M, L, T>(map, sites, c);
-    }
-
-    /// The parameters of the same sites.
-    #[inline(always)]
-    pub(super) fn gather_parameters<M, L, T>(self, map: &M, sites: usize, c: &mut [T])
-    where
-        L: Lanes<T>,
+    /// Gathers numbers of the R sites before each part, and of the 2R behind it: `block` numbers a
+    /// site, sites `stride` registers apart, found by their site in the chain.
+    fn gather_edges<M, T>(
+        self,
+        map: &M,
+        sites: usize,
+        block: usize,
+        stride: usize,
+        lanes: &mut [T],
+        number: impl Fn(usize, usize) -> T,
+    ) where
         T: LatticeScalar + Copy,
         M: Lines<T>,
     {
         let (reach, length) = (map.sizes().reach as isize, self.length as isize);
-        let parameters = map.sizes().parameters;
-        let place = |site: isize| (site + reach) as usize * parameters * L::WIDTH;
-        for p in 0..parameters {
-            let values = map.site_parameter(p);
-            let edge = |site: isize, _| {
-                neighbour(map.boundary(), sites, 0, site).map_or_else(T::zero, |site| values[site])
-            };
-            let mut gather = |from, to| {
-                self.gather::<L, T>((from, to), 1, parameters, &mut c[place(from) + p * L::WIDTH..], edge);
-            };
-            gather(-reach, 0);
-            gather(length, length + 2 * reach);
-            self.gather_inner::<L, T>(
-                values,
-                1,
-                parameters,
-                0,
-                self.length,
-                &mut c[place(0) + p * L::WIDTH..],
-            );
+        // Between the separators' outer neighbours nothing wraps around.
+        for site in (-reach..0).chain(length..length + 2 * reach) {
+            for b in 0..block {
+                let place = ((site + reach) as usize * stride + b) * self.width;
+                for (k, lane) in lanes[place..][..self.width].iter_mut().enumerate() {
+                    let chain = (self.start + k * self.length) as isize + site;
+                    let seen = neighbour(map.boundary(), sites, 0, chain);
+                    *lane = seen.map_or_else(T::zero, |site| number(site, b));
+                }
+            }
         }
     }
 
-    /// The sites from `from` to `to` of each part, none of which wraps around, in a run of numbers
-    /// in which the first part begins at `start`; one number goes to every `stride`-th register.
-    #[inline(always)]
-    pub(super) fn gather_inner<L: Lanes<T>, T: LatticeScalar + Copy>(
+    /// Gathers the first `sites` of each part, none of which wraps around, in a run of numbers in
+    /// which the first part begins at `start`; one number goes to every `stride`-th register.
+    pub(super) fn gather_inner<T: InLanes + Copy>(
         self,
-        state: &[T],
+        chain: &[T],
         block: usize,
         stride: usize,
-        from: usize,
-        to: usize,
+        sites: usize,
         lanes: &mut [T],
+        level: Level,
     ) {
-        let len = (to - from) * block;
-        let part = |k: usize| &state[(self.start + k * self.length + from) * block..][..len];
-        let in_squares = in_squares::<L, T>(len);
-        for k in (0..L::WIDTH / SIDE).map(|square| square * SIDE) {
-            let mut square = [[T::zero(); SIDE]; SIDE];
-            for number in (0..in_squares / SIDE).map(|square| square * SIDE) {
-                for (r, row) in square.iter_mut().enumerate() {
-                    row.copy_from_slice(&part(k + r)[number..][..SIDE]);
-                }
-                square = L::transposed(square);
-                for (r, row) in square.iter().enumerate() {
-                    lanes[(number + r) * stride * L::WIDTH + k..][..SIDE].copy_from_slice(row);
-                }
-            }
-        }
-        for number in in_squares..len {
-            for k in 0..L::WIDTH {
-                lanes[number * stride * L::WIDTH + k] = part(k)[number];
-            }
-        }
+        let from = Rows { numbers: &chain[self.start * block..], stride: self.length * block };
+        let to = Rows { numbers: lanes, stride: stride * self.width };
+        T::run(Transposed { rows: self.width, columns: sites * block, from, to }, level);
     }
 
-    /// The inverse of [`gather_inner`](Self::gather_inner).
-    #[inline(always)]
-    pub(super) fn scatter_inner<L: Lanes<T>, T: LatticeScalar + Copy>(
+    /// Scatters the sites of each part from `from` on.
+    pub(super) fn scatter_inner<T: InLanes + Copy>(
         self,
-        state: &mut [T],
+        chain: &mut [T],
         block: usize,
         from: usize,
-        to: usize,
         lanes: &[T],
+        level: Level,
     ) {
-        let len = (to - from) * block;
-        let begin = |k: usize| (self.start + k * self.length + from) * block;
-        let in_squares = in_squares::<L, T>(len);
-        for k in (0..L::WIDTH / SIDE).map(|square| square * SIDE) {
-            let mut square = [[T::zero(); SIDE]; SIDE];
-            for number in (0..in_squares / SIDE).map(|square| square * SIDE) {
-                for (r, row) in square.iter_mut().enumerate() {
-                    row.copy_from_slice(&lanes[(number + r) * L::WIDTH + k..][..SIDE]);
-                }
-                square = L::transposed(square);
-                for (r, row) in square.iter().enumerate() {
-                    state[begin(k + r) + number..][..SIDE].copy_from_slice(row);
-                }
-            }
-        }
-        for number in in_squares..len {
-            for k in 0..L::WIDTH {
-                state[begin(k) + number] = lanes[number * L::WIDTH + k];
-            }
-        }
+        let rows = (self.length - from) * block;
+        let from = (self.start + from) * block;
+        let to = Rows { numbers: &mut chain[from..], stride: self.length * block };
+        let from = Rows { numbers: lanes, stride: self.width };
+        T::run(Transposed { rows, columns: self.width, from, to }, level);
     }
+}
+
+/// The rows of a matrix, the first at the beginning of the numbers.
+struct Rows<N> {
+    numbers: N,
+    stride: usize,
+}
+
+/// Writes a matrix with rows for columns.
+struct Transposed<'a, T> {
+    rows: usize,
+    columns: usize,
+    from: Rows<&'a [T]>,
+    to: Rows<&'a mut [T]>,
 }
 
 /// The numbers of a side of a square.
 const SIDE: usize = 4;
 
-/// How many of so many numbers a part are moved in squares.
-#[inline(always)]
-fn in_squares<L: Lanes<T>, T>(len: usize) -> usize {
-    if L::WIDTH.is_multiple_of(SIDE) { len - len % SIDE } else { 0 }
+#[expect(
+    clippy::needless_range_loop,
+    clippy::manual_memcpy,
+    reason = "loops of a length that is known are unrolled, and slices are copied by calls"
+)]
+impl<T: InLanes + Copy> OverLanes<T> for Transposed<'_, T> {
+    type Output = ();
+    const IS_SMALL: bool = false;
+
+    #[inline(always)]
+    fn run<L: Lanes<T>>(self) {
+        let Transposed { rows, columns, from, to } = self;
+        let [rows_in_squares, columns_in_squares] = [rows - rows % SIDE, columns - columns % SIDE];
+        for row in 0..rows_in_squares / SIDE {
+            for column in 0..columns_in_squares / SIDE {
+                let (row, column) = (row * SIDE, column * SIDE);
+                let mut square = [[from.numbers[0]; SIDE]; SIDE];
+                for r in 0..SIDE {
+                    let numbers = &from.numbers[(row + r) * from.stride + column..][..SIDE];
+                    for c in 0..SIDE {
+                        square[r][c] = numbers[c];
+                    }
+                }
+                let square = L::transposed(square);
+                for c in 0..SIDE {
+                    let numbers = &mut to.numbers[(column + c) * to.stride + row..][..SIDE];
+                    for r in 0..SIDE {
+                        numbers[r] = square[c][r];
+                    }
+                }
+            }
+        }
+        for row in 0..rows {
+            let first = if row < rows_in_squares { columns_in_squares } else { 0 };
+            for column in first..columns {
+                to.numbers[column * to.stride + row] = from.numbers[row * from.stride + column];
+            }
+        }
+    }
 }

@@ -10,7 +10,7 @@ use core::array::from_fn;
 use core::marker::PhantomData;
 
 use crate::Scalar;
-use crate::ensemble::lanes::Lanes;
+use crate::ensemble::lanes::{InLanes, Lanes, OverLanes};
 use crate::lattice::{Family, LatticeScalar, Lines, Stencil};
 
 use super::scratch::Scratch;
@@ -131,7 +131,7 @@ pub(in crate::lattice) trait Passes {
     where
         M: Lines<T>,
         L: Lanes<T>,
-        T: LatticeScalar + Copy;
+        T: LatticeScalar + InLanes + Copy;
 
     /// The second pass, with what the separators gain, first that to the left: x + 2ε w in place of
     /// x.
@@ -139,7 +139,7 @@ pub(in crate::lattice) trait Passes {
     where
         M: Lines<T>,
         L: Lanes<T>,
-        T: LatticeScalar + Copy;
+        T: LatticeScalar + InLanes + Copy;
 
     /// The lines of a family of this shape.
     fn lines<'a, M, L, T, const B: usize, const SITES: usize>(
@@ -169,7 +169,7 @@ impl<
     where
         M: Lines<T>,
         L: Lanes<T>,
-        T: LatticeScalar + Copy,
+        T: LatticeScalar + InLanes + Copy,
     {
         let (x, c) = (scratch.x.entries(), scratch.c.entries());
         let (registers, level) = (scratch.registers.entries(), scratch.level);
@@ -241,8 +241,8 @@ impl<
                 }
             }
         }
-        let worst = Self::eliminate::<L, T>(dense, LOWER, rows, worst);
         worst.store(dense, place(rows, 0));
+        T::run(Rest { dense, first: LOWER, rows, width: L::WIDTH }, level);
     }
 
     #[inline(always)]
@@ -250,7 +250,7 @@ impl<
     where
         M: Lines<T>,
         L: Lanes<T>,
-        T: LatticeScalar + Copy,
+        T: LatticeScalar + InLanes + Copy,
     {
         let twice = L::spread(twice);
         let (x, c) = (scratch.x.entries(), scratch.c.entries());
@@ -370,35 +370,53 @@ impl<
         }
         row
     }
+}
 
-    /// Eliminates the first columns of a dense system, pivots from the first rows only.
+/// The small system that the first pass ends with, and behind it the largest multipliers so far:
+/// eliminates its first columns, with pivots from the first rows only.
+struct Rest<'a, T> {
+    dense: &'a mut [T],
+    first: usize,
+    rows: usize,
+    /// Parts side by side.
+    width: usize,
+}
+
+impl<T: LatticeScalar + InLanes + Copy> OverLanes<T> for Rest<'_, T> {
+    type Output = ();
+    const IS_SMALL: bool = false;
+
     #[inline(always)]
-    fn eliminate<L: Lanes<T>, T>(dense: &mut [T], first: usize, rows: usize, worst: L) -> L {
-        let (columns, mut worst) = (rows + 1, worst);
-        let place = |row: usize, column: usize| (row * columns + column) * L::WIDTH;
-        for column in 0..first {
-            for row in column + 1..first {
-                let (a, b) = (place(column, column), place(row, column));
-                let mask = L::load(dense, b).exceeds(L::load(dense, a));
-                for k in column..columns {
-                    let (a, b) = (L::load(dense, place(column, k)), L::load(dense, place(row, k)));
-                    L::choose(mask, b, a).store(dense, place(column, k));
-                    L::choose(mask, a, b).store(dense, place(row, k));
+    fn run<L: Lanes<T>>(self) {
+        let Rest { dense, first, rows, width } = self;
+        let columns = rows + 1;
+        for register in 0..width / L::WIDTH {
+            let place = |row: usize, column: usize| (row * columns + column) * width + register * L::WIDTH;
+            let mut worst = L::load(dense, place(rows, 0));
+            for column in 0..first {
+                for row in column + 1..first {
+                    let (a, b) = (place(column, column), place(row, column));
+                    let mask = L::load(dense, b).exceeds(L::load(dense, a));
+                    for k in column..columns {
+                        let (a, b) = (L::load(dense, place(column, k)), L::load(dense, place(row, k)));
+                        L::choose(mask, b, a).store(dense, place(column, k));
+                        L::choose(mask, a, b).store(dense, place(row, k));
+                    }
+                }
+                let reciprocal = L::one() / L::load(dense, place(column, column));
+                for row in column + 1..rows {
+                    let multiplier = L::load(dense, place(row, column)) * reciprocal;
+                    if row >= first {
+                        worst = L::choose(worst.exceeds(multiplier), worst, multiplier);
+                    }
+                    for k in column + 1..columns {
+                        let pivot = L::load(dense, place(column, k));
+                        let entry = L::load(dense, place(row, k)).subtract_product(multiplier, pivot);
+                        entry.store(dense, place(row, k));
+                    }
                 }
             }
-            let reciprocal = L::one() / L::load(dense, place(column, column));
-            for row in column + 1..rows {
-                let multiplier = L::load(dense, place(row, column)) * reciprocal;
-                if row >= first {
-                    worst = L::choose(worst.exceeds(multiplier), worst, multiplier);
-                }
-                for k in column + 1..columns {
-                    let pivot = L::load(dense, place(column, k));
-                    let entry = L::load(dense, place(row, k)).subtract_product(multiplier, pivot);
-                    entry.store(dense, place(row, k));
-                }
-            }
+            worst.store(dense, place(rows, 0));
         }
-        worst
     }
 }

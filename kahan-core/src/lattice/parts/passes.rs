@@ -56,7 +56,8 @@ fn join(first: impl FnOnce(), second: impl FnOnce()) {
 #[inline(always)]
 fn batches(partition: &Partition, group: usize, width: usize) -> impl Iterator<Item = (usize, Parts)> {
     let (start, length, lanes) = (partition.start(group), partition.length(group), partition.lanes());
-    (0..lanes).step_by(width).map(move |k| (group * lanes + k, Parts { start: start + k * length, length }))
+    let parts = move |k| (group * lanes + k, Parts { start: start + k * length, length, width });
+    (0..lanes).step_by(width).map(parts)
 }
 
 /// Whether two sets of so many rows of so many numbers fit sixteen registers, which are all that
@@ -125,7 +126,7 @@ pub(in crate::lattice) struct First<'a, M, T> {
     pub(super) joints: &'a mut [T],
 }
 
-impl<S: Shape, M: Lines<T>, T: LatticeScalar + Copy> OverLanes<T> for By<S, First<'_, M, T>> {
+impl<S: Shape, M: Lines<T>, T: LatticeScalar + InLanes + Copy> OverLanes<T> for By<S, First<'_, M, T>> {
     type Output = ();
     /// The rows of the window, and those of the separator.
     const IS_SMALL: bool = is_small(S::LOWER + separator::<S>(), S::LOWER + S::UPPER + 1 + separator::<S>());
@@ -138,7 +139,7 @@ impl<S: Shape, M: Lines<T>, T: LatticeScalar + Copy> OverLanes<T> for By<S, Firs
         let mut joints = joints.chunks_exact_mut(joints::size(separator));
         for group in groups {
             for (_, parts) in batches(partition, group, L::WIDTH) {
-                parts.gather_all::<M, L, T>(map, state, scratch.x.entries(), scratch.c.entries());
+                parts.gather(map, state, scratch.x.entries(), scratch.c.entries(), scratch.level);
                 S::contribute::<M, L, T>(map, constants, parts.length - S::REACH, scratch);
                 let dense = scratch.dense.entries();
                 for (lane, joint) in joints.by_ref().take(L::WIDTH).enumerate() {
@@ -172,7 +173,7 @@ pub(in crate::lattice) struct Second<'a, M, T> {
     pub(super) state: &'a mut [T],
 }
 
-impl<S: Shape, M: Lines<T>, T: LatticeScalar + Copy> OverLanes<T> for By<S, Second<'_, M, T>> {
+impl<S: Shape, M: Lines<T>, T: LatticeScalar + InLanes + Copy> OverLanes<T> for By<S, Second<'_, M, T>> {
     type Output = ();
     /// The rows of the window, which know nothing of the separator.
     const IS_SMALL: bool = is_small(S::LOWER, S::LOWER + S::UPPER + 1);
@@ -185,10 +186,11 @@ impl<S: Shape, M: Lines<T>, T: LatticeScalar + Copy> OverLanes<T> for By<S, Seco
         let first = partition.start(groups.start);
         for group in groups {
             for (part, parts) in batches(partition, group, L::WIDTH) {
-                parts.gather_parameters::<M, L, T>(map, sites, scratch.c.entries());
+                parts.gather_parameters(map, sites, scratch.c.entries(), scratch.level);
                 let here = Parts { start: parts.start - first, ..parts };
                 let x = scratch.x.entries();
-                here.gather_inner::<L, T>(state, block, 1, 0, parts.length, &mut x[separator * L::WIDTH..]);
+                let inner = &mut x[separator * L::WIDTH..];
+                here.gather_inner(state, block, 1, parts.length, inner, scratch.level);
                 for lane in 0..L::WIDTH {
                     let separators = (part + lane) * separator;
                     for k in 0..separator {
@@ -203,7 +205,7 @@ impl<S: Shape, M: Lines<T>, T: LatticeScalar + Copy> OverLanes<T> for By<S, Seco
                 }
                 S::substitute::<M, L, T>(map, constants, twice, parts.length - reach, scratch);
                 let x = scratch.x.entries();
-                here.scatter_inner::<L, T>(state, block, reach, parts.length, &x[2 * separator * L::WIDTH..]);
+                here.scatter_inner(state, block, reach, &x[2 * separator * L::WIDTH..], scratch.level);
             }
         }
     }
