@@ -16,6 +16,7 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::token::{Span, Token};
 
+use crate::embedding::{Builder, Embedding};
 use crate::energy::Mechanical;
 use crate::equations::Equations;
 use crate::exact;
@@ -173,8 +174,8 @@ struct Judged<'a> {
 pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let budget = if options.budget == 0 { NODES } else { options.budget };
-    let nothing = |message: &str, help: &str| {
-        vec![Diagnostic::new(Kind::NotAPolynomial, Span::token(0), message.to_owned(), help.to_owned())]
+    let nothing = |kind, message: &str, help: &str| {
+        vec![Diagnostic::new(kind, Span::token(0), message.to_owned(), help.to_owned())]
     };
     let mut candidates = Vec::new();
     if matches!(options.which, Which::Automatic | Which::Energy) && !equations.has_time {
@@ -183,7 +184,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
     if candidates.is_empty() && options.which == Which::Energy {
         let help =
             "the energy lift is for x' = p, p' = -grad V(x) with constant masses; leave `=energy` away";
-        return Err(nothing("this is not a mechanical system with a potential", help));
+        return Err(nothing(Kind::NotAPolynomial, "this is not a mechanical system with a potential", help));
     }
     if candidates.is_empty() {
         candidates = ordinary_candidates(&equations, budget, options.which != Which::Smallest);
@@ -196,7 +197,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
     let count = equations.parameters.len();
     let Some((judged, chosen)) = choose(&candidates, options.which, numeric.as_ref(), count) else {
         let help = "write a part of the equations as a state of its own, or approximate it by a polynomial";
-        return Err(nothing("no quadratic lift was found within the budget", help));
+        return Err(nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help));
     };
     Ok(described(&equations, &judged, chosen))
 }
@@ -721,12 +722,13 @@ impl Lift {
     /// If there are fewer states or parameters than the lift has.
     #[must_use]
     pub fn embed(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
-        let numeric = Numeric::new(&self.ring, parameters);
-        let coordinates = numeric.coordinates(states);
-        let value = |new: &NewVariable| {
-            new.value.as_ref().map_or(0.0, |value| numeric.laurent(value).value(&coordinates))
-        };
-        self.new.iter().map(value).collect()
+        self.embedding().values(states, parameters)
+    }
+
+    /// The values of the new variables as steps.
+    #[must_use]
+    pub fn embedding(&self) -> Embedding {
+        Builder::embedding(&self.ring, self.new.iter().map(|new| new.value.as_ref()))
     }
 
     /// The values of the new variables at these states, with these values of the parameters: exact
