@@ -38,9 +38,11 @@ fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<
 /// Whether a block begins with `lift`, so that [`parse_lifted`] reads it.
 #[must_use]
 pub fn asks_for_lift(tokens: &[Token]) -> bool {
-    let mut lift = None;
-    header::parse_header(&mut Cursor::new(tokens), &mut lift, &mut Diagnostics::default());
-    lift.is_some()
+    let mut diagnostics = Diagnostics::default();
+    let (_, block) = begin::<InFormula>(tokens, &mut diagnostics);
+    // Whoever reads the block reports its mistakes.
+    drop(diagnostics.finish());
+    block.lift.is_some()
 }
 
 /// Reads a whole block. Of one that asks for a lift it reads the header only, and says so.

@@ -1,0 +1,349 @@
+//! Blocks that ask for a lift: their equations become a quadratic field, which the rest of the
+//! emitter takes like any other, and their type has first values of the new variables.
+
+use kahan_algebra::arithmetic::Float64;
+use kahan_algebra::check::{Broken, Checked, StandIn};
+use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_algebra::interpret::{Interpreter, Point};
+use kahan_algebra::lexer::lex;
+use kahan_algebra::parse::{parse, parse_lifted};
+use kahan_algebra::prove::check_claims;
+use kahan_algebra::symbols::{Symbol, Symbols};
+use kahan_algebra::syntax::{Block, ClaimKind, Constant, Equation, Header, InFormula, Name, Written};
+use kahan_algebra::system::{Claim, System};
+use kahan_algebra::token::{Span, Token};
+use kahan_algebra::{check_unproved, seed};
+use kahan_lift::{Embedding, Lift, Options, Step, lift};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::inputs::binding;
+use super::items::{emit_list, identifier};
+use super::{Context, docs};
+
+/// The nodes of a search: few enough for an unoptimised macro, and the same in every build.
+const NODES: usize = 400;
+
+/// What is known of a lifted block besides its system.
+pub(super) struct Lifted {
+    /// The number of original states, a lifted `t` among them.
+    pub(super) states: usize,
+    /// The lift; none of a block with mistakes.
+    pub(super) lift: Option<Lift>,
+    embedding: Embedding,
+}
+
+/// Lifts the equations of a block and proves its claims for the lift.
+pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
+    let mut mistakes = Diagnostics::default();
+    let block = parse_lifted(tokens, &mut mistakes);
+    // Whoever lifts the block reports them.
+    drop(mistakes.finish());
+    let place = block.header.as_ref().map_or(block.lift, |header| Some(header.name.span));
+    let place = place.unwrap_or(Span::token(0));
+    let lifted = lift(tokens, &Options { budget: NODES, ..Options::default() });
+    let lift = match lifted {
+        Ok(lift) => lift,
+        Err(mut diagnostics) => {
+            diagnostics.iter_mut().for_each(|mistake| name_command(mistake, place));
+            return broken(block, diagnostics);
+        }
+    };
+    let header = block.header.clone();
+    let checked = match check_unproved(lifted_block(block, &lift, tokens, place)) {
+        Checked::System(system) => proved(System { header, ..system }, &lift, tokens),
+        Checked::Broken(mut broken) => {
+            broken.stand_in.header = header;
+            Checked::Broken(broken)
+        }
+        family @ Checked::Family(_) => family,
+    };
+    let embedding = lift.embedding();
+    (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
+}
+
+/// A search that ended at its limit is told of the command, which has none.
+fn name_command(mistake: &mut Diagnostic, place: Span) {
+    if mistake.kind == Kind::TooLarge && mistake.span == Span::token(0) {
+        mistake.span = place;
+        mistake.message = "no quadratic lift was found within the limit of the macro".to_owned();
+        mistake.help = "run `kahan lift --macro --file …` and write the block that it prints".to_owned();
+    }
+}
+
+/// The stand-in of a block that is not lifted: its states alone, as if none were missing.
+fn broken(block: Block<InFormula>, diagnostics: Vec<Diagnostic>) -> (Checked, Lifted) {
+    let mut states: Vec<String> = Vec::new();
+    for equation in block.equations {
+        if !states.contains(&equation.state.text) {
+            states.push(equation.state.text);
+        }
+    }
+    let parameters = block.header.iter().flat_map(|header| &header.parameters).map(|name| name.text.clone());
+    let symbols = Symbols { states, parameters: parameters.collect() };
+    let states = symbols.states.len();
+    let mut stand_in = StandIn::of_type(block.header);
+    stand_in.symbols = symbols;
+    let lifted = Lifted { states, lift: None, embedding: Embedding::default() };
+    (Checked::Broken(Broken { diagnostics, stand_in }), lifted)
+}
+
+/// The block with the equations of the lift. Without a header its parameters are those of the
+/// original equations all the same: some may stand in first values alone.
+fn lifted_block(block: Block<InFormula>, lift: &Lift, tokens: &[Token], place: Span) -> Block {
+    let mut none = Diagnostics::default();
+    let equations = parse(&lex(&lift.text()).tokens, &mut none).equations;
+    assert!(none.finish().is_empty(), "a lift is written in the language of blocks");
+    let own = |state: &str| block.equations.iter().find(|own| own.state.text == state);
+    let equations = equations.into_iter().map(|equation| {
+        let span = own(&equation.state.text).map_or(place, |own| own.state.span);
+        Equation { state: Name { span, ..equation.state }, ..equation }
+    });
+    let constants = block.constants.iter().filter_map(|constant| {
+        let value = Some(constant.value.as_ref()?.rational()?);
+        Some(Constant { name: constant.name.clone(), value })
+    });
+    let header = block.header.clone().unwrap_or_else(|| {
+        let named = |text: &String| {
+            let first = tokens.iter().position(|token| token.text == *text);
+            Name { text: text.clone(), span: first.map_or(place, Span::token) }
+        };
+        let parameters: Vec<Name> = lift.parameters.iter().map(named).collect();
+        let described = vec![Written::default(); parameters.len()];
+        let name = Name { text: "Field".to_owned(), span: place };
+        let [attributes, visibility] = [Written::default(), Written::default()];
+        Header { attributes, visibility, name, parameters, described }
+    });
+    Block {
+        header: Some(header),
+        lift: block.lift.or(Some(place)),
+        constants: constants.collect(),
+        equations: equations.collect(),
+        claims: block.claims,
+        ..Block::default()
+    }
+}
+
+/// The system if its claims hold.
+fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
+    let mut diagnostics = Diagnostics::default();
+    check_claims(&system, seed(tokens), &mut diagnostics);
+    let mut diagnostics = diagnostics.finish();
+    if diagnostics.is_empty() {
+        return Checked::System(system);
+    }
+    for mistake in diagnostics.iter_mut().filter(|mistake| mistake.kind == Kind::FalseClaim) {
+        let claim = system.claims.iter().find(|claim| claim.name.span == mistake.span);
+        if let Some(claim) = claim.filter(|claim| holds_on_relations(&system, claim, lift)) {
+            let (kind, name) = (claim.kind.keyword(), &claim.name.text);
+            mistake.message =
+                format!("the {kind} `{name}` holds on the relations between the variables alone");
+            mistake.help =
+                "a claim of a lift is about its quadratic field, in which the new variables are free: \
+                            write one that holds for all their values"
+                    .to_owned();
+        }
+    }
+    let stand_in = StandIn::of_system(&system);
+    Checked::Broken(Broken { diagnostics, stand_in })
+}
+
+/// Whether floats find a false integral constant where the new variables have their first values:
+/// a step then changes it by a small part of what it does beside the relations.
+fn holds_on_relations(system: &System, claim: &Claim, lift: &Lift) -> bool {
+    const EPS: f64 = 1.0 / 64.0;
+    const ROUNDING: f64 = 1e-9;
+    if claim.kind != ClaimKind::Integral || !claim.is_unconditional() {
+        return false;
+    }
+    let symbols = &system.field.symbols;
+    let interpreter = Interpreter::new(system);
+    let change = |state: Vec<f64>, parameters: &[f64]| {
+        let point = Point { state, parameters: parameters.to_vec(), eps: EPS };
+        let next = interpreter.evaluate(&Float64, &point).ok()?.next?;
+        let value = |state: &[f64]| {
+            let input = |variable| match symbols.symbol(variable) {
+                Symbol::State(i) | Symbol::SecondState(i) => state[i],
+                Symbol::Parameter(k) => parameters[k],
+                Symbol::Epsilon => EPS,
+            };
+            claim.plan.evaluate(&Float64, input).pop()?
+        };
+        Some((value(&next)? - value(&point.state)?).abs()).filter(|change| change.is_finite())
+    };
+    let changes = (1..=6).filter_map(|place| {
+        // Between 0.3 and 0.8, where functions such as logarithms have values.
+        let spread = |index: usize| 0.3 + ((7 + place) * (3 + index) % 11) as f64 / 20.0;
+        let states: Vec<f64> = (0..lift.states.len()).map(spread).collect();
+        let parameters: Vec<f64> = (0..lift.parameters.len()).map(|k| spread(k + states.len())).collect();
+        let new = lift.embed(&states, &parameters);
+        let beside = new.iter().enumerate().map(|(index, value)| value + spread(index));
+        let on_relations = change([&states[..], &new].concat(), &parameters)?;
+        Some((on_relations, change(states.iter().copied().chain(beside).collect(), &parameters)?))
+    });
+    let changes: Vec<(f64, f64)> = changes.collect();
+    changes.len() > 2 && changes.iter().all(|&(on, beside)| on <= ROUNDING * beside)
+}
+
+impl Lifted {
+    /// The names of the new variables.
+    fn new_variables(&self) -> Vec<String> {
+        self.lift.iter().flat_map(|lift| &lift.new).map(|new| new.name.clone()).collect()
+    }
+}
+
+/// The lists that are constants of the type of a lift.
+pub(super) const LISTS: [&str; 2] = ["NEW_VARIABLES", "RELATIONS"];
+
+/// `NEW_VARIABLES` and `RELATIONS`.
+pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
+    let relations = lifted.lift.iter().flat_map(|lift| &lift.relations);
+    let relations: Vec<String> = relations.map(|relation| relation.text.clone()).collect();
+    let new = "The variables beyond the states, in order.";
+    let new = emit_list(LISTS[0], new, &lifted.new_variables());
+    let zero = "Relations between the variables: each is 0 at an embedded point.";
+    let relations = emit_list(LISTS[1], zero, &relations);
+    quote! { #new #relations }
+}
+
+/// Expands to the implementations with `embed` and `project`.
+pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
+    let (this, scalar) = (context.this.path(), &context.this.scalar);
+    let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));
+    let vector = quote!(__kahan::SVector<#scalar, #count>);
+    let body = emit_embedding(context, lifted);
+    let stand_in = (!context.is_proved).then(|| docs::stand_in(false));
+    let [embed, project] = [docs::embed(lifted), docs::project()].map(|own| stand_in.clone().unwrap_or(own));
+    let method = |of: TokenStream, method: TokenStream| {
+        let [generics, own] = if context.this.has_parameters() {
+            [quote!(<#scalar: #of>), quote!()]
+        } else {
+            [quote!(), quote!(<#scalar: #of>)]
+        };
+        (generics, own, method)
+    };
+    let implementation = |of: TokenStream,
+                          documentation: &TokenStream,
+                          name: &str,
+                          signature: TokenStream,
+                          body: TokenStream| {
+        let name = Ident::new(name, proc_macro2::Span::call_site());
+        let (generics, own, signature) = method(of, signature);
+        quote! {
+            impl #generics #this {
+                #documentation
+                pub fn #name #own #signature {
+                    #body
+                }
+            }
+        }
+    };
+    let first = implementation(
+        quote!(__kahan::EmbedScalar),
+        &embed,
+        "embed",
+        quote!((&self, x: &#vector) -> #lifted_vector),
+        body,
+    );
+    let second = implementation(
+        quote!(__kahan::Scalar),
+        &project,
+        "project",
+        quote!((&self, x: &#lifted_vector) -> #vector),
+        quote!(__kahan::projected(x)),
+    );
+    quote! { #first #second }
+}
+
+/// The body of `embed`: each step is a binding, in `f64`.
+fn emit_embedding(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
+    let symbols = &context.system.field.symbols;
+    let Embedding { steps, values } = &lifted.embedding;
+    let mut used = vec![false; lifted.states];
+    let mut bindings = TokenStream::new();
+    let mut names: Vec<TokenStream> = Vec::new();
+    for (index, step) in steps.iter().enumerate() {
+        let of = |place: &usize| names[*place].clone();
+        let value = match step {
+            Step::State(state) => {
+                used[*state] = true;
+                let name = binding(symbols, symbols.state(*state));
+                names.push(quote!(#name));
+                continue;
+            }
+            Step::Number(number) => {
+                names.push(emit_float(number.to_f64()));
+                continue;
+            }
+            Step::Parameter(parameter) => {
+                let name = binding(symbols, symbols.parameter(*parameter));
+                let field = identifier(&symbols.parameters[*parameter], proc_macro2::Span::call_site());
+                bindings.extend(quote! { let #name = __kahan::EmbedScalar::widened(self.#field); });
+                names.push(quote!(#name));
+                continue;
+            }
+            Step::Negation(a) => {
+                let a = of(a);
+                quote!(-#a)
+            }
+            Step::Sum(a, b) => {
+                let (a, b) = (of(a), of(b));
+                quote!(#a + #b)
+            }
+            Step::Product(a, b) => {
+                let (a, b) = (of(a), of(b));
+                quote!(#a * #b)
+            }
+            Step::Quotient(a, b) => {
+                let (a, b) = (of(a), of(b));
+                quote!(#a / #b)
+            }
+            Step::Power(a, exponent) => {
+                let (a, exponent) = (of(a), Literal::i32_unsuffixed(*exponent));
+                quote!(__kahan::elementary::power(#a, #exponent))
+            }
+            Step::RealPower(a, b) => {
+                let (a, b) = (of(a), of(b));
+                quote!(__kahan::elementary::pow(#a, #b))
+            }
+            Step::SquareRoot(a) => {
+                let a = of(a);
+                quote!(__kahan::elementary::sqrt(#a))
+            }
+            Step::CubeRoot(a) => {
+                let a = of(a);
+                quote!(__kahan::elementary::cbrt(#a))
+            }
+            Step::Function(function, a) => {
+                let (function, a) = (Ident::new(function.name(), proc_macro2::Span::call_site()), of(a));
+                quote!(__kahan::elementary::#function(#a))
+            }
+        };
+        let name = format_ident!("__e_{index}");
+        bindings.extend(quote! { let #name = #value; });
+        names.push(quote!(#name));
+    }
+    let pattern = used.iter().enumerate().map(|(state, is_used)| {
+        let name = binding(symbols, symbols.state(state));
+        if *is_used { quote!(#name) } else { quote!(_) }
+    });
+    let states =
+        used.contains(&true).then(|| quote! { let [#(#pattern),*] = __kahan::components_in_f64(x); });
+    let values = values.iter().map(|&value| &names[value]);
+    quote! {
+        #states
+        #bindings
+        __kahan::embedded(x, [#(#values),*])
+    }
+}
+
+/// A float with all its bits.
+fn emit_float(value: f64) -> TokenStream {
+    if value.is_finite() {
+        let literal = Literal::f64_suffixed(value.abs());
+        if value.is_sign_negative() { quote!((-#literal)) } else { quote!(#literal) }
+    } else {
+        let bits = Literal::u64_unsuffixed(value.to_bits());
+        quote!(__kahan::f64::from_bits(#bits))
+    }
+}
