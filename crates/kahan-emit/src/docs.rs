@@ -94,6 +94,13 @@ fn push_lift(lines: &mut Vec<String>, lift: &Lift) {
     if !relations.is_empty() {
         push_block(lines, "Relations, which hold at embedded points:", &relations);
     }
+    if !lift.is_optimal {
+        lines.push(String::new());
+        lines.push(
+            " The macro did not prove that no other lift is smaller; `kahan lift --macro` searches for longer."
+                .to_owned(),
+        );
+    }
     if let Some(energy) = &lift.energy {
         push_block(lines, "The energy that the map keeps exactly:", std::slice::from_ref(energy));
     }

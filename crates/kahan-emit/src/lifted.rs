@@ -22,7 +22,7 @@ use super::items::{emit_list, identifier};
 use super::{Context, docs};
 
 /// The nodes of a search: few enough for an unoptimised macro, and the same in every build.
-const NODES: usize = 400;
+const NODES: usize = 100;
 
 /// What is known of a lifted block besides its system.
 pub(super) struct Lifted {
