@@ -92,20 +92,24 @@ const _: () = {
             self.integrals(x, eps)[0].clone()
         }
     }
-    impl<T: __kahan::EmbedScalar> Pendulum<T> {
+    impl<T> Pendulum<T> {
         /// The point of the lift that belongs to the states `x`, with first values of the new variables.
         ///
         /// They are computed in `f64`, by functions of the crate `libm`, and have the same bits everywhere.
-        pub fn embed(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 4> {
+        pub fn embed(&self, x: &__kahan::SVector<T, 2>) -> __kahan::SVector<T, 4>
+        where
+            T: __kahan::EmbedScalar,
+        {
             let [__s_x, _] = __kahan::components_in_f64(x);
             let __e_1 = __kahan::elementary::sin(__s_x);
             let __e_2 = __kahan::elementary::cos(__s_x);
             __kahan::embedded(x, [__e_1, __e_2])
         }
-    }
-    impl<T: __kahan::Scalar> Pendulum<T> {
         /// The states of a point of the lift.
-        pub fn project(&self, x: &__kahan::SVector<T, 4>) -> __kahan::SVector<T, 2> {
+        pub fn project(&self, x: &__kahan::SVector<T, 4>) -> __kahan::SVector<T, 2>
+        where
+            T: __kahan::Scalar,
+        {
             __kahan::projected(x)
         }
     }

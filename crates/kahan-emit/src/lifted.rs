@@ -14,8 +14,8 @@ use kahan_algebra::system::{Claim, System};
 use kahan_algebra::token::{Span, Token};
 use kahan_algebra::{check_unproved, seed};
 use kahan_lift::{Embedding, Lift, Options, Step, lift};
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream};
+use quote::{ToTokens, format_ident, quote};
 
 use super::inputs::binding;
 use super::items::{emit_list, identifier};
@@ -206,69 +206,62 @@ pub(super) fn emit_lists(lifted: &Lifted) -> TokenStream {
     quote! { #new #relations }
 }
 
-/// Expands to the implementations with `embed` and `project`.
+/// Expands to the methods `embed` and `project`. Their bounds stand at the methods, so that rustc
+/// tells which scalars they have.
 pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let (lifted_vector, count) = (context.vector(), Literal::usize_unsuffixed(lifted.states));
     let vector = quote!(__kahan::SVector<#scalar, #count>);
-    let body = emit_embedding(context, lifted);
-    let stand_in = (!context.is_proved).then(|| docs::stand_in(false));
-    let [embed, project] = [docs::embed(lifted), docs::project()].map(|own| stand_in.clone().unwrap_or(own));
-    let method = |of: TokenStream, method: TokenStream| {
-        let [generics, own] = if context.this.has_parameters() {
-            [quote!(<#scalar: #of>), quote!()]
+    let [embed, project] = [docs::embed(lifted), docs::project()]
+        .map(|own| if context.is_proved { own } else { docs::stand_in(false) });
+    let first_values = emit_first_values(context, lifted);
+    let embed_scalar = quote!(#scalar: __kahan::EmbedScalar);
+    let any_scalar = quote!(#scalar: __kahan::Scalar);
+    let of_type = if context.this.has_parameters() { quote!(<#scalar>) } else { quote!() };
+    let generics = |bound: &TokenStream| {
+        if context.this.has_parameters() {
+            (quote!(), quote!(where #bound))
         } else {
-            [quote!(), quote!(<#scalar: #of>)]
-        };
-        (generics, own, method)
-    };
-    let implementation = |of: TokenStream,
-                          documentation: &TokenStream,
-                          name: &str,
-                          signature: TokenStream,
-                          body: TokenStream| {
-        let name = Ident::new(name, proc_macro2::Span::call_site());
-        let (generics, own, signature) = method(of, signature);
-        quote! {
-            impl #generics #this {
-                #documentation
-                pub fn #name #own #signature {
-                    #body
-                }
-            }
+            (quote!(<#bound>), quote!())
         }
     };
-    let first = implementation(
-        quote!(__kahan::EmbedScalar),
-        &embed,
-        "embed",
-        quote!((&self, x: &#vector) -> #lifted_vector),
-        body,
-    );
-    let second = implementation(
-        quote!(__kahan::Scalar),
-        &project,
-        "project",
-        quote!((&self, x: &#lifted_vector) -> #vector),
-        quote!(__kahan::projected(x)),
-    );
-    quote! { #first #second }
+    let (of_embed, where_embed) = generics(&embed_scalar);
+    let (of_project, where_project) = generics(&any_scalar);
+    quote! {
+        impl #of_type #this {
+            #embed
+            pub fn embed #of_embed (&self, x: &#vector) -> #lifted_vector #where_embed {
+                #first_values
+            }
+            #project
+            pub fn project #of_project (&self, x: &#lifted_vector) -> #vector #where_project {
+                __kahan::projected(x)
+            }
+        }
+    }
 }
 
-/// The body of `embed`: each step is a binding, in `f64`.
-fn emit_embedding(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
+/// The body of `embed`: each operation is a binding, in `f64`.
+fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
     let Embedding { steps, values } = &lifted.embedding;
     let mut used = vec![false; lifted.states];
     let mut bindings = TokenStream::new();
     let mut names: Vec<TokenStream> = Vec::new();
     for (index, step) in steps.iter().enumerate() {
-        let of = |place: &usize| names[*place].clone();
+        let of = |place: &usize| &names[*place];
+        let infix = |a: &usize, operator: char, b: &usize| {
+            let (a, b, operator) = (of(a), of(b), Punct::new(operator, Spacing::Alone));
+            quote!(#a #operator #b)
+        };
+        let call = |function: &str, a: &usize, others: &[TokenStream]| {
+            let (function, a) = (own(function), of(a));
+            quote!(__kahan::elementary::#function(#a #(, #others)*))
+        };
         let value = match step {
             Step::State(state) => {
                 used[*state] = true;
-                let name = binding(symbols, symbols.state(*state));
-                names.push(quote!(#name));
+                names.push(binding(symbols, symbols.state(*state)).into_token_stream());
                 continue;
             }
             Step::Number(number) => {
@@ -276,52 +269,30 @@ fn emit_embedding(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
                 continue;
             }
             Step::Parameter(parameter) => {
-                let name = binding(symbols, symbols.parameter(*parameter));
                 let field = identifier(&symbols.parameters[*parameter], proc_macro2::Span::call_site());
-                bindings.extend(quote! { let #name = __kahan::EmbedScalar::widened(self.#field); });
-                names.push(quote!(#name));
-                continue;
+                quote!(__kahan::EmbedScalar::widened(self.#field))
             }
             Step::Negation(a) => {
                 let a = of(a);
                 quote!(-#a)
             }
-            Step::Sum(a, b) => {
-                let (a, b) = (of(a), of(b));
-                quote!(#a + #b)
-            }
-            Step::Product(a, b) => {
-                let (a, b) = (of(a), of(b));
-                quote!(#a * #b)
-            }
-            Step::Quotient(a, b) => {
-                let (a, b) = (of(a), of(b));
-                quote!(#a / #b)
-            }
+            Step::Sum(a, b) => infix(a, '+', b),
+            Step::Product(a, b) => infix(a, '*', b),
+            Step::Quotient(a, b) => infix(a, '/', b),
             Step::Power(a, exponent) => {
-                let (a, exponent) = (of(a), Literal::i32_unsuffixed(*exponent));
-                quote!(__kahan::elementary::power(#a, #exponent))
+                call("power", a, &[Literal::i32_unsuffixed(*exponent).into_token_stream()])
             }
-            Step::RealPower(a, b) => {
-                let (a, b) = (of(a), of(b));
-                quote!(__kahan::elementary::pow(#a, #b))
-            }
-            Step::SquareRoot(a) => {
-                let a = of(a);
-                quote!(__kahan::elementary::sqrt(#a))
-            }
-            Step::CubeRoot(a) => {
-                let a = of(a);
-                quote!(__kahan::elementary::cbrt(#a))
-            }
-            Step::Function(function, a) => {
-                let (function, a) = (Ident::new(function.name(), proc_macro2::Span::call_site()), of(a));
-                quote!(__kahan::elementary::#function(#a))
-            }
+            Step::RealPower(a, b) => call("pow", a, &[of(b).clone()]),
+            Step::SquareRoot(a) => call("sqrt", a, &[]),
+            Step::CubeRoot(a) => call("cbrt", a, &[]),
+            Step::Function(function, a) => call(function.name(), a, &[]),
         };
-        let name = format_ident!("__e_{index}");
+        let name = match step {
+            Step::Parameter(parameter) => binding(symbols, symbols.parameter(*parameter)),
+            _ => format_ident!("__e_{index}"),
+        };
         bindings.extend(quote! { let #name = #value; });
-        names.push(quote!(#name));
+        names.push(name.into_token_stream());
     }
     let pattern = used.iter().enumerate().map(|(state, is_used)| {
         let name = binding(symbols, symbols.state(state));
@@ -335,6 +306,11 @@ fn emit_embedding(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
         #bindings
         __kahan::embedded(x, [#(#values),*])
     }
+}
+
+/// An identifier of ours.
+fn own(name: &str) -> Ident {
+    Ident::new(name, proc_macro2::Span::call_site())
 }
 
 /// A float with all its bits.

@@ -87,6 +87,7 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<In
 fn begin<'a, X>(tokens: &'a [Token], diagnostics: &mut Diagnostics) -> (Cursor<'a>, Block<X>) {
     let (mut cursor, mut block) = (Cursor::new(tokens), Block::default());
     block.header = header::parse_header(&mut cursor, &mut block.lift, diagnostics);
+    cursor.is_lifted = block.lift.is_some();
     (cursor, block)
 }
 
