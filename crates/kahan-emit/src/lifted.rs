@@ -22,7 +22,7 @@ use super::items::{emit_list, identifier};
 use super::{Context, docs};
 
 /// The nodes of a search: few enough for an unoptimised macro, and the same in every build.
-const NODES: usize = 100;
+const NODES: usize = 200;
 
 /// What is known of a lifted block besides its system.
 pub(super) struct Lifted {
@@ -142,6 +142,9 @@ fn proved(system: System, lift: &Lift, tokens: &[Token]) -> Checked {
                 "a claim of a lift is about its quadratic field, in which the new variables are free: \
                             write one that holds for all their values"
                     .to_owned();
+        } else if let Some(energy) = &lift.energy {
+            mistake.help =
+                format!("eps is half the time step, and the energy that this map keeps is `{energy}`");
         }
     }
     let stand_in = StandIn::of_system(&system);
