@@ -94,6 +94,9 @@ fn push_lift(lines: &mut Vec<String>, lift: &Lift) {
     if !relations.is_empty() {
         push_block(lines, "Relations, which hold at embedded points:", &relations);
     }
+    for note in &lift.notes {
+        lines.extend([String::new(), format!(" {note}")]);
+    }
     if !lift.is_optimal {
         lines.push(String::new());
         lines.push(

@@ -58,7 +58,7 @@ pub(super) fn read(tokens: &[Token]) -> (Checked, Lifted) {
         }
         family @ Checked::Family(_) => family,
     };
-    let embedding = lift.embedding();
+    let embedding = lift.embedding().clone();
     (checked, Lifted { states: lift.states.len(), lift: Some(lift), embedding })
 }
 
@@ -267,8 +267,8 @@ fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
                 names.push(binding(symbols, symbols.state(*state)).into_token_stream());
                 continue;
             }
-            Step::Number(number) => {
-                names.push(emit_float(number.to_f64()));
+            Step::Number(bits) => {
+                names.push(emit_float(f64::from_bits(*bits)));
                 continue;
             }
             Step::Parameter(parameter) => {

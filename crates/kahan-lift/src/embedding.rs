@@ -15,14 +15,14 @@ use crate::numeric::{evaluate, power};
 use crate::ring::{Function, Meaning, Ring};
 
 /// One step; operands are places of earlier steps.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Step {
     /// A state, by its place in a point; the lifted time is the last one.
     State(usize),
     /// A parameter, by its place.
     Parameter(usize),
-    /// The number nearest to this one.
-    Number(Rational),
+    /// The float with these bits.
+    Number(u64),
     /// −a
     Negation(usize),
     /// a + b
@@ -57,11 +57,11 @@ impl Embedding {
     #[must_use]
     pub fn values(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut found: Vec<f64> = Vec::with_capacity(self.steps.len());
-        for step in &self.steps {
-            found.push(match *step {
+        for &step in &self.steps {
+            found.push(match step {
                 Step::State(index) => states[index],
                 Step::Parameter(index) => parameters[index],
-                Step::Number(ref number) => number.to_f64(),
+                Step::Number(bits) => f64::from_bits(bits),
                 Step::Negation(a) => -found[a],
                 Step::Sum(a, b) => found[a] + found[b],
                 Step::Product(a, b) => found[a] * found[b],
@@ -106,14 +106,14 @@ impl<'a> Builder<'a> {
         match self.known.entry(step) {
             Entry::Occupied(known) => *known.get(),
             Entry::Vacant(new) => {
-                self.embedding.steps.push(new.key().clone());
+                self.embedding.steps.push(*new.key());
                 *new.insert(self.embedding.steps.len() - 1)
             }
         }
     }
 
     fn number(&mut self, number: &Rational) -> usize {
-        self.push(Step::Number(number.clone()))
+        self.push(Step::Number(number.to_f64().to_bits()))
     }
 
     fn power(&mut self, base: usize, exponent: i32) -> usize {
@@ -123,7 +123,7 @@ impl<'a> Builder<'a> {
     /// number·factors from left to right, without a factor that is 1.
     fn product(&mut self, number: &Rational, factors: Vec<usize>) -> usize {
         let mut factors = factors.into_iter();
-        let first = factors.next().filter(|_| number.abs().is_one());
+        let first = if number.abs().is_one() { factors.next() } else { None };
         let mut product = first.unwrap_or_else(|| self.number(number));
         if first.is_some() && number.is_negative() {
             product = self.push(Step::Negation(product));
@@ -207,5 +207,41 @@ impl<'a> Builder<'a> {
         };
         self.coordinates[index] = Some(place);
         place
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use kahan_algebra::lexer::lex;
+    use kahan_algebra::rational::Rational;
+
+    use crate::{Options, lift};
+
+    /// The steps against values in rational numbers, which go another way.
+    #[test]
+    fn steps_have_the_exact_values_to_rounding() {
+        for text in [
+            "xdot = v; vdot = -g*sin(x);",
+            "xdot = p; ydot = q; pdot = -k*x*(x^2 + y^2)^(-3/2); qdot = -k*y*(x^2 + y^2)^(-3/2);",
+            "xdot = a^2*x^3/(a + k*x^2) - x^7 + 1/3*tan(k*x/2);",
+            "xdot = -x^n/(k + x^n);",
+            "xdot = cbrt(x)*x^(5/7);",
+            "xdot = log(1 + x^2/a);",
+            "xdot = tanh(x - a) + cosh(x - a);",
+            "xdot = asin(x/9); ydot = atanh(y/9); zdot = acosh(z + 2);",
+            "xdot = -exp(-k*t)*x^2*sin(t)^3;",
+        ] {
+            let options = Options { budget: 200, ..Options::default() };
+            let lift = lift(&lex(text).tokens, &options).expect(text);
+            let [states, parameters] = [&lift.states, &lift.parameters]
+                .map(|names| (0..names.len()).map(|i| Rational::new(3 + i as i64, 8)).collect::<Vec<_>>());
+            let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<f64>>();
+            let found = lift.embed(&floats(&states), &floats(&parameters));
+            let exact = floats(&lift.embed_exact(&states, &parameters).expect("values"));
+            assert_eq!(found.len(), lift.order(), "{text}");
+            for (found, exact) in found.iter().zip(&exact) {
+                assert!((found - exact).abs() <= 1e-14 * exact.abs(), "{text}: {found} {exact}");
+            }
+        }
     }
 }

@@ -143,6 +143,7 @@ pub struct Lift {
     /// not, and errors of the phases of periodic forces.
     pub notes: Vec<String>,
     ring: Ring,
+    embedding: Embedding,
 }
 
 /// A lift with one form of its equations.
@@ -630,6 +631,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     }
     let energy = judged.candidate.energy.as_ref().and_then(|energy| modified(&field, energy));
     let energy = energy.map(|energy| fraction(&energy.of_map));
+    let embedding = Builder::embedding(ring, new.iter().map(|new| new.value.as_ref()));
     Lift {
         header: equations.header.clone(),
         states: equations.states.clone(),
@@ -642,6 +644,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         energy,
         notes: notes(ring, &judged.candidate.new, &writer),
         ring: ring.clone(),
+        embedding,
         field,
     }
 }
@@ -722,13 +725,13 @@ impl Lift {
     /// If there are fewer states or parameters than the lift has.
     #[must_use]
     pub fn embed(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
-        self.embedding().values(states, parameters)
+        self.embedding.values(states, parameters)
     }
 
     /// The values of the new variables as steps.
     #[must_use]
-    pub fn embedding(&self) -> Embedding {
-        Builder::embedding(&self.ring, self.new.iter().map(|new| new.value.as_ref()))
+    pub fn embedding(&self) -> &Embedding {
+        &self.embedding
     }
 
     /// The values of the new variables at these states, with these values of the parameters: exact
