@@ -35,12 +35,13 @@ pub mod chain {
 #[cfg(feature = "std")]
 pub use crate::lattice::{Boundary, Energy, Family, LatticeScalar, Shape, Stencil, Sums};
 pub use crate::map::{CoupledField, CoupledStep, Postfix, slopes_matrix, stable_step};
+pub use crate::scalar::embed::{components_in_f64, elementary, embedded, projected};
 pub use crate::scalar::tuning::fenced;
 pub use crate::step::{Kernel, Padded, StepOfOneOrbit, StepOverEps, StraightStep};
 pub use crate::undeclared::{Integer, IntegerParameters, WithoutDensity, WithoutIntegrals};
 pub use crate::{
-    Constant, Elimination, ExtendScalars, Integrals, KahanMap, Named, Pivot, PreparedStep, QuadraticField,
-    Quotients, Scalar, SingularStep, StepCost,
+    Constant, Elimination, EmbedScalar, ExtendScalars, Integrals, KahanMap, Named, Pivot, PreparedStep,
+    QuadraticField, Quotients, Scalar, SingularStep, StepCost,
 };
 
 use core::cmp::Ordering;

@@ -136,7 +136,7 @@ pub use map::{
 #[cfg(feature = "std")]
 pub use map::{Projective, ProjectivePoint, ThroughPoles};
 pub use observe::Tangent;
-pub use scalar::{Constant, Dd, Dual, FloatScalar, Scalar, nearest_short_eps};
+pub use scalar::{Constant, Dd, Dual, EmbedScalar, FloatScalar, Scalar, nearest_short_eps};
 #[cfg(feature = "std")]
 pub use scene::{Need, NoSetting, Precision, Scene, Scheme, Setting};
 pub use step::{

@@ -6,6 +6,7 @@ mod closed_solutions;
 mod ensemble;
 mod examples;
 mod lattices;
+mod lifts;
 mod observe;
 mod scene;
 mod systems;

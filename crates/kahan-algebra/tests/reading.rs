@@ -4,7 +4,7 @@ use kahan_algebra::check::Checked;
 use kahan_algebra::diagnostics::Kind;
 use kahan_algebra::render::macro_block;
 use kahan_algebra::system::System;
-use kahan_algebra::{lexer, read, read_unproved};
+use kahan_algebra::{lexer, parse, read, read_unproved};
 
 fn unproved(text: &str) -> System {
     read_unproved(&lexer::lex(text).tokens).system().expect("a system")
@@ -273,5 +273,31 @@ fn families_refuse_the_names_that_systems_refuse() {
         "for i in periodic { x[i]dot = fn[i]*x[i+1]; }",
     ] {
         assert_eq!(reading(text).diagnostics().len(), 1, "{text}: {:?}", reading(text).diagnostics());
+    }
+}
+
+#[test]
+fn a_block_that_asks_for_a_lift_is_told_where_it_is_lifted() {
+    for text in [
+        "lift; xdot = sin(x);",
+        "lift struct S { k } xdot = k*abs(x); ydot = ",
+        "#[derive(Eq)] lift pub(crate) struct S; xdot = x;",
+    ] {
+        let tokens = lexer::lex(text).tokens;
+        assert!(parse::asks_for_lift(&tokens), "{text}");
+        let checked = read(&tokens);
+        let [mistake] = checked.diagnostics() else { panic!("{text}: {:?}", checked.diagnostics()) };
+        assert_eq!(&*tokens[mistake.span.first].text, "lift");
+        assert!(mistake.help.contains("kahan lift"), "{mistake}");
+    }
+    // A state, a parameter and a claim may have the name.
+    for text in [
+        "liftdot = lift;",
+        "struct S { lift } xdot = lift*x;",
+        "xdot = y; ydot = -x; integral lift = x^2 + y^2;",
+    ] {
+        let tokens = lexer::lex(text).tokens;
+        assert!(!parse::asks_for_lift(&tokens), "{text}");
+        assert_eq!(read(&tokens).diagnostics(), [], "{text}");
     }
 }

@@ -116,7 +116,7 @@ fn emit_integrals(context: &Context<'_>) -> EmittedClaims {
 /// The method of an integral: its name, or `integral_NAME` where that is something else already.
 fn name_of_integral(name: &str, integrals: &[String]) -> String {
     /// Methods of the traits that the macro implements or derives, and methods that every type has.
-    const TAKEN: &str = "field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
+    const TAKEN: &str = "embed project field field_jacobian bilinear polarized prepare matrix rhs step try_step try_prepared \
         step_back jacobian det_matrix det_jacobian rational_map reduced_map at orbit extend_scalars carry_tangent variables \
         parameters integral_names integrals density clone clone_from eq ne fmt into try_into to_owned borrow \
         borrow_mut type_id";

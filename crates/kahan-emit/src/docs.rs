@@ -5,10 +5,12 @@ use kahan_algebra::render::{
     Formulas, Text, claim_statement, claim_text, condition_note, condition_text, expression_text, folded,
 };
 use kahan_algebra::system::Claim;
+use kahan_lift::Lift;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Context;
+use super::lifted::Lifted;
 
 /// Formulas longer than this are left to `kahan show`.
 const LONGEST: usize = 2_000;
@@ -38,9 +40,10 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     if follows {
         lines.push(String::new());
     }
-    lines.push(
-        " Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the field".to_owned(),
-    );
+    let which = if context.lifted.is_some() { "quadratic lift" } else { "field" };
+    lines.push(format!(
+        " Kahan's method, x ↦ x̃ with time step 2ε (`eps` is ε, half the time step), for the {which}"
+    ));
     lines.push(String::new());
     lines.push(" ```text".to_owned());
     let constants = system.constants.iter().map(|(name, value)| format!("const {name} = {value}"));
@@ -48,6 +51,9 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
     let equations = states.iter().zip(written).map(|(state, value)| format!("{state}dot = {value}"));
     push_formulas(&mut lines, &constants.chain(equations).collect::<Vec<_>>());
     lines.push(" ```".to_owned());
+    if let Some(lift) = context.lifted.and_then(|lifted| lifted.lift.as_ref()) {
+        push_lift(&mut lines, lift);
+    }
     push_block(&mut lines, "Matrix A(x,ε) = I − ε f′(x), row by row:", &rows(&formulas));
     match formulas.map() {
         Some(map) => {
@@ -70,6 +76,59 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
         push_block(&mut lines, "Proved while compiling:", &claims);
     }
     emit_lines(&lines)
+}
+
+/// The new variables of a lift, the relations between its variables, and what the map keeps.
+fn push_lift(lines: &mut Vec<String>, lift: &Lift) {
+    let title = format!("It was chosen because {}. Its new variables:", lift.chosen);
+    let new = lift.new.iter().map(|new| {
+        let expression = new.expression.as_deref().unwrap_or("the work done since the start, 0 there");
+        format!("{} = {expression}", new.name)
+    });
+    push_block(lines, &title, &new.collect::<Vec<_>>());
+    let relations = lift.relations.iter().map(|relation| match &relation.formula {
+        Some(formula) => format!("{} = 0  // the map keeps {formula}", relation.text),
+        None => format!("{} = 0", relation.text),
+    });
+    let relations: Vec<String> = relations.collect();
+    if !relations.is_empty() {
+        push_block(lines, "Relations, which hold at embedded points:", &relations);
+    }
+    for note in &lift.notes {
+        lines.extend([String::new(), format!(" {note}")]);
+    }
+    if !lift.is_optimal {
+        lines.push(String::new());
+        lines.push(
+            " The macro did not prove that no other lift is smaller; `kahan lift --macro` searches for longer."
+                .to_owned(),
+        );
+    }
+    if let Some(energy) = &lift.energy {
+        push_block(lines, "The energy that the map keeps exactly:", std::slice::from_ref(energy));
+    }
+}
+
+/// The documentation of `embed`.
+pub(super) fn embed(lifted: &Lifted) -> TokenStream {
+    let mut lines = vec![
+        " The point of the lift that belongs to the states `x`, with first values of the new variables."
+            .to_owned(),
+    ];
+    if lifted.lift.as_ref().is_some_and(|lift| lift.has_time) {
+        lines.push(" The last of the states is the time `t`.".to_owned());
+    }
+    lines.push(String::new());
+    lines.push(
+        " They are computed in `f64`, by functions of the crate `libm`, and have the same bits everywhere."
+            .to_owned(),
+    );
+    emit_lines(&lines)
+}
+
+/// The documentation of `project`.
+pub(super) fn project() -> TokenStream {
+    emit_lines(&[" The states of a point of the lift.".to_owned()])
 }
 
 /// A claim, with what is not 0 where it is made.

@@ -10,6 +10,7 @@ use super::tokens::Flat;
 
 use super::Context;
 use super::header::{RustHeader, has_docs};
+use super::lifted;
 
 /// An identifier of the user's; `_` is what the front end has refused already.
 pub(super) fn identifier(name: &str, span: Span) -> Ident {
@@ -125,7 +126,8 @@ pub(super) fn emit_places(context: &Context<'_>) -> TokenStream {
     let (states, claims) = (&context.system.field.symbols.states, &context.system.claims);
     let names: Vec<String> = states.iter().map(|state| state.to_uppercase()).collect();
     let claimed = claims.iter().filter(|claim| claim.kind == ClaimKind::Integral);
-    let others = claimed.map(|claim| claim.name.text.as_str()).chain(LISTS);
+    let lists = context.lifted.iter().flat_map(|_| lifted::LISTS).chain(LISTS);
+    let others = claimed.map(|claim| claim.name.text.as_str()).chain(lists);
     let mut owners: BTreeMap<&str, usize> = BTreeMap::new();
     for name in names.iter().map(String::as_str).chain(others) {
         *owners.entry(name).or_default() += 1;

@@ -15,6 +15,7 @@
 //!     pub struct __Step; impl Kernel<3, 2> for __Step { … } // step: what a state runs through
 //!     impl<T: Scalar> KahanMap<T, 3> for E7<T> { … }        // map
 //!     impl<T: Scalar> E7<T> { fn integrals … }              // claims
+//!     impl<T: EmbedScalar> E7<T> { fn embed … }             // lifted, where the block asks for it
 //! };
 //! ```
 //!
@@ -38,6 +39,7 @@ mod formulas;
 mod header;
 mod inputs;
 mod items;
+mod lifted;
 mod map;
 mod names;
 mod number;
@@ -53,6 +55,7 @@ use std::path::{Path, PathBuf};
 use kahan_algebra::check::{Broken, Checked, StandIn};
 use kahan_algebra::diagnostics::Diagnostic;
 use kahan_algebra::elimination::{too_many_couplings, too_many_parameters};
+use kahan_algebra::parse::asks_for_lift;
 use kahan_algebra::render::report;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::system::System;
@@ -66,6 +69,7 @@ use tokens::{Flat, Source};
 
 use claims::EmittedClaims;
 use items::Type;
+use lifted::Lifted;
 #[cfg(feature = "text")]
 pub use text::{NoText, text};
 
@@ -75,6 +79,8 @@ struct Context<'a> {
     /// The plans of what is emitted.
     derived: &'a Derived,
     this: Type<'a>,
+    /// Where the block asks for a lift.
+    lifted: Option<&'a Lifted>,
     /// The dimension as a literal.
     dimension: Literal,
     /// Whether the claims are proved; if not, this stands in for a block with mistakes.
@@ -97,8 +103,23 @@ pub struct Expansion {
 #[must_use]
 pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     let input = tokens::flatten(block);
-    let checked = kahan_algebra::read(&input.tokens);
-    Expansion { name: name(checked.header()), tokens: emit(core, checked, &input) }
+    let block = read_block(&input);
+    Expansion { name: name(block.checked.header()), tokens: emit(core, block, &input) }
+}
+
+/// What was read of a block.
+struct Read {
+    checked: Checked,
+    /// Where it asks for a lift.
+    lifted: Option<Lifted>,
+}
+
+fn read_block(input: &Flat) -> Read {
+    if asks_for_lift(&input.tokens) {
+        let (checked, lifted) = lifted::read(&input.tokens);
+        return Read { checked, lifted: Some(lifted) };
+    }
+    Read { checked: kahan_algebra::read(&input.tokens), lifted: None }
 }
 
 /// Expands the block in a file, as `include_kahan!("FILE")` does: `file` is the literal, and
@@ -131,13 +152,14 @@ pub fn include(core: &TokenStream, file: TokenStream, beside: Option<&Path>) -> 
         }
     };
     let input = tokens::of_text(text, origin, span);
-    let checked = kahan_algebra::read(&input.tokens);
+    let block = read_block(&input);
     let path = path.to_string_lossy();
     let watched = quote!(
         const _: &[::core::primitive::u8] = ::core::include_bytes!(#path);
     );
-    let (name, is_item) = (name(checked.header()), checked.header().is_some());
-    let emitted = emit(core, checked, &input);
+    let header = block.checked.header();
+    let (name, is_item) = (name(header), header.is_some());
+    let emitted = emit(core, block, &input);
     let tokens = if is_item { quote!(#watched #emitted) } else { quote!({ #watched #emitted }) };
     Expansion { name, tokens }
 }
@@ -147,7 +169,9 @@ fn name(header: Option<&Header>) -> String {
 }
 
 /// Emits a block: what the front end read, and the tokens that it read.
-fn emit(core: &TokenStream, checked: Checked, input: &Flat) -> TokenStream {
+fn emit(core: &TokenStream, block: Read, input: &Flat) -> TokenStream {
+    let Read { checked, lifted } = block;
+    let lifted = lifted.as_ref();
     let place = checked.header().map_or(Span::token(0), |header| header.name.span);
     let mistake = match &checked {
         Checked::System(system) => too_many_parameters(system.field.symbols.parameters.len(), place)
@@ -162,23 +186,23 @@ fn emit(core: &TokenStream, checked: Checked, input: &Flat) -> TokenStream {
     if let Some(mistake) = mistake {
         let stand_in = StandIn::of_type(checked.header().cloned());
         let diagnostics = [&[mistake], checked.diagnostics()].concat();
-        return emit_broken(core, &Broken { diagnostics, stand_in }, input);
+        return emit_broken(core, &Broken { diagnostics, stand_in }, lifted, input);
     }
     match checked {
-        Checked::System(system) => emit_system(core, &derive(&system), input, true),
+        Checked::System(system) => emit_system(core, &derive(&system), lifted, input, true),
         Checked::Family(family) => family::emit_family(core, &family, input),
-        Checked::Broken(broken) => emit_broken(core, &broken, input),
+        Checked::Broken(broken) => emit_broken(core, &broken, lifted, input),
     }
 }
 
 /// The errors of a block, and what rustc needs to report nothing else: where states were found, the
 /// type with methods that are 0; where there is a header, the type alone; else nothing.
-fn emit_broken(core: &TokenStream, broken: &Broken, input: &Flat) -> TokenStream {
+fn emit_broken(core: &TokenStream, broken: &Broken, lifted: Option<&Lifted>, input: &Flat) -> TokenStream {
     let Broken { diagnostics, stand_in } = broken;
     let errors = emit_errors(diagnostics, input);
     let StandIn { header, symbols, site_parameters, .. } = stand_in;
     if symbols.dimension() > 0 {
-        let emitted = emit_system(core, &derive(&stand_in.system()), input, false);
+        let emitted = emit_system(core, &derive(&stand_in.system()), lifted, input, false);
         return if header.is_some() {
             quote! { #errors #emitted }
         } else {
@@ -200,11 +224,17 @@ fn emit_broken(core: &TokenStream, broken: &Broken, input: &Flat) -> TokenStream
 }
 
 /// The type of a system, its implementations, and for a block without a header its value.
-fn emit_system(core: &TokenStream, derived: &Derived, input: &Flat, is_proved: bool) -> TokenStream {
+fn emit_system(
+    core: &TokenStream,
+    derived: &Derived,
+    lifted: Option<&Lifted>,
+    input: &Flat,
+    is_proved: bool,
+) -> TokenStream {
     let system = &derived.system;
     let this = Type::of(system.header.as_ref(), &system.field.symbols.parameters, &[], input);
     let dimension = Literal::usize_unsuffixed(system.field.dimension());
-    let context = Context { system, derived, this, dimension, is_proved };
+    let context = Context { system, derived, this, lifted, dimension, is_proved };
     let definition = context.this.emit_definition(|follows| docs::system(&context, follows));
     let implementations = emit_implementations(core, &context);
     context.this.emit_with(&quote! { #definition #implementations }, input)
@@ -216,13 +246,15 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
     let field = field::emit_field(context);
     let map = map::emit_map(context);
     let EmittedClaims { constants, methods, implementations } = claims::emit_claims(context);
+    let lists = context.lifted.map(lifted::emit_lists);
+    let embedding = context.lifted.map(|lifted| lifted::emit_methods(context, lifted));
     let (this, scalar) = (context.this.path(), &context.this.scalar);
     let inherent = if context.this.has_parameters() {
         let methods =
             (!methods.is_empty()).then(|| quote! { impl<#scalar: __kahan::Scalar> #this { #methods } });
-        quote! { impl<#scalar> #this { #names #constants } #methods }
+        quote! { impl<#scalar> #this { #names #lists #constants } #methods }
     } else {
-        quote! { impl #this { #names #constants #methods } }
+        quote! { impl #this { #names #lists #constants #methods } }
     };
     quote! {
         #[allow(clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction)]
@@ -230,6 +262,7 @@ fn emit_implementations(core: &TokenStream, context: &Context<'_>) -> TokenStrea
         const _: () = {
             use #core::__private::{self as __kahan, arguments::*, Clone as _};
             #inherent
+            #embedding
             #places
             #named
             #field

@@ -15,7 +15,7 @@ use quote::{ToTokens, quote};
 use syn::{Block, Expr, ImplItem, Item, ItemImpl, Stmt};
 
 /// The blocks, each with the functions that it is there to show, where these are not all.
-const BLOCKS: [(&str, &[&str]); 6] = [
+const BLOCKS: [(&str, &[&str]); 7] = [
     // A system with claims.
     ("e3", &[]),
     // Parameters and what is divided by them.
@@ -29,6 +29,8 @@ const BLOCKS: [(&str, &[&str]); 6] = [
     ("coupled", &["slopes", "velocity", "field", "prepare", "jacobian", "try_prepared"]),
     // A family: the lines of one site.
     ("family", &["constants", "site_parameter", "field", "rows", "densities"]),
+    // A lift: first values of its new variables, from the states.
+    ("lifted", &["embed", "project", "field", "E"]),
 ];
 
 /// What was shown so far.

@@ -3,7 +3,7 @@
 use kahan_algebra::diagnostics::{Diagnostic, Diagnostics, Kind};
 use kahan_algebra::parse::parse_lifted;
 use kahan_algebra::syntax::{Block, Expr, ExprKind, Header, InFormula};
-use kahan_algebra::token::Token;
+use kahan_algebra::token::{Span, Token};
 
 use crate::laurent::{Laurent, Monomial};
 use crate::read::Reader;
@@ -82,6 +82,10 @@ fn check(block: Block<InFormula>, diagnostics: &mut Diagnostics) -> Option<Equat
         }
     }
     let sides: Vec<&Expr<InFormula>> = block.equations.iter().filter_map(|one| one.value.as_ref()).collect();
+    if sides.is_empty() && diagnostics.is_empty() {
+        let help = "write one equation a state, as in `xdot = v;`";
+        diagnostics.report(Kind::Empty, Span::token(0), "the block holds no equation", help);
+    }
     if sides.is_empty() || sides.len() < states.len() {
         return None;
     }

@@ -30,6 +30,8 @@ mod numeric;
 
 mod exact;
 
+mod embedding;
+
 mod stability;
 
 mod names;
@@ -38,5 +40,7 @@ mod lift;
 
 mod reembedding;
 
+pub use embedding::{Embedding, Step};
 pub use lift::{Along, Lift, NewVariable, Options, Relation, Which, lift};
 pub use reembedding::Reembedding;
+pub use ring::Function;

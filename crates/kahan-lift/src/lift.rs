@@ -16,6 +16,7 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::token::{Span, Token};
 
+use crate::embedding::{Builder, Embedding};
 use crate::energy::Mechanical;
 use crate::equations::Equations;
 use crate::exact;
@@ -142,6 +143,7 @@ pub struct Lift {
     /// not, and errors of the phases of periodic forces.
     pub notes: Vec<String>,
     ring: Ring,
+    embedding: Embedding,
 }
 
 /// A lift with one form of its equations.
@@ -173,8 +175,8 @@ struct Judged<'a> {
 pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
     let budget = if options.budget == 0 { NODES } else { options.budget };
-    let nothing = |message: &str, help: &str| {
-        vec![Diagnostic::new(Kind::NotAPolynomial, Span::token(0), message.to_owned(), help.to_owned())]
+    let nothing = |kind, message: &str, help: &str| {
+        vec![Diagnostic::new(kind, Span::token(0), message.to_owned(), help.to_owned())]
     };
     let mut candidates = Vec::new();
     if matches!(options.which, Which::Automatic | Which::Energy) && !equations.has_time {
@@ -183,7 +185,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
     if candidates.is_empty() && options.which == Which::Energy {
         let help =
             "the energy lift is for x' = p, p' = -grad V(x) with constant masses; leave `=energy` away";
-        return Err(nothing("this is not a mechanical system with a potential", help));
+        return Err(nothing(Kind::NotAPolynomial, "this is not a mechanical system with a potential", help));
     }
     if candidates.is_empty() {
         candidates = ordinary_candidates(&equations, budget, options.which != Which::Smallest);
@@ -196,7 +198,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
     let count = equations.parameters.len();
     let Some((judged, chosen)) = choose(&candidates, options.which, numeric.as_ref(), count) else {
         let help = "write a part of the equations as a state of its own, or approximate it by a polynomial";
-        return Err(nothing("no quadratic lift was found within the budget", help));
+        return Err(nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help));
     };
     Ok(described(&equations, &judged, chosen))
 }
@@ -629,6 +631,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     }
     let energy = judged.candidate.energy.as_ref().and_then(|energy| modified(&field, energy));
     let energy = energy.map(|energy| fraction(&energy.of_map));
+    let embedding = Builder::embedding(ring, new.iter().map(|new| new.value.as_ref()));
     Lift {
         header: equations.header.clone(),
         states: equations.states.clone(),
@@ -641,6 +644,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         energy,
         notes: notes(ring, &judged.candidate.new, &writer),
         ring: ring.clone(),
+        embedding,
         field,
     }
 }
@@ -721,12 +725,13 @@ impl Lift {
     /// If there are fewer states or parameters than the lift has.
     #[must_use]
     pub fn embed(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
-        let numeric = Numeric::new(&self.ring, parameters);
-        let coordinates = numeric.coordinates(states);
-        let value = |new: &NewVariable| {
-            new.value.as_ref().map_or(0.0, |value| numeric.laurent(value).value(&coordinates))
-        };
-        self.new.iter().map(value).collect()
+        self.embedding.values(states, parameters)
+    }
+
+    /// The values of the new variables as steps.
+    #[must_use]
+    pub fn embedding(&self) -> &Embedding {
+        &self.embedding
     }
 
     /// The values of the new variables at these states, with these values of the parameters: exact

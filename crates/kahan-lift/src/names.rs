@@ -11,7 +11,8 @@ use crate::ring::{Function, Meaning, Ring};
 
 impl Function {
     /// The name by which it is called.
-    pub(crate) fn name(self) -> &'static str {
+    #[must_use]
+    pub fn name(self) -> &'static str {
         match self {
             Function::Exp => "exp",
             Function::Log => "log",

@@ -52,7 +52,7 @@ impl NumericLaurent {
 }
 
 /// base^exponent by squaring.
-fn power(base: f64, exponent: i32) -> f64 {
+pub(crate) fn power(base: f64, exponent: i32) -> f64 {
     let (mut power, mut square, mut left) = (1.0, base, exponent.unsigned_abs());
     while left > 0 {
         if left % 2 == 1 {
@@ -175,7 +175,8 @@ impl Numeric {
     }
 }
 
-fn evaluate(function: Function, argument: f64) -> f64 {
+/// The function at an argument.
+pub(crate) fn evaluate(function: Function, argument: f64) -> f64 {
     match function {
         Function::Exp => libm::exp(argument),
         Function::Log => libm::log(argument),

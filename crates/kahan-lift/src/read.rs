@@ -118,6 +118,13 @@ impl Reader {
                 self.general_power(&base, &exponent, expr.span)?
             }
             ExprKind::Special(InFormula::Call { function, arguments }) => match &arguments[..] {
+                [_] if self.states.contains(function) => {
+                    let help = format!(
+                        "write `{function}` for the state, `{function}*(…)` for a product; for a delay a chain of \
+                         states can stand: docs/how-to/texts.md shows how"
+                    );
+                    return refuse(expr.span, format!("`{function}(…)` is a state at another time"), help);
+                }
                 [argument] => {
                     let argument = self.expr(argument)?;
                     self.call(function, &argument, expr.span)?

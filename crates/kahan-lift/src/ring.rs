@@ -14,7 +14,7 @@ use crate::laurent::{Laurent, Monomial};
 
 /// An elementary function whose derivative is a Laurent polynomial in coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) enum Function {
+pub enum Function {
     /// exp u
     Exp,
     /// log u

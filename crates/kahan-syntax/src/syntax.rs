@@ -25,6 +25,8 @@ pub struct Name {
 pub struct Block<X = InFamily> {
     /// `pub struct E7 { xi }`, where there is one.
     pub header: Option<Header>,
+    /// The `lift` of the header, or the one before the items: the equations are to be lifted.
+    pub lift: Option<Span>,
     /// `const xi = 1/2;`
     pub constants: Vec<Constant<X>>,
     /// `xdot = y*z;`, or the equations of the family, whose states are the names of its arrays.
@@ -44,6 +46,7 @@ impl<X> Default for Block<X> {
     fn default() -> Self {
         Block {
             header: None,
+            lift: None,
             constants: Vec::new(),
             equations: Vec::new(),
             family: None,
@@ -76,7 +79,7 @@ pub struct FamilyHead {
     pub equations_until: usize,
 }
 
-/// `attributes visibility struct Name (; | { param, … })`.
+/// `attributes [lift] visibility struct Name (; | { param, … })`.
 #[derive(Clone, Debug)]
 pub struct Header {
     /// Documentation and attributes.
@@ -373,6 +376,34 @@ pub enum InFormula {
     },
     /// `a^b` where b is anything but a number that is an integer.
     Power(Box<[Expr<InFormula>; 2]>),
+}
+
+impl Expr<InFormula> {
+    /// The expression without functions and general powers; `None` where it has one.
+    #[must_use]
+    pub fn rational(&self) -> Option<Expr> {
+        let boxed = |inner: &Expr<InFormula>| inner.rational().map(Box::new);
+        let kind = match &self.kind {
+            ExprKind::Number(value) => ExprKind::Number(value.clone()),
+            ExprKind::Name(name) => ExprKind::Name(name.clone()),
+            ExprKind::Sum(terms) => {
+                let term = |term: &Term<InFormula>| {
+                    Some(Term { negative: term.negative, expr: term.expr.rational()? })
+                };
+                ExprKind::Sum(terms.iter().map(term).collect::<Option<_>>()?)
+            }
+            ExprKind::Product(factors) => {
+                let factor = |factor: &Factor<InFormula>| {
+                    Some(Factor { divides: factor.divides, expr: factor.expr.rational()? })
+                };
+                ExprKind::Product(factors.iter().map(factor).collect::<Option<_>>()?)
+            }
+            ExprKind::Negation(inner) => ExprKind::Negation(boxed(inner)?),
+            ExprKind::Power(base, exponent) => ExprKind::Power(boxed(base)?, *exponent),
+            ExprKind::Special(_) => return None,
+        };
+        Some(Expr { kind, span: self.span })
+    }
 }
 
 /// What an expression names.

@@ -10,6 +10,7 @@ pub(crate) mod bounded;
 mod constant;
 mod dd;
 mod dual;
+pub(crate) mod embed;
 mod epsilon;
 #[cfg(feature = "exact")]
 mod exact;
@@ -30,6 +31,7 @@ pub(crate) use along::Along;
 pub use constant::Constant;
 pub use dd::Dd;
 pub use dual::Dual;
+pub use embed::EmbedScalar;
 pub use epsilon::nearest_short_eps;
 pub use float_scalar::FloatScalar;
 #[cfg(all(feature = "std", feature = "exact"))]

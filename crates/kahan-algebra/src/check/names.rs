@@ -250,9 +250,11 @@ impl Scope {
         nearest(name, &candidates).cloned()
     }
 
-    /// Parameters of the header that neither equations nor claims use.
+    /// Reports the parameters of the header that neither equations nor claims use. Those of a lift
+    /// may stand in its first values alone.
     pub(super) fn report_unused(&self, block: &Block, diagnostics: &mut Diagnostics) {
-        let unread = block.equations.iter().any(|equation| equation.value.is_none())
+        let unread = block.lift.is_some()
+            || block.equations.iter().any(|equation| equation.value.is_none())
             || block.claims.iter().any(|claim| claim.body.is_none());
         let Some(header) = block.header.as_ref().filter(|_| !unread && !block.equations.is_empty()) else {
             return;

@@ -43,6 +43,15 @@ impl StandIn {
         StandIn { header, symbols: Symbols::default(), site_parameters: Vec::new(), claims: Vec::new() }
     }
 
+    /// The names of a system.
+    #[must_use]
+    pub fn of_system(system: &System) -> Self {
+        let claims =
+            system.claims.iter().map(|claim| (claim.kind, claim.name.clone(), claim.is_unconditional()));
+        let symbols = system.field.symbols.clone();
+        StandIn { symbols, claims: claims.collect(), ..StandIn::of_type(system.header.clone()) }
+    }
+
     /// Adds a claim.
     pub(super) fn push_claim(&mut self, kind: ClaimKind, name: &Name, is_unconditional: bool) {
         self.claims.push((kind, name.clone(), is_unconditional));

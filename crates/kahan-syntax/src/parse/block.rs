@@ -43,6 +43,16 @@ pub(super) fn parse_item<X: Dialect>(cursor: &mut Cursor<'_>, block: &mut Block<
             let help = "move it to the top, or write a second `kahan!` block";
             error(Kind::Header, cursor.here(), message, help)
         }
+        _ if super::header::is_lift(cursor) => {
+            let help =
+                "write `lift pub struct Name { … }`, or `lift;` at the beginning of a block without a header";
+            error(
+                Kind::Header,
+                cursor.here(),
+                "`lift` stands in the header, at the beginning of a block",
+                help,
+            )
+        }
         _ if cursor.is_open(1, '[') => Err(super::family::outside(cursor)),
         _ => match wrong_keyword(cursor, block) {
             Some(diagnostic) => Err(diagnostic),

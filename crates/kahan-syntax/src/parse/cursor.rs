@@ -18,6 +18,8 @@ pub(super) struct Cursor<'a> {
     /// What the index of a site is called, if the block holds a family: `i`, unless that is the
     /// mistake.
     pub(super) index: Option<&'a str>,
+    /// Whether the block asks for a lift.
+    pub(super) is_lifted: bool,
     /// All names in the tokens, each with whether it stands elsewhere than before a `=`.
     names: OnceCell<HashMap<&'a str, bool>>,
 }
@@ -47,7 +49,7 @@ impl<'a> Cursor<'a> {
 
     /// At the beginning of tokens that are no block, but formulas.
     pub(super) fn of_formulas(tokens: &'a [Token]) -> Self {
-        Cursor { tokens, at: 0, end: End::Formula, index: None, names: OnceCell::new() }
+        Cursor { tokens, at: 0, end: End::Formula, index: None, is_lifted: false, names: OnceCell::new() }
     }
 
     fn names(&self) -> &HashMap<&'a str, bool> {

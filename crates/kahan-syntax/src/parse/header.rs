@@ -1,25 +1,48 @@
-//! The header: `attributes visibility struct Name;` or `… struct Name { a, b }`.
+//! The header: `attributes [lift] visibility struct Name;` or `… struct Name { a, b }`.
 //!
 //! Parameters are bare names: the macro adds their type, and the type's parameter. Attributes are
 //! not understood; whoever emits Rust finds them at their places.
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
 use crate::syntax::{Header, Name, Written};
-use crate::token::{Token, TokenKind};
+use crate::token::{Span, Token, TokenKind};
 
 use super::Parsed;
 use super::cursor::Cursor;
 
-/// Reads the header, where the block begins with one.
-pub(super) fn parse_header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Option<Header> {
+/// The keyword that asks for a lift.
+const LIFT: &str = "lift";
+
+/// Whether the next token is the keyword `lift`.
+pub(super) fn is_lift(cursor: &Cursor<'_>) -> bool {
+    let is_keyword = cursor.is_punctuation(1, ';')
+        || cursor.is_punctuation(1, '#')
+        || matches!(cursor.identifier(1), Some("pub" | "struct"));
+    cursor.identifier(0) == Some(LIFT) && is_keyword
+}
+
+/// Reads the header, where the block begins with one, and the place of its `lift`. A block without
+/// a header may begin with `lift;`.
+pub(super) fn parse_header(
+    cursor: &mut Cursor<'_>,
+    lift: &mut Option<Span>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Header> {
+    if is_lift(cursor) && cursor.is_punctuation(1, ';') {
+        *lift = Some(cursor.here());
+        cursor.advance();
+        cursor.advance();
+        return None;
+    }
     let names_a_type = cursor.identifier(1).is_some();
-    let begins = cursor.is_punctuation(0, '#')
+    let begins = is_lift(cursor)
+        || cursor.is_punctuation(0, '#')
         || matches!(cursor.identifier(0), Some("pub" | "struct"))
         || (matches!(cursor.identifier(0), Some("enum" | "union" | "type")) && names_a_type);
     if !begins {
         return None;
     }
-    match header(cursor, diagnostics) {
+    match header(cursor, lift, diagnostics) {
         Ok(header) => Some(header),
         Err(diagnostic) => {
             diagnostics.push(diagnostic);
@@ -29,8 +52,13 @@ pub(super) fn parse_header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostic
     }
 }
 
-fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Header> {
+fn header(cursor: &mut Cursor<'_>, lift: &mut Option<Span>, diagnostics: &mut Diagnostics) -> Parsed<Header> {
     let mut attributes = attributes(cursor);
+    if is_lift(cursor) {
+        *lift = Some(cursor.here());
+        cursor.advance();
+        attributes.lines.extend(docs(cursor));
+    }
     let mut visibility = Written::default();
     if cursor.identifier(0) == Some("pub") {
         let start = cursor.here();
@@ -41,6 +69,12 @@ fn header(cursor: &mut Cursor<'_>, diagnostics: &mut Diagnostics) -> Parsed<Head
         visibility =
             Written { lines: vec![cursor.written_since(start.first)], span: Some(start.to(cursor.behind())) };
         attributes.lines.extend(docs(cursor));
+        if is_lift(cursor) {
+            let wrong = "`lift` stands before the visibility";
+            diagnostics.report(Kind::Header, cursor.here(), wrong, "write `lift pub struct Name`");
+            *lift = Some(cursor.here());
+            cursor.advance();
+        }
     }
     if cursor.identifier(0) != Some("struct") {
         let wrong = cursor.missing(

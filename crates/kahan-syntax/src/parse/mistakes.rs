@@ -135,6 +135,10 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
                 || cursor.mentions(&format!("{}dot", token.text))
                 || next(place) == Some(&TokenKind::Open('[')))
     };
+    if cursor.is_lifted {
+        return "a claim names the new variables of the lift, such as `cos_x`: `NEW_VARIABLES` lists them"
+            .to_owned();
+    }
     if arguments.iter().enumerate().any(is_state) {
         return format!(
             "introduce a state for `{name}(…)`, with an equation of its own that is quadratic: {NOT_QUADRATIC} shows how"

@@ -35,37 +35,74 @@ fn error<T>(kind: Kind, span: Span, message: impl Into<String>, help: impl Into<
     Err(Diagnostic::new(kind, span, message, help))
 }
 
-/// Reads a whole block.
+/// Whether a block begins with `lift`, so that [`parse_lifted`] reads it.
+#[must_use]
+pub fn asks_for_lift(tokens: &[Token]) -> bool {
+    let mut diagnostics = Diagnostics::default();
+    let (_, block) = begin::<InFormula>(tokens, &mut diagnostics);
+    // Whoever reads the block reports its mistakes.
+    drop(diagnostics.finish());
+    block.lift.is_some()
+}
+
+/// Reads a whole block. Of one that asks for a lift it reads the header only, and says so.
 #[must_use]
 pub fn parse(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block {
-    block(tokens, diagnostics, |cursor, block, diagnostics| {
+    let (mut cursor, mut block) = begin(tokens, diagnostics);
+    if let Some(lift) = block.lift {
+        let help = "in Rust `kahan!` lifts it, in the command `kahan lift`, in Python `kahan.System(text, lift=True)`";
+        diagnostics.report(
+            Kind::Header,
+            lift,
+            "this block asks for a lift, and here blocks are read as they stand",
+            help,
+        );
+        return block;
+    }
+    items(&mut cursor, &mut block, diagnostics, |cursor, block, diagnostics| {
         if family::begins(cursor) {
             family::family(cursor, block, diagnostics)
         } else {
             block::parse_item(cursor, block)
         }
-    })
+    });
+    block
 }
 
 /// Reads a block that is to be lifted: its equations may hold functions and any powers.
 #[must_use]
 pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<InFormula> {
-    block(tokens, diagnostics, |cursor, block, _| block::parse_item(cursor, block))
+    let (mut cursor, mut block) = begin(tokens, diagnostics);
+    items(&mut cursor, &mut block, diagnostics, |cursor, block, _| {
+        if family::begins(cursor) {
+            let help = "write the equations of some sites one by one";
+            return error(Kind::Syntax, cursor.here(), "a family of equations is not lifted", help);
+        }
+        block::parse_item(cursor, block)
+    });
+    block
 }
 
-fn block<X>(
-    tokens: &[Token],
+/// A block with its header, and the place behind it.
+fn begin<'a, X>(tokens: &'a [Token], diagnostics: &mut Diagnostics) -> (Cursor<'a>, Block<X>) {
+    let (mut cursor, mut block) = (Cursor::new(tokens), Block::default());
+    block.header = header::parse_header(&mut cursor, &mut block.lift, diagnostics);
+    cursor.is_lifted = block.lift.is_some();
+    (cursor, block)
+}
+
+/// Reads the items behind the header.
+fn items<X>(
+    cursor: &mut Cursor<'_>,
+    block: &mut Block<X>,
     diagnostics: &mut Diagnostics,
     item: impl Fn(&mut Cursor<'_>, &mut Block<X>, &mut Diagnostics) -> Parsed<()>,
-) -> Block<X> {
-    let mut cursor = Cursor::new(tokens);
-    let mut block = Block { header: header::parse_header(&mut cursor, diagnostics), ..Block::default() };
+) {
     while !cursor.is_at_end() {
         let start = cursor.position();
-        if let Err(diagnostic) = item(&mut cursor, &mut block, diagnostics) {
+        if let Err(diagnostic) = item(cursor, block, diagnostics) {
             diagnostics.push(diagnostic);
             cursor.skip_item(start);
         }
     }
-    block
 }

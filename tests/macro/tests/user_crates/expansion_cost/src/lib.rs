@@ -69,3 +69,19 @@ kahan! {
         6/6*b*v + 2/4*c*w + b/7);
     integral s = x + y + z + u + v + w;
 }
+
+kahan! {
+    /// A lift of least order.
+    lift pub struct Pendulum { g }
+    xdot = v;
+    vdot = -g*sin(x);
+}
+
+kahan! {
+    /// A lift that takes a search.
+    lift pub struct Kepler { mu }
+    xdot = p;
+    ydot = q;
+    pdot = -mu*x/(x^2 + y^2)^(3/2);
+    qdot = -mu*y/(x^2 + y^2)^(3/2);
+}

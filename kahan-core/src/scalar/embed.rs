@@ -1,0 +1,73 @@
+//! First values of the new variables of a lift.
+
+use nalgebra::SVector;
+
+use crate::Scalar;
+
+/// The scalars that a lift's `embed` takes: `f32` and `f64`. Elementary functions are computed in
+/// `f64`, and rounded once for `f32`.
+#[diagnostic::on_unimplemented(
+    message = "`embed` has values in `f32` and `f64`, not in `{Self}`",
+    note = "embed a point of `f64`, then convert the numbers of the result"
+)]
+pub trait EmbedScalar: Scalar + Copy {
+    /// The number as `f64`.
+    fn widened(self) -> f64;
+    /// The number nearest to this one.
+    fn narrowed(value: f64) -> Self;
+}
+
+impl EmbedScalar for f64 {
+    fn widened(self) -> f64 {
+        self
+    }
+    fn narrowed(value: f64) -> Self {
+        value
+    }
+}
+
+impl EmbedScalar for f32 {
+    fn widened(self) -> f64 {
+        self.into()
+    }
+    fn narrowed(value: f64) -> Self {
+        value as f32
+    }
+}
+
+/// The functions that first values are made of, the same on every processor.
+pub mod elementary {
+    pub use libm::{acosh, asin, asinh, atan, atanh, cbrt, cos, cosh, exp, log, pow, sin, sinh, sqrt};
+
+    /// base^exponent by repeated squaring.
+    #[must_use]
+    pub fn power(base: f64, exponent: i32) -> f64 {
+        let (mut power, mut square, mut left) = (1.0, base, exponent.unsigned_abs());
+        while left > 0 {
+            if left % 2 == 1 {
+                power *= square;
+            }
+            square *= square;
+            left /= 2;
+        }
+        if exponent < 0 { 1.0 / power } else { power }
+    }
+}
+
+/// The components of a point.
+pub fn components_in_f64<T: EmbedScalar, const N: usize>(x: &SVector<T, N>) -> [f64; N] {
+    core::array::from_fn(|i| x[i].widened())
+}
+
+/// The point of a lift: states, then new variables.
+pub fn embedded<T: EmbedScalar, const N: usize, const NEW: usize, const M: usize>(
+    x: &SVector<T, N>,
+    new: [f64; NEW],
+) -> SVector<T, M> {
+    SVector::from_fn(|i, _| if i < N { x[i] } else { T::narrowed(new[i - N]) })
+}
+
+/// The states of a point of a lift, which are its first components.
+pub fn projected<T: Scalar, const M: usize, const N: usize>(x: &SVector<T, M>) -> SVector<T, N> {
+    SVector::from_fn(|i, _| x[i].clone())
+}
