@@ -38,5 +38,6 @@ mod lift;
 
 mod reembedding;
 
+pub use equations::{Stated, stated};
 pub use lift::{Along, Lift, NewVariable, Options, Relation, Which, lift};
 pub use reembedding::Reembedding;

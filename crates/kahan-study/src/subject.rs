@@ -3,10 +3,12 @@
 use std::collections::BTreeMap;
 
 use kahan_algebra::rational::Rational;
+use kahan_lift::Which;
 use kahan_runtime::FieldText;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
+use crate::lifted::Lifting;
 use crate::numbers::exact;
 
 /// A field as its user names it.
@@ -27,6 +29,7 @@ pub struct Subject {
     pub(crate) field: Given,
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) sites: Option<usize>,
+    pub(crate) lifting: Option<Lifting>,
 }
 
 /// How a field is given.
@@ -83,7 +86,7 @@ impl Subject {
     }
 
     fn of(field: Given) -> Self {
-        Subject { field, parameters: Vec::new(), sites: None }
+        Subject { field, parameters: Vec::new(), sites: None, lifting: None }
     }
 
     /// With a value of a parameter.
@@ -97,6 +100,27 @@ impl Subject {
     #[must_use]
     pub fn sites(self, sites: usize) -> Self {
         Subject { sites: Some(sites), ..self }
+    }
+
+    /// Lifted to a quadratic field: its equations may have functions, quotients and powers.
+    ///
+    /// ```
+    /// use kahan_study::{Subject, Systems, Which};
+    ///
+    /// let pendulum = Subject::text("xdot = v; vdot = -sin(x);").lifted(Which::Automatic);
+    /// let pendulum = pendulum.study(&Systems).unwrap();
+    /// assert_eq!(pendulum.coordinates(), ["x", "v"]);
+    /// assert_eq!(pendulum.variables(), ["x", "v", "sin_x", "cos_x"]);
+    /// ```
+    #[must_use]
+    pub fn lifted(self, which: Which) -> Self {
+        self.lifting(Lifting { which, ..Lifting::default() })
+    }
+
+    /// The same with all that a lift is made from.
+    #[must_use]
+    pub fn lifting(self, lifting: Lifting) -> Self {
+        Subject { lifting: Some(lifting), ..self }
     }
 }
 

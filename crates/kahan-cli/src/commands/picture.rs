@@ -137,7 +137,7 @@ impl Picture {
     /// What is drawn, and of which field.
     pub(super) fn asked(&self) -> Result<(Study, Shown), Refusal> {
         let kind = self.kind()?;
-        let study = self.source.proved()?;
+        let study = self.source.proved(self.at.first().map(String::as_str))?;
         let what = match kind {
             Kind::Portrait => What::Portrait,
             Kind::Section => What::Section(self.plane.clone().unwrap_or_default()),
