@@ -219,6 +219,8 @@ const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
 /// The growth of a relation from the first eighth of an orbit to the last that counts as a drift.
 const DRIFT: f64 = 1.5;
+/// The logarithm of the growth over that time beyond which it is exponential.
+const LEAST_EXPONENTIAL: f64 = 4.6;
 /// A relation that small is rounding.
 const ROUNDING: f64 = 1e-11;
 
@@ -297,7 +299,7 @@ impl Study {
             let drift = lift.new.iter().position(|new| of(&new.name)).and_then(|place| drifts.get(place));
             RelationFound {
                 relation: relation.text.clone(),
-                along: relation.along.map(|along| Fate::of(along, drift.copied().flatten())),
+                along: relation.along.map(|along| Fate::of(along, relation.rate, drift.copied().flatten())),
                 formula: relation.formula.clone(),
                 rate: relation.rate,
             }
@@ -392,13 +394,15 @@ pub enum Fate {
 
 impl Fate {
     /// What the linearised error says, and how much the error grew along an orbit.
-    fn of(along: Along, drift: Option<f64>) -> Self {
+    fn of(along: Along, rate: Option<f64>, drift: Option<f64>) -> Self {
+        // Linear growth over a hundred units of time looks like a small exponent.
+        let is_exponential = rate.is_none_or(|rate| rate * HORIZON > LEAST_EXPONENTIAL);
         match along {
             Along::Kept => Fate::Kept,
-            Along::Grows => Fate::Grows,
-            Along::Bounded if drift.is_some_and(|drift| drift > DRIFT) => Fate::Drifts,
-            Along::Bounded => Fate::Bounded,
+            Along::Grows if is_exponential || drift.is_none() => Fate::Grows,
             Along::Decays => Fate::Decays,
+            Along::Bounded | Along::Grows if drift.is_some_and(|drift| drift > DRIFT) => Fate::Drifts,
+            Along::Bounded | Along::Grows => Fate::Bounded,
         }
     }
 }
