@@ -17,7 +17,7 @@ use crate::reading::Source;
 /// field of your own, or with --param, the claims of that block are proved. The exit status is 1 if
 /// a claim does not hold.
 #[derive(Args, Debug)]
-#[command(mut_arg("all", |all| all.help(ALL).hide_short_help(false).conflicts_with("mutate")))]
+#[command(mut_arg("all", |all| all.help(ALL).conflicts_with("mutate")))]
 #[command(after_help = "\
 Examples:
   kahan verify

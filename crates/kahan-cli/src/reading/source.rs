@@ -54,7 +54,7 @@ pub(crate) struct Source {
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     pub(super) parameters: Vec<String>,
 
-    /// Lift the field to a quadratic one: it may have functions, quotients, powers and t.
+    /// Lift what has functions, quotients, powers or t to a quadratic field.
     ///
     /// Points are given and shown in the original variables; `kahan lift` shows the new ones, and
     /// says what becomes of the relations. Without WHICH, it is the energy lift of a mechanical
@@ -63,11 +63,11 @@ pub(crate) struct Source {
     pub(super) lift: Option<Which>,
 
     /// With --lift: show the new variables, too.
-    #[arg(long, hide_short_help = true)]
+    #[arg(long)]
     all: bool,
 
-    /// With --lift: the time at the start, of equations with t; 0 if it is not given.
-    #[arg(long, value_name = "T", requires = "lift", allow_hyphen_values = true, hide_short_help = true)]
+    /// With --lift: the time at the start, 0 if it is not given.
+    #[arg(long, value_name = "T", requires = "lift", allow_hyphen_values = true)]
     t0: Option<String>,
 }
 

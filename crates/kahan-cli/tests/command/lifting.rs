@@ -152,7 +152,9 @@ fn what_cannot_be_lifted_is_refused_with_the_reason() {
     assert!(refused.contains("mechanical"), "{refused}");
     let pole = ["orbit", "--lift", "--field", "x' = 1/x", "--at", "0", "--eps", "0.1", "--steps", "1"];
     assert!(refusal(&pole).contains("has no value there"));
-    assert!(refusal(&["orbit", "e1", "--all", "--at", "1,1,1", "--eps", "1", "--steps", "1"]).contains("--lift"));
+    assert!(
+        refusal(&["orbit", "e1", "--all", "--at", "1,1,1", "--eps", "1", "--steps", "1"]).contains("--lift")
+    );
 }
 
 #[test]
