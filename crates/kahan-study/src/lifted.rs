@@ -93,12 +93,12 @@ impl Lifted {
     }
 
     /// All variables at a point of the original ones; not a number where one has no value.
-    fn embed(&self, at: &[f64], parameters: &[String], values: &[f64]) -> Vec<f64> {
+    fn embed(&self, at: &[f64], parameters: &[String], values: &[f64], time: f64) -> Vec<f64> {
         let value = |name: &String| {
             parameters.iter().position(|known| known == name).map_or(f64::NAN, |place| values[place])
         };
         let own: Vec<f64> = self.lift.parameters.iter().map(value).collect();
-        let time = self.lift.has_time.then(|| self.lifting.time.to_f64());
+        let time = self.lift.has_time.then_some(time);
         let states: Vec<f64> = at.iter().copied().chain(time).collect();
         let new = self.lift.embed(&states, &own);
         states.into_iter().chain(new).collect()
@@ -164,7 +164,8 @@ impl Study {
     }
 
     /// The place of `t` among the variables, where it was lifted.
-    pub(crate) fn time_place(&self) -> Option<usize> {
+    #[must_use]
+    pub fn time_place(&self) -> Option<usize> {
         self.lift().filter(|lift| lift.has_time).map(|lift| lift.states.len() - 1)
     }
 
@@ -176,8 +177,9 @@ impl Study {
         [0, time].into_iter().chain(variables).chain(2 + self.variables().len()..columns).collect()
     }
 
-    /// The values of the variables that answers show.
-    pub(crate) fn project<T: Clone>(&self, point: &[T]) -> Vec<T> {
+    /// The values of the variables that answers show, of all variables.
+    #[must_use]
+    pub fn project<T: Clone>(&self, point: &[T]) -> Vec<T> {
         match self.lifted() {
             Some(lifted) => lifted.places.iter().map(|&place| point[place].clone()).collect(),
             None => point.to_vec(),
@@ -188,20 +190,39 @@ impl Study {
     /// left as it is; what has no value is not a number.
     #[must_use]
     pub fn embed(&self, at: &[f64], values: &[f64]) -> Vec<f64> {
+        self.embed_at(at, values, self.time().to_f64())
+    }
+
+    /// The same at a time.
+    #[must_use]
+    pub fn embed_at(&self, at: &[f64], values: &[f64], time: f64) -> Vec<f64> {
         match self.lifted() {
-            Some(lifted) if at.len() == lifted.original.len() => lifted.embed(at, self.parameters(), values),
-            _ => at.to_vec(),
+            Some(lifted) if at.len() == lifted.original.len() => {
+                lifted.embed(at, self.parameters(), values, time)
+            }
+            _ => self.with_time(at, time),
         }
+    }
+
+    /// All variables at a point of those that answers show: the time is that of the start.
+    fn with_time<T: Clone>(&self, at: &[T], time: T) -> Vec<T> {
+        let mut all = at.to_vec();
+        if let Some(place) =
+            self.time_place().filter(|place| at.len() > *place && at.len() < self.variables().len())
+        {
+            all.insert(place, time);
+        }
+        all
     }
 
     /// All variables at a point of the original ones, exactly where these are exact.
     pub(crate) fn embedded(&self, at: &[Rational]) -> Result<Vec<Rational>, StudyError> {
         let Some(lifted) = self.lifted().filter(|lifted| lifted.original.len() == at.len()) else {
-            return Ok(at.to_vec());
+            return Ok(self.with_time(at, self.time()));
         };
         let values: Vec<f64> = self.values()?.iter().map(Rational::to_f64).collect();
         let point: Vec<f64> = at.iter().map(Rational::to_f64).collect();
-        let point = lifted.embed(&point, self.parameters(), &values);
+        let point = lifted.embed(&point, self.parameters(), &values, self.time().to_f64());
         let time = lifted.lift.has_time.then(|| lifted.lifting.time.clone());
         let mut exact: Vec<Rational> = at.iter().cloned().chain(time).collect();
         for (new, value) in lifted.lift.new.iter().zip(&point[exact.len()..]) {

@@ -382,7 +382,7 @@ impl Study {
     /// That a point has as many coordinates as there are variables, or original ones.
     pub(crate) fn has_coordinates(&self, at: &[Rational]) -> Result<(), StudyError> {
         let variables = self.coordinates();
-        if at.len() == self.variables().len() || at.len() == variables.len() {
+        if [self.variables(), variables, self.shown()].iter().any(|known| known.len() == at.len()) {
             return Ok(());
         }
         Err(StudyError::Coordinates { what: "at", variables: variables.to_vec(), given: at.len() })

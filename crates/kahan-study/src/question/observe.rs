@@ -176,11 +176,16 @@ impl Observe {
     /// Where these do not fit each other.
     pub fn of_orbits<T: ObservedFloat>(
         &self,
+        study: &Study,
         maps: &[&MapAt<T>],
         starts: &[Vec<T>],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<f64>>> {
-        let numbers = |found: Followed<Vec<Seen>>| Followed { report: Self::numbers(&found), end: found.end };
+        let numbers = |found: Followed<Vec<Seen>>| {
+            let report = found.report.into_iter().map(|seen| shown(study, seen)).collect();
+            let found = Followed { report, end: found.end };
+            Followed { report: Self::numbers(&found), end: found.end }
+        };
         let seen = T::abreast(maps, starts, &self.observing(&self.observables()), tell).expect(FITTING);
         seen.into_iter().map(numbers).collect()
     }
