@@ -7,7 +7,11 @@
 
 use std::ops::ControlFlow;
 
+use kahan_algebra::diagnostics::Diagnostics;
+use kahan_algebra::parse::parse_lifted;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::render::expression_text;
+use kahan_algebra::syntax::{Claim, ClaimBody, TensorEntry};
 use kahan_algebra::system::System;
 use kahan_core::observe::Visit;
 use kahan_latex::Latex;
@@ -87,7 +91,12 @@ impl Lifted {
             false => (0..states).collect(),
         };
         let shown = places.iter().map(|&place| lift.variables()[place].clone()).collect();
-        let (text, system) = quadratic(&lift)?;
+        // What is quadratic stays as it was written, with its claims.
+        let as_written = (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
+        let (text, system) = match as_written {
+            Some(system) => (given.clone(), system),
+            None => quadratic(&lift, &claims(given)?)?,
+        };
         let lifting = lifting.clone();
         Ok((Lifted { lift, given: given.clone(), lifting, original, shown, places }, text, system))
     }
@@ -105,8 +114,40 @@ impl Lifted {
     }
 }
 
-/// The text of a lift, and the system that it says.
-fn quadratic(lift: &Lift) -> Result<(FieldText, System), StudyError> {
+/// The claims of a text, as written, one a line.
+fn claims(given: &FieldText) -> Result<String, StudyError> {
+    let block = given.read_by(|tokens| {
+        let mut mistakes = Diagnostics::default();
+        let block = parse_lifted(tokens, &mut mistakes);
+        let mistakes = mistakes.finish();
+        if mistakes.is_empty() { Ok(block) } else { Err(mistakes) }
+    });
+    let conditions = |claim: &Claim| {
+        let conditions = claim.conditions.iter();
+        let texts = conditions
+            .map(|one| format!("{} = {}", expression_text(&one.left), expression_text(&one.right)));
+        let texts = texts.collect::<Vec<_>>().join(", ");
+        if texts.is_empty() { texts } else { format!(" when {texts}") }
+    };
+    let entry = |entry: &TensorEntry| {
+        let (row, column) = (&entry.row.text, &entry.column.text);
+        format!("{{{row}, {column}}} = {};", expression_text(&entry.value))
+    };
+    let claim = |claim: &Claim| {
+        let (kind, name) = (claim.kind.keyword(), &claim.name.text);
+        let when = conditions(claim);
+        Some(match claim.body.as_ref()? {
+            ClaimBody::Function(value) => format!("\n{kind} {name} = {}{when};", expression_text(value)),
+            ClaimBody::Tensor(entries) => {
+                format!("\n{kind} {name} {{ {} }}{when};", entries.iter().map(entry).collect::<String>())
+            }
+        })
+    };
+    Ok(block.map_err(StudyError::Field)?.claims.iter().filter_map(claim).collect())
+}
+
+/// The text of a lift with these claims besides its own, and the system that it says.
+fn quadratic(lift: &Lift, given: &str) -> Result<(FieldText, System), StudyError> {
     let symbols = &lift.field.symbols;
     let is_used = |k: &usize| {
         let variable = symbols.parameter(*k);
@@ -120,7 +161,9 @@ fn quadratic(lift: &Lift) -> Result<(FieldText, System), StudyError> {
         Some(header) => format!("struct {} {{ {} }}\n", header.name.text, names(&used).join(", ")),
         None => String::new(),
     };
-    let mut taken = [lift.variables(), &lift.parameters].concat();
+    let names_given = given.lines().filter_map(|line| line.split(' ').nth(1)).map(str::to_owned);
+    let mut taken: Vec<String> =
+        lift.variables().iter().chain(&lift.parameters).cloned().chain(names_given).collect();
     let mut free = |name: String| {
         let name = crate::rows::free_name(&taken, &name);
         taken.push(name.clone());
@@ -132,7 +175,7 @@ fn quadratic(lift: &Lift) -> Result<(FieldText, System), StudyError> {
     let claims = energy.chain(kept);
     let claims: String =
         claims.map(|(name, formula)| format!("\nintegral {} = {formula};", free(name))).collect();
-    let text = FieldText::new(format!("{head}{}{claims}", lift.text()), "lift".to_owned());
+    let text = FieldText::new(format!("{head}{}{given}{claims}", lift.text()), "lift".to_owned());
     let system = text.unproved_system().map_err(StudyError::Field)?.with_parameters(&names(&others));
     Ok((text, System { header: lift.header.clone(), ..system }))
 }
