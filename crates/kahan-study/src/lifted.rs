@@ -92,7 +92,8 @@ impl Lifted {
         };
         let shown = places.iter().map(|&place| lift.variables()[place].clone()).collect();
         // What is quadratic stays as it was written, with its claims.
-        let as_written = (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
+        let as_written =
+            (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
         let (text, system) = match as_written {
             Some(system) => (given.clone(), system),
             None => quadratic(&lift, &claims(given)?)?,
@@ -124,8 +125,8 @@ fn claims(given: &FieldText) -> Result<String, StudyError> {
     });
     let conditions = |claim: &Claim| {
         let conditions = claim.conditions.iter();
-        let texts = conditions
-            .map(|one| format!("{} = {}", expression_text(&one.left), expression_text(&one.right)));
+        let texts =
+            conditions.map(|one| format!("{} = {}", expression_text(&one.left), expression_text(&one.right)));
         let texts = texts.collect::<Vec<_>>().join(", ");
         if texts.is_empty() { texts } else { format!(" when {texts}") }
     };
@@ -263,18 +264,23 @@ impl Study {
         let Some(lifted) = self.lifted().filter(|lifted| lifted.original.len() == at.len()) else {
             return Ok(self.with_time(at, self.time()));
         };
-        let values: Vec<f64> = self.values()?.iter().map(Rational::to_f64).collect();
-        let point: Vec<f64> = at.iter().map(Rational::to_f64).collect();
-        let point = lifted.embed(&point, self.parameters(), &values, self.time().to_f64());
-        let time = lifted.lift.has_time.then(|| lifted.lifting.time.clone());
-        let mut exact: Vec<Rational> = at.iter().cloned().chain(time).collect();
-        for (new, value) in lifted.lift.new.iter().zip(&point[exact.len()..]) {
-            exact.push(Rational::from_f64(*value).ok_or_else(|| StudyError::NotEmbedded {
-                variable: new.name.clone(),
-                expression: new.expression.clone().unwrap_or_default(),
-            })?);
+        let values = self.values()?;
+        let own = |name: &String| Ok(values[self.parameter(name)?].clone());
+        let own = lifted.lift.parameters.iter().map(own).collect::<Result<Vec<_>, StudyError>>()?;
+        let time = lifted.lift.has_time.then(|| self.time());
+        let states: Vec<Rational> = at.iter().cloned().chain(time).collect();
+        if let Some(new) = lifted.lift.embed_exact(&states, &own) {
+            return Ok(states.into_iter().chain(new).collect());
         }
-        Ok(exact)
+        let floats = |values: &[Rational]| values.iter().map(Rational::to_f64).collect::<Vec<_>>();
+        let new = lifted.lift.embed(&floats(&states), &floats(&own));
+        let undefined = lifted.lift.new.iter().zip(&new).find(|(_, value)| !value.is_finite());
+        // A quotient by 0 may be a finite float.
+        let (new, _) = undefined.or_else(|| lifted.lift.new.iter().zip(&new).next()).expect("a new variable");
+        Err(StudyError::NotEmbedded {
+            variable: new.name.clone(),
+            expression: new.expression.clone().unwrap_or_default(),
+        })
     }
 }
 
@@ -283,8 +289,6 @@ const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
 /// The growth of a relation from the first eighth of an orbit to the last that counts as a drift.
 const DRIFT: f64 = 1.5;
-/// The logarithm of the growth over that time beyond which it is exponential.
-const LEAST_EXPONENTIAL: f64 = 4.6;
 /// A relation that small is rounding.
 const ROUNDING: f64 = 1e-11;
 
@@ -363,7 +367,7 @@ impl Study {
             let drift = lift.new.iter().position(|new| of(&new.name)).and_then(|place| drifts.get(place));
             RelationFound {
                 relation: relation.text.clone(),
-                along: relation.along.map(|along| Fate::of(along, relation.rate, drift.copied().flatten())),
+                along: relation.along.map(|along| Fate::of(along, drift.copied().flatten())),
                 formula: relation.formula.clone(),
                 rate: relation.rate,
             }
@@ -378,6 +382,7 @@ impl Study {
             chosen: lift.chosen.clone(),
             relations: relations.collect(),
             energy: lift.energy.clone(),
+            notes: lift.notes.clone(),
         }))
     }
 }
@@ -403,6 +408,9 @@ pub struct LiftFound {
     pub relations: Vec<RelationFound>,
     /// The energy that the map keeps.
     pub energy: Option<String>,
+    /// What a user should know of.
+    #[serde(skip)]
+    pub notes: Vec<String>,
 }
 
 /// A new variable of a lift.
@@ -458,15 +466,15 @@ pub enum Fate {
 
 impl Fate {
     /// What the linearised error says, and how much the error grew along an orbit.
-    fn of(along: Along, rate: Option<f64>, drift: Option<f64>) -> Self {
-        // Linear growth over a hundred units of time looks like a small exponent.
-        let is_exponential = rate.is_none_or(|rate| rate * HORIZON > LEAST_EXPONENTIAL);
+    fn of(along: Along, drift: Option<f64>) -> Self {
         match along {
             Along::Kept => Fate::Kept,
-            Along::Grows if is_exponential || drift.is_none() => Fate::Grows,
+            Along::Grows => Fate::Grows,
             Along::Decays => Fate::Decays,
-            Along::Bounded | Along::Grows if drift.is_some_and(|drift| drift > DRIFT) => Fate::Drifts,
-            Along::Bounded | Along::Grows => Fate::Bounded,
+            Along::Bounded if drift.is_some_and(|drift| drift > DRIFT) => Fate::Drifts,
+            Along::Bounded => Fate::Bounded,
+            Along::Drifts if drift.is_some_and(|drift| drift <= DRIFT) => Fate::Bounded,
+            Along::Drifts => Fate::Drifts,
         }
     }
 }

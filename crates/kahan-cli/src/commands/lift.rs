@@ -122,6 +122,9 @@ fn text(found: &LiftFound) -> String {
     let optimal =
         if found.optimal { "no lift of its class has fewer" } else { "there may be one with fewer" };
     page.section("choice", paragraph(&format!("{}; of new variables {optimal}.", found.chosen)));
+    for note in &found.notes {
+        page.prose(&format!("note: {note}"));
+    }
     page.text
 }
 
