@@ -118,7 +118,7 @@ def test_expressions_of_sympy_are_lifted():
     s = kahan.System({x: v, v: -k * sympy.sin(x)}, lift=True, k=1)
     text = kahan.System("xdot = v; vdot = -k*sin(x);", lift=True, k=1)
     assert np.array_equal(s.orbit([1, 0], 0.05, 10).x, text.orbit([1, 0], 0.05, 10).x)
-    kepler = kahan.System({x: v, v: -x / (x**2 + 1) ** sympy.Rational(3, 2)}, lift=True)
-    assert np.ptp(kepler.orbit([1, 0], 0.05, 500).integrals["energy"]) < 1e-12
+    softened = kahan.System({x: v, v: -x / (x**2 + 1) ** sympy.Rational(3, 2)}, lift=True)
+    assert np.ptp(softened.orbit([1, 0], 0.01, 500).integrals["energy"]) < 1e-12
     morse = kahan.System({x: v, v: -2 * (1 - sympy.exp(-x)) * sympy.exp(-x)}, lift=True)
     assert morse.lifted.energy is not None

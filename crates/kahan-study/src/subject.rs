@@ -14,7 +14,8 @@ use crate::numbers::exact;
 /// A field as its user names it.
 ///
 /// In JSON it has a `name` in the catalog or a text, `field`, perhaps values of parameters,
-/// `params`, and `sites`: `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
+/// `params`, `sites`, and which `lift`, such as `automatic`:
+/// `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -132,6 +133,7 @@ struct Object {
     #[serde(default)]
     params: BTreeMap<String, Value>,
     sites: Option<usize>,
+    lift: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -139,7 +141,7 @@ struct Value(#[serde(with = "exact")] Rational);
 
 impl<'de> Deserialize<'de> for Subject {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Object { name, field, params, sites } = Object::deserialize(deserializer)?;
+        let Object { name, field, params, sites, lift } = Object::deserialize(deserializer)?;
         let subject = match (name, field) {
             (Some(name), None) => Subject::named(name),
             (None, Some(text)) => Subject::text(text),
@@ -147,6 +149,11 @@ impl<'de> Deserialize<'de> for Subject {
         };
         let subject =
             params.into_iter().fold(subject, |subject, (name, Value(value))| subject.with(name, value));
-        Ok(Subject { sites, ..subject })
+        let which = |name: String| {
+            let known = Which::ALL.into_iter().find(|which| which.name() == name);
+            known.ok_or_else(|| D::Error::custom(format!("`{name}` is no lift; there is `automatic`")))
+        };
+        let lifting = lift.map(which).transpose()?.map(|which| Lifting { which, ..Lifting::default() });
+        Ok(Subject { sites, lifting, ..subject })
     }
 }

@@ -116,7 +116,10 @@ impl Source {
         ];
         let options = options.into_iter().filter_map(|(option, value)| Some([option.to_owned(), value?]));
         let parameters = self.parameters.iter().map(|given| ["--param".to_owned(), given.clone()]);
-        let lift = self.lift.map(|which| format!("--lift={}", which.name()));
+        let lift = self.lift.map(|which| match which {
+            Which::Automatic => "--lift".to_owned(),
+            which => format!("--lift={}", which.name()),
+        });
         let all = self.all.then(|| "--all".to_owned());
         let options = options.chain(parameters).flatten().chain(lift).chain(all);
         self.system.iter().cloned().chain(options).collect()
