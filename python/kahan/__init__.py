@@ -17,6 +17,7 @@ from ._errors import FieldError, Mistake, SingularStep
 from ._formula import Formula
 from ._kahan import __version__
 from ._lattice import Lattice
+from ._lifted import Lifted
 from ._orbit import Chart, Ensemble, Orbit, Section, Table
 from ._system import Discovery, System
 
@@ -29,6 +30,7 @@ __all__ = [
     "FieldError",
     "Formula",
     "Lattice",
+    "Lifted",
     "Mistake",
     "Orbit",
     "Section",

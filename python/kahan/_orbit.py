@@ -107,11 +107,11 @@ class Orbit(Table):
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
-        integrals: float | dict[str, Array],
+        integrals: float | dict[str, Array], in_all: Array | None = None,
     ) -> None:
         self.system, self.eps, self.x, self.every = system, eps, x, every
         self.steps, self.ended = steps, ended
-        self._integrals = integrals
+        self._integrals, self._in_all = integrals, in_all
 
     @property
     def n(self) -> Array:
@@ -120,9 +120,12 @@ class Orbit(Table):
 
     @property
     def t(self) -> Array:
-        """The time of each row, 2 eps n."""
+        """The time of each row, 2 eps n; of equations with ``t`` from ``t0`` on."""
         n = self.n.astype(object) if isinstance(self.eps, Fraction) else self.n
         times: Array = 2 * self.eps * n
+        start = self.system._time[0]
+        if start:
+            times = times + (Fraction(start) if isinstance(self.eps, Fraction) else start)
         return times
 
     @cached_property
@@ -135,7 +138,8 @@ class Orbit(Table):
         number where these have no value.
         """
         given = self._integrals
-        return given if isinstance(given, dict) else self.system.integral_values(self.x, given)
+        in_all = self.x if self._in_all is None else self._in_all
+        return given if isinstance(given, dict) else self.system._integrals_in_all(in_all, given)
 
     @property
     def ended_step(self) -> int:

@@ -8,8 +8,8 @@ from typing import Any
 __all__ = ["expression", "field_text"]
 
 
-def field_text(equations: Mapping[Any, Any]) -> str:
-    """The equations ``{x: expression of dx/dt}`` in the language of ``kahan!``.
+def field_text(equations: Mapping[Any, Any], expands: bool = True) -> str:
+    """The equations ``{x: expression of dx/dt}`` in the language of ``kahan!``, multiplied out or not.
 
     Raises ``ValueError`` for what a field's exact numbers and names cannot say.
     """
@@ -25,7 +25,8 @@ def field_text(equations: Mapping[Any, Any]) -> str:
     printer = Printer({"sympy_integers": False})
     lines = []
     for variable, rate in equations.items():
-        rate = sympy.expand(sympy.sympify(rate))
+        rate = sympy.sympify(rate)
+        rate = sympy.expand(rate) if expands else rate
         for part in sympy.preorder_traversal(sympy.Tuple(sympy.sympify(variable), rate)):
             if isinstance(part, AppliedUndef):
                 raise ValueError(f"{part} is a function; write symbols, as {part.func} = sympy.Symbol('{part.func}')")

@@ -20,6 +20,7 @@ from ._exact import Number, _number, answer, exact, nearest, point, whole
 from ._kahan import Field, is_family
 from ._formula import Formula, Symbols
 from ._lattice import Lattice
+from ._lifted import Lifted, lifting
 from ._orbit import Array, Chart, Ensemble, Orbit, Section
 
 __all__ = ["Discovery", "System"]
@@ -38,6 +39,12 @@ class System(Field):
     where they are integers, fractions or text. A float means the decimal that Python prints.
     ``sites`` writes out a chain of a family ``for i in … { … }``.
 
+    With ``lift=True`` the equations may have functions, quotients, powers and ``t``: the field is lifted to
+    a quadratic one, which ``lifted`` describes, and formulas are those of that. Arrays in and out are in the
+    original variables, or with ``all=True`` in all but ``t``, whose value at the start is ``t0``. ``lift`` may say
+    which lift is wanted, "energy", "relations", "stable" or "smallest", and ``at`` the point of whose orbit its
+    relations are to be right.
+
     >>> import kahan
     >>> s = kahan.System("xdot = y; ydot = a - x^2;", a="1/2")
     >>> s.variables, s.parameters
@@ -50,31 +57,42 @@ class System(Field):
     """
 
     _call: tuple[str, bool, int | None, dict[str, str]]
+    _lifting: tuple[str, list[str] | None, str, bool] | None
 
     def __new__(
-        cls, field: str | Mapping[Any, Any], /, *, sites: int | None = None, **parameters: Number
+        cls, field: str | Mapping[Any, Any], /, *, sites: int | None = None, lift: bool | str | None = None,
+        at: Any = None, t0: Number | None = None, all: Any = None, **parameters: Number
     ) -> System:
+        if not lift:
+            # Without a lift these are names of parameters like others.
+            parameters |= {name: value for name, value in {"at": at, "t0": t0, "all": all}.items() if value is not None}
         if isinstance(field, Mapping):
             from ._sympy import field_text
 
-            field = field_text(field)
+            field = field_text(field, expands=not lift)
         if not isinstance(field, str):
             raise TypeError(f"a field is text or a mapping of SymPy's symbols, not {type(field).__name__}")
         try:
-            return cls._of(field, False, sites, {name: exact(value, name) for name, value in parameters.items()})
+            given = {name: exact(value, name) for name, value in parameters.items()}
+            return cls._of(field, False, sites, given, lifting(lift, at, t0, all))
         except FieldError:
-            if sites is None and not parameters and is_family(field):
+            if sites is None and not parameters and not lift and is_family(field):
                 return cast(System, Family(field))
             raise
 
     @classmethod
-    def _of(cls, text: str, is_name: bool, sites: int | None, parameters: dict[str, str]) -> System:
-        system: System = Field.__new__(cls, text, is_name=is_name, sites=sites, parameters=list(parameters.items()))
-        system._call = (text, is_name, sites, parameters)
+    def _of(
+        cls, text: str, is_name: bool, sites: int | None, parameters: dict[str, str],
+        lift: tuple[str, list[str] | None, str, bool] | None = None,
+    ) -> System:
+        system: System = Field.__new__(
+            cls, text, is_name=is_name, sites=sites, parameters=list(parameters.items()), lift=lift
+        )
+        system._call, system._lifting = (text, is_name, sites, parameters), lift
         return system
 
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
-        return (type(self)._of, self._call)
+        return (type(self)._of, (*self._call, self._lifting))
 
     def lattice(self, sites: int, eps: Number, **values: float | Array) -> Lattice:
         """The chain of so many sites of a family, stepped as an array; see ``Lattice``.
@@ -105,7 +123,7 @@ class System(Field):
         if sites is not None and "sites" in self.parameters:
             parameters["sites"], sites = sites, None
         given = {name: exact(value, name) for name, value in parameters.items()}
-        return self._of(text, is_name, own_sites if sites is None else sites, own | given)
+        return self._of(text, is_name, own_sites if sites is None else sites, own | given, self._lifting)
 
     def __repr__(self) -> str:
         values = ", ".join(f"{name}={value}" for name, value in self.parameters.items() if value is not None)
@@ -113,8 +131,14 @@ class System(Field):
 
     @property
     def variables(self) -> tuple[str, ...]:
-        """The state variables, in order."""
+        """The state variables, in order: of a lifted field the original ones, as arrays have them."""
         return tuple(super().variables)
+
+    @cached_property
+    def lifted(self) -> Lifted | None:
+        """How the field became quadratic, where it was lifted."""
+        text = self._lift
+        return None if text is None else Lifted(self, text)
 
     @property
     def parameters(self) -> dict[str, Any]:
@@ -152,7 +176,7 @@ class System(Field):
         sheet = self._sheet("text")
         constants = re.findall(r"^ *const (\w+) = (.+);$", sheet["macro"], re.MULTILINE)
         functions = {claim["name"]: _right(claim) for claim in sheet["claims"] if claim["kind"] != "bracket"}
-        return Symbols(self.variables, self.parameters, dict(constants) | functions)
+        return Symbols(tuple(self._all_variables), self.parameters, dict(constants) | functions)
 
     @property
     def field(self) -> Formula:
@@ -221,10 +245,11 @@ class System(Field):
             stated = re.findall(r"\{(\w+), ?(\w+)\} = (.*?);", claim["statement"])
 
             def read(form: str) -> list[list[str]]:
-                entries = [["0"] * len(self.variables) for _ in self.variables]
+                names = self._all_variables
+                entries = [["0"] * len(names) for _ in names]
                 texts = [text for _, _, text in stated] if form == "text" else sides(form)
                 for (x, y, _), text in zip(stated, texts):
-                    i, j = self.variables.index(x), self.variables.index(y)
+                    i, j = names.index(x), names.index(y)
                     entries[i][j], entries[j][i] = text, rf"-\left({text}\right)" if form == "latex" else f"-({text})"
                 return entries
 
@@ -235,7 +260,7 @@ class System(Field):
     def _repr_latex_(self) -> str:
         """The field, its map where that is short, and the integrals that are known."""
         def lines(accent: str, formula: Formula) -> list[str]:
-            return [rf"\{accent}{{{name}}} &= {right.latex}" for name, right in zip(self.variables, formula)]
+            return [rf"\{accent}{{{name}}} &= {right.latex}" for name, right in zip(self._all_variables, formula)]
 
         rows = lines("dot", self.field)
         if self._sheet("text")["map"] is not None and len(str(self.map)) < 400:
@@ -250,6 +275,21 @@ class System(Field):
         """A point, or points, in the order of the variables, whose names decide where columns have some."""
         return named(x, self.variables, [*self.parameters, "eps"])
 
+    def _in_all(self, x: Any, parameters: Sequence[Any] = ()) -> Any:
+        """Points of all variables: of a lifted field the new ones are functions of the original ones."""
+        if self._lifting is None:
+            return x
+        embedded = self._embedded(x, list(parameters))
+        return embedded.astype(np.float32) if getattr(x, "dtype", None) == np.float32 else embedded
+
+    def _out_of_all(self, x: Array, out: Array | None = None) -> Array:
+        """The points that arrays have, of points of all variables."""
+        shown = x if self._lifting is None else x[..., self._places]
+        if out is None or self._lifting is None:
+            return shown
+        out[...] = shown
+        return out
+
     def _point(self, x: Any) -> list[str]:
         return point(self._at(x))
 
@@ -263,7 +303,10 @@ class System(Field):
         Those of the map depend on eps, and some are claimed ``when`` eps and the parameters have
         certain values.
         """
-        names, values = self._integrals_at(self._at(x), eps)
+        return self._integrals_in_all(self._in_all(self._at(x)), eps)
+
+    def _integrals_in_all(self, x: Any, eps: Number) -> dict[str, Array]:
+        names, values = self._integrals_at(x, eps)
         return {name: values[..., k] for k, name in enumerate(names)}
 
     def orbit(
@@ -303,9 +346,12 @@ class System(Field):
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
             half = nearest(eps, "eps")
             rows, made, ended = self._points(
-                x, half, steps, every=every, order=order, compensated=compensated, out=out, listener=_listener(progress)
+                self._in_all(x), half, steps, every=every, order=order, compensated=compensated,
+                out=out if self._lifting is None else None, listener=_listener(progress)
             )
-            return Orbit(self, half, rows[:, : len(self.variables)], every, made, ended, half if order == 2 else 0.0)
+            in_all = rows[:, : len(self._all_variables)]
+            states = self._out_of_all(in_all, None if out is None else out[: len(rows)])
+            return Orbit(self, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
         if compensated or out is not None:
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
         question = {"ask": "orbit", "at": self._point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
@@ -366,24 +412,25 @@ class System(Field):
         steps, order = whole(steps, "steps"), whole(order, "order")
         threads = _whole(threads, "threads")
         inputs = {name: np.asarray(value) for name, value in {"eps": eps, **(params or {})}.items()}
+        begun = self._in_all(points, given)
         if not observe:
-            x, ends = self._advance(points, eps, steps, parameters=given, order=order, threads=threads, out=out,
-                              listener=_listener(progress))
-            return Ensemble(self, np.asarray(points), inputs, x, ends, {})
+            x, ends = self._advance(begun, eps, steps, parameters=given, order=order, threads=threads,
+                              out=out if self._lifting is None else None, listener=_listener(progress))
+            return Ensemble(self, np.asarray(points), inputs, self._out_of_all(x, out), ends, {})
         if isinstance(observe, str):
             observe = (observe,)
         if out is not None:
             raise ValueError("out is for ensembles without observers")
         self._has_drift("observe", observe)
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
-        seen, values, ends = self._observed(points, eps, steps, of, parameters=given, order=order,
+        seen, values, ends = self._observed(begun, eps, steps, of, parameters=given, order=order,
                                             every=whole(every, "every"), escape=escape, threads=threads,
                                             listener=_listener(progress))
         count = len(self.variables)
         columns: dict[str, Array] = {}
         for k, name in enumerate(seen[count:], count):
             if name == "spectrum_1":
-                columns["spectrum"] = values[:, k:k + count]
+                columns["spectrum"] = values[:, k:k + len(self._all_variables)]
             elif not name.startswith("spectrum_"):
                 columns[name] = values[:, k]
         return Ensemble(self, np.asarray(points), inputs, values[:, :count], ends, columns)
@@ -669,7 +716,7 @@ class Discovery(Answer):
         Its parameters have the values with which it was searched, ``when`` which the claims are made.
         """
         text, is_name, sites, given = self._of._call
-        field = System._of(text, is_name, sites, {})._sheet("text")["field"]
+        field = System._of(text, is_name, sites, {}, self._of._lifting)._sheet("text")["field"]
         equations = "\n".join(f"{name}dot = {right};" for name, right in zip(self.variables, field))
         names = set(re.findall(r"\w+", equations))
         of_text = self._of.parameters.items()
@@ -695,20 +742,24 @@ class Discovery(Answer):
 
 @dataclass(frozen=True)
 class RightSide:
-    """f of a field, as a function of the time, on which it does not depend, and of points as columns."""
+    """f of a field, as a function of the time, on which only a lifted one may depend, and of points as columns."""
 
     system: System
 
     def __call__(self, t: float, y: Any) -> Array:
         y = np.asarray(y)
-        if y.ndim != 2:
-            return self.system._field_at(y)
-        if len(y) != len(self.system.variables):
-            raise ValueError(f"y: the shape ({len(self.system.variables)}, points) is needed, and this is {y.shape}")
-        return self.system._field_at(y.T).T
+        system = self.system
+        if y.ndim == 2 and len(y) != len(system.variables):
+            raise ValueError(f"y: the shape ({len(system.variables)}, points) is needed, and this is {y.shape}")
+        points = y.T if y.ndim == 2 else y
+        if system._lifting is not None:
+            points = system._embedded(points, [], t)
+        return system._out_of_all(system._field_at(points)).T
 
     def jacobian(self, t: float, y: Any) -> Array:
         """f'(y) at a point, a row a component of f."""
+        if self.system._lifting is not None:
+            raise ValueError("the Jacobian of a lifted field is one of all variables: s.field_jacobian has it as a formula")
         return self.system._field_at(y, jacobian=True)
 
 

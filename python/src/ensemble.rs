@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use kahan_algebra::rational::Rational;
 use kahan_runtime::{DimensionError, End, Followed, MapAt, threads};
-use kahan_study::{Observable, Observe, Watch};
+use kahan_study::{Observable, Observe, Study, Watch};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -81,7 +81,7 @@ impl Field {
             observe.columns(self.study()).into_iter().map(|column| column.name).collect();
         let (count, from) = (points.shape()[0], points.as_slice()?);
         let seen = beside(py, asked.threads, &asked.listener, |caller| {
-            many.observed(from, self.dimension(), &observe, caller)
+            many.observed(from, self.study(), &observe, caller)
         })?;
         let seen = seen.map_err(|error| of_dimension(&error))?;
         let ends = ends(py, steps, count, seen.iter().map(|followed| followed.end));
@@ -235,11 +235,11 @@ impl Many<f64> {
     fn observed(
         &self,
         rows: &[f64],
-        variables: usize,
+        study: &Study,
         asked: &Observe,
         caller: &Caller,
     ) -> Result<Vec<Followed<Vec<f64>>>, DimensionError> {
-        let width = variables.max(1);
+        let width = study.variables().len().max(1);
         // Turns are counted by a second run.
         let runs = if asked.of.contains(&Observable::Rotation) { 2 } else { 1 };
         // Few enough that all threads have some.
@@ -258,7 +258,7 @@ impl Many<f64> {
             let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
             let maps: Vec<&MapAt<f64>> = (0..count).map(|orbit| &maps[orbit.min(maps.len() - 1)]).collect();
             let of = (self.steps.saturating_mul(runs)).saturating_mul(self.trajectories as u64);
-            Ok(asked.of_orbits(&maps, &starts, &|steps| caller.made(steps, of)))
+            Ok(asked.of_orbits(study, &maps, &starts, &|steps| caller.made(steps, of)))
         });
         Ok(seen.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
     }

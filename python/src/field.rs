@@ -6,12 +6,15 @@ use kahan_algebra::rational::Rational;
 use kahan_judge::Extremes;
 use kahan_runtime::{Map, MapAt};
 use kahan_study::numbers::number;
-use kahan_study::{Question, Study, Subject, Systems};
+use kahan_study::{Lifting, Question, Study, Subject, Systems, Which};
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::arrays::doubles;
 use crate::beside::{Listener, apart};
 use crate::errors::of_study;
+use crate::orbit::wrong_shape;
 
 /// A field with the values of its parameters: what `kahan.System` stands on.
 #[pyclass(subclass, frozen, module = "kahan._kahan")]
@@ -130,6 +133,24 @@ impl Field {
     }
 }
 
+/// Which lift is wanted, the point whose orbit it is for, the time there, and whether arrays have
+/// the new variables.
+type Lift = (String, Option<Vec<String>>, String, bool);
+
+fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
+    let known = Which::ALL.iter().find(|one| one.name() == which);
+    let which = *known.ok_or_else(|| {
+        let names: Vec<&str> = Which::ALL.iter().map(|one| one.name()).collect();
+        PyValueError::new_err(format!("lift: there is no `{which}`; there are True and {}", names.join(", ")))
+    })?;
+    let read = |what: &str, value: &str| {
+        number(value).map_err(|why| PyValueError::new_err(format!("{what}: {why}")))
+    };
+    let start = start.map(|start| start.iter().map(|value| read("at", value)).collect::<PyResult<Vec<_>>>());
+    let (start, time) = (start.transpose()?, read("t0", &time)?);
+    Ok(Lifting { which, start, time, shows_all, ..Lifting::default() })
+}
+
 /// A question that came as JSON.
 pub(crate) fn question(json: &str) -> PyResult<Question> {
     serde_json::from_str(json).map_err(|error| PyValueError::new_err(error.to_string()))
@@ -138,18 +159,22 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 #[pymethods]
 impl Field {
     /// Reads a field: its name in the catalog, or its text; of a family the number of sites. Values
-    /// of parameters are exact numbers as text.
+    /// of parameters are exact numbers as text. `lift` says which lift is wanted, the point whose
+    /// orbit it is for, the time there, and whether arrays have the new variables.
     #[new]
-    #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new()))]
+    #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None))]
     fn new(
         py: Python<'_>,
         text: &str,
         is_name: bool,
         sites: Option<usize>,
         parameters: Vec<(String, String)>,
+        lift: Option<Lift>,
     ) -> PyResult<Self> {
         let subject = if is_name { Subject::named(text) } else { Subject::text(text) };
         let subject = sites.into_iter().fold(subject, Subject::sites);
+        let lifting = lift.map(lifting).transpose()?;
+        let subject = lifting.into_iter().fold(subject, Subject::lifting);
         let exactly = |(name, value): (String, String)| match number(&value) {
             Ok(value) => Ok((name, value)),
             Err(why) => Err(PyValueError::new_err(format!("{name}: {why}"))),
@@ -178,10 +203,79 @@ impl Field {
         self.study.text()
     }
 
-    /// The state variables.
+    /// The variables of arrays: of a lifted field the original ones, and the new ones where these
+    /// are asked for.
     #[getter]
     fn variables(&self) -> Vec<&str> {
+        self.study.shown().iter().map(String::as_str).collect()
+    }
+
+    /// All variables, those of formulas.
+    #[getter(_all_variables)]
+    fn all_variables(&self) -> Vec<&str> {
         self.study.variables().iter().map(String::as_str).collect()
+    }
+
+    /// What there is to say of the lift, as JSON; none of a field that was not lifted.
+    #[getter(_lift)]
+    fn lift(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        let found = self.study.lift_found(None).map_err(|error| of_study(py, &error))?;
+        Ok(found.map(|found| serde_json::to_string(&found).expect("answers are JSON")))
+    }
+
+    /// The time at the start, and the place of `t` among all variables where it was lifted.
+    #[getter(_time)]
+    fn time(&self) -> (f64, Option<usize>) {
+        (self.study.time().to_f64(), self.study.time_place())
+    }
+
+    /// The places of the variables of arrays among all.
+    #[getter(_places)]
+    pub(crate) fn places(&self) -> Vec<usize> {
+        self.study.project(&(0..self.study.variables().len()).collect::<Vec<_>>())
+    }
+
+    /// Points of all variables, of the shape (…, all variables), at points of shape (…, variables)
+    /// or of the original ones, at a time. `parameters` has for each parameter a number, one a point, or
+    /// `None` for the field's own.
+    #[pyo3(name = "_embedded", signature = (x, parameters = Vec::new(), time = None))]
+    pub(crate) fn embedded<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        parameters: Vec<Option<Bound<'py, PyAny>>>,
+        time: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = x.py();
+        let x = doubles(x, "x")?;
+        let mut sizes = x.shape().to_vec();
+        let known = [self.study.coordinates().len(), self.study.shown().len(), self.dimension()];
+        let width = sizes.pop().filter(|width| known.contains(width));
+        let Some(width) = width else {
+            return Err(wrong_shape("x", &format!("(…, {})", self.study.shown().len()), x.shape()));
+        };
+        let given = parameters.iter().map(|given| match given {
+            Some(given) => Ok(doubles(given, "params")?.as_slice()?.to_vec()),
+            None => Ok(Vec::new()),
+        });
+        let given = given.collect::<PyResult<Vec<Vec<f64>>>>()?;
+        let own = self.study.valued();
+        let value = |point: usize, k: usize| match given.get(k).map_or(&[][..], Vec::as_slice) {
+            [] => own[k].as_ref().map(Rational::to_f64),
+            [one] => Some(*one),
+            many => many.get(point).copied(),
+        };
+        let mut all = Vec::new();
+        for (point, at) in x.as_slice()?.chunks_exact(width.max(1)).enumerate() {
+            let values = (0..own.len()).map(|k| value(point, k)).collect::<Option<Vec<f64>>>();
+            let Some(values) = values else {
+                let missing = self.study.values().err();
+                let missing = missing.map(|error| of_study(py, &error));
+                return Err(missing.unwrap_or_else(|| PyValueError::new_err("params: a value is missing")));
+            };
+            all.extend(self.study.embed_at(at, &values, time.unwrap_or_else(|| self.study.time().to_f64())));
+        }
+        sizes.push(self.dimension());
+        Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
     }
 
     /// Notes on what was read in a way that the writer of the text should know of.

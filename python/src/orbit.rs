@@ -134,6 +134,38 @@ impl Field {
         out: Option<&Bound<'py, PyAny>>,
         checked: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
+        if self.study().lift().is_some() {
+            return self.stepped_between(x, eps, out, checked);
+        }
+        self.stepped_whole(x, eps, out, checked)
+    }
+
+    /// The same of a lifted field: from points of its original variables to such points.
+    fn stepped_between<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+        out: Option<&Bound<'py, PyAny>>,
+        checked: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = x.py();
+        let single = matches!(floats(x, "x")?, Floats::Single(_));
+        let all = self.embedded(x, Vec::new(), None)?;
+        let all = if single { all.call_method1("astype", ("float32",))? } else { all };
+        let next = self.stepped_whole(&all, eps, None, checked)?;
+        let shown = next.call_method1("take", (self.places(), -1))?;
+        let Some(out) = out else { return Ok(shown) };
+        py.import("numpy")?.call_method1("copyto", (out, shown))?;
+        Ok(out.clone())
+    }
+
+    fn stepped_whole<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        eps: f64,
+        out: Option<&Bound<'py, PyAny>>,
+        checked: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
         // The next points may replace these.
         let copied = out.filter(|out| out.is(x)).map(|x| x.call_method0("copy")).transpose()?;
         match floats(copied.as_ref().unwrap_or(x), "x")? {

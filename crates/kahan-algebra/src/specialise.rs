@@ -47,6 +47,22 @@ impl System {
         Some(specialised)
     }
 
+    /// The system with more parameters behind its own, on which nothing depends.
+    #[must_use]
+    pub fn with_parameters(&self, names: &[String]) -> System {
+        let old = &self.field.symbols;
+        let symbols = Symbols { parameters: [&old.parameters[..], names].concat(), ..old.clone() };
+        let relations = Relations::default();
+        let renaming = Specialisation { field: &self.field, new: &symbols, relations: &relations };
+        let components: Vec<_> =
+            self.field.components.iter().filter_map(|one| renaming.component(one)).collect();
+        let kept = renaming.kept(&self.kept, &components);
+        let claims = self.claims.iter().filter_map(|claim| renaming.claim(claim)).collect();
+        let field = Field { symbols, components };
+        let kept = kept.unwrap_or_else(|| Kept::of(&field)).into();
+        System { kept, field: field.into(), claims, ..self.clone() }
+    }
+
     /// The system where these relations between parameters hold, without claims: the parameters
     /// that they are solved for are gone. `None` where the field then divides by zero, or is too
     /// large.

@@ -25,6 +25,27 @@ pub(crate) struct Equations {
     pub ring: Ring,
 }
 
+/// The names of equations that are to be lifted.
+#[derive(Clone, Debug)]
+pub struct Stated {
+    /// The states in the order of their equations; `t` last where it is lifted.
+    pub states: Vec<String>,
+    /// The parameters in the order of the header, or in which they occur.
+    pub parameters: Vec<String>,
+    /// Whether the last state is the time.
+    pub has_time: bool,
+}
+
+/// Reads the names of a block that is to be lifted: the order of first values and of parameters
+/// that [`Options::orbit`](crate::Options::orbit) has.
+///
+/// # Errors
+/// Every mistake, each with its place and the way out.
+pub fn stated(tokens: &[Token]) -> Result<Stated, Vec<Diagnostic>> {
+    let Equations { states, parameters, has_time, .. } = Equations::read(tokens)?;
+    Ok(Stated { states, parameters, has_time })
+}
+
 impl Equations {
     /// Reads the tokens of a block.
     ///

@@ -41,6 +41,7 @@ mod lift;
 mod reembedding;
 
 pub use embedding::{Embedding, Step};
+pub use equations::{Stated, stated};
 pub use lift::{Along, Lift, NewVariable, Options, Relation, Which, lift};
 pub use reembedding::Reembedding;
 pub use ring::Function;

@@ -46,13 +46,33 @@ pub enum Which {
 }
 
 impl Which {
-    /// The names, as `--lift=NAME` has them.
-    pub const NAMES: [(&'static str, Which); 4] = [
-        ("energy", Which::Energy),
-        ("relations", Which::Relations),
-        ("stable", Which::Stable),
-        ("smallest", Which::Smallest),
-    ];
+    /// All of them.
+    pub const ALL: [Which; 5] =
+        [Which::Automatic, Which::Energy, Which::Relations, Which::Stable, Which::Smallest];
+
+    /// Its name, as `--lift=NAME` has it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Which::Automatic => "automatic",
+            Which::Energy => "energy",
+            Which::Relations => "relations",
+            Which::Stable => "stable",
+            Which::Smallest => "smallest",
+        }
+    }
+
+    /// The lift that it asks for.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Which::Automatic => "The first of the others that there is",
+            Which::Energy => "The energy lift of a mechanical system",
+            Which::Relations => "As many relations kept exactly as can be",
+            Which::Stable => "Relations that do not grow along the orbit",
+            Which::Smallest => "As few new variables as can be",
+        }
+    }
 }
 
 /// What the choice between lifts is made from.
@@ -717,6 +737,15 @@ impl Lift {
         let sides = Formulas { field: &self.field, map: None, notation: &Text }.field();
         let lines = self.variables().iter().zip(sides).map(|(name, side)| format!("{name}dot = {side};"));
         lines.collect::<Vec<_>>().join("\n")
+    }
+
+    /// The expressions of the new variables in a notation; none for the work done since the start.
+    #[must_use]
+    pub fn expressions(&self, notation: &dyn Notation) -> Vec<Option<String>> {
+        let parameters = Symbols { states: Vec::new(), parameters: self.parameters.clone() };
+        let writer = Writer { ring: &self.ring, states: &self.states, parameters: &parameters };
+        let written = |value: &Laurent| writer.polynomial(value, notation);
+        self.new.iter().map(|one| one.value.as_ref().map(written)).collect()
     }
 
     /// The values of the new variables at these states, with these values of the parameters.

@@ -4,7 +4,7 @@
 //! Coordinates are the states and the functions that occur. The derivative of each is a Laurent
 //! polynomial in the coordinates; relations rewrite monomials, such as sin² to 1 − cos².
 
-use std::cell::RefCell;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -95,8 +95,24 @@ pub(crate) struct Ring {
     rules: Vec<Rule>,
     /// The derivatives of the states.
     pub field: Vec<Laurent>,
-    derivatives: RefCell<FxHashMap<Monomial, Laurent>>,
-    normal: RefCell<FxHashMap<Monomial, Laurent>>,
+    derivatives: Memory,
+    normal: Memory,
+}
+
+/// Polynomials of monomials that were computed before; rings are shared between threads.
+#[derive(Debug, Default)]
+struct Memory(Mutex<FxHashMap<Monomial, Laurent>>);
+
+impl Memory {
+    fn known(&self) -> MutexGuard<'_, FxHashMap<Monomial, Laurent>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Clone for Memory {
+    fn clone(&self) -> Self {
+        Memory(Mutex::new(self.known().clone()))
+    }
 }
 
 impl Ring {
@@ -176,8 +192,8 @@ impl Ring {
     }
 
     fn forget(&mut self) {
-        self.derivatives.get_mut().clear();
-        self.normal.get_mut().clear();
+        self.derivatives.known().clear();
+        self.normal.known().clear();
     }
 
     /// Whether no relation rewrites the monomial.
@@ -217,14 +233,14 @@ impl Ring {
 
     /// The normal form of a monomial.
     pub(crate) fn normal(&self, monomial: &Monomial) -> Laurent {
-        if let Some(known) = self.normal.borrow().get(monomial) {
+        if let Some(known) = self.normal.known().get(monomial) {
             return known.clone();
         }
         let normal = match self.rewritten(monomial) {
             Some(polynomial) => self.normalised(&polynomial),
             None => Laurent::from(monomial.clone()),
         };
-        self.normal.borrow_mut().insert(monomial.clone(), normal.clone());
+        self.normal.known().insert(monomial.clone(), normal.clone());
         normal
     }
 
@@ -257,7 +273,7 @@ impl Ring {
 
     /// The derivative of a monomial along the field, in normal form.
     pub(crate) fn derivative_of(&self, monomial: &Monomial) -> Laurent {
-        if let Some(known) = self.derivatives.borrow().get(monomial) {
+        if let Some(known) = self.derivatives.known().get(monomial) {
             return known.clone();
         }
         let mut derivative = Laurent::zero();
@@ -271,7 +287,7 @@ impl Ring {
             let factor = RationalFunction::constant(Rational::from(i64::from(exponent)));
             derivative.add_scaled(&self.normalised(&inner.shifted(&lower)), &factor);
         }
-        self.derivatives.borrow_mut().insert(monomial.clone(), derivative.clone());
+        self.derivatives.known().insert(monomial.clone(), derivative.clone());
         derivative
     }
 

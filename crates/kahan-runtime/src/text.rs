@@ -122,6 +122,17 @@ impl FieldText {
         self.accept(self.unproved().clone().system())
     }
 
+    /// What a reader makes of the tokens of the block.
+    ///
+    /// # Errors
+    /// The reader's mistakes, at their places in the text.
+    pub fn read_by<T>(
+        &self,
+        reader: impl FnOnce(&[Token]) -> Result<T, Vec<Diagnostic>>,
+    ) -> Result<T, Diagnostics> {
+        self.accept(reader(&self.tokens()))
+    }
+
     /// Proves the claims of a system that was read of this text, as the macro does it.
     ///
     /// # Errors

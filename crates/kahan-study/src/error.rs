@@ -72,6 +72,13 @@ pub enum StudyError {
         /// How many coordinates were given.
         given: usize,
     },
+    /// A new variable of a lifted field has no value at a point.
+    NotEmbedded {
+        /// The new variable.
+        variable: String,
+        /// The function that it stands for.
+        expression: String,
+    },
     /// The field divides by zero at the values of its parameters.
     UndefinedField {
         /// The field.
@@ -258,6 +265,10 @@ impl fmt::Display for StudyError {
                 let (expected, plural) = (variables.len(), if variables.len() == 1 { "" } else { "s" });
                 write!(f, "{what}: {expected} coordinate{plural} {} expected, {given} given", variables.join(","))
             }
+            Self::NotEmbedded { variable, expression } => write!(
+                f,
+                "at: the new variable {variable} = {expression} has no value there; choose another point"
+            ),
             Self::NotPositive { what, value } => {
                 write!(f, "{what}: `{value}` is not a number above 0 within the range of f64")
             }

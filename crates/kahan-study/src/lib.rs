@@ -28,6 +28,7 @@ mod error;
 pub mod formula;
 #[cfg(feature = "toml")]
 mod from_toml;
+mod lifted;
 mod list;
 mod map;
 mod named;
@@ -51,7 +52,9 @@ pub use error::StudyError;
 #[cfg(feature = "toml")]
 pub use from_toml::from_toml;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
+pub use kahan_lift::{Lift, Which};
 pub use kahan_runtime::End;
+pub use lifted::{Fate, LiftFound, Lifting, NewFound, RelationFound};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::*;

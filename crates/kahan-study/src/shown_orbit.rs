@@ -55,17 +55,28 @@ impl Study {
         eps: Option<&Rational>,
         start: Option<&[Rational]>,
     ) -> Result<ShownOrbit, StudyError> {
-        let start = start.map(|start| self.point(start)).transpose()?.or_else(|| self.start());
+        let start = start.map(<[Rational]>::to_vec).or_else(|| self.start());
+        start.as_ref().map(|start| self.point(start)).transpose()?;
         let map = self.map()?;
         let length = length(self.system(), map.parameters(), eps);
-        let starts = start.map_or_else(|| starts(self.variables().len(), length), |start| vec![start]);
-        let mut best: Option<Followed> = None;
-        for start in starts {
+        let starts = start.map_or_else(|| starts(self.coordinates().len(), length), |start| vec![start]);
+        let (mut best, mut refused): (Option<Followed>, _) = (None, None);
+        for own in starts {
+            // Functions of a start may have no value.
+            let start = match self.point(&own) {
+                Ok(start) => start,
+                Err(error) => {
+                    refused = Some(error);
+                    continue;
+                }
+            };
             let mut rate = rate(&map.at(0.0), &floats(&start));
             // A second look, at the rates where the orbit went.
             for _ in 0..2 {
                 let eps = eps.cloned().unwrap_or_else(|| round_below(0.2 / rate));
-                let followed = Followed::of(&map.at(eps.to_f64()), eps, &start, length);
+                let mut followed = Followed::of(&map.at(eps.to_f64()), eps, &start, length);
+                followed.shown.start.clone_from(&own);
+                followed.shown.extremes = self.project(&followed.shown.extremes);
                 rate = rate.max(followed.rate);
                 if best.as_ref().is_none_or(|best| best.rank() < followed.rank()) {
                     best = Some(followed);
@@ -75,7 +86,7 @@ impl Study {
                 break;
             }
         }
-        Ok(best.expect("there is a start").shown)
+        best.map(|best| best.shown).ok_or_else(|| refused.expect("there is a start"))
     }
 }
 

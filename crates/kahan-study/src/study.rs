@@ -11,6 +11,7 @@ use kahan_algebra::system::{Claim, Condition, System};
 use kahan_runtime::{Field, FieldText, Map, MapAt};
 
 use crate::error::StudyError;
+use crate::lifted::Lifted;
 use crate::range::Axis;
 use crate::subject::{Catalog, Given, Named, Subject};
 
@@ -43,6 +44,8 @@ struct Read {
     named: Option<Named>,
     text: FieldText,
     sites: Option<usize>,
+    /// How it became quadratic, where it was lifted.
+    lifted: Option<Lifted>,
     /// The system, its claims not proved.
     system: System,
     /// The mistakes of its claims, once they were proved.
@@ -73,14 +76,25 @@ impl Subject {
                 (Some(named), text)
             }
         };
-        let system = match self.sites {
-            Some(sites) => chain(&text, sites)?,
-            None => text.unproved_system().map_err(StudyError::Field)?,
+        let (lifted, text, system) = match (&self.lifting, self.sites) {
+            (Some(lifting), None) => {
+                let (lifted, text, system) = Lifted::of(&text, lifting, &self.parameters)?;
+                (Some(lifted), text, system)
+            }
+            (_, Some(sites)) => {
+                let system = chain(&text, sites)?;
+                (None, text, system)
+            }
+            (None, None) => {
+                let system = text.unproved_system().map_err(StudyError::Field)?;
+                (None, text, system)
+            }
         };
         let read = Read {
             named,
             text,
             sites: self.sites,
+            lifted,
             system,
             proved: OnceLock::new(),
             field: OnceLock::new(),
@@ -150,22 +164,32 @@ impl Study {
         self.read.text.text()
     }
 
+    /// How the field became quadratic, where it was lifted.
+    pub(crate) fn lifted(&self) -> Option<&Lifted> {
+        self.read.lifted.as_ref()
+    }
+
+    /// The text as it was given.
+    fn given_text(&self) -> &FieldText {
+        self.lifted().map_or(&self.read.text, |lifted| &lifted.given)
+    }
+
     /// Notes on what was read in a way that the writer of the text should know of.
     #[must_use]
     pub fn notes(&self) -> &[String] {
-        self.read.text.notes()
+        self.given_text().notes()
     }
 
     /// The point that the text begins at, where it has a first value of each variable.
     #[must_use]
     pub fn start(&self) -> Option<Vec<Rational>> {
-        self.variables().iter().map(|state| named(self.read.text.start(), state)).collect()
+        self.coordinates().iter().map(|state| named(self.given_text().start(), state)).collect()
     }
 
     /// The values of the parameters where numbers are needed: those given, or else the text's own.
     #[must_use]
     pub fn valued(&self) -> Vec<Option<Rational>> {
-        let own = |name| named(self.read.text.parameters(), name);
+        let own = |name| named(self.given_text().parameters(), name);
         let values = self.parameters().iter().zip(self.given());
         values.map(|(name, given)| given.clone().or_else(|| own(name))).collect()
     }
@@ -345,12 +369,23 @@ impl Study {
         StudyError::UnknownAxis { what, system, name, known }
     }
 
-    /// The coordinates of a point, if there is one for each variable.
-    pub(crate) fn point(&self, at: &[Rational]) -> Result<Vec<Rational>, StudyError> {
-        if at.len() == self.variables().len() {
-            return Ok(at.to_vec());
+    /// All variables at a point, if it has a coordinate for each, or for each original variable of
+    /// a lifted field.
+    ///
+    /// # Errors
+    /// Another number of coordinates, and a new variable that has no value there.
+    pub fn point(&self, at: &[Rational]) -> Result<Vec<Rational>, StudyError> {
+        self.has_coordinates(at)?;
+        self.embedded(at)
+    }
+
+    /// That a point has as many coordinates as there are variables, or original ones.
+    pub(crate) fn has_coordinates(&self, at: &[Rational]) -> Result<(), StudyError> {
+        let variables = self.coordinates();
+        if [self.variables(), variables, self.shown()].iter().any(|known| known.len() == at.len()) {
+            return Ok(());
         }
-        Err(StudyError::Coordinates { what: "at", variables: self.variables().to_vec(), given: at.len() })
+        Err(StudyError::Coordinates { what: "at", variables: variables.to_vec(), given: at.len() })
     }
 
     /// The field with its plans, which are made when it is first asked for.

@@ -3,16 +3,19 @@
 use std::collections::BTreeMap;
 
 use kahan_algebra::rational::Rational;
+use kahan_lift::Which;
 use kahan_runtime::FieldText;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
+use crate::lifted::Lifting;
 use crate::numbers::exact;
 
 /// A field as its user names it.
 ///
 /// In JSON it has a `name` in the catalog or a text, `field`, perhaps values of parameters,
-/// `params`, and `sites`: `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
+/// `params`, `sites`, and which `lift`, such as `automatic`:
+/// `{"field": "xdot = y; ydot = a - x^2;", "params": {"a": "1/2"}}`.
 ///
 /// ```
 /// use kahan_algebra::rational::Rational;
@@ -27,6 +30,7 @@ pub struct Subject {
     pub(crate) field: Given,
     pub(crate) parameters: Vec<(String, Rational)>,
     pub(crate) sites: Option<usize>,
+    pub(crate) lifting: Option<Lifting>,
 }
 
 /// How a field is given.
@@ -83,7 +87,7 @@ impl Subject {
     }
 
     fn of(field: Given) -> Self {
-        Subject { field, parameters: Vec::new(), sites: None }
+        Subject { field, parameters: Vec::new(), sites: None, lifting: None }
     }
 
     /// With a value of a parameter.
@@ -98,6 +102,27 @@ impl Subject {
     pub fn sites(self, sites: usize) -> Self {
         Subject { sites: Some(sites), ..self }
     }
+
+    /// Lifted to a quadratic field: its equations may have functions, quotients and powers.
+    ///
+    /// ```
+    /// use kahan_study::{Subject, Systems, Which};
+    ///
+    /// let pendulum = Subject::text("xdot = v; vdot = -sin(x);").lifted(Which::Automatic);
+    /// let pendulum = pendulum.study(&Systems).unwrap();
+    /// assert_eq!(pendulum.coordinates(), ["x", "v"]);
+    /// assert_eq!(pendulum.variables(), ["x", "v", "sin_x", "cos_x"]);
+    /// ```
+    #[must_use]
+    pub fn lifted(self, which: Which) -> Self {
+        self.lifting(Lifting { which, ..Lifting::default() })
+    }
+
+    /// The same with all that a lift is made from.
+    #[must_use]
+    pub fn lifting(self, lifting: Lifting) -> Self {
+        Subject { lifting: Some(lifting), ..self }
+    }
 }
 
 #[derive(Deserialize)]
@@ -108,6 +133,7 @@ struct Object {
     #[serde(default)]
     params: BTreeMap<String, Value>,
     sites: Option<usize>,
+    lift: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -115,7 +141,7 @@ struct Value(#[serde(with = "exact")] Rational);
 
 impl<'de> Deserialize<'de> for Subject {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Object { name, field, params, sites } = Object::deserialize(deserializer)?;
+        let Object { name, field, params, sites, lift } = Object::deserialize(deserializer)?;
         let subject = match (name, field) {
             (Some(name), None) => Subject::named(name),
             (None, Some(text)) => Subject::text(text),
@@ -123,6 +149,11 @@ impl<'de> Deserialize<'de> for Subject {
         };
         let subject =
             params.into_iter().fold(subject, |subject, (name, Value(value))| subject.with(name, value));
-        Ok(Subject { sites, ..subject })
+        let which = |name: String| {
+            let known = Which::ALL.into_iter().find(|which| which.name() == name);
+            known.ok_or_else(|| D::Error::custom(format!("`{name}` is no lift; there is `automatic`")))
+        };
+        let lifting = lift.map(which).transpose()?.map(|which| Lifting { which, ..Lifting::default() });
+        Ok(Subject { sites, lifting, ..subject })
     }
 }

@@ -90,8 +90,9 @@ fn indicators_of_a_start_that_is_not_a_number_are_not_numbers() {
     let map = study.map().expect("a map").at(0.05);
     let of = vec![Observable::Sali, Observable::Fli, Observable::Extrema, Observable::Lyapunov];
     let asked = Observe { of, ..Observe::new(Rational::zero(), Vec::new(), 50) };
-    let found = asked
-        .of_orbits(&[&map, &map], &[vec![f64::NAN, 0.25], vec![0.0, 0.0]], &|_| ControlFlow::Continue(()));
+    let found = asked.of_orbits(&study, &[&map, &map], &[vec![f64::NAN, 0.25], vec![0.0, 0.0]], &|_| {
+        ControlFlow::Continue(())
+    });
     assert_eq!(found[0].end, End::Range(0));
     assert!(found[0].report.iter().all(|number| number.is_nan()), "{found:?}");
     assert!(found[1].end == End::Complete && found[1].report.iter().all(|number| number.is_finite()));

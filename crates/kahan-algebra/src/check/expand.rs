@@ -10,7 +10,7 @@
 
 use kahan_syntax::diagnostics::{Diagnostic, Kind};
 use kahan_syntax::rational::Rational;
-use kahan_syntax::spelling::NOT_QUADRATIC;
+use kahan_syntax::spelling::{LIFTS, NOT_QUADRATIC};
 use kahan_syntax::syntax::{Expr, Reference};
 use kahan_syntax::token::Span;
 
@@ -405,10 +405,15 @@ pub(super) fn too_high(scope: &Scope, span: Span, term: &str, product: &str, deg
         Kind::Degree,
         span,
         format!("{term} has degree {degree} in the states, and Kahan's method needs a quadratic field"),
-        format!(
-            "lower the degree with a new variable, for example `{new}` for `{product}` with its own equation: {NOT_QUADRATIC} shows how"
-        ),
+        instead_of(&new, &format!("`{product}`")),
     )
+}
+
+/// The way out: a new variable for what is not quadratic. A family is not lifted.
+fn instead_of(new: &str, function: &str) -> String {
+    let by = if new.contains('[') { "introduce a new variable" } else { LIFTS };
+    let such_as = if new.contains('[') { "" } else { ", for example with" };
+    format!("{by}{such_as} `{new}` for {function}: {NOT_QUADRATIC} shows how")
 }
 
 /// The mistake of dividing by `divisor`, which depends on this state.
@@ -429,9 +434,7 @@ fn state_divisor(scope: &Scope, state: Variable, divisor: &Expansion, span: Span
         Kind::StateDivisor,
         span,
         format!("this divisor depends on the state `{name}`, and the field must be polynomial in the states"),
-        format!(
-            "divide by numbers and parameters only, or introduce a new variable `{new}` for {quotient}: {NOT_QUADRATIC} shows how"
-        ),
+        instead_of(&new, &quotient),
     )
 }
 

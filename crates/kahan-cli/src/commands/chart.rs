@@ -55,7 +55,7 @@ pub(crate) struct Chart {
     #[command(flatten)]
     start: Start,
 
-    /// Draw the rows of F.parquet, F.csv or the folder of a sweep in the place of orbits.
+    /// Draw the rows of F.parquet, F.csv or a sweep's folder in place of orbits.
     #[arg(long, value_name = "F", conflicts_with_all = OF_ORBITS)]
     from: Option<PathBuf>,
 
@@ -67,7 +67,9 @@ pub(crate) struct Chart {
     #[arg(long = "where", value_name = "NAME=V", requires = "from", allow_hyphen_values = true)]
     chosen: Vec<String>,
 
-    /// What is gone through, NAME=FROM:TO:/CELLS or the like: once, or twice, the abscissa first.
+    /// What is gone through, NAME=FROM:TO:/CELLS or the like: once or twice.
+    ///
+    /// The first is the abscissa.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, required = true)]
     over: Vec<String>,
 

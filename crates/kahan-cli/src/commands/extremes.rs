@@ -43,12 +43,9 @@ interpreted, with the bits that its compiled code has.
 
 Examples:
   kahan extremes
-  kahan extremes e3 --trials 100000
   kahan extremes volterra --seed 7 --json
-  kahan extremes e9 --param xi=1/2
   kahan extremes --field 'xdot = x*y; ydot = mu - x^2;'
-  kahan extremes --trials 10000000 --random-fields 50
-  kahan extremes --trials 1 --odd-fields 2000")]
+  kahan extremes --trials 10000000 --random-fields 50")]
 pub(crate) struct Extremes {
     #[command(flatten)]
     source: Source,

@@ -9,6 +9,7 @@ mod dynamics;
 mod eval;
 mod extremes;
 mod heights;
+mod lift;
 mod line;
 mod list;
 mod look;
@@ -70,7 +71,7 @@ macro_rules! commands {
 }
 
 commands! { |whole|
-    "A field": list::List, show::Show asking Show, eval::Eval asking Evaluate;
+    "A field": list::List, show::Show asking Show, eval::Eval asking Evaluate, lift::Lift;
     "Orbits": orbit::Orbit asking Orbit, dynamics::Dynamics asking Observe, section::Section asking Section,
         periodic::Periodic asking Periodic, chart::Chart asking Over,
         picture::Picture asking Diagram by picture::shown::Shown::of_diagram, sweep::Sweep;

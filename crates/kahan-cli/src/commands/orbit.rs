@@ -34,14 +34,11 @@ use crate::reading::{Start, one_of, order, scalar, whole};
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
-  kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8 --scalar dd
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
-  kahan orbit lv --eps -0.1 --at 1/2,5/3 --steps 10 --json
   kahan orbit lv --eps 1/7 --at starts.csv --steps 100 --every 10
   kahan orbit lv --eps 1/7 --at 1/2,5/3 --steps 100 --method rk4
-  kahan orbit e1 --eps 1/2 --at -1,2/3,5/7 --steps 5 --scalar exact --projective
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
 pub(crate) struct Orbit {

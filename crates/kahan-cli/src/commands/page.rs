@@ -67,14 +67,17 @@ impl Page {
         let index = Index::begin(&self.out)?;
         let block = self.source.required_block()?;
         let read = |source: &Source| -> Result<Field, Refusal> {
-            Ok(Field { words: source.words(&block), study: source.study_of_block(&block)? })
+            Ok(Field {
+                words: source.words(&block),
+                study: source.study_of_block(&block, self.at.as_deref())?,
+            })
         };
         let generic = read(&self.source)?;
         generic.study.proved()?;
         let valued = read(&self.with_values(&block, &generic.study))?;
         let (study, shown) = (&valued.study, self.shown(&valued.study)?);
         let seconds = self.seconds;
-        let variables = study.variables();
+        let variables = study.shown();
         let subject =
             Subject { valued: &valued, kept: &valued, generic: &generic, variables, shown: &shown, seconds };
         let chapters = chapters(&subject);

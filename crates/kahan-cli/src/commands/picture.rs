@@ -34,7 +34,7 @@ use starts::{At, Spread};
 /// An SVG is light or dark as its viewer is, and text is legible at the width of a telephone;
 /// --paper draws for print. PNG and PDF are for builds with the features `png` and `pdf`.
 #[derive(Args, Debug)]
-#[command(after_help = "\
+#[command(help_template = TEMPLATE, after_help = "\
 Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
   kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
@@ -117,6 +117,10 @@ pub(crate) struct Picture {
     json: bool,
 }
 
+/// Arguments and options in one list, so that the help fits a screen.
+const TEMPLATE: &str =
+    "{about-with-newline}\n{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
+
 /// The kinds of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Kind {
@@ -137,7 +141,7 @@ impl Picture {
     /// What is drawn, and of which field.
     pub(super) fn asked(&self) -> Result<(Study, Shown), Refusal> {
         let kind = self.kind()?;
-        let study = self.source.proved()?;
+        let study = self.source.proved(self.at.first().map(String::as_str))?;
         let what = match kind {
             Kind::Portrait => What::Portrait,
             Kind::Section => What::Section(self.plane.clone().unwrap_or_default()),

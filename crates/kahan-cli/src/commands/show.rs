@@ -113,7 +113,7 @@ impl Show {
     /// The block as the macro expands it; with values of parameters, the block that `--macro`
     /// prints.
     fn expanded(&self) -> Result<Answer, Refusal> {
-        let study = self.source.proved()?;
+        let study = self.source.proved(None)?;
         let core = "::kahan_core".parse().expect("a path");
         let block = if study.fixed().is_empty() {
             study.text().to_owned()

@@ -133,7 +133,7 @@ impl Asking for Trade {
 
 impl Trade {
     fn asked_of(&self, block: &Block) -> Result<(Study, Question), Refusal> {
-        let study = self.source.study_of_block(block)?;
+        let study = self.source.study_of_block(block, self.at.as_deref())?;
         // A false claim is told before a number that is missing.
         study.proved()?;
         let asked = Question {

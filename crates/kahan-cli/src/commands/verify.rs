@@ -17,6 +17,7 @@ use crate::reading::Source;
 /// field of your own, or with --param, the claims of that block are proved. The exit status is 1 if
 /// a claim does not hold.
 #[derive(Args, Debug)]
+#[command(mut_arg("all", |all| all.help(ALL).conflicts_with("mutate")))]
 #[command(after_help = "\
 Examples:
   kahan verify
@@ -35,10 +36,6 @@ pub(crate) struct Verify {
     /// The same as SYSTEM; `general` for what holds for every field.
     #[arg(long = "system", value_name = "SYSTEM", conflicts_with_all = ["system", "field", "file"])]
     about: Option<String>,
-
-    /// Show every claim with its statement, its source and its time.
-    #[arg(long, conflicts_with = "mutate")]
-    all: bool,
 
     /// Change one coefficient or sign of every claim: each must then fail. The exit status is 1 if
     /// one survives. Of a field of your own the claims must hold to begin with.
@@ -72,7 +69,9 @@ impl Asking for Verify {
         let text = |verified: &Verified| match verified {
             Verified::Mutations(mutations) => mutated(mutations),
             Verified::Claims(verdicts) if verdicts.claims.is_empty() => format!("{NO_CLAIMS}\n"),
-            Verified::Claims(verdicts) if self.all => verdicts.in_full(screen_width()),
+            Verified::Claims(verdicts) if self.source.clone().without_all().1 => {
+                verdicts.in_full(screen_width())
+            }
             Verified::Claims(verdicts) if is_all => verdicts.summary(page_width()),
             Verified::Claims(verdicts) => verdicts.lines(screen_width()),
         };
@@ -82,9 +81,12 @@ impl Asking for Verify {
 
 impl Verify {
     fn source(&self) -> Source {
-        self.about.clone().map_or_else(|| self.source.clone(), Source::of_system)
+        self.about.clone().map_or_else(|| self.source.clone().without_all().0, Source::of_system)
     }
 }
+
+/// What `--all` shows.
+const ALL: &str = "Show every claim with its statement, its source and its time";
 
 /// What there is to say of a block without claims.
 const NO_CLAIMS: &str = "0 claims: the block claims nothing; add `integral NAME = …;`, `density NAME = …;` or `bracket NAME { … }`";

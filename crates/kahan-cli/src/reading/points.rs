@@ -26,7 +26,7 @@ pub(super) fn read<V: Entry>(path: &str, option: &str) -> Result<Numbers<V>, Ref
 
 /// The points that `--at` gives, at least one; without it the first point of the field's text.
 pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational>>, Refusal> {
-    let states = study.variables();
+    let states = study.coordinates();
     let Some(at) = at else {
         let wanted =
             || Refusal::new(format!("from which point? add --at {}, with numbers", states.join(",")));
@@ -43,6 +43,16 @@ pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational
 /// The one point that `--at` gives, or else the text of the field.
 pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, Refusal> {
     only(points(at, study)?, at)
+}
+
+/// The first of the points that `--at` gives, whatever the field; `None` where it gives none.
+pub(super) fn first_point(at: &str) -> Option<Vec<Rational>> {
+    if is_number_file(at) {
+        let rows = read::<f64>(at, "--at").ok()?;
+        let width = rows.sizes.last().copied().unwrap_or_default();
+        return rows.values.get(..width)?.iter().map(|value| Rational::from_f64(*value)).collect();
+    }
+    at.split("..").next()?.split(',').map(|part| number(part, "--at").ok()).collect()
 }
 
 /// The one among the points that `--at` gives.

@@ -5,14 +5,15 @@ use std::f64::consts::{E, PI};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use clap::builder::{PossibleValue, TypedValueParser};
 use kahan_algebra::diagnostics::brief;
 use kahan_algebra::rational::Rational;
-use kahan_study::{Axis, Catalog, StudyError, Subject, Systems};
+use kahan_study::{Axis, Catalog, Lifting, StudyError, Subject, Systems, Which};
 
 use crate::printing::{Refusal, joined, warn};
 
 use super::block::{Block, chosen, read_file};
-use super::values::{named, number, whole};
+use super::values::{named, number, one_of, whole};
 
 /// What to write where a value fell apart into words of its own.
 pub(crate) const ONE_WORD: &str = "a value is one word, as in --at 1,0.5,0.3 and --param a=0.4";
@@ -52,6 +53,27 @@ pub(crate) struct Source {
     /// `discover` leaves the others generic. `scan` takes a range in the place of V.
     #[arg(long = "param", value_name = "NAME=V", allow_hyphen_values = true)]
     pub(super) parameters: Vec<String>,
+
+    /// Lift what has functions, quotients, powers or t to a quadratic field.
+    ///
+    /// Points are given and shown in the original variables; `kahan lift` shows the new ones, and
+    /// says what becomes of the relations. Without WHICH, it is the energy lift of a mechanical
+    /// system; else a lift whose relations are kept exactly, or do not grow along the orbit.
+    #[arg(long, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "automatic", hide_possible_values = true, value_parser = which())]
+    pub(super) lift: Option<Which>,
+
+    /// With --lift: show the new variables, too.
+    #[arg(long)]
+    all: bool,
+
+    /// With --lift: the time at the start, 0 if it is not given.
+    #[arg(long, value_name = "T", requires = "lift", allow_hyphen_values = true)]
+    t0: Option<String>,
+}
+
+/// Reads which lift is wanted.
+fn which() -> impl TypedValueParser<Value = Which> {
+    one_of(&Which::ALL, |which| PossibleValue::new(which.name()).help(which.meaning()))
 }
 
 /// A system, a step and a point: what an evaluation or an orbit begins with.
@@ -90,10 +112,45 @@ impl Source {
             ("--file", file.map(|path| path.to_string_lossy().into_owned())),
             ("--block", file.and(self.block.clone())),
             ("--sites", self.sites.map(|sites| sites.to_string())),
+            ("--t0", self.t0.clone()),
         ];
         let options = options.into_iter().filter_map(|(option, value)| Some([option.to_owned(), value?]));
         let parameters = self.parameters.iter().map(|given| ["--param".to_owned(), given.clone()]);
-        self.system.iter().cloned().chain(options.chain(parameters).flatten()).collect()
+        let lift = self.lift.map(|which| match which {
+            Which::Automatic => "--lift".to_owned(),
+            which => format!("--lift={}", which.name()),
+        });
+        let all = self.all.then(|| "--all".to_owned());
+        let options = options.chain(parameters).flatten().chain(lift).chain(all);
+        self.system.iter().cloned().chain(options).collect()
+    }
+
+    /// The same source without --all, and whether that was given: of a command in which it shows
+    /// more than new variables.
+    pub(crate) fn without_all(mut self) -> (Self, bool) {
+        let all = std::mem::take(&mut self.all);
+        (self, all)
+    }
+
+    /// The same source, lifted where it is not.
+    pub(crate) fn lifted(mut self) -> Self {
+        self.lift.get_or_insert_default();
+        self
+    }
+
+    /// How the field is lifted, if it is; with the first point and values of parameters by which
+    /// the lift is chosen.
+    pub(super) fn lifting(
+        &self,
+        start: Option<Vec<Rational>>,
+        near: Vec<(String, Rational)>,
+    ) -> Result<Option<Lifting>, Refusal> {
+        let Some(which) = self.lift else {
+            let refusal = || Refusal::new("--all shows the new variables of a lift; add --lift");
+            return if self.all { Err(refusal()) } else { Ok(None) };
+        };
+        let time = self.t0.as_deref().map(|time| number(time, "--t0")).transpose()?.unwrap_or_default();
+        Ok(Some(Lifting { which, start, near, time, shows_all: self.all }))
     }
 
     /// Whether a field was named.

@@ -5,7 +5,7 @@ use kahan_algebra::rational::Rational;
 use kahan_study::{Axis, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
-use super::points::{only, point, points};
+use super::points::{first_point, only, point, points};
 use super::source::{Source, Start};
 use super::values::{number, refused};
 use crate::printing::Refusal;
@@ -13,23 +13,35 @@ use crate::printing::Refusal;
 impl Source {
     /// The field with its given parameters.
     pub(crate) fn study(&self) -> Result<Study, Refusal> {
-        self.study_of(self.subject()?)
+        self.study_at(None)
+    }
+
+    /// The same, where a lift is chosen for the orbit of this point.
+    pub(crate) fn study_at(&self, at: Option<&str>) -> Result<Study, Refusal> {
+        self.study_of(self.subject()?, at, &[])
     }
 
     /// The same. A false claim is told before a number that is missing.
-    pub(crate) fn proved(&self) -> Result<Study, Refusal> {
-        let study = self.study()?;
+    pub(crate) fn proved(&self, at: Option<&str>) -> Result<Study, Refusal> {
+        self.proved_over(at, &[])
+    }
+
+    fn proved_over(&self, at: Option<&str>, axes: &[Axis]) -> Result<Study, Refusal> {
+        let study = self.study_of(self.subject()?, at, axes)?;
         study.proved()?;
         Ok(study)
     }
 
     /// The same of a block that was read from here: standard input can be read once only.
-    pub(crate) fn study_of_block(&self, block: &Block) -> Result<Study, Refusal> {
+    pub(crate) fn study_of_block(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
         let named = self.system.as_ref().map(Subject::named);
-        self.study_of(named.unwrap_or_else(|| block.subject()))
+        self.study_of(named.unwrap_or_else(|| block.subject()), at, &[])
     }
 
-    fn study_of(&self, subject: Subject) -> Result<Study, Refusal> {
+    fn study_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Study, Refusal> {
+        let middle = |axis: &Axis| (axis.name.clone(), axis.range.value(axis.range.count() / 2));
+        let lifting = self.lifting(at.and_then(first_point), axes.iter().map(middle).collect())?;
+        let subject = lifting.into_iter().fold(subject, Subject::lifting);
         let given = self.given()?.into_iter();
         let subject = given.fold(subject, |subject, (name, value)| subject.with(name, value));
         let subject = self.sites.into_iter().fold(subject, Subject::sites);
@@ -46,7 +58,7 @@ impl Start {
 
     /// The same with all first points.
     pub(crate) fn starts(&self) -> Result<(Study, Vec<Vec<Rational>>, Rational), Refusal> {
-        let study = self.source.proved()?;
+        let study = self.source.proved(self.at.as_deref())?;
         let starts = points(self.at.as_deref(), &study)?;
         study.values()?;
         Ok((study, starts, self.half_step()?.ok_or(StudyError::MissingStep)?))
@@ -58,7 +70,7 @@ impl Start {
         &self,
         axes: &[Axis],
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
-        let study = self.source.proved()?;
+        let study = self.source.proved_over(self.at.as_deref(), axes)?;
         self.source.leaves_free(axes, self.eps.as_ref())?;
         let at = point(self.at.as_deref(), &study)?;
         Ok((study, at, self.half_step()?))

@@ -14,6 +14,7 @@ mod heights;
 mod interrupting;
 mod judging;
 mod latex;
+mod lifting;
 mod limits;
 mod numbers;
 mod orbit;

@@ -82,7 +82,8 @@ impl Diagram {
         let mut parameters = study.values_but(|k| Some(k) == place)?;
         let fixed = if place.is_none() { Some(self.over.range.value(0)) } else { self.eps.clone() };
         let mut eps = fixed.ok_or(StudyError::MissingStep)?;
-        let start: Vec<f64> = study.point(&self.at)?.iter().map(Rational::to_f64).collect();
+        study.has_coordinates(&self.at)?;
+        let start: Vec<f64> = self.at.iter().map(Rational::to_f64).collect();
         let total = self.over.range.count() as u64 * (self.transient + self.steps);
         let count = Count::new("steps", total, watch);
         let tell = |steps| count.tell(steps);
@@ -104,7 +105,8 @@ impl Diagram {
                 study.map_at(&parameters).map(|map| map.at(eps.to_f64())).filter(|at| at.eps().is_finite());
             let mut points = Vec::new();
             if let Some(at) = at {
-                let (mut x, mut take) = (start.clone(), |_, x: &[f64]| points.push(x[shown]));
+                let values: Vec<f64> = parameters.iter().map(Rational::to_f64).collect();
+                let (mut x, mut take) = (study.embed(&start, &values), |_, x: &[f64]| points.push(x[shown]));
                 let mut end = at.follow(&mut x, self.transient, tell).expect("the start is of the field").end;
                 if end == End::Complete && x.iter().all(|x| x.is_finite()) {
                     let followed = at.observe(&mut x, self.steps, Visit::by(&mut take), tell);

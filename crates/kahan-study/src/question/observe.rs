@@ -132,13 +132,13 @@ impl Observe {
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
             system: study.name().to_owned(),
-            variables: study.variables().to_vec(),
+            variables: study.shown().to_vec(),
             integrals: integrals.collect(),
             steps: end.steps(self.steps),
             end,
             seen: of
                 .into_iter()
-                .zip(report.into_iter().map(|seen| after(end.steps(self.steps), seen)))
+                .zip(report.into_iter().map(|seen| after(end.steps(self.steps), shown(study, seen))))
                 .collect(),
         })
     }
@@ -158,8 +158,12 @@ impl Observe {
     /// The columns of a table that hold what is observed in a field, an orbit a row.
     #[must_use]
     pub fn columns(&self, study: &Study) -> Vec<Column> {
-        let (variables, integrals) = (study.variables(), study.field().integrals());
-        let columns = self.observables().into_iter().flat_map(|one| one.columns(variables, integrals));
+        let integrals = study.field().integrals();
+        let columns = self.observables().into_iter().flat_map(|one| {
+            // A lifted field has the exponents of all of its variables.
+            let is_of_all = one == Observable::Spectrum;
+            one.columns(if is_of_all { study.variables() } else { study.shown() }, integrals)
+        });
         columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
 
@@ -172,11 +176,16 @@ impl Observe {
     /// Where these do not fit each other.
     pub fn of_orbits<T: ObservedFloat>(
         &self,
+        study: &Study,
         maps: &[&MapAt<T>],
         starts: &[Vec<T>],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Vec<Followed<Vec<f64>>> {
-        let numbers = |found: Followed<Vec<Seen>>| Followed { report: Self::numbers(&found), end: found.end };
+        let numbers = |found: Followed<Vec<Seen>>| {
+            let report = found.report.into_iter().map(|seen| shown(study, seen)).collect();
+            let found = Followed { report, end: found.end };
+            Followed { report: Self::numbers(&found), end: found.end }
+        };
         let seen = T::abreast(maps, starts, &self.observing(&self.observables()), tell).expect(FITTING);
         seen.into_iter().map(numbers).collect()
     }
@@ -210,6 +219,16 @@ impl Observed {
     #[must_use]
     pub fn of(&self, observable: Observable) -> Option<&Seen> {
         self.seen.iter().find(|(own, _)| *own == observable).map(|(_, seen)| seen)
+    }
+}
+
+/// Leaves out variables that answers do not show.
+pub(super) fn shown(study: &Study, seen: Seen) -> Seen {
+    match seen {
+        Seen::Point(point) => Seen::Point(study.project(&point)),
+        Seen::Extrema(extrema) => Seen::Extrema(study.project(&extrema)),
+        Seen::Turns(turns) => Seen::Turns(study.project(&turns)),
+        other => other,
     }
 }
 

@@ -10,7 +10,7 @@ mod methods;
 mod points;
 
 use std::fmt;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use kahan_algebra::arithmetic::{Exact, Float32, Float64};
 use kahan_algebra::rational::Rational;
@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::error::StudyError;
 use crate::named::{Names, by_name};
 use crate::numbers::{DoubleDouble, Number, ScalarKind, exact};
-use crate::rows::{Column, Ending, MOST_CELLS, Rows, Table, free_name};
+use crate::rows::{Column, Ending, MOST_CELLS, Rows, Table, Values, free_name};
 use crate::study::Study;
 
 use super::{one, usual_order};
@@ -335,7 +335,7 @@ impl Orbit {
         };
         let head = OrbitHead {
             system: study.name().to_owned(),
-            variables: study.variables().to_vec(),
+            variables: study.shown().to_vec(),
             parameters: numbers,
             eps: A::number(&eps),
             scalar: self.scalar,
@@ -343,13 +343,15 @@ impl Orbit {
             order: (self.method == Method::Kahan).then_some(self.order),
             steps: self.steps,
             every: self.every,
-            columns: columns(study.variables(), map.field().integrals()),
+            columns: columns(study.shown(), map.field().integrals()),
             runs_as: points.is_code().map(|is_code| if is_code { "machine code" } else { "interpreted" }),
             projective: self.projective,
         };
+        let all = columns(study.variables(), map.field().integrals());
         let go_on = move |columns: &[Column], range, rows: &mut dyn Rows, watch: &dyn Watch| {
-            let course = Course { arithmetic, columns, eps, steps: self.steps, every: self.every };
-            match course.hand_on(&mut *points, range, rows, watch) {
+            let course = Course { arithmetic, columns: &all, eps, steps: self.steps, every: self.every };
+            let mut chosen = Chosen { columns, places: study.columns_shown(all.len()), rows };
+            match course.hand_on(&mut *points, range, &mut chosen, watch) {
                 Ok(()) => Ending { end: End::Complete, step: self.steps, why: None },
                 Err(Halt::Stopped(step)) => Ending { end: End::Stopped(step), step, why: None },
                 Err(Halt::Ended(n, why)) => ended(study, self, n, why, &points.point()),
@@ -374,6 +376,20 @@ impl Orbit {
         } else {
             Ok(())
         }
+    }
+}
+
+/// Hands on some of the columns.
+struct Chosen<'a> {
+    columns: &'a [Column],
+    places: Vec<usize>,
+    rows: &'a mut dyn Rows,
+}
+
+impl Rows for Chosen<'_> {
+    fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        let values: Vec<Values<'_>> = self.places.iter().map(|&place| values[place]).collect();
+        self.rows.block(self.columns, &values)
     }
 }
 

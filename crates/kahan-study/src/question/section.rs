@@ -191,10 +191,14 @@ impl Section {
         let count = Count::new("steps", self.steps, watch);
         let followed = at.observe(&mut x, self.steps, crossings, |steps| count.tell(steps));
         let Followed { report, end } = followed.expect("the start is of the field");
-        let Sectioned { points: crossings, jumps } = report;
+        let Sectioned { points: mut crossings, jumps } = report;
+        for crossing in &mut crossings {
+            crossing.time = study.time_place().map_or(crossing.time, |place| crossing.point[place]);
+            crossing.point = study.project(&crossing.point);
+        }
         Ok(SectionFound {
             system: study.name().to_owned(),
-            variables: study.variables().to_vec(),
+            variables: study.shown().to_vec(),
             steps: end.steps(self.steps),
             end,
             crossings,

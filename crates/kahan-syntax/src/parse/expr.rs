@@ -14,7 +14,7 @@
 
 use crate::diagnostics::Kind;
 use crate::rational::Rational;
-use crate::spelling::NOT_QUADRATIC;
+use crate::spelling::{LIFTS, NOT_QUADRATIC};
 use crate::syntax::{Expr, ExprKind, Factor, Term};
 use crate::token::{Span, TokenKind};
 
@@ -121,7 +121,8 @@ fn power<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
 
 /// Reads `[-] INTEGER`.
 fn exponent(cursor: &mut Cursor<'_>) -> Parsed<i64> {
-    let help = || format!("write an integer literal, as in `x^2`; {NOT_QUADRATIC} has other powers");
+    let help =
+        || format!("write an integer literal, as in `x^2`; of other powers {LIFTS}: {NOT_QUADRATIC} shows how");
     let negative = cursor.take('-');
     let span = cursor.here();
     let found = cursor.describe_next();

@@ -2,7 +2,7 @@
 //! juxtaposition, statements. Each is answered with the way to write it here.
 
 use crate::diagnostics::Kind;
-use crate::spelling::{NOT_QUADRATIC, ON_TEXTS, fresh};
+use crate::spelling::{LIFTS, NOT_QUADRATIC, ON_TEXTS, fresh};
 use crate::syntax::{Expr, ExprKind};
 use crate::token::{Span, Token, TokenKind};
 
@@ -112,6 +112,8 @@ fn error_of_access<T>(cursor: &mut Cursor<'_>, name: &str, span: Span) -> Parsed
 
 /// Functions that solve equations of their own.
 const SMOOTH: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tanh sech exp log ln log2 log10 sqrt cbrt pow erf gamma";
+/// Those that are lifted.
+const LIFTED: &str = "sin cos tan asin acos atan sinh cosh tanh exp log ln sqrt cbrt pow";
 /// Functions with kinks or jumps.
 const ROUGH: &str = "abs sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
 
@@ -140,6 +142,9 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
             .to_owned();
     }
     if arguments.iter().enumerate().any(is_state) {
+        if LIFTED.split(' ').any(|known| known == name) {
+            return format!("{LIFTS}, with a state for `{name}(…)`: {NOT_QUADRATIC} shows how");
+        }
         return format!(
             "introduce a state for `{name}(…)`, with an equation of its own that is quadratic: {NOT_QUADRATIC} shows how"
         );

@@ -110,7 +110,7 @@ impl Shown {
     /// What the axes show: of a portrait the first three variables, of a section the first two
     /// without the last that its formula names, of an orbit diagram the first.
     fn axes(&self, study: &Study) -> Result<Vec<Coordinate>, Refusal> {
-        let variables = study.variables().len();
+        let variables = study.shown().len();
         Ok(match (&self.what, &self.axes[..]) {
             (What::Heights, _) => Vec::new(),
             (What::Over(..), []) => vec![Coordinate::Variable(0)],
@@ -146,7 +146,7 @@ impl Shown {
 
     /// The names of the axes.
     pub(super) fn names(&self, study: &Study) -> Result<Vec<String>, Refusal> {
-        let axes = self.axes(study)?.into_iter().map(|axis| axis.name(study.variables()).to_owned());
+        let axes = self.axes(study)?.into_iter().map(|axis| axis.name(study.shown()).to_owned());
         Ok(match &self.what {
             What::Over(axis, _) => [axis.name.clone()].into_iter().chain(axes).collect(),
             _ => axes.collect(),
@@ -210,7 +210,7 @@ impl Shown {
         let against = self.names(study)?.join(" and ");
         let described = format!("{seen} of {} at eps = {eps}, {against} against each other", study.name());
         let traces = traced.into_iter().map(|(trace, ..)| trace).collect();
-        let picture = picture::portrait(described, study.variables(), traces, look);
+        let picture = picture::portrait(described, study.shown(), traces, look);
         let mut notes = notes(starts.len(), ended, is_cut);
         notes.extend(answer::jumps(plane.unwrap_or_default(), jumps));
         Ok(Drawn { picture, notes })
@@ -256,13 +256,13 @@ impl Shown {
 
 /// The variable of this name, or the time where no variable is called t.
 fn axis(name: &str, study: &Study) -> Result<Coordinate, Refusal> {
-    match study.variables().iter().position(|known| known == name) {
+    match study.shown().iter().position(|known| known == name) {
         Some(index) => Ok(Coordinate::Variable(index)),
         None if name == "t" => Ok(Coordinate::Time),
         None => Err(Refusal::new(format!(
             "--axes: `{name}` is no variable of {}: it has {}; t is the time",
             study.name(),
-            study.variables().join(", ")
+            study.shown().join(", ")
         ))),
     }
 }

@@ -59,7 +59,7 @@ impl<'a> Cells<'a> {
         let of = |place: usize| along(over, place, study);
         let axes = (0..over.axes.len()).map(of).collect::<Result<Vec<_>, _>>()?;
         let does_not_fit = |start: &&Vec<Rational>| start.len() != at.len();
-        over.starts.iter().find(does_not_fit).map_or(Ok(()), |start| study.point(start).map(drop))?;
+        over.starts.iter().find(does_not_fit).map_or(Ok(()), |start| study.has_coordinates(start))?;
         for (place, along) in axes.iter().enumerate() {
             let is_start = matches!(along.target, Target::Variable(_)) && !over.starts.is_empty();
             if is_start || axes[..place].iter().any(|other| other.target == along.target) {
@@ -186,7 +186,7 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
     let wrong = |why: String| StudyError::AxisValues { name: axis.name.clone(), why };
     let values = Values::of(&over.axes, place, over.draws, over.seed).map_err(wrong)?;
     let named = |names: &[String]| names.iter().position(|name| *name == axis.name);
-    let target = named(study.variables()).map(Target::Variable);
+    let target = named(study.coordinates()).map(Target::Variable);
     let target = target.or_else(|| named(study.parameters()).map(Target::Parameter));
     let target = target.or(match &*axis.name {
         "eps" => Some(Target::Epsilon),
@@ -195,7 +195,7 @@ fn along<'a>(over: &'a Over, place: usize, study: &Study) -> Result<Along<'a>, S
         _ => None,
     });
     let Some(target) = target else {
-        let known = [study.variables(), study.parameters(), &["eps".to_owned()]];
+        let known = [study.coordinates(), study.parameters(), &["eps".to_owned()]];
         return Err(study.unknown("neither a variable nor a parameter", &axis.name, &known));
     };
     let known: &[f64] = match target {

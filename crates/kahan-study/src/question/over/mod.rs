@@ -116,7 +116,7 @@ impl Over {
             Found::OneByOne(asked) => (asked.columns(study.variables()), [1, 256]),
         };
         let (columns, kept): (Vec<Column>, Vec<Kept>) =
-            cells.columns(study.variables()).into_iter().chain(of_found).unzip();
+            cells.columns(study.coordinates()).into_iter().chain(of_found).unzip();
         let empty = Table { columns, values: kept };
         let range = range.start.min(cells.count)..range.end.min(cells.count);
         if range.is_empty() {
@@ -159,8 +159,11 @@ impl Over {
             other => other.at_cell()?.place(),
         };
         let at = match at {
-            Some(at) => study.point(at)?,
-            None => vec![Rational::zero(); study.variables().len()],
+            Some(at) => {
+                study.has_coordinates(at)?;
+                at.to_vec()
+            }
+            None => vec![Rational::zero(); study.coordinates().len()],
         };
         let is_varied = self.axes.iter().any(|axis| axis.name == "eps");
         let eps = eps.cloned().or(is_varied.then(Rational::zero)).ok_or(StudyError::MissingStep)?;

@@ -11,7 +11,7 @@ use kahan_runtime::{End, Follow, Followed, MachineFloat, Map, MapAt, ObservedFlo
 use super::at_cell::column;
 use super::cells::{Cells, Entry, Place, Target};
 use crate::error::StudyError;
-use crate::question::observe::{FITTING, Observable, Observe, Seen};
+use crate::question::observe::{FITTING, Observable, Observe, Seen, shown};
 use crate::rows::{Column, Kept};
 use crate::study::Study;
 
@@ -133,9 +133,10 @@ impl<'a> Orbits<'a> {
         let groups: Vec<(&[Begun], Option<MapAt<T>>)> = groups.collect();
         let defined = || groups.iter().filter_map(|(same, map)| Some((same, map.as_ref()?)));
         let own: Vec<&MapAt<T>> = defined().flat_map(|(same, map)| same.iter().map(move |_| map)).collect();
-        let column = |k: usize| {
-            defined().flat_map(|(same, _)| *same).map(|begun| nearest(begun.place.at[k])).collect()
-        };
+        let begins = defined().flat_map(|(same, _)| *same);
+        let points: Vec<Vec<f64>> =
+            begins.map(|begun| self.study.embed(&begun.place.at, &begun.place.parameters)).collect();
+        let column = |k: usize| points.iter().map(|point| nearest(point[k])).collect();
         let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
         let of = self.asked.observables();
         let asked = self.asked.observing(&of);
@@ -150,7 +151,11 @@ impl<'a> Orbits<'a> {
             }
             _ => T::abreast(&own, &starts, &asked, tell).expect(FITTING),
         };
-        let mut found = found.into_iter();
+        let shown = |found: Followed<Vec<Seen>>| Followed {
+            report: found.report.into_iter().map(|seen| shown(self.study, seen)).collect(),
+            ..found
+        };
+        let mut found = found.into_iter().map(shown);
         let of_each = groups.iter().flat_map(|(same, map)| same.iter().map(move |_| map.as_ref()));
         of_each.map(|map| map.and_then(|_| found.next())).collect()
     }

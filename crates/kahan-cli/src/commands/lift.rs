@@ -1,0 +1,152 @@
+//! `kahan lift`: a quadratic field that is equivalent to equations with functions, quotients and
+//! powers, and what becomes of the relations between its variables.
+
+use clap::Args;
+use kahan_algebra::render::{Formulas, macro_block};
+use kahan_latex::Latex;
+use kahan_latex::breaking::{self, PAGE_WIDTH};
+use kahan_study::{ClaimShown, Fate, LiftFound, RelationFound, Study};
+
+use crate::printing::page::{Page, aligned, paragraph};
+use crate::printing::{Answer, Refusal};
+use crate::reading::{Source, number};
+
+/// Lifts a field to a quadratic one: functions, quotients and powers become new variables.
+///
+/// It prints the quadratic block, what each new variable stands for, its first value, and what
+/// becomes of the relations between them: kept exactly, with the formula that the map keeps;
+/// bounded; decays; drifts linearly; grows at a rate. Of a mechanical system, x' = p, p' = -grad V(x), it
+/// is the lift whose map keeps an energy. Otherwise relations that are kept exactly come first,
+/// then those that do not grow along the orbit from --at, over 100 units of time. --lift on other
+/// commands does all this unseen: `kahan orbit --lift …`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  kahan lift --field 'xdot = v; vdot = -g*sin(x);'
+  kahan lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --eps 0.05
+  kahan lift --field \"v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08\" --at 1,0
+  kahan lift --field 'xdot = v; vdot = -x^3 + cos(2*t);' --lift=smallest --json
+  kahan lift --field 'struct Pendulum { g } xdot = v; vdot = -g*sin(x);' --macro
+  kahan orbit --lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --eps 0.05 --steps 100")]
+pub(crate) struct Lift {
+    #[command(flatten)]
+    source: Source,
+
+    /// The point whose orbit the relations are watched along, in the original variables.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    at: Option<String>,
+
+    /// Half the time step of that orbit; 0.01 if it is not given.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    eps: Option<String>,
+
+    /// Print the quadratic block of `kahan!`, ready to paste, with what its map keeps as claims.
+    #[arg(long = "macro")]
+    as_macro: bool,
+
+    /// Write the formulas in LaTeX.
+    #[arg(long, conflicts_with = "as_macro")]
+    latex: bool,
+
+    /// Print one JSON object.
+    #[arg(long, conflicts_with_all = ["as_macro", "latex"])]
+    json: bool,
+}
+
+impl Lift {
+    /// The lift.
+    pub(crate) fn run(&self) -> Result<Answer, Refusal> {
+        let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        let study = self.source.clone().lifted().proved(self.at.as_deref())?;
+        if let Some(at) = &self.at {
+            crate::reading::point(Some(at), &study)?;
+        }
+        let found = study.lift_found(eps.map(|eps| eps.to_f64()))?;
+        let Some(found) = found else {
+            return Err(Refusal::new("--sites: a chain is lifted as its equations are; write them out"));
+        };
+        Ok(if self.as_macro {
+            Answer::verbatim(format!("{}\n", macro_block(study.system())))
+        } else if self.latex {
+            Answer::verbatim(latex(&study, &found))
+        } else {
+            Answer::of(&found, self.json, text)
+        })
+    }
+}
+
+/// What becomes of a relation, in words.
+fn fate(relation: &RelationFound) -> String {
+    let rate = relation.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));
+    match (relation.along, &relation.formula) {
+        (_, Some(formula)) => format!("kept exactly: {formula}"),
+        (Some(Fate::Kept), None) => "kept exactly".to_owned(),
+        (Some(Fate::Bounded), _) => "bounded".to_owned(),
+        (Some(Fate::Decays), _) => format!("decays{rate}"),
+        (Some(Fate::Drifts), _) => "drifts".to_owned(),
+        (Some(Fate::Grows), _) => format!("grows{rate}"),
+        (None, _) => "not followed: give --at, and a value to each parameter".to_owned(),
+    }
+}
+
+/// A relation as an equation.
+fn equation(relation: &RelationFound) -> String {
+    let sides = relation.relation.strip_suffix(')').and_then(|text| text.split_once(" - ("));
+    sides.map_or_else(|| format!("{} = 0", relation.relation), |(left, right)| format!("{left} = {right}"))
+}
+
+fn text(found: &LiftFound) -> String {
+    let mut page = Page::default();
+    let plural = if found.order == 1 { "" } else { "s" };
+    page.line(&format!("{}: a quadratic field with {} new variable{plural}", found.system, found.order));
+    page.section("field, and what its map keeps", found.field.lines());
+    if !found.new.is_empty() {
+        page.section(
+            "new variables, at the start",
+            found.new.iter().map(|new| {
+                let meaning = new.expression.as_deref().unwrap_or("0, the work done since the start");
+                let value = new.value.map_or_else(String::new, |value| format!(" = {value}"));
+                format!("{} = {meaning}{value}", new.name)
+            }),
+        );
+    }
+    if !found.relations.is_empty() {
+        page.section(
+            "relations",
+            found.relations.iter().map(|relation| format!("{}: {}", equation(relation), fate(relation))),
+        );
+    }
+    if let Some(energy) = &found.energy {
+        page.section("energy that the map keeps exactly", [energy]);
+    }
+    let optimal =
+        if found.optimal { "no lift of its class has fewer" } else { "there may be one with fewer" };
+    page.section("choice", paragraph(&format!("{}; of new variables {optimal}.", found.chosen)));
+    for note in &found.notes {
+        page.prose(&format!("note: {note}"));
+    }
+    page.text
+}
+
+fn latex(study: &Study, found: &LiftFound) -> String {
+    let system = study.system();
+    let right = Formulas { field: &system.field, map: None, notation: &Latex }.field();
+    let row = |left: String, right: &str| breaking::equation(&left, right, PAGE_WIDTH);
+    let name = |name: &String| kahan_algebra::render::Notation::name(&Latex, name);
+    let mut page = Page::default();
+    page.line(&format!("% {}", found.system));
+    let states = found.variables.iter().zip(&right);
+    page.display(&aligned(
+        states.map(|(state, right)| row(format!("\\dot {{{}}}", name(state)), right)).collect(),
+    ));
+    let new: Vec<String> =
+        found.new.iter().filter_map(|new| Some(row(name(&new.name), new.latex.as_deref()?))).collect();
+    if !new.is_empty() {
+        page.line("% new variables");
+        page.display(&aligned(new));
+    }
+    for claim in &system.claims {
+        page.claim(&ClaimShown::of(system, claim, Some(&Latex)));
+    }
+    page.text
+}

@@ -1,0 +1,104 @@
+//! Fields that are lifted: points in the original variables, and what becomes of relations.
+
+use kahan_algebra::rational::Rational;
+use kahan_study::{
+    Fate, Lifting, Observable, Observe, Orbit, Over, Question, Study, StudyError, Subject, Systems,
+    Unwatched, Varied, Which,
+};
+
+const PENDULUM: &str = "xdot = v; vdot = -g*sin(x);";
+
+fn lifted(text: &str, values: &[(&str, i64)]) -> Study {
+    let subject = Subject::text(text).lifted(Which::Automatic);
+    let subject = values.iter().fold(subject, |subject, (name, value)| subject.with(*name, (*value).into()));
+    subject.study(&Systems).expect("a field that is lifted")
+}
+
+fn rational(numbers: &[(i64, i64)]) -> Vec<Rational> {
+    numbers.iter().map(|(above, below)| Rational::new(*above, *below)).collect()
+}
+
+#[test]
+fn an_orbit_shows_the_original_variables_and_what_is_kept() {
+    let study = lifted(PENDULUM, &[("g", 2)]);
+    let asked = Orbit::new(Rational::new(1, 20), rational(&[(1, 1), (0, 1)]), 50);
+    let found = asked.ask(&study, &Unwatched).expect("an orbit");
+    let columns: Vec<&str> = found.head.columns.iter().map(|column| column.name.as_str()).collect();
+    assert_eq!(columns, ["n", "t", "x", "v", "energy", "R1"]);
+    assert_eq!(found.head.variables, ["x", "v"]);
+    assert!(study.proved().is_ok());
+    assert_eq!(study.point(&asked.at).unwrap()[2].to_f64(), libm::sin(1.0));
+    // A point of all variables is taken as it is.
+    let all = rational(&[(1, 1), (0, 1), (3, 5), (4, 5)]);
+    assert_eq!(study.point(&all).unwrap(), all);
+    let one = study.point(&all[..1]);
+    assert!(matches!(one, Err(StudyError::Coordinates { given: 1, .. })), "{one:?}");
+}
+
+#[test]
+fn rational_lifts_embed_exactly() {
+    let study = lifted("xdot = -x/(3 + x);", &[]);
+    let point = study.point(&rational(&[(1, 3)])).unwrap();
+    let new: Vec<&str> = study.variables()[1..].iter().map(String::as_str).collect();
+    assert!(!new.is_empty());
+    // 1/(3 + x) or powers of it: no float stands for 3/10.
+    let powers: Vec<Rational> = (1..4).map(|k| Rational::new(3_i64.pow(k), 10_i64.pow(k))).collect();
+    assert!(point[1..].iter().all(|value| powers.contains(value)), "{new:?}: {point:?}");
+}
+
+#[test]
+fn parameters_that_go_through_values_go_into_the_embedding() {
+    let study = lifted("xdot = v; vdot = -sin(k*x);", &[]);
+    let starts = rational(&[(1, 1), (0, 1)]);
+    let of = vec![Observable::Last];
+    let asked = Observe { of, ..Observe::new(Rational::new(1, 20), starts.clone(), 10) };
+    let axis = serde_json::from_str::<Varied>(r#"{"name": "k", "range": "1:2:2"}"#).expect("an axis");
+    let over = Over::new(Question::Observe(asked), vec![axis]);
+    let found = over.ask(&study, &Unwatched).expect("cells");
+    let name = found.columns.iter().position(|name| name == "final_x").expect("a column");
+    assert!(!found.columns.iter().any(|name| name.contains("sin")), "{:?}", found.columns);
+    for (row, k) in [1, 2].into_iter().enumerate() {
+        let own = lifted("xdot = v; vdot = -sin(k*x);", &[("k", k)]);
+        let orbit = Orbit::new(Rational::new(1, 20), starts.clone(), 10).ask(&own, &Unwatched).unwrap();
+        let last = orbit.rows.values[2].values().cell(10).to_string();
+        assert_eq!(found.rows.values[name].values().cell(row).to_string(), last, "k = {k}");
+    }
+}
+
+#[test]
+fn relations_drift_where_a_potential_is_singular() {
+    let fates = |text: &str, start: &[(i64, i64)]| {
+        let lifting = Lifting { start: Some(rational(start)), ..Lifting::default() };
+        let study = Subject::text(text).lifting(lifting).study(&Systems).expect("a lift");
+        let found = study.lift_found(None).expect("a start").expect("a lift");
+        found.relations.iter().map(|relation| relation.along.expect("a start")).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        fates("xdot = v; vdot = -sin(x);", &[(1, 1), (0, 1)]),
+        [Fate::Kept, Fate::Bounded, Fate::Bounded]
+    );
+    let kepler = "xdot = u; ydot = v; udot = -x/(x^2 + y^2)^(3/2); vdot = -y/(x^2 + y^2)^(3/2);";
+    assert!(fates(kepler, &[(1, 1), (0, 1), (0, 1), (11, 10)]).contains(&Fate::Drifts));
+}
+
+#[test]
+fn a_subject_says_in_json_that_it_is_lifted() {
+    let read = |text: &str| serde_json::from_str::<Subject>(text);
+    let subject = read(r#"{"field": "xdot = sin(x);", "lift": "smallest"}"#).expect("a subject");
+    assert_eq!(subject.study(&Systems).unwrap().coordinates(), ["x"]);
+    assert!(read(r#"{"field": "xdot = sin(x);", "lift": "least"}"#).is_err());
+    assert!(Subject::text("xdot = sin(x);").study(&Systems).is_err());
+}
+
+#[test]
+fn claims_of_the_text_are_those_of_the_lift() {
+    let claimed = "integral H = v^2/2 - g*cos_x - eps^2*g^2*sin_x^2/2;";
+    let study = lifted(&format!("{PENDULUM} {claimed}"), &[]);
+    assert!(study.proved().is_ok());
+    assert_eq!(study.system().claims.len(), 3);
+    let wrong = lifted(&format!("{PENDULUM} integral H = v^2/2 - g*cos_x;"), &[]);
+    assert!(matches!(wrong.proved(), Err(StudyError::Field(_))));
+    // A quadratic text stays as it was written.
+    let lv = Subject::named("lv").lifted(Which::Automatic).study(&Systems).unwrap();
+    assert_eq!(lv.text(), Subject::named("lv").study(&Systems).unwrap().text());
+}

@@ -1,0 +1,72 @@
+"""What a lift has made of equations that are not quadratic."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._answer import Answer
+
+if TYPE_CHECKING:
+    from ._orbit import Array
+    from ._system import System
+
+__all__ = ["Lifted", "lifting"]
+
+
+def lifting(lift: bool | str | None, at: Any, t0: Any, all: bool) -> tuple[str, list[str] | None, str, bool] | None:
+    """How a field is to be lifted, as the compiled module takes it; ``None`` where it is not."""
+    from ._exact import exact, point
+
+    if not lift:
+        return None
+    if not isinstance(lift, (bool, str)):
+        raise TypeError(f"lift: True or text is needed, as \"energy\", not {type(lift).__name__}")
+    which = "automatic" if lift is True else str(lift)
+    return which, None if at is None else point(at), exact(0 if t0 is None else t0, "t0"), bool(all)
+
+
+class Lifted(Answer):
+    """A lift, by the names of ``kahan lift --json``, and the way in and out of its variables.
+
+    >>> import kahan
+    >>> s = kahan.System("xdot = v; vdot = -sin(x);", lift=True)
+    >>> s.variables, s.lifted.order, s.lifted.new
+    (('x', 'v'), 2, {'sin_x': 'sin(x)', 'cos_x': 'cos(x)'})
+    >>> s.lifted.embed([0, 1])
+    array([0., 1., 0., 1.])
+    """
+
+    order: int
+    """The number of new variables; ``t`` is not counted."""
+    optimal: bool
+    """Whether no lift of its class has fewer."""
+    chosen: str
+    """Why this lift was chosen."""
+    variables: list[str]
+    """All variables: the original ones, ``t`` where it is lifted, and the new ones."""
+    new: dict[str, str | None]
+    """The new variables with the functions that they stand for; ``None`` for the work since the start."""
+    field: str
+    """The quadratic field in the language of ``kahan!``, with what its map keeps."""
+    relations: list[Answer]
+    """Of each relation ``relation``, what becomes of it ``along`` the orbit, ``formula`` and ``rate``."""
+    energy: str | None
+    """What the map keeps in the place of the energy."""
+
+    def __init__(self, system: System, text: str) -> None:
+        found = json.loads(text)
+        new = {one["name"]: one["expression"] for one in found["new"]}
+        super().__init__(found | {"new": new, "relations": [Answer(one) for one in found["relations"]]})
+        self.__dict__["_of"] = system
+
+    def embed(self, x: Any) -> Array:
+        """All variables at points of the original ones, of shape (…, variables)."""
+        embedded: Array = self._of._embedded(self._of._at(x))
+        return embedded
+
+    def project(self, y: Any) -> Array:
+        """The original variables of points of all."""
+        return np.asarray(y)[..., self._of._places]
