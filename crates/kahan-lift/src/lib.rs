@@ -14,11 +14,11 @@ mod ring;
 
 mod read;
 
-mod equations;
-
 mod table;
 
 mod search;
+
+mod equations;
 
 mod linear;
 
