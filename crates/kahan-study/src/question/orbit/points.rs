@@ -253,7 +253,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
         ),
         Why::NotReembedded => format!(
             "ends at n = {n}: no step {next} near it leads back to the relations of the lift. The point is {place}; \
-             {kept}; try a smaller eps, or leave reembed out"
+             {kept}; a smaller eps may lead on"
         ),
         Why::Escapes => format!(
             "ends at n = {n}: the solution escapes to infinity, or leaves the range of {scalar}, before step {next}. The \
