@@ -12,6 +12,8 @@ pub enum End {
     Pole(u64),
     /// A variable of the last point is larger than the bound that was asked for.
     Escaped(u64),
+    /// Symmetric projection onto the relations of a lift did not converge.
+    Reembed(u64),
     /// The time was up.
     Time(u64),
     /// An observer had seen all that it wants, or a watch stopped the work.
@@ -27,6 +29,7 @@ impl End {
             Self::Range(_) => "range",
             Self::Pole(_) => "pole",
             Self::Escaped(_) => "escaped",
+            Self::Reembed(_) => "reembed",
             Self::Time(_) => "time",
             Self::Stopped(_) => "stopped",
         }
@@ -40,6 +43,7 @@ impl End {
             Self::Range(steps)
             | Self::Pole(steps)
             | Self::Escaped(steps)
+            | Self::Reembed(steps)
             | Self::Time(steps)
             | Self::Stopped(steps) => steps,
         }
@@ -53,6 +57,7 @@ impl End {
             Self::Range(steps) => Self::Range(before + steps),
             Self::Pole(steps) => Self::Pole(before + steps),
             Self::Escaped(steps) => Self::Escaped(before + steps),
+            Self::Reembed(steps) => Self::Reembed(before + steps),
             Self::Time(steps) => Self::Time(before + steps),
             Self::Stopped(steps) => Self::Stopped(before + steps),
         }

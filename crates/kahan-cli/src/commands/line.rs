@@ -166,6 +166,7 @@ mod tests {
         reads_back::<Orbit>([
             study::Orbit { every, scalar, method, ..plain.clone() },
             study::Orbit { order: 4, projective: true, ..plain.clone() },
+            study::Orbit { order: 8, reembed: true, ..plain.clone() },
             plain,
         ]);
         let plain = Observe::new(eps.clone(), at.clone(), 1000);

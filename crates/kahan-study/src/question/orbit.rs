@@ -8,6 +8,7 @@ mod chain;
 mod maps;
 mod methods;
 mod points;
+mod reembedded;
 
 use std::fmt;
 use std::ops::{ControlFlow, Range};
@@ -61,6 +62,10 @@ pub struct Orbit {
     /// Whether the orbit goes on at poles, through points at infinity.
     #[serde(default)]
     pub projective: bool,
+    /// Whether each step of a lifted field is projected symmetrically onto the relations between its
+    /// variables, in doubles.
+    #[serde(default)]
+    pub reembed: bool,
 }
 
 /// What a step of an orbit is; each takes the time 2ε.
@@ -118,6 +123,8 @@ pub enum NoOrbit {
     OwnOrder(Method),
     /// The flow in exact numbers.
     ExactFlow,
+    /// Symmetric projection of what is not lifted, or in other numbers or steps.
+    Reembed,
     /// More variables than a projective orbit can have.
     Projective(UnsupportedDimension),
     /// More variables than the flow can have.
@@ -146,6 +153,10 @@ impl fmt::Display for NoOrbit {
             Self::ExactFlow => {
                 f.write_str("method flow is a series, whose sum is no exact number; use scalar dd")
             }
+            Self::Reembed => f.write_str(
+                "reembed projects steps of Kahan's map onto the relations of a lifted field, in scalar f64; lift the field, and leave \
+                 projective, method and scalar out",
+            ),
             Self::Projective(why) => write!(f, "projective: {why}"),
             Self::Flow(why) => write!(f, "method flow: {why}"),
         }
@@ -239,6 +250,7 @@ impl Orbit {
             order: usual_order(),
             method: Method::default(),
             projective: false,
+            reembed: false,
         }
     }
 
@@ -247,7 +259,7 @@ impl Orbit {
     /// # Errors
     /// Those of [`Study::at_step`].
     pub fn study(&self, study: &Study) -> Result<Study, StudyError> {
-        let is_the_map = self.method == Method::Kahan && self.order == usual_order();
+        let is_the_map = self.method == Method::Kahan && self.order == usual_order() && !self.reembed;
         if is_the_map { study.at_step(&self.eps) } else { Ok(study.clone()) }
     }
 
@@ -327,6 +339,8 @@ impl Orbit {
         let numbers: Names<Number> = named.zip(parameters.iter().map(A::number)).collect();
         let mut points: Box<dyn Points<A> + 'a> = match self.method {
             Method::Kahan if self.projective => maps::projective(map, &self.eps, &start)?,
+            Method::Kahan if self.reembed => A::reembedded(study, map, composition, &self.eps, &start)
+                .ok_or(StudyError::Orbit(NoOrbit::Reembed))?,
             Method::Kahan => A::kahan(map, composition, &self.eps, &start),
             Method::Euler | Method::Rk4 => {
                 methods::explicit(arithmetic, map, self.method, parameters, &self.eps, &start)
@@ -363,7 +377,9 @@ impl Orbit {
     /// Whether method, order and scalar go together.
     fn check(&self) -> Result<(), NoOrbit> {
         let is_kahans = self.method == Method::Kahan;
-        if self.projective && self.order != usual_order() {
+        if self.reembed && (self.projective || !is_kahans) {
+            Err(NoOrbit::Reembed)
+        } else if self.projective && self.order != usual_order() {
             Err(NoOrbit::ProjectiveOrder)
         } else if self.projective && !is_kahans {
             Err(NoOrbit::ProjectiveMethod)

@@ -121,8 +121,9 @@ fn power<X: Dialect>(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Expr<X>> {
 
 /// Reads `[-] INTEGER`.
 fn exponent(cursor: &mut Cursor<'_>) -> Parsed<i64> {
-    let help =
-        || format!("write an integer literal, as in `x^2`; of other powers {LIFTS}: {NOT_QUADRATIC} shows how");
+    let help = || {
+        format!("write an integer literal, as in `x^2`; of other powers {LIFTS}: {NOT_QUADRATIC} shows how")
+    };
     let negative = cursor.take('-');
     let span = cursor.here();
     let found = cursor.describe_next();

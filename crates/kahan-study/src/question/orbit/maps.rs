@@ -15,9 +15,11 @@ use crate::count::Count;
 use crate::error::StudyError;
 use crate::numbers::{DoubleDouble, Number, Printable};
 use crate::rows::{self, Values};
+use crate::study::Study;
 
 use super::NoOrbit;
 use super::points::{Halt, Points, Why, moment, one_by_one};
+use super::reembedded::Reembedded;
 
 /// An arithmetic in which points move, and whose numbers are cells of tables.
 pub(super) trait Moving: Printable {
@@ -58,11 +60,23 @@ pub(super) trait Moving: Printable {
         eps: &Rational,
         start: &[Rational],
     ) -> Box<dyn Points<Self>>;
+
+    /// The orbit of a lifted field whose steps are projected onto its relations; `None` in numbers
+    /// that have none, and of a field that was not lifted.
+    fn reembedded<'a>(
+        _study: &'a Study,
+        _map: &Map,
+        _composition: Composition,
+        _eps: &Rational,
+        _start: &[Rational],
+    ) -> Option<Box<dyn Points<Self> + 'a>> {
+        None
+    }
 }
 
 /// The arithmetics whose values are the scalar's, and cells.
 macro_rules! of_float {
-    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr) => {
+    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr $(, $more:item)?) => {
         impl Moving for $arithmetic {
             type Cell = $float;
             type Scalar = $float;
@@ -94,11 +108,28 @@ macro_rules! of_float {
             ) -> Box<dyn Points<Self>> {
                 Box::new(Floats::new(map, composition, eps, start))
             }
+
+            $($more)?
         }
     };
 }
 
-of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Dd::high, |n| n as f64);
+of_float!(
+    Float64,
+    f64 as F64,
+    [f64::INFINITY, f64::NAN],
+    Dd::high,
+    |n| n as f64,
+    fn reembedded<'a>(
+        study: &'a Study,
+        map: &Map,
+        composition: Composition,
+        eps: &Rational,
+        start: &[Rational],
+    ) -> Option<Box<dyn Points<Self> + 'a>> {
+        Some(Box::new(Reembedded::new(study, Floats::new(map, composition, eps, start))?))
+    }
+);
 of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], |x: Dd| x.high() as f32, |n| n as f32);
 of_float!(
     DoubleDouble,
@@ -138,10 +169,10 @@ impl Moving for Exact {
 }
 
 /// An orbit in floats.
-struct Floats<T: RuntimeFloat> {
-    at: MapAt<T>,
+pub(super) struct Floats<T: RuntimeFloat> {
+    pub(super) at: MapAt<T>,
     composition: Composition,
-    x: Vec<T>,
+    pub(super) x: Vec<T>,
     /// The points of the rows that are being made.
     points: Vec<T>,
 }
@@ -154,7 +185,7 @@ impl<T: RuntimeFloat> Floats<T> {
     }
 
     /// Appends a point and its integrals.
-    fn append<A: Moving<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
+    pub(super) fn append<A: Moving<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
         cells.extend_from_slice(x);
         let first = cells.len();
         cells.resize(first + self.at.map().field().integrals().len(), T::zero());

@@ -41,6 +41,8 @@ pub(super) enum Why {
     TooLarge,
     /// The flow escapes.
     Escapes,
+    /// Symmetric projection does not converge.
+    NotReembedded,
 }
 
 /// Points that move on.
@@ -112,7 +114,9 @@ impl Halt {
         match followed.end {
             End::Complete => Ok(()),
             End::Stopped(steps) | End::Time(steps) => Err(Halt::Stopped(steps)),
-            End::Range(steps) | End::Pole(steps) | End::Escaped(steps) => Err(Halt::Ended(steps, why())),
+            End::Range(steps) | End::Pole(steps) | End::Escaped(steps) | End::Reembed(steps) => {
+                Err(Halt::Ended(steps, why()))
+            }
         }
     }
 
@@ -247,6 +251,10 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
         Why::TooLarge => format!(
             "leaves the range of {scalar} at step {next}: at n = {n} the numbers are too large. The point is {place}; {kept}"
         ),
+        Why::NotReembedded => format!(
+            "ends at n = {n}: no step {next} near it leads back to the relations of the lift. The point is {place}; \
+             {kept}; a smaller eps may lead on"
+        ),
         Why::Escapes => format!(
             "ends at n = {n}: the solution escapes to infinity, or leaves the range of {scalar}, before step {next}. The \
              point is {place}; {kept}"
@@ -256,6 +264,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
     let end = match why {
         Why::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
         Why::NoLimit(_) => End::Pole(n),
+        Why::NotReembedded => End::Reembed(n),
         _ => End::Range(n),
     };
     Ending { end, step: n, why: Some(format!("the orbit of {name} {why_ended}")) }
