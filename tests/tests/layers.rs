@@ -122,6 +122,8 @@ const LIFT: Layered = Layered {
         "exact",
         "embedding",
         "stability",
+        "candidates",
+        "choice",
         "names",
         "lift",
         "reembedding",

@@ -34,14 +34,19 @@ mod embedding;
 
 mod stability;
 
+mod candidates;
+
+mod choice;
+
 mod names;
 
 mod lift;
 
 mod reembedding;
 
+pub use choice::Which;
 pub use embedding::{Embedding, Step};
 pub use equations::{Stated, stated};
-pub use lift::{Along, Lift, NewVariable, Options, Relation, Which, lift};
+pub use lift::{Along, Lift, NewVariable, Options, Relation, lift};
 pub use reembedding::Reembedding;
 pub use ring::Function;

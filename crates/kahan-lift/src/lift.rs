@@ -3,11 +3,8 @@
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
-
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
-use kahan_algebra::field::{Component, Field};
-use kahan_algebra::modified_integrals::{ModifiedIntegral, modified_integral};
+use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -16,64 +13,17 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::token::{Span, Token};
 
+use crate::candidates::{energy_candidates, field_of, modified, ordinary_candidates};
+use crate::choice::{Judged, Which, choose};
 use crate::embedding::{Builder, Embedding};
-use crate::energy::Mechanical;
 use crate::equations::Equations;
 use crate::exact;
 use crate::laurent::{Laurent, Monomial};
 use crate::names::Writer;
 use crate::numeric::Numeric;
-use crate::quadratic::{Products, Quadratic};
+use crate::quadratic::Quadratic;
 use crate::ring::{Function, Meaning, Ring};
-use crate::search::{Problem, founded, search};
-use crate::stability::{Growth, LARGEST_EXPONENT, Orbit};
-
-/// Which lift is wanted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Which {
-    /// The energy lift of a mechanical system; else one whose relations are kept exactly; else one
-    /// whose relations do not grow; else one of the least order.
-    #[default]
-    Automatic,
-    /// The energy lift of a mechanical system.
-    Energy,
-    /// A lift with as many relations kept exactly as can be.
-    Relations,
-    /// A lift whose relations do not grow along the orbit.
-    Stable,
-    /// A lift of the least order.
-    Smallest,
-}
-
-impl Which {
-    /// All of them.
-    pub const ALL: [Which; 5] =
-        [Which::Automatic, Which::Energy, Which::Relations, Which::Stable, Which::Smallest];
-
-    /// Its name, as `--lift=NAME` has it.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Which::Automatic => "automatic",
-            Which::Energy => "energy",
-            Which::Relations => "relations",
-            Which::Stable => "stable",
-            Which::Smallest => "smallest",
-        }
-    }
-
-    /// The lift that it asks for.
-    #[must_use]
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Which::Automatic => "The first of the others that there is",
-            Which::Energy => "The energy lift of a mechanical system",
-            Which::Relations => "As many relations kept exactly as can be",
-            Which::Stable => "Relations that do not grow along the orbit",
-            Which::Smallest => "As few new variables as can be",
-        }
-    }
-}
+use crate::stability::{LARGEST_EXPONENT, Orbit};
 
 /// What the choice between lifts is made from.
 #[derive(Clone, Debug, Default)]
@@ -89,13 +39,6 @@ pub struct Options {
 
 /// The nodes of a search where none are given.
 const NODES: usize = 20_000;
-/// More parameters than a field has.
-const MOST_PARAMETERS: usize = 1_000;
-/// The most sets of new variables of one size that are judged.
-const MOST_SETS: usize = 8;
-/// The most pairs of a lift and a form that are followed along an orbit.
-const MOST_FOLLOWED: usize = 24;
-
 /// A variable of a lift beyond the states.
 #[derive(Clone, Debug)]
 pub struct NewVariable {
@@ -166,27 +109,6 @@ pub struct Lift {
     embedding: Embedding,
 }
 
-/// A lift with one form of its equations.
-struct Candidate {
-    ring: Ring,
-    new: Vec<Option<Laurent>>,
-    /// Forms of the field, the preferred one first.
-    forms: Vec<Vec<Quadratic>>,
-    /// Relations between the variables.
-    relations: Vec<Quadratic>,
-    is_optimal: bool,
-    /// The energy of the flow.
-    energy: Option<Quadratic>,
-}
-
-/// A candidate with one form, and what is known of it.
-struct Judged<'a> {
-    candidate: &'a Candidate,
-    form: Vec<Quadratic>,
-    kept: Vec<(Quadratic, ModifiedIntegral)>,
-    growth: Option<Growth>,
-}
-
 /// Finds a quadratic lift of the equations of a block.
 ///
 /// # Errors
@@ -221,361 +143,6 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         return Err(nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help));
     };
     Ok(described(&equations, &judged, chosen))
-}
-
-/// The lifts of the least order and of one more.
-fn ordinary_candidates(equations: &Equations, budget: usize, surplus: bool) -> Vec<Candidate> {
-    let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
-    let found: Vec<_> = rings
-        .into_iter()
-        .flatten()
-        .filter_map(|ring| {
-            let found = search(&ring, &equations.problem_in(&ring), budget, usize::from(surplus))?;
-            Some((ring, found))
-        })
-        .collect();
-    let least = found.iter().map(|(_, found)| found.sets[0].len()).min().unwrap_or(0);
-    let mut candidates = Vec::new();
-    for (ring, found) in &found {
-        for size in least..=least + usize::from(surplus) {
-            let sets = found.sets.iter().filter(|set| set.len() == size).take(MOST_SETS);
-            candidates.extend(sets.filter_map(|set| {
-                let new = set.iter().cloned().map(Laurent::from).collect();
-                candidate(ring, new, found.is_optimal && size == least, &BTreeMap::new())
-            }));
-        }
-    }
-    if surplus && let Some(set) = founded(&equations.ring, &equations.problem_in(&equations.ring)) {
-        let new = set.into_iter().map(Laurent::from).collect();
-        candidates.extend(candidate(&equations.ring, new, false, &BTreeMap::new()));
-    }
-    candidates.sort_by_key(|candidate| candidate.new.len());
-    candidates
-}
-
-/// All variables: states, then new ones.
-fn variables(ring: &Ring, new: &[Laurent]) -> Vec<Laurent> {
-    (0..ring.field.len()).map(Laurent::coordinate).chain(new.iter().cloned()).collect()
-}
-
-fn candidate(
-    ring: &Ring,
-    new: Vec<Laurent>,
-    is_optimal: bool,
-    fixed: &BTreeMap<usize, Quadratic>,
-) -> Option<Candidate> {
-    let variables = variables(ring, &new);
-    let products = Products::new(ring, &variables);
-    let forms = products.forms(ring.field.len(), fixed)?;
-    let relations = products.relations.clone();
-    let new = new.into_iter().map(Some).collect();
-    Some(Candidate { ring: ring.clone(), new, forms, relations, is_optimal, energy: None })
-}
-
-/// The lifts of a mechanical system whose map keeps an energy, of the least order.
-fn energy_candidates(equations: &Equations, budget: usize) -> Vec<Candidate> {
-    let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
-    let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
-    let mut candidates = Vec::new();
-    for ring in rings.iter().flatten() {
-        for as_sums in [false, true] {
-            candidates.extend(energy_lifts(equations, ring, &mechanical, as_sums, budget));
-        }
-    }
-    let least = candidates.iter().map(|one: &Candidate| one.new.len()).min();
-    candidates.retain(|one| Some(one.new.len()) == least);
-    candidates
-}
-
-/// The energy lifts in which the components of the force are variables, each as a sum or each of
-/// its monomials.
-fn energy_lifts(
-    equations: &Equations,
-    ring: &Ring,
-    mechanical: &Mechanical,
-    as_sums: bool,
-    budget: usize,
-) -> Vec<Candidate> {
-    let states = ring.field.len();
-    let is_state =
-        |monomial: &Monomial| monomial.is_one() || (0..states).any(|i| *monomial == Monomial::power(i, 1));
-    let mut problem = Problem { required: Vec::new(), ..equations.problem_in(ring) };
-    let mut forces: Vec<Laurent> = Vec::new();
-    for &momentum in &mechanical.momenta {
-        let curved = ring.field[momentum].filtered(|monomial| !is_state(monomial));
-        let parts: Vec<Laurent> = if as_sums && curved.len() > 1 {
-            vec![curved.primitive().1]
-        } else {
-            curved.terms().map(|(monomial, _)| Laurent::from(monomial.clone())).collect()
-        };
-        for part in parts {
-            if !forces.contains(&part) {
-                forces.push(part);
-            }
-        }
-    }
-    for force in &forces {
-        problem.required.extend(ring.derivative(force).terms().map(|(monomial, _)| monomial.clone()));
-        match force.as_monomial() {
-            Some(monomial) => problem.given.push(monomial.clone()),
-            None => problem.sums.push(force.clone()),
-        }
-    }
-    let Some(found) = search(ring, &problem, budget, 0) else { return Vec::new() };
-    let lift = |set: &Vec<Monomial>| {
-        let mut new = [forces.clone(), set.iter().cloned().map(Laurent::from).collect()].concat();
-        // A sum that is affine in the other variables is no variable.
-        let mut index = 0;
-        while index < new.len() {
-            let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
-            let variables = variables(ring, &others);
-            if new[index].len() > 1 && Products::new(ring, &variables).affine(&new[index]).is_some() {
-                new.remove(index);
-            } else {
-                index += 1;
-            }
-        }
-        with_potential(ring, mechanical, new, found.is_optimal)
-    };
-    found.sets.iter().filter_map(lift).collect()
-}
-
-/// Adds the variable for the potential where it is needed, and the equations that keep the energy.
-fn with_potential(
-    ring: &Ring,
-    mechanical: &Mechanical,
-    new: Vec<Laurent>,
-    is_optimal: bool,
-) -> Option<Candidate> {
-    let states = ring.field.len();
-    let is_quadratic = |monomial: &Monomial| {
-        monomial.size() <= 2 && monomial.powers().all(|(i, exponent)| i < states && exponent > 0)
-    };
-    let variables = variables(ring, &new);
-    let products = Products::new(ring, &variables);
-    let mut fixed = BTreeMap::new();
-    for &momentum in &mechanical.momenta {
-        let force = &ring.field[momentum];
-        // A sum is written by its variable.
-        let sum = new.iter().position(|one| {
-            one.len() > 1 && {
-                let curved = force.filtered(|monomial| one.coefficient(monomial) != RationalFunction::zero());
-                curved.len() == one.len()
-            }
-        });
-        let equation = products.affine(force).or_else(|| {
-            let sum = sum?;
-            let (monomial, own) = new[sum].terms().next()?;
-            let factor = force.coefficient(monomial).checked_div(own)?;
-            let mut rest = force.clone();
-            rest.add_scaled(&new[sum], &-&factor);
-            let mut equation = products.affine(&rest)?;
-            equation.add_scaled(&Quadratic::multiple(states + sum, &RationalFunction::one()), &factor);
-            Some(equation)
-        })?;
-        fixed.insert(momentum, equation);
-    }
-    // ½ pᵀSp and, of V, the part that is quadratic in the positions.
-    let half = RationalFunction::constant(Rational::new(1, 2));
-    let mut energy = Quadratic::default();
-    let mut power = Quadratic::default();
-    for (row, &left) in mechanical.kinetic.iter().zip(&mechanical.momenta) {
-        for (factor, &right) in row.iter().zip(&mechanical.momenta) {
-            energy.add_scaled(&Quadratic::product(left, right), &(factor * &half));
-            power.add_scaled(&fixed[&right].times(left)?, &-factor);
-        }
-    }
-    let potential = mechanical.potential.as_ref().map(|potential| ring.normalised(potential));
-    let curved = potential.as_ref().map(|potential| potential.filtered(|monomial| !is_quadratic(monomial)));
-    if let Some(potential) = &potential {
-        let plain = Quadratic::in_states(&potential.filtered(is_quadratic));
-        energy.add_scaled(&plain, &RationalFunction::one());
-        for (&(left, right), factor) in &plain.0 {
-            // d(x y)/dt = x′y + x y′ with velocities that are multiples of momenta.
-            for (moved, other) in [(left, right), (right, left)] {
-                let Some(moved) = moved else { continue };
-                let velocity = products.affine(&ring.field[moved])?;
-                let term = match other {
-                    Some(other) => velocity.times(other)?,
-                    None => velocity,
-                };
-                power.add_scaled(&term, &-factor);
-            }
-        }
-    }
-    let mut found = candidate(ring, new, is_optimal, &fixed)?;
-    let one = RationalFunction::one();
-    if let Some(affine) = curved.as_ref().and_then(|curved| products.affine(curved)) {
-        let mut energy = energy.clone();
-        energy.add_scaled(&affine, &one);
-        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(form, MOST_PARAMETERS), &energy).is_some();
-        let forms: Vec<Vec<Quadratic>> = found.forms.iter().filter(keeps).cloned().collect();
-        if !forms.is_empty() {
-            return Some(Candidate { energy: Some(energy), forms, ..found });
-        }
-    }
-    energy.add_scaled(&Quadratic::multiple(states + found.new.len(), &one), &one);
-    found.forms.iter_mut().for_each(|form| form.push(power.clone()));
-    found.new.push(curved);
-    Some(Candidate { energy: Some(energy), ..found })
-}
-
-/// What the map keeps in the place of a quadratic integral.
-fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
-    let integral = integral.component(field.dimension());
-    modified_integral(field, integral.numerator())
-}
-
-/// The field of a form, with numbers for names.
-fn field_of(form: &[Quadratic], parameters: usize) -> Field {
-    let numbered = |prefix: &str, count: usize| (0..count).map(|i| format!("{prefix}{i}")).collect();
-    let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", parameters) };
-    let component = |equation: &Quadratic| {
-        let value = equation.component(form.len());
-        Component { numerator: value.numerator().clone(), denominator: value.denominator().clone() }
-    };
-    Field { components: form.iter().map(component).collect(), symbols }
-}
-
-/// The best candidate with its best form, and why it is.
-fn choose<'a>(
-    candidates: &'a [Candidate],
-    which: Which,
-    orbit: Option<&(Orbit, &Vec<f64>)>,
-    parameters: usize,
-) -> Option<(Judged<'a>, String)> {
-    let mut judged: Vec<Judged<'_>> = Vec::new();
-    // Preferred forms come before others, so that a limit leaves out the others.
-    let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
-    for place in 0..most {
-        for candidate in candidates {
-            let Some(form) = candidate.forms.get(place) else { continue };
-            if judged.len() < MOST_FOLLOWED {
-                judged.push(Judged::new(candidate, form.clone(), orbit, parameters));
-            }
-        }
-    }
-    let order = |one: &Judged<'_>| one.candidate.new.len();
-    let exponent = |one: &Judged<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
-    let best = |judged: Vec<Judged<'a>>| {
-        judged.into_iter().reduce(|best, next| {
-            let key = |one: &Judged<'_>| (order(one), usize::MAX - one.kept.len());
-            let better =
-                key(&next).cmp(&key(&best)).then(exponent(&next).total_cmp(&exponent(&best))).is_lt();
-            if better { next } else { best }
-        })
-    };
-    if candidates[0].energy.is_some() {
-        let (stable, others): (Vec<_>, Vec<_>) =
-            judged.into_iter().partition(|one| one.growth.is_none_or(|growth| growth.is_stable()));
-        let found = best(if stable.is_empty() { others } else { stable })?;
-        return Some((found, "its map keeps the energy exactly".to_owned()));
-    }
-    if matches!(which, Which::Automatic | Which::Relations) {
-        let (kept, others): (Vec<_>, Vec<_>) = judged.into_iter().partition(Judged::keeps_all);
-        if !kept.is_empty() {
-            let chosen = "its map keeps every relation between its variables exactly".to_owned();
-            return Some((best(kept)?, chosen));
-        }
-        judged = others;
-        if which == Which::Relations {
-            let most = judged.iter().map(|one| one.kept.len()).max()?;
-            judged.retain(|one| one.kept.len() == most);
-            let chosen = format!("its map keeps {most} of the relations exactly, and no other one more");
-            return Some((best(judged)?, chosen));
-        }
-    }
-    if which == Which::Smallest || orbit.is_none() {
-        let least = judged.iter().map(order).min()?;
-        judged.retain(|one| order(one) == least);
-        let why = if which == Which::Smallest { "" } else { "; without a start, no orbit was followed" };
-        return Some((best(judged)?, format!("no other lift has fewer new variables{why}")));
-    }
-    let (stable, others): (Vec<_>, Vec<_>) =
-        judged.into_iter().partition(|one| one.growth.is_some_and(|growth| growth.is_stable()));
-    if !stable.is_empty() {
-        let chosen = "errors of its relations do not grow along the orbit, and no smaller lift has that";
-        return Some((best(stable)?, chosen.to_owned()));
-    }
-    for one in &others {
-        for damped in one.damped(orbit, parameters) {
-            if damped.growth.is_some_and(|growth| growth.is_stable()) {
-                let chosen = "multiples of its relations in its equations make their errors decay";
-                return Some((damped, chosen.to_owned()));
-            }
-        }
-    }
-    let least = others.into_iter().min_by(|a, b| exponent(a).total_cmp(&exponent(b)))?;
-    let rate = exponent(&least);
-    let chosen = format!("errors of its relations grow least along the orbit, yet at the rate {rate:.3}");
-    Some((least, chosen))
-}
-
-impl<'a> Judged<'a> {
-    fn new(
-        candidate: &'a Candidate,
-        form: Vec<Quadratic>,
-        orbit: Option<&(Orbit, &Vec<f64>)>,
-        parameters: usize,
-    ) -> Self {
-        let field = field_of(&form, parameters);
-        let kept = candidate
-            .relations
-            .iter()
-            .filter_map(|relation| Some((relation.clone(), modified(&field, relation)?)))
-            .collect();
-        let growth = orbit.map(|(orbit, parameters)| {
-            let numeric = Numeric::new(&candidate.ring, parameters);
-            let known: Vec<Laurent> = candidate.new.iter().map_while(Clone::clone).collect();
-            orbit.growth(&numeric, &known, &form[..candidate.ring.field.len() + known.len()], parameters)
-        });
-        Judged { candidate, form, kept, growth }
-    }
-
-    /// Forms with multiples of the relations that let errors decay: w′ −= κ R, where the relation R
-    /// holds w linearly. κ exceeds the rate at which errors grow.
-    fn damped(&self, orbit: Option<&(Orbit, &Vec<f64>)>, parameters: usize) -> Vec<Judged<'a>> {
-        let states = self.candidate.ring.field.len();
-        let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
-        let damped = |factor: f64| {
-            let damping = Rational::from_f64((factor * rate).log2().ceil().exp2())?;
-            let mut form = self.form.clone();
-            for (variable, equation) in form.iter_mut().enumerate().skip(states) {
-                let own = (None, Some(variable));
-                let others = |relation: &Quadratic| {
-                    let new = |index: &Option<usize>| {
-                        index.is_some_and(|index| index >= states && index != variable)
-                    };
-                    relation.0.keys().filter(|(left, right)| new(left) || new(right)).count()
-                };
-                let relations = self.candidate.relations.iter().filter(|one| one.0.contains_key(&own));
-                let relation = relations.min_by_key(|relation| others(relation))?;
-                let scale = RationalFunction::constant(-&damping).checked_div(&relation.0[&own])?;
-                equation.add_scaled(relation, &scale);
-            }
-            Some(Judged::new(self.candidate, form, orbit, parameters))
-        };
-        [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
-    }
-
-    /// Whether the map keeps one relation for each new variable, and one for each pair of a sine and
-    /// a cosine.
-    fn keeps_all(&self) -> bool {
-        let Candidate { ring, new, .. } = self.candidate;
-        let is_cosine = |value: &Option<Laurent>| {
-            let monomial = value.as_ref().and_then(Laurent::as_monomial);
-            monomial.is_some_and(|one| {
-                one.size() == 1
-                    && one.powers().all(|(index, _)| {
-                        matches!(
-                            ring.coordinates[index].meaning,
-                            Meaning::Function(Function::Cos | Function::Cosh, _)
-                        )
-                    })
-            })
-        };
-        self.kept.len() + new.iter().filter(|value| is_cosine(value)).count() >= new.len()
-    }
 }
 
 /// The answer: names, texts and the field.
@@ -669,6 +236,16 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     }
 }
 
+/// Where an affine function of one state is 0, such as `v = -40`.
+fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
+    let mut linear = argument.terms().filter(|(monomial, _)| !monomial.is_one());
+    let (monomial, slope) = linear.next().filter(|_| argument.len() <= 2)?;
+    let (state, _) = monomial.powers().next().filter(|_| linear.next().is_none() && monomial.size() == 1)?;
+    let name = writer.states.get(state)?;
+    let value = (-&argument.coefficient(&Monomial::one())).checked_div(slope)?;
+    Some(format!("{name} = {}", writer.polynomial(&Laurent::constant(value), &Text)))
+}
+
 /// What a user should know of the new variables.
 fn notes(ring: &Ring, new: &[Option<Laurent>], writer: &Writer<'_>) -> Vec<String> {
     let occurs = |index: usize, sign: i16| {
@@ -695,10 +272,11 @@ fn notes(ring: &Ring, new: &[Option<Laurent>], writer: &Writer<'_>) -> Vec<Strin
                             .then(|| &sum + value)
                     });
                 if value_at_one.is_some_and(|value| value.is_zero()) {
+                    let place = zero(argument, writer)
+                        .unwrap_or_else(|| format!("{} = 0", writer.polynomial(argument, &Text)));
                     notes.push(format!(
-                        "1/({}) is infinite where {} = 0, even if the equations are finite there: orbits must not cross it",
+                        "1/({}) is infinite at {place}, even if the equations are finite there: orbits must not cross it",
                         writer.polynomial(base, &Text),
-                        writer.polynomial(argument, &Text),
                     ));
                 }
             }

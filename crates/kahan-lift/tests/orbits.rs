@@ -153,8 +153,10 @@ fn relations_of_default_lifts_hold_to_order_two_for_a_long_time() {
     }
 }
 
+type Energy = fn(&[f64]) -> f64;
+
 /// p·p/2 + V, by hand.
-fn energies() -> [(System, fn(&[f64]) -> f64); 3] {
+fn energies() -> [(System, Energy); 3] {
     [
         (PENDULUM, |x| x[1] * x[1] / 2.0 - x[0].cos()),
         (QUARTIC, |x| x[1] * x[1] / 2.0 + x[0].powi(4) / 4.0),

@@ -258,6 +258,14 @@ fn what_cannot_be_lifted_is_refused_with_its_reason() {
 }
 
 #[test]
+fn singular_points_and_late_phases_are_told() {
+    let gate = smallest("v' = -(v + 40)/(1 - exp(-(v + 40)/10))");
+    assert!(gate.notes[0].contains("is infinite at v = -40,"), "{:?}", gate.notes);
+    let driven = smallest("x' = v; v' = -x^3 + g*cos(w*t)");
+    assert_eq!(driven.notes, ["the phase of sin(w*t) falls behind by (w)^3*eps^2/3 in a unit of time"]);
+}
+
+#[test]
 fn first_values_are_those_of_the_expressions() {
     let text = "x' = v; v' = -sin(2*x)/sqrt(1 + v^2) + tanh(x)*exp(-x/3)";
     let lift = lifted(text, &Options::default()).expect(text);

@@ -1,0 +1,252 @@
+//! The lifts between which is chosen.
+//!
+//! In: checked equations and a budget of nodes. Out: sets of new variables that make them
+//! quadratic, each with the forms of its equations and the relations between its variables.
+
+use std::collections::BTreeMap;
+
+use kahan_algebra::field::{Component, Field};
+use kahan_algebra::modified_integrals::{ModifiedIntegral, modified_integral};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::Symbols;
+
+use crate::energy::Mechanical;
+use crate::equations::Equations;
+use crate::laurent::{Laurent, Monomial};
+use crate::quadratic::{Products, Quadratic};
+use crate::ring::Ring;
+use crate::search::{Problem, founded, search};
+
+/// More parameters than a field has.
+const MOST_PARAMETERS: usize = 1_000;
+/// The most sets of new variables of one size that are judged.
+const MOST_SETS: usize = 8;
+
+/// A lift with one form of its equations.
+#[derive(Debug)]
+pub(crate) struct Candidate {
+    pub(crate) ring: Ring,
+    pub(crate) new: Vec<Option<Laurent>>,
+    /// Forms of the field, the preferred one first.
+    pub(crate) forms: Vec<Vec<Quadratic>>,
+    /// Relations between the variables.
+    pub(crate) relations: Vec<Quadratic>,
+    pub(crate) is_optimal: bool,
+    /// The energy of the flow.
+    pub(crate) energy: Option<Quadratic>,
+}
+
+/// The lifts of the least order and of one more.
+pub(crate) fn ordinary_candidates(equations: &Equations, budget: usize, surplus: bool) -> Vec<Candidate> {
+    let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
+    let found: Vec<_> = rings
+        .into_iter()
+        .flatten()
+        .filter_map(|ring| {
+            let found = search(&ring, &equations.problem_in(&ring), budget, usize::from(surplus))?;
+            Some((ring, found))
+        })
+        .collect();
+    let least = found.iter().map(|(_, found)| found.sets[0].len()).min().unwrap_or(0);
+    let mut candidates = Vec::new();
+    for (ring, found) in &found {
+        for size in least..=least + usize::from(surplus) {
+            let sets = found.sets.iter().filter(|set| set.len() == size).take(MOST_SETS);
+            candidates.extend(sets.filter_map(|set| {
+                let new = set.iter().cloned().map(Laurent::from).collect();
+                candidate(ring, new, found.is_optimal && size == least, &BTreeMap::new())
+            }));
+        }
+    }
+    if surplus && let Some(set) = founded(&equations.ring, &equations.problem_in(&equations.ring)) {
+        let new = set.into_iter().map(Laurent::from).collect();
+        candidates.extend(candidate(&equations.ring, new, false, &BTreeMap::new()));
+    }
+    candidates.sort_by_key(|candidate| candidate.new.len());
+    candidates
+}
+
+/// All variables: states, then new ones.
+fn variables(ring: &Ring, new: &[Laurent]) -> Vec<Laurent> {
+    (0..ring.field.len()).map(Laurent::coordinate).chain(new.iter().cloned()).collect()
+}
+
+fn candidate(
+    ring: &Ring,
+    new: Vec<Laurent>,
+    is_optimal: bool,
+    fixed: &BTreeMap<usize, Quadratic>,
+) -> Option<Candidate> {
+    let variables = variables(ring, &new);
+    let products = Products::new(ring, &variables);
+    let forms = products.forms(ring.field.len(), fixed)?;
+    let relations = products.relations.clone();
+    let new = new.into_iter().map(Some).collect();
+    Some(Candidate { ring: ring.clone(), new, forms, relations, is_optimal, energy: None })
+}
+
+/// The lifts of a mechanical system whose map keeps an energy, of the least order.
+pub(crate) fn energy_candidates(equations: &Equations, budget: usize) -> Vec<Candidate> {
+    let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
+    let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
+    let mut candidates = Vec::new();
+    for ring in rings.iter().flatten() {
+        for as_sums in [false, true] {
+            candidates.extend(energy_lifts(equations, ring, &mechanical, as_sums, budget));
+        }
+    }
+    let least = candidates.iter().map(|one: &Candidate| one.new.len()).min();
+    candidates.retain(|one| Some(one.new.len()) == least);
+    candidates
+}
+
+/// The energy lifts in which the components of the force are variables, each as a sum or each of
+/// its monomials.
+fn energy_lifts(
+    equations: &Equations,
+    ring: &Ring,
+    mechanical: &Mechanical,
+    as_sums: bool,
+    budget: usize,
+) -> Vec<Candidate> {
+    let states = ring.field.len();
+    let is_state =
+        |monomial: &Monomial| monomial.is_one() || (0..states).any(|i| *monomial == Monomial::power(i, 1));
+    let mut problem = Problem { required: Vec::new(), ..equations.problem_in(ring) };
+    let mut forces: Vec<Laurent> = Vec::new();
+    for &momentum in &mechanical.momenta {
+        let curved = ring.field[momentum].filtered(|monomial| !is_state(monomial));
+        let parts: Vec<Laurent> = if as_sums && curved.len() > 1 {
+            vec![curved.primitive().1]
+        } else {
+            curved.terms().map(|(monomial, _)| Laurent::from(monomial.clone())).collect()
+        };
+        for part in parts {
+            if !forces.contains(&part) {
+                forces.push(part);
+            }
+        }
+    }
+    for force in &forces {
+        problem.required.extend(ring.derivative(force).terms().map(|(monomial, _)| monomial.clone()));
+        match force.as_monomial() {
+            Some(monomial) => problem.given.push(monomial.clone()),
+            None => problem.sums.push(force.clone()),
+        }
+    }
+    let Some(found) = search(ring, &problem, budget, 0) else { return Vec::new() };
+    let lift = |set: &Vec<Monomial>| {
+        let mut new = [forces.clone(), set.iter().cloned().map(Laurent::from).collect()].concat();
+        // A sum that is affine in the other variables is no variable.
+        let mut index = 0;
+        while index < new.len() {
+            let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
+            let variables = variables(ring, &others);
+            if new[index].len() > 1 && Products::new(ring, &variables).affine(&new[index]).is_some() {
+                new.remove(index);
+            } else {
+                index += 1;
+            }
+        }
+        with_potential(ring, mechanical, new, found.is_optimal)
+    };
+    found.sets.iter().filter_map(lift).collect()
+}
+
+/// Adds the variable for the potential where it is needed, and the equations that keep the energy.
+fn with_potential(
+    ring: &Ring,
+    mechanical: &Mechanical,
+    new: Vec<Laurent>,
+    is_optimal: bool,
+) -> Option<Candidate> {
+    let states = ring.field.len();
+    let is_quadratic = |monomial: &Monomial| {
+        monomial.size() <= 2 && monomial.powers().all(|(i, exponent)| i < states && exponent > 0)
+    };
+    let variables = variables(ring, &new);
+    let products = Products::new(ring, &variables);
+    let mut fixed = BTreeMap::new();
+    for &momentum in &mechanical.momenta {
+        let force = &ring.field[momentum];
+        // A sum is written by its variable.
+        let sum = new.iter().position(|one| {
+            one.len() > 1 && {
+                let curved = force.filtered(|monomial| one.coefficient(monomial) != RationalFunction::zero());
+                curved.len() == one.len()
+            }
+        });
+        let equation = products.affine(force).or_else(|| {
+            let sum = sum?;
+            let (monomial, own) = new[sum].terms().next()?;
+            let factor = force.coefficient(monomial).checked_div(own)?;
+            let mut rest = force.clone();
+            rest.add_scaled(&new[sum], &-&factor);
+            let mut equation = products.affine(&rest)?;
+            equation.add_scaled(&Quadratic::multiple(states + sum, &RationalFunction::one()), &factor);
+            Some(equation)
+        })?;
+        fixed.insert(momentum, equation);
+    }
+    // ½ pᵀSp and, of V, the part that is quadratic in the positions.
+    let half = RationalFunction::constant(Rational::new(1, 2));
+    let mut energy = Quadratic::default();
+    let mut power = Quadratic::default();
+    for (row, &left) in mechanical.kinetic.iter().zip(&mechanical.momenta) {
+        for (factor, &right) in row.iter().zip(&mechanical.momenta) {
+            energy.add_scaled(&Quadratic::product(left, right), &(factor * &half));
+            power.add_scaled(&fixed[&right].times(left)?, &-factor);
+        }
+    }
+    let potential = mechanical.potential.as_ref().map(|potential| ring.normalised(potential));
+    let curved = potential.as_ref().map(|potential| potential.filtered(|monomial| !is_quadratic(monomial)));
+    if let Some(potential) = &potential {
+        let plain = Quadratic::in_states(&potential.filtered(is_quadratic));
+        energy.add_scaled(&plain, &RationalFunction::one());
+        for (&(left, right), factor) in &plain.0 {
+            // d(x y)/dt = x′y + x y′ with velocities that are multiples of momenta.
+            for (moved, other) in [(left, right), (right, left)] {
+                let Some(moved) = moved else { continue };
+                let velocity = products.affine(&ring.field[moved])?;
+                let term = match other {
+                    Some(other) => velocity.times(other)?,
+                    None => velocity,
+                };
+                power.add_scaled(&term, &-factor);
+            }
+        }
+    }
+    let mut found = candidate(ring, new, is_optimal, &fixed)?;
+    let one = RationalFunction::one();
+    if let Some(affine) = curved.as_ref().and_then(|curved| products.affine(curved)) {
+        let mut energy = energy.clone();
+        energy.add_scaled(&affine, &one);
+        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(form, MOST_PARAMETERS), &energy).is_some();
+        let forms: Vec<Vec<Quadratic>> = found.forms.iter().filter(keeps).cloned().collect();
+        if !forms.is_empty() {
+            return Some(Candidate { energy: Some(energy), forms, ..found });
+        }
+    }
+    energy.add_scaled(&Quadratic::multiple(states + found.new.len(), &one), &one);
+    found.forms.iter_mut().for_each(|form| form.push(power.clone()));
+    found.new.push(curved);
+    Some(Candidate { energy: Some(energy), ..found })
+}
+
+/// What the map keeps in the place of a quadratic integral.
+pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
+    let integral = integral.component(field.dimension());
+    modified_integral(field, integral.numerator())
+}
+
+/// The field of a form, with numbers for names.
+pub(crate) fn field_of(form: &[Quadratic], parameters: usize) -> Field {
+    let numbered = |prefix: &str, count: usize| (0..count).map(|i| format!("{prefix}{i}")).collect();
+    let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", parameters) };
+    let component = |equation: &Quadratic| {
+        let value = equation.component(form.len());
+        Component { numerator: value.numerator().clone(), denominator: value.denominator().clone() }
+    };
+    Field { components: form.iter().map(component).collect(), symbols }
+}

@@ -1,0 +1,212 @@
+//! Which of the candidates is taken, and in which form.
+
+use kahan_algebra::modified_integrals::ModifiedIntegral;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+
+use crate::candidates::{Candidate, field_of, modified};
+use crate::laurent::Laurent;
+use crate::numeric::Numeric;
+use crate::quadratic::Quadratic;
+use crate::ring::{Function, Meaning};
+use crate::stability::{Growth, Orbit};
+
+/// Which lift is wanted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Which {
+    /// The energy lift of a mechanical system; else one whose relations are kept exactly; else one
+    /// whose relations do not grow; else one of the least order.
+    #[default]
+    Automatic,
+    /// The energy lift of a mechanical system.
+    Energy,
+    /// A lift with as many relations kept exactly as can be.
+    Relations,
+    /// A lift whose relations do not grow along the orbit.
+    Stable,
+    /// A lift of the least order.
+    Smallest,
+}
+
+impl Which {
+    /// All of them.
+    pub const ALL: [Which; 5] =
+        [Which::Automatic, Which::Energy, Which::Relations, Which::Stable, Which::Smallest];
+
+    /// Its name, as `--lift=NAME` has it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Which::Automatic => "automatic",
+            Which::Energy => "energy",
+            Which::Relations => "relations",
+            Which::Stable => "stable",
+            Which::Smallest => "smallest",
+        }
+    }
+
+    /// The lift that it asks for.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Which::Automatic => "The first of the others that there is",
+            Which::Energy => "The energy lift of a mechanical system",
+            Which::Relations => "As many relations kept exactly as can be",
+            Which::Stable => "Relations that do not grow along the orbit",
+            Which::Smallest => "As few new variables as can be",
+        }
+    }
+}
+
+/// The most pairs of a lift and a form that are followed along an orbit.
+const MOST_FOLLOWED: usize = 24;
+
+/// A candidate with one form, and what is known of it.
+#[derive(Debug)]
+pub(crate) struct Judged<'a> {
+    pub(crate) candidate: &'a Candidate,
+    pub(crate) form: Vec<Quadratic>,
+    pub(crate) kept: Vec<(Quadratic, ModifiedIntegral)>,
+    pub(crate) growth: Option<Growth>,
+}
+
+/// The best candidate with its best form, and why it is.
+pub(crate) fn choose<'a>(
+    candidates: &'a [Candidate],
+    which: Which,
+    orbit: Option<&(Orbit, &Vec<f64>)>,
+    parameters: usize,
+) -> Option<(Judged<'a>, String)> {
+    let mut judged: Vec<Judged<'_>> = Vec::new();
+    // Preferred forms come before others, so that a limit leaves out the others.
+    let most = candidates.iter().map(|candidate| candidate.forms.len()).max()?;
+    for place in 0..most {
+        for candidate in candidates {
+            let Some(form) = candidate.forms.get(place) else { continue };
+            if judged.len() < MOST_FOLLOWED {
+                judged.push(Judged::new(candidate, form.clone(), orbit, parameters));
+            }
+        }
+    }
+    let order = |one: &Judged<'_>| one.candidate.new.len();
+    let exponent = |one: &Judged<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
+    let best = |judged: Vec<Judged<'a>>| {
+        judged.into_iter().reduce(|best, next| {
+            let key = |one: &Judged<'_>| (order(one), usize::MAX - one.kept.len());
+            let better =
+                key(&next).cmp(&key(&best)).then(exponent(&next).total_cmp(&exponent(&best))).is_lt();
+            if better { next } else { best }
+        })
+    };
+    if candidates[0].energy.is_some() {
+        let (stable, others): (Vec<_>, Vec<_>) =
+            judged.into_iter().partition(|one| one.growth.is_none_or(|growth| growth.is_stable()));
+        let found = best(if stable.is_empty() { others } else { stable })?;
+        return Some((found, "its map keeps the energy exactly".to_owned()));
+    }
+    if matches!(which, Which::Automatic | Which::Relations) {
+        let (kept, others): (Vec<_>, Vec<_>) = judged.into_iter().partition(Judged::keeps_all);
+        if !kept.is_empty() {
+            let chosen = "its map keeps every relation between its variables exactly".to_owned();
+            return Some((best(kept)?, chosen));
+        }
+        judged = others;
+        if which == Which::Relations {
+            let most = judged.iter().map(|one| one.kept.len()).max()?;
+            judged.retain(|one| one.kept.len() == most);
+            let chosen = format!("its map keeps {most} of the relations exactly, and no other one more");
+            return Some((best(judged)?, chosen));
+        }
+    }
+    if which == Which::Smallest || orbit.is_none() {
+        let least = judged.iter().map(order).min()?;
+        judged.retain(|one| order(one) == least);
+        let why = if which == Which::Smallest { "" } else { "; without a start, no orbit was followed" };
+        return Some((best(judged)?, format!("no other lift has fewer new variables{why}")));
+    }
+    let (stable, others): (Vec<_>, Vec<_>) =
+        judged.into_iter().partition(|one| one.growth.is_some_and(|growth| growth.is_stable()));
+    if !stable.is_empty() {
+        let chosen = "errors of its relations do not grow along the orbit, and no smaller lift has that";
+        return Some((best(stable)?, chosen.to_owned()));
+    }
+    for one in &others {
+        for damped in one.damped(orbit, parameters) {
+            if damped.growth.is_some_and(|growth| growth.is_stable()) {
+                let chosen = "multiples of its relations in its equations make their errors decay";
+                return Some((damped, chosen.to_owned()));
+            }
+        }
+    }
+    let least = others.into_iter().min_by(|a, b| exponent(a).total_cmp(&exponent(b)))?;
+    let rate = exponent(&least);
+    let chosen = format!("errors of its relations grow least along the orbit, yet at the rate {rate:.3}");
+    Some((least, chosen))
+}
+
+impl<'a> Judged<'a> {
+    fn new(
+        candidate: &'a Candidate,
+        form: Vec<Quadratic>,
+        orbit: Option<&(Orbit, &Vec<f64>)>,
+        parameters: usize,
+    ) -> Self {
+        let field = field_of(&form, parameters);
+        let kept = candidate
+            .relations
+            .iter()
+            .filter_map(|relation| Some((relation.clone(), modified(&field, relation)?)))
+            .collect();
+        let growth = orbit.map(|(orbit, parameters)| {
+            let numeric = Numeric::new(&candidate.ring, parameters);
+            let known: Vec<Laurent> = candidate.new.iter().map_while(Clone::clone).collect();
+            orbit.growth(&numeric, &known, &form[..candidate.ring.field.len() + known.len()], parameters)
+        });
+        Judged { candidate, form, kept, growth }
+    }
+
+    /// Forms with multiples of the relations that let errors decay: w′ −= κ R, where the relation R
+    /// holds w linearly. κ exceeds the rate at which errors grow.
+    fn damped(&self, orbit: Option<&(Orbit, &Vec<f64>)>, parameters: usize) -> Vec<Judged<'a>> {
+        let states = self.candidate.ring.field.len();
+        let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
+        let damped = |factor: f64| {
+            let damping = Rational::from_f64((factor * rate).log2().ceil().exp2())?;
+            let mut form = self.form.clone();
+            for (variable, equation) in form.iter_mut().enumerate().skip(states) {
+                let own = (None, Some(variable));
+                let others = |relation: &Quadratic| {
+                    let new = |index: &Option<usize>| {
+                        index.is_some_and(|index| index >= states && index != variable)
+                    };
+                    relation.0.keys().filter(|(left, right)| new(left) || new(right)).count()
+                };
+                let relations = self.candidate.relations.iter().filter(|one| one.0.contains_key(&own));
+                let relation = relations.min_by_key(|relation| others(relation))?;
+                let scale = RationalFunction::constant(-&damping).checked_div(&relation.0[&own])?;
+                equation.add_scaled(relation, &scale);
+            }
+            Some(Judged::new(self.candidate, form, orbit, parameters))
+        };
+        [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
+    }
+
+    /// Whether the map keeps one relation for each new variable, and one for each pair of a sine and
+    /// a cosine.
+    fn keeps_all(&self) -> bool {
+        let Candidate { ring, new, .. } = self.candidate;
+        let is_cosine = |value: &Option<Laurent>| {
+            let monomial = value.as_ref().and_then(Laurent::as_monomial);
+            monomial.is_some_and(|one| {
+                one.size() == 1
+                    && one.powers().all(|(index, _)| {
+                        matches!(
+                            ring.coordinates[index].meaning,
+                            Meaning::Function(Function::Cos | Function::Cosh, _)
+                        )
+                    })
+            })
+        };
+        self.kept.len() + new.iter().filter(|value| is_cosine(value)).count() >= new.len()
+    }
+}
