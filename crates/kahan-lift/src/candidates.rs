@@ -86,18 +86,18 @@ fn candidate(
     Some(Candidate { ring: ring.clone(), new, forms, relations, is_optimal, energy: None })
 }
 
-/// The lifts of a mechanical system whose map keeps an energy, of the least order.
-pub(crate) fn energy_candidates(equations: &Equations, budget: usize) -> Vec<Candidate> {
+/// Lifts of a mechanical system whose map keeps an energy: of the least order and, where more than
+/// that is wanted, of one more, and lifts in which each variable has a relation of its own.
+pub(crate) fn energy_candidates(equations: &Equations, budget: usize, surplus: bool) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
     let mut candidates = Vec::new();
     for ring in rings.iter().flatten() {
         for as_sums in [false, true] {
-            candidates.extend(energy_lifts(equations, ring, &mechanical, as_sums, budget));
+            candidates.extend(energy_lifts(equations, ring, &mechanical, as_sums, (budget, surplus)));
         }
     }
-    let least = candidates.iter().map(|one: &Candidate| one.new.len()).min();
-    candidates.retain(|one| Some(one.new.len()) == least);
+    candidates.sort_by_key(|one: &Candidate| one.new.len());
     candidates
 }
 
@@ -108,7 +108,7 @@ fn energy_lifts(
     ring: &Ring,
     mechanical: &Mechanical,
     as_sums: bool,
-    budget: usize,
+    (budget, surplus): (usize, bool),
 ) -> Vec<Candidate> {
     let states = ring.field.len();
     let is_state =
@@ -135,7 +135,8 @@ fn energy_lifts(
             None => problem.sums.push(force.clone()),
         }
     }
-    let Some(found) = search(ring, &problem, budget, 0) else { return Vec::new() };
+    let Some(found) = search(ring, &problem, budget, usize::from(surplus)) else { return Vec::new() };
+    let least = found.sets[0].len();
     let lift = |set: &Vec<Monomial>| {
         let mut new = [forces.clone(), set.iter().cloned().map(Laurent::from).collect()].concat();
         // A sum that is affine in the other variables is no variable.
@@ -149,9 +150,11 @@ fn energy_lifts(
                 index += 1;
             }
         }
-        with_potential(ring, mechanical, new, found.is_optimal)
+        with_potential(ring, mechanical, new, found.is_optimal && set.len() == least)
     };
-    found.sets.iter().filter_map(lift).collect()
+    let of_size = |size: usize| found.sets.iter().filter(move |set| set.len() == size).take(MOST_SETS / 2);
+    let founded = surplus.then(|| founded(ring, &problem)).flatten();
+    of_size(least).chain(of_size(least + 1)).chain(&founded).filter_map(lift).collect()
 }
 
 /// Adds the variable for the potential where it is needed, and the equations that keep the energy.

@@ -59,7 +59,7 @@ impl Which {
 }
 
 /// The most pairs of a lift and a form that are followed along an orbit.
-const MOST_FOLLOWED: usize = 24;
+const MOST_FOLLOWED: usize = 32;
 
 /// A candidate with one form, and what is known of it.
 #[derive(Debug)]
@@ -99,10 +99,13 @@ pub(crate) fn choose<'a>(
         })
     };
     if candidates[0].energy.is_some() {
-        let (stable, others): (Vec<_>, Vec<_>) =
-            judged.into_iter().partition(|one| one.growth.is_none_or(|growth| growth.is_stable()));
-        let found = best(if stable.is_empty() { others } else { stable })?;
-        return Some((found, "its map keeps the energy exactly".to_owned()));
+        let class = |one: &Judged<'_>| match one.growth {
+            Some(growth) if !growth.is_stable() => 1 + usize::from(!growth.is_polynomial()),
+            _ => 0,
+        };
+        let least = judged.iter().map(class).min()?;
+        judged.retain(|one| class(one) == least);
+        return Some((best(judged)?, "its map keeps the energy exactly".to_owned()));
     }
     if matches!(which, Which::Automatic | Which::Relations) {
         let (kept, others): (Vec<_>, Vec<_>) = judged.into_iter().partition(Judged::keeps_all);

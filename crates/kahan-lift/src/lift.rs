@@ -122,7 +122,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
     };
     let mut candidates = Vec::new();
     if matches!(options.which, Which::Automatic | Which::Energy) && !equations.has_time {
-        candidates = energy_candidates(&equations, budget);
+        candidates = energy_candidates(&equations, budget, options.orbit.is_some());
     }
     if candidates.is_empty() && options.which == Which::Energy {
         let help =

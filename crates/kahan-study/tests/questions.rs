@@ -37,7 +37,7 @@ fn a_question_writes_itself_as_it_was_read() {
         json!({"ask": "heights", "eps": "9/14", "at": ["1/2", "5/3"], "steps": 12, "max_digits": 99, "seconds": 0.5}),
         json!({
             "ask": "orbit", "eps": "-1/10", "at": ["1"], "steps": 9, "every": 3, "scalar": "f32", "order": 2, "method": "rk4",
-            "projective": false,
+            "projective": false, "reembed": false,
         }),
         json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "of": ["final", "fli"]}),
         json!({

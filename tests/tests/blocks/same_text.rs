@@ -50,9 +50,14 @@ fn mistakes(case: &CompileCase) -> Vec<(Option<String>, Vec<String>)> {
     mistakes
 }
 
+/// All cases but those of blocks that are lifted, which are read before they are blocks.
+fn ordinary_cases() -> impl Iterator<Item = CompileCase> {
+    compile_cases().into_iter().filter(|case| !case.name.starts_with("lifts/"))
+}
+
 #[test]
 fn rustc_prints_every_mistake_of_the_front_end_at_its_place() {
-    for case in compile_cases() {
+    for case in ordinary_cases() {
         for (place, lines) in mistakes(&case) {
             let place = place.map(|place| format!("{}.rs:{place}\n", case.name));
             assert!(
@@ -70,7 +75,7 @@ fn rustc_prints_every_mistake_of_the_front_end_at_its_place() {
 #[test]
 fn rustc_prints_nothing_else() {
     let mut all = 0;
-    for case in compile_cases() {
+    for case in ordinary_cases() {
         let found = mistakes(&case).len();
         all += found;
         if found > 0 {

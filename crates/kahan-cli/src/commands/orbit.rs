@@ -94,7 +94,7 @@ pub(crate) struct Orbit {
     ///
     /// The projection is symmetric: energies do not drift, and the order of --order stays. A step costs
     /// 2 to 13 steps of the map, in f64. Where its iteration does not converge the orbit ends.
-    #[arg(long, conflicts_with_all = ["begin", "projective"])]
+    #[arg(long, conflicts_with_all = ["begin", "projective"], hide_short_help = true)]
     reembed: bool,
 
     /// Print every K-th point only: n = 0, K, 2K, ….
