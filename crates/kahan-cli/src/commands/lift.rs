@@ -122,7 +122,15 @@ fn text(found: &LiftFound) -> String {
     let optimal =
         if found.optimal { "no lift of its class has fewer" } else { "there may be one with fewer" };
     page.section("choice", paragraph(&format!("{}; of new variables {optimal}.", found.chosen)));
-    for note in &found.notes {
+    let is_kept = found.relations.iter().any(|relation| relation.formula.is_some());
+    let strays = found.relations.iter().any(|relation| match relation.along {
+        Some(Fate::Drifts | Fate::Grows) => true,
+        Some(Fate::Bounded) => !is_kept,
+        _ => false,
+    });
+    let projected =
+        "`kahan orbit --lift --reembed` holds the relations exactly, by a symmetric projection of each step";
+    for note in found.notes.iter().map(String::as_str).chain(strays.then_some(projected)) {
         page.prose(&format!("note: {note}"));
     }
     page.text
