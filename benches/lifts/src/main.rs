@@ -235,8 +235,10 @@ fn main() {
             row(&format!("lifted, {name}"), cheapest(&reference, runs));
         }
         if system.is_mechanical {
-            for (name, composition) in [("order 2", Composition::KAHAN), ("order 8", Composition::KAHAN_LI_8)] {
-                let weights: Vec<f64> = composition.coefficients().map(kahan_core::Constant::to_f64).collect();
+            for (name, composition) in [("order 2", Composition::KAHAN), ("order 8", Composition::KAHAN_LI_8)]
+            {
+                let weights: Vec<f64> =
+                    composition.coefficients().map(kahan_core::Constant::to_f64).collect();
                 let runs = (0..60).map_while(|k| {
                     let steps = steps(k);
                     (steps < 2_000_000).then(|| timed(|| system.verlet(steps, &weights)))
