@@ -124,7 +124,7 @@ impl Orbit {
             let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
             entries.fold(0.0, |norm: f64, (i, k)| norm.max(matrix[i][k].abs() * scale(i, k)))
         };
-        let (mut logarithm, mut most, mut half, mut time) = (0.0, 0.0_f64, 0.0_f64, 0.0);
+        let (mut logarithm, mut last, mut most, mut half, mut time) = (0.0, 0.0, 0.0_f64, 0.0_f64, 0.0);
         for (h, x) in &self.points {
             let coordinates = numeric.coordinates(x);
             let gradients = numeric.gradients(&coordinates);
@@ -169,12 +169,17 @@ impl Orbit {
                     }
                 }
             }
-            time += h;
             let norm = largest(&matrix);
+            // Errors below every float have died out.
+            if norm == 0.0 {
+                break;
+            }
+            time += h;
             if !norm.is_finite() {
                 return Growth { exponent: f64::INFINITY, amplification: f64::INFINITY, half: 1.0 };
             }
-            most = most.max(logarithm + norm.ln());
+            last = logarithm + norm.ln();
+            most = most.max(last);
             if time <= HORIZON / 2.0 {
                 half = most;
             }
@@ -186,8 +191,7 @@ impl Orbit {
                 matrix.iter_mut().flatten().for_each(|entry| *entry /= norm);
             }
         }
-        let norm = largest(&matrix);
-        let exponent = if time > 0.0 && count > 0 { (logarithm + norm.ln()) / time } else { 0.0 };
+        let exponent = if time > 0.0 { last / time } else { 0.0 };
         Growth { exponent, amplification: most.exp(), half: half.exp() }
     }
 }
