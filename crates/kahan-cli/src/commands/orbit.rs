@@ -38,7 +38,6 @@ Examples:
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
   kahan orbit lv --eps 1/7 --at starts.csv --steps 100 --every 10
-  kahan orbit lv --eps 1/7 --at 1/2,5/3 --steps 100 --method rk4
   kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
 pub(crate) struct Orbit {
@@ -90,11 +89,11 @@ pub(crate) struct Orbit {
     #[arg(long, conflicts_with = "begin")]
     projective: bool,
 
-    /// Project each step of a lifted field onto the relations between its variables.
+    /// Project each step of a lifted field onto its relations.
     ///
     /// The projection is symmetric: energies do not drift, and the order of --order stays. A step costs
     /// 2 to 13 steps of the map, in f64. Where its iteration does not converge the orbit ends.
-    #[arg(long, conflicts_with_all = ["begin", "projective"], hide_short_help = true)]
+    #[arg(long, conflicts_with_all = ["begin", "projective"])]
     reembed: bool,
 
     /// Print every K-th point only: n = 0, K, 2K, ….
