@@ -280,8 +280,9 @@ impl Field {
 
     /// Notes on what was read in a way that the writer of the text should know of.
     #[getter]
-    fn notes(&self) -> Vec<&str> {
-        self.study.notes().iter().map(String::as_str).collect()
+    fn notes(&self) -> Vec<String> {
+        let warning = self.study.lift().and_then(kahan_study::Lift::warning);
+        self.study.notes().iter().cloned().chain(warning).collect()
     }
 
     /// The first point that the text gives, as text.

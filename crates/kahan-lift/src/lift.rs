@@ -303,6 +303,18 @@ impl Lift {
         self.new.len()
     }
 
+    /// That orbits are wrong after some time, where errors of the relations grow along the orbit
+    /// that was followed.
+    #[must_use]
+    pub fn warning(&self) -> Option<String> {
+        let growing = |relation: &&Relation| relation.along == Some(Along::Grows);
+        let rate = self.relations.iter().find(growing)?.rate?;
+        Some(format!(
+            "errors of the lift's relations grow like e^({rate:.3}*t), so that its orbits are wrong after some time: compare with \
+             another lift (smallest, stable, relations) or with reembed"
+        ))
+    }
+
     /// The names of the states, then of the new variables.
     #[must_use]
     pub fn variables(&self) -> &[String] {

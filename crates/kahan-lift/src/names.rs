@@ -18,8 +18,10 @@ impl Function {
             Function::Log => "log",
             Function::Sin => "sin",
             Function::Cos => "cos",
+            Function::Tan => "tan",
             Function::Sinh => "sinh",
             Function::Cosh => "cosh",
+            Function::Tanh => "tanh",
             Function::Asin => "asin",
             Function::Atan => "atan",
             Function::Asinh => "asinh",
@@ -148,13 +150,6 @@ impl Writer<'_> {
             let size = exponent.unsigned_abs();
             let name = if size == 1 { name } else { raised(&name, size) };
             if exponent > 0 { above.push(name) } else { below.push(name) }
-        }
-        // A tangent reads better than a quotient.
-        if let ([sine], [cosine]) = (&above[..], &below[..])
-            && let Some(angle) = sine.strip_prefix("sin")
-            && cosine.strip_prefix("cos") == Some(angle)
-        {
-            return format!("tan{angle}");
         }
         if !below.is_empty() {
             above.push(format!("inv_{}", below.join("_")));

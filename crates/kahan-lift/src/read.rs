@@ -307,11 +307,12 @@ impl Reader {
             "cos" => self.circular(Family::Circular, argument, span).map(|[_, cosine]| cosine),
             "sinh" => self.circular(Family::Hyperbolic, argument, span).map(|[sine, _]| sine),
             "cosh" => self.circular(Family::Hyperbolic, argument, span).map(|[_, cosine]| cosine),
-            "tan" => over(self, "sin", "cos"),
+            // tan′ = 1 + tan², tanh′ = 1 − tanh²: one variable, where sine and cosine are two.
+            "tan" => Ok(self.tangent(Function::Tan, argument, 1)),
+            "tanh" => Ok(self.tangent(Function::Tanh, argument, -1)),
             "cot" => over(self, "cos", "sin"),
             "sec" => reciprocal(self, "cos"),
             "csc" => reciprocal(self, "sin"),
-            "tanh" => over(self, "sinh", "cosh"),
             "coth" => over(self, "cosh", "sinh"),
             "sech" => reciprocal(self, "cosh"),
             "csch" => reciprocal(self, "sinh"),
@@ -352,6 +353,14 @@ impl Reader {
         let meaning = Meaning::Function(function, argument.clone());
         let known = self.ring.find(&meaning);
         Laurent::coordinate(known.unwrap_or_else(|| self.ring.add(meaning, slope)))
+    }
+
+    /// A function T with the slope 1 ± T².
+    fn tangent(&mut self, function: Function, argument: &Laurent, sign: i64) -> Laurent {
+        let own = Monomial::power(self.ring.coordinates.len(), 2);
+        let mut slope = Laurent::number(Rational::one());
+        slope.add_term(own, &RationalFunction::constant(Rational::from(sign)));
+        self.function(function, argument, slope)
     }
 
     /// A function with the slope (a + b u²)^(−1), or with the power −1/2 of that where

@@ -23,10 +23,14 @@ pub enum Function {
     Sin,
     /// cos u
     Cos,
+    /// tan u
+    Tan,
     /// sinh u
     Sinh,
     /// cosh u
     Cosh,
+    /// tanh u
+    Tanh,
     /// arcsin u
     Asin,
     /// arctan u

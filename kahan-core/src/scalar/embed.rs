@@ -37,7 +37,9 @@ impl EmbedScalar for f32 {
 
 /// The functions that first values are made of, the same on every processor.
 pub mod elementary {
-    pub use libm::{acosh, asin, asinh, atan, atanh, cbrt, cos, cosh, exp, log, pow, sin, sinh, sqrt};
+    pub use libm::{
+        acosh, asin, asinh, atan, atanh, cbrt, cos, cosh, exp, log, pow, sin, sinh, sqrt, tan, tanh,
+    };
 
     /// base^exponent by repeated squaring.
     #[must_use]

@@ -90,7 +90,9 @@ fn a_program_needs_nothing_but_the_packages() {
             program = Some(read(&path.join("README.md")));
         }
         // Cargo warns of a patch that nothing uses.
-        if ["kahan-algebra", "kahan-core", "kahan-derive", "kahan-emit", "kahan-syntax"].contains(&name) {
+        if ["kahan-algebra", "kahan-core", "kahan-derive", "kahan-emit", "kahan-lift", "kahan-syntax"]
+            .contains(&name)
+        {
             manifest += &format!("{name} = {{ path = {path:?} }}\n");
         }
     }

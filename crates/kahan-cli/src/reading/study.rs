@@ -2,13 +2,13 @@
 //! option to change.
 
 use kahan_algebra::rational::Rational;
-use kahan_study::{Axis, MOST_VARIABLES, Study, StudyError, Subject, Systems};
+use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, Systems};
 
 use super::block::Block;
 use super::points::{first_point, only, point, points};
 use super::source::{Source, Start};
 use super::values::{number, refused};
-use crate::printing::Refusal;
+use crate::printing::{Refusal, warn};
 
 impl Source {
     /// The field with its given parameters.
@@ -29,6 +29,7 @@ impl Source {
     fn proved_over(&self, at: Option<&str>, axes: &[Axis]) -> Result<Study, Refusal> {
         let study = self.study_of(self.subject()?, at, axes)?;
         study.proved()?;
+        study.lift().and_then(Lift::warning).iter().for_each(|note| warn(note));
         Ok(study)
     }
 
