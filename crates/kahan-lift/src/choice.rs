@@ -185,7 +185,8 @@ impl<'a> Judged<'a> {
                     relation.0.keys().filter(|(left, right)| new(left) || new(right)).count()
                 };
                 let relations = self.candidate.relations.iter().filter(|one| one.0.contains_key(&own));
-                let relation = relations.min_by_key(|relation| others(relation))?;
+                // Functions without an algebraic relation stay as they are.
+                let Some(relation) = relations.min_by_key(|relation| others(relation)) else { continue };
                 let scale = RationalFunction::constant(-&damping).checked_div(&relation.0[&own])?;
                 equation.add_scaled(relation, &scale);
             }
