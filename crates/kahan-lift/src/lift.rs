@@ -16,6 +16,7 @@ use kahan_algebra::token::{Span, Token};
 use crate::candidates::{energy_candidates, field_of, modified, ordinary_candidates};
 use crate::choice::{Judged, Which, choose};
 use crate::embedding::{Builder, Embedding};
+use crate::energy::Mechanical;
 use crate::equations::Equations;
 use crate::exact;
 use crate::laurent::{Laurent, Monomial};
@@ -125,6 +126,14 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         candidates = energy_candidates(&equations, budget, options.orbit.is_some());
     }
     if candidates.is_empty() && options.which == Which::Energy {
+        if Mechanical::recognise(&equations.ring).is_some() {
+            let help = "leave `=energy` away, or approximate the potential by a simpler one";
+            return Err(nothing(
+                Kind::NotAPolynomial,
+                "no energy lift of this mechanical system was found within the budget",
+                help,
+            ));
+        }
         let help =
             "the energy lift is for x' = p, p' = -grad V(x) with constant masses; leave `=energy` away";
         return Err(nothing(Kind::NotAPolynomial, "this is not a mechanical system with a potential", help));
