@@ -57,7 +57,7 @@ pub enum Rule {
 /// A quadratic or linear integral of the flow, and what Kahan's map keeps in its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModifiedIntegral {
-    /// Why it is kept.
+    /// The theorem that says that it is kept.
     pub rule: Rule,
     /// The integral I of the flow, a polynomial in states and parameters of degree at most two in
     /// the states.
@@ -70,7 +70,7 @@ pub struct ModifiedIntegral {
 /// integrals, then one of the I of the polarisation rule but for products of these, then those of
 /// the rotation rule for each m. They are linearly independent, and functionally most often.
 ///
-/// What would take more than a bounded amount of work is left out.
+/// Integrals that would take more than a bounded amount of work are left out.
 #[must_use]
 pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     let Ok(flow) = Flow::of(field, &mut budget()) else { return Vec::new() };
@@ -81,9 +81,10 @@ pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
     found
 }
 
-/// What Kahan's map keeps in the place of an integral of the flow, of degree at most two in the
-/// states; `None` where neither theorem applies, or beyond a bounded amount of work. The rotation
-/// rule may change the constant term, which makes a denominator without states a factor.
+/// Returns the function that Kahan's map keeps in the place of an integral of the flow, which has
+/// degree at most two in the states; `None` where neither theorem applies, or beyond a bounded
+/// amount of work. The rotation rule may change the constant term, which makes a denominator without
+/// states a factor.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
@@ -94,7 +95,7 @@ fn budget() -> Budget {
     Budget::new(MOST_TERMS, MOST_WORK)
 }
 
-/// Why a theorem gives nothing.
+/// The reason for which a theorem gives nothing.
 #[derive(Clone, Copy, Debug)]
 enum No {
     /// Its premises do not hold.

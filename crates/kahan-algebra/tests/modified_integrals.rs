@@ -1,4 +1,4 @@
-//! What the rules of polarisation and rotation give is kept by the map, to the last digit.
+//! The map keeps the formulas of the rules of polarisation and rotation, to the last digit.
 
 use kahan_algebra::arithmetic::Exact;
 use kahan_algebra::field::Field;

@@ -18,7 +18,7 @@ use kahan_algebra::{lexer, read, read_unproved};
 
 use crate::writing::{is_product, quotient, state_factors};
 
-/// What comparing a formula with its text may cost.
+/// The most work for the comparison of a formula with its text.
 const MOST_TERMS: usize = 100_000;
 const MOST_WORK: u64 = 10_000_000;
 

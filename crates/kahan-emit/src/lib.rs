@@ -107,7 +107,7 @@ pub fn expand(core: &TokenStream, block: TokenStream) -> Expansion {
     Expansion { name: name(block.checked.header()), tokens: emit(core, block, &input) }
 }
 
-/// What was read of a block.
+/// A block as it was read.
 struct Read {
     checked: Checked,
     /// Where it asks for a lift.

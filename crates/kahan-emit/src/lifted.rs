@@ -24,7 +24,7 @@ use super::{Context, docs};
 /// The nodes of a search: few enough for an unoptimised macro, and the same in every build.
 const NODES: usize = 200;
 
-/// What is known of a lifted block besides its system.
+/// The facts on a lifted block beside its system.
 pub(super) struct Lifted {
     /// The number of original states, a lifted `t` among them.
     pub(super) states: usize,

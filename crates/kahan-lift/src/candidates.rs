@@ -237,7 +237,7 @@ fn with_potential(
     Some(Candidate { energy: Some(energy), ..found })
 }
 
-/// What the map keeps in the place of a quadratic integral.
+/// Returns the function that the map keeps in the place of a quadratic integral.
 pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
     let integral = integral.component(field.dimension());
     modified_integral(field, integral.numerator())

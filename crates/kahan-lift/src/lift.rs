@@ -26,7 +26,7 @@ use crate::quadratic::Quadratic;
 use crate::ring::{Function, Meaning, Ring};
 use crate::stability::{LARGEST_EXPONENT, Orbit};
 
-/// What the choice between lifts is made from.
+/// The wish, the orbit and the budget from which a lift is chosen.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Which lift is wanted.
@@ -51,7 +51,7 @@ pub struct NewVariable {
     value: Option<Laurent>,
 }
 
-/// What becomes of a relation along an orbit of the map.
+/// The fate of a relation along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
     /// The map keeps a formula exactly.
@@ -71,9 +71,9 @@ pub enum Along {
 pub struct Relation {
     /// The function that is 0 where the relation holds, as text.
     pub text: String,
-    /// What becomes of it along the orbit that was given; kept without an orbit, too.
+    /// Its fate along the orbit that was given; without an orbit, `Kept` or nothing.
     pub along: Option<Along>,
-    /// What the map keeps exactly, as text.
+    /// The function that the map keeps exactly, as text.
     pub formula: Option<String>,
     /// The exponent of its linearised error along the orbit, per unit of time.
     pub rate: Option<f64>,
@@ -97,13 +97,13 @@ pub struct Lift {
     pub field: Field,
     /// Whether no smaller set of monomials makes the equations quadratic.
     pub is_optimal: bool,
-    /// Why this lift was chosen.
+    /// The reason for the choice of this lift.
     pub chosen: String,
     /// The relations between the variables.
     pub relations: Vec<Relation>,
     /// The energy that the map keeps exactly.
     pub energy: Option<String>,
-    /// What a user should know of: points where a new variable is infinite though the equations are
+    /// Warnings: points where a new variable is infinite though the equations are
     /// not, and errors of the phases of periodic forces.
     pub notes: Vec<String>,
     ring: Ring,
@@ -255,7 +255,7 @@ fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
     Some(format!("{name} = {}", writer.polynomial(&Laurent::constant(value), &Text)))
 }
 
-/// What a user should know of the new variables.
+/// Returns the warnings on the new variables.
 fn notes(ring: &Ring, new: &[Option<Laurent>], writer: &Writer<'_>) -> Vec<String> {
     let occurs = |index: usize, sign: i16| {
         let mut monomials = new.iter().flatten().flat_map(Laurent::terms);

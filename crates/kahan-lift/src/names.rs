@@ -31,7 +31,7 @@ impl Function {
     }
 }
 
-/// What coordinates are called and how they are written.
+/// Writes coordinates and monomials, as names and as expressions.
 #[derive(Debug)]
 pub(crate) struct Writer<'a> {
     pub(crate) ring: &'a Ring,

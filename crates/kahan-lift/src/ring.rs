@@ -43,7 +43,7 @@ pub enum Function {
     Atanh,
 }
 
-/// What a coordinate stands for.
+/// The function that a coordinate stands for.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Meaning {
     /// The state with this index.
@@ -74,7 +74,7 @@ impl Meaning {
 /// A coordinate z = F(u).
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate {
-    /// What it stands for.
+    /// Its meaning.
     pub meaning: Meaning,
     /// F′(u) as a polynomial in coordinates; 1 for a state.
     pub slope: Laurent,
@@ -205,7 +205,7 @@ impl Ring {
         self.rewritten(monomial).is_none()
     }
 
-    /// What a monomial is rewritten to by one rule; `None` if it is in normal form.
+    /// Rewrites a monomial by one rule; `None` if it is in normal form.
     fn rewritten(&self, monomial: &Monomial) -> Option<Laurent> {
         self.rules.iter().find_map(|rule| match rule {
             Rule::Replace(from, to) => {

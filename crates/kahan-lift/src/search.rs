@@ -15,7 +15,7 @@ use crate::laurent::{Laurent, Monomial};
 use crate::ring::{Meaning, Ring};
 use crate::table::{Id, Table};
 
-/// What the search starts from.
+/// The variables and the monomials from which the search starts.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Problem {
     /// Monomials that are variables already: the states.

@@ -10,7 +10,7 @@ use crate::ring::Ring;
 /// The number of a monomial.
 pub(crate) type Id = u32;
 
-/// What is known of a monomial.
+/// A monomial with its normal form and its derivative.
 #[derive(Clone, Debug)]
 struct Entry {
     monomial: Monomial,

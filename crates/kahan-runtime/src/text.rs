@@ -122,7 +122,7 @@ impl FieldText {
         self.accept(self.unproved().clone().system())
     }
 
-    /// What a reader makes of the tokens of the block.
+    /// Returns what a reader makes of the tokens of the block.
     ///
     /// # Errors
     /// The reader's mistakes, at their places in the text.

@@ -91,7 +91,7 @@ impl Lifted {
             false => (0..states).collect(),
         };
         let shown = places.iter().map(|&place| lift.variables()[place].clone()).collect();
-        // What is quadratic stays as it was written, with its claims.
+        // A quadratic text stays as it was written, with its claims.
         let as_written =
             (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
         let (text, system) = match as_written {
@@ -237,7 +237,7 @@ impl Study {
         self.embed_at(at, values, self.time().to_f64())
     }
 
-    /// The same at a time.
+    /// All variables at a point and a time.
     #[must_use]
     pub fn embed_at(&self, at: &[f64], values: &[f64], time: f64) -> Vec<f64> {
         match self.lifted() {
@@ -334,7 +334,7 @@ impl Study {
         Ok(drifts.collect())
     }
 
-    /// What there is to say of the lift; `None` where the field was not lifted. With a start the
+    /// Describes the lift; `None` where the field was not lifted. With a start the
     /// relations are watched along its orbit at `eps`, or at 0.01.
     ///
     /// # Errors
@@ -402,7 +402,7 @@ pub struct LiftFound {
     pub order: usize,
     /// Whether no lift of its class has fewer new variables.
     pub optimal: bool,
-    /// Why this lift was chosen.
+    /// The reason for the choice of this lift.
     pub chosen: String,
     /// The relations between the variables.
     pub relations: Vec<RelationFound>,
@@ -448,7 +448,7 @@ fn finite<S: Serializer>(rate: &Option<f64>, serializer: S) -> Result<S::Ok, S::
     rate.filter(|rate| rate.is_finite()).serialize(serializer)
 }
 
-/// What becomes of a relation along an orbit of the map.
+/// The fate of a relation along an orbit of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {

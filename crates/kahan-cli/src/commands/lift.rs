@@ -75,7 +75,7 @@ impl Lift {
     }
 }
 
-/// What becomes of a relation, in words.
+/// The fate of a relation, in words.
 fn fate(relation: &RelationFound) -> String {
     let rate = relation.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));
     match (relation.along, &relation.formula) {

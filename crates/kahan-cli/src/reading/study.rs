@@ -16,7 +16,7 @@ impl Source {
         self.study_at(None)
     }
 
-    /// The same, where a lift is chosen for the orbit of this point.
+    /// The field with its given parameters, where a lift is chosen for the orbit of this point.
     pub(crate) fn study_at(&self, at: Option<&str>) -> Result<Study, Refusal> {
         self.study_of(self.subject()?, at, &[])
     }

@@ -26,7 +26,7 @@ fn rows(arguments: &[&str]) -> (String, Vec<Vec<f64>>) {
     (heading, lines.map(numbers).collect())
 }
 
-/// What becomes of the relations, as words.
+/// The fates of the relations, as words.
 fn fates(object: &Value) -> Vec<&str> {
     let relations = object["relations"].as_array().expect("a list");
     relations.iter().map(|relation| relation["along"].as_str().unwrap_or("null")).collect()
