@@ -85,7 +85,7 @@ impl Verify {
     }
 }
 
-/// The columns that `--all` adds.
+/// The help of `--all`.
 const ALL: &str = "Show every claim with its statement, its source and its time";
 
 /// What there is to say of a block without claims.
