@@ -20,8 +20,9 @@
 ///   from the scope.
 ///
 /// A block that begins with `lift` may have functions, quotients and any powers:
-/// `lift pub struct Pendulum { g }`, or `lift;` without a header. The macro finds new variables with
-/// which its equations are quadratic; `embed` and `project` lead from states to points and back.
+/// `lift pub struct Pendulum { g }`, or `lift;` without a header. The macro finds new variables
+/// with which its equations are quadratic; `embed` and `project` lead from states to points and
+/// back.
 ///
 /// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an
 /// invariant measure, `bracket` a Poisson tensor. They are proved while compiling, and a false

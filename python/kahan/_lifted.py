@@ -42,7 +42,7 @@ class Lifted(Answer):
     order: int
     """The number of new variables; ``t`` is not counted."""
     optimal: bool
-    """Whether no lift of its class has fewer."""
+    """Whether the search for fewer new variables was complete and found none."""
     chosen: str
     """Why this lift was chosen."""
     variables: list[str]
@@ -52,7 +52,7 @@ class Lifted(Answer):
     field: str
     """The quadratic field in the language of ``kahan!``, with what its map keeps."""
     relations: list[Answer]
-    """Of each relation ``relation``, what becomes of it ``along`` the orbit, ``formula`` and ``rate``."""
+    """For each relation: ``relation``, its fate ``along`` the orbit, ``formula``, ``rate``."""
     energy: str | None
     """What the map keeps in the place of the energy."""
 

@@ -236,7 +236,8 @@ impl Field {
     }
 
     /// Points of all variables, of the shape (…, all variables), at points of shape (…, variables)
-    /// or of the original ones, at a time. `parameters` has for each parameter a number, one a point, or
+    /// or of the original ones, at a time. `parameters` has for each parameter a number, one a
+    /// point, or
     /// `None` for the field's own.
     #[pyo3(name = "_embedded", signature = (x, parameters = Vec::new(), time = None))]
     pub(crate) fn embedded<'py>(

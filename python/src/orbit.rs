@@ -140,7 +140,7 @@ impl Field {
         self.stepped_whole(x, eps, out, checked)
     }
 
-    /// The same of a lifted field: from points of its original variables to such points.
+    /// Steps points of a lifted field, given and returned in its original variables.
     fn stepped_between<'py>(
         &self,
         x: &Bound<'py, PyAny>,

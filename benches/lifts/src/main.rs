@@ -138,7 +138,8 @@ impl System {
         solver.y_out().last().expect("the end is put out").as_slice().to_vec()
     }
 
-    /// The state at the end by so many steps of a composition of Störmer and Verlet's method.
+    /// Returns the state at the end after `steps` steps of Störmer and Verlet's method, composed
+    /// with these weights.
     fn verlet(&self, steps: u64, weights: &[f64]) -> Vec<f64> {
         let n = self.start.len() / 2;
         let mut x = self.start.to_vec();
@@ -171,7 +172,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
 }
 
-/// Seconds, and the result.
+/// Runs several times; returns the least time in seconds and the result.
 fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     let mut least = f64::INFINITY;
     let mut result = Vec::new();
@@ -183,7 +184,8 @@ fn timed(run: impl Fn() -> Vec<f64>) -> (f64, Vec<f64>) {
     (least, result)
 }
 
-/// The least time for each tolerance over runs with ever finer settings.
+/// Returns, for each tolerance, the least time of a run whose error is within it. Settings become
+/// finer from run to run.
 fn cheapest(reference: &[f64], runs: impl Iterator<Item = (f64, Vec<f64>)>) -> [f64; 3] {
     let mut least = [f64::INFINITY; 3];
     for (seconds, end) in runs {

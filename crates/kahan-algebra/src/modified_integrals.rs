@@ -31,8 +31,8 @@ use crate::rational_function::RationalFunction;
 use crate::symbols::Symbols;
 use linear_relations::{Relation, common_multiple, linear_relations};
 
-/// The most terms of a formula, and the work for each theorem: lifted chains of hundreds of variables
-/// are far from it.
+/// The most terms of a formula, and the work for each theorem: lifted chains of hundreds of
+/// variables are far from it.
 const MOST_TERMS: usize = 20_000;
 const MOST_WORK: u64 = 4_000_000;
 
@@ -83,8 +83,8 @@ pub fn modified_integrals(field: &Field) -> Vec<ModifiedIntegral> {
 
 /// Returns the function that Kahan's map keeps in the place of an integral of the flow, which has
 /// degree at most two in the states; `None` where neither theorem applies, or beyond a bounded
-/// amount of work. The rotation rule may change the constant term, which makes a denominator without
-/// states a factor.
+/// amount of work. The rotation rule may change the constant term, which makes a denominator
+/// without states a factor.
 #[must_use]
 pub fn modified_integral(field: &Field, integral: &Polynomial) -> Option<ModifiedIntegral> {
     let flow = Flow::of(field, &mut budget()).ok()?;
@@ -395,7 +395,7 @@ impl<'a> Flow<'a> {
         if delta.is_zero() || symbols.has_state(above) || symbols.has_state(below) {
             return Err(No::Rule);
         }
-        // What is left of u̇/m + δy: 0, but for the constant term of I.
+        // u̇/m + δy, which is 0 except in the constant term of I.
         let mut rest = Vec::with_capacity(forms.len());
         for (form, turned) in forms.iter().zip(&second) {
             let turned = turned.mul_within(below, budget)?;

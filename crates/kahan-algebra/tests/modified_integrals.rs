@@ -257,7 +257,7 @@ fn what_polarisation_finds_is_kept_by_random_fields() {
         let all = modified_integrals(&system.field);
         assert_eq!(all.len(), 1, "{components:?}: {all:?}");
         check_limit(&system.field, &all[0]);
-        // With one coefficient changed there is none.
+        // A field with one other coefficient keeps none.
         components[0] = &components[0] + &(&state(1) * &state(2));
         assert!(modified_integrals(&system_of(&symbols, &components).field).is_empty(), "{components:?}");
     }

@@ -1,8 +1,8 @@
 //! Formulas as claims in the language of `kahan!`: written, read again, and proved.
 //!
 //! What is printed is what was proved: the text of the claim is parsed behind the equations of the
-//! field and goes through the prover of claims, or states exactly a formula that a theorem proves. A
-//! formula that does not pass is not returned.
+//! field and goes through the prover of claims, or states exactly a formula that a theorem proves.
+//! A formula that does not pass is not returned.
 
 use std::slice::from_ref;
 

@@ -41,7 +41,7 @@ pub fn is_even(searched: &SearchField, random: &mut SplitMix64) -> bool {
     })
 }
 
-/// In so many variables all integrals of degree 2 are found within seconds.
+/// The most variables in which the search finds all integrals of degree 2 within seconds.
 const FEW_VARIABLES: usize = 10;
 
 /// Integrals P/Q of the map that the field shows by linear algebra alone.

@@ -12,8 +12,8 @@ fn lines(report: &Report) -> Vec<&str> {
     report.integrals.iter().map(|formula| formula.text.as_str()).collect()
 }
 
-/// The integrals of the report up to degree 2, so many of them told in the first stage; all claims
-/// hold behind the equations.
+/// Checks the integrals of the report up to degree 2, of which the first stage tells `at_once`, and
+/// that all claims hold when they stand behind the equations.
 fn check(text: &str, options: Options, at_once: usize, expected: &[&str]) {
     let options = Options { degree: Some(2), iterates: 4, seconds: 3600.0, ..options };
     let report = discover(&system(text), &options, &Recording::default()).expect("there is a map");

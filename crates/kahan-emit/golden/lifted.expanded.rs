@@ -9,7 +9,7 @@
 /// cos_xdot = -v*sin_x
 /// ```
 ///
-/// It was chosen because its map keeps the energy exactly. Its new variables:
+/// Reason for this lift: its map keeps the energy exactly. Its new variables:
 ///
 /// ```text
 /// sin_x = sin(x)

@@ -80,7 +80,7 @@ pub(super) fn system(context: &Context<'_>, follows: bool) -> TokenStream {
 
 /// The new variables of a lift, the relations between its variables, and what the map keeps.
 fn push_lift(lines: &mut Vec<String>, lift: &Lift) {
-    let title = format!("It was chosen because {}. Its new variables:", lift.chosen);
+    let title = format!("Reason for this lift: {}. Its new variables:", lift.chosen);
     let new = lift.new.iter().map(|new| {
         let expression = new.expression.as_deref().unwrap_or("the work done since the start, 0 there");
         format!("{} = {expression}", new.name)

@@ -18,12 +18,20 @@ use crate::quadratic::{Products, Quadratic};
 use crate::ring::Ring;
 use crate::search::{Problem, founded, search};
 
-/// More parameters than a field has.
-const MOST_PARAMETERS: usize = 1_000;
 /// The most sets of new variables of one size that are judged.
 const MOST_SETS: usize = 8;
 
-/// A lift with one form of its equations.
+/// How far a search goes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Effort {
+    /// The most nodes.
+    pub(crate) nodes: usize,
+    /// Whether lifts of one more variable than the least number are wanted, and lifts in which each
+    /// variable has a relation of its own.
+    pub(crate) surplus: bool,
+}
+
+/// A set of new variables with the forms of its equations.
 #[derive(Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Ring,
@@ -38,30 +46,33 @@ pub(crate) struct Candidate {
 }
 
 /// The lifts of the least order and of one more.
-pub(crate) fn ordinary_candidates(equations: &Equations, budget: usize, surplus: bool) -> Vec<Candidate> {
+pub(crate) fn ordinary_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
+    let surplus = usize::from(effort.surplus);
     let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
     let found: Vec<_> = rings
         .into_iter()
         .flatten()
         .filter_map(|ring| {
-            let found = search(&ring, &equations.problem_in(&ring), budget, usize::from(surplus))?;
+            let found = search(&ring, &equations.problem_in(&ring), effort.nodes, surplus)?;
             Some((ring, found))
         })
         .collect();
     let least = found.iter().map(|(_, found)| found.sets[0].len()).min().unwrap_or(0);
     let mut candidates = Vec::new();
     for (ring, found) in &found {
-        for size in least..=least + usize::from(surplus) {
+        for size in least..=least + surplus {
             let sets = found.sets.iter().filter(|set| set.len() == size).take(MOST_SETS);
             candidates.extend(sets.filter_map(|set| {
                 let new = set.iter().cloned().map(Laurent::from).collect();
-                candidate(ring, new, found.is_optimal && size == least, &BTreeMap::new())
+                ordinary(ring, new, found.is_optimal && size == least)
             }));
         }
     }
-    if surplus && let Some(set) = founded(&equations.ring, &equations.problem_in(&equations.ring)) {
+    if effort.surplus
+        && let Some(set) = founded(&equations.ring, &equations.problem_in(&equations.ring))
+    {
         let new = set.into_iter().map(Laurent::from).collect();
-        candidates.extend(candidate(&equations.ring, new, false, &BTreeMap::new()));
+        candidates.extend(ordinary(&equations.ring, new, false));
     }
     candidates.sort_by_key(|candidate| candidate.new.len());
     candidates
@@ -72,29 +83,24 @@ fn variables(ring: &Ring, new: &[Laurent]) -> Vec<Laurent> {
     (0..ring.field.len()).map(Laurent::coordinate).chain(new.iter().cloned()).collect()
 }
 
-fn candidate(
-    ring: &Ring,
-    new: Vec<Laurent>,
-    is_optimal: bool,
-    fixed: &BTreeMap<usize, Quadratic>,
-) -> Option<Candidate> {
+fn ordinary(ring: &Ring, new: Vec<Laurent>, is_optimal: bool) -> Option<Candidate> {
     let variables = variables(ring, &new);
     let products = Products::new(ring, &variables);
-    let forms = products.forms(ring.field.len(), fixed)?;
-    let relations = products.relations.clone();
+    let forms = products.forms(ring.field.len(), &BTreeMap::new())?;
     let new = new.into_iter().map(Some).collect();
+    let relations = products.relations;
     Some(Candidate { ring: ring.clone(), new, forms, relations, is_optimal, energy: None })
 }
 
 /// Lifts of a mechanical system whose map keeps an energy: of the least order and, where more than
 /// that is wanted, of one more, and lifts in which each variable has a relation of its own.
-pub(crate) fn energy_candidates(equations: &Equations, budget: usize, surplus: bool) -> Vec<Candidate> {
+pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
     let mut candidates = Vec::new();
     for ring in rings.iter().flatten() {
         for as_sums in [false, true] {
-            candidates.extend(energy_lifts(equations, ring, &mechanical, as_sums, (budget, surplus)));
+            candidates.extend(energy_lifts(equations, ring, &mechanical, as_sums, effort));
         }
     }
     candidates.sort_by_key(|one: &Candidate| one.new.len());
@@ -108,7 +114,7 @@ fn energy_lifts(
     ring: &Ring,
     mechanical: &Mechanical,
     as_sums: bool,
-    (budget, surplus): (usize, bool),
+    effort: Effort,
 ) -> Vec<Candidate> {
     let states = ring.field.len();
     let is_state =
@@ -135,7 +141,9 @@ fn energy_lifts(
             None => problem.sums.push(force.clone()),
         }
     }
-    let Some(found) = search(ring, &problem, budget, usize::from(surplus)) else { return Vec::new() };
+    let Some(found) = search(ring, &problem, effort.nodes, usize::from(effort.surplus)) else {
+        return Vec::new();
+    };
     let least = found.sets[0].len();
     let lift = |set: &Vec<Monomial>| {
         let mut new = [forces.clone(), set.iter().cloned().map(Laurent::from).collect()].concat();
@@ -150,10 +158,11 @@ fn energy_lifts(
                 index += 1;
             }
         }
-        with_potential(ring, mechanical, new, found.is_optimal && set.len() == least)
+        let is_optimal = found.is_optimal && set.len() == least;
+        with_potential(ring, mechanical, new, is_optimal, equations.parameters.len())
     };
     let of_size = |size: usize| found.sets.iter().filter(move |set| set.len() == size).take(MOST_SETS / 2);
-    let founded = surplus.then(|| founded(ring, &problem)).flatten();
+    let founded = effort.surplus.then(|| founded(ring, &problem)).flatten();
     of_size(least).chain(of_size(least + 1)).chain(&founded).filter_map(lift).collect()
 }
 
@@ -163,6 +172,7 @@ fn with_potential(
     mechanical: &Mechanical,
     new: Vec<Laurent>,
     is_optimal: bool,
+    parameters: usize,
 ) -> Option<Candidate> {
     let states = ring.field.len();
     let is_quadratic = |monomial: &Monomial| {
@@ -220,21 +230,26 @@ fn with_potential(
             }
         }
     }
-    let mut found = candidate(ring, new, is_optimal, &fixed)?;
+    let mut forms = products.forms(states, &fixed)?;
     let one = RationalFunction::one();
-    if let Some(affine) = curved.as_ref().and_then(|curved| products.affine(curved)) {
+    let mut new: Vec<Option<Laurent>> = new.iter().cloned().map(Some).collect();
+    let with_curved = curved.as_ref().and_then(|curved| products.affine(curved)).map(|affine| {
         let mut energy = energy.clone();
         energy.add_scaled(&affine, &one);
-        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(form, MOST_PARAMETERS), &energy).is_some();
-        let forms: Vec<Vec<Quadratic>> = found.forms.iter().filter(keeps).cloned().collect();
-        if !forms.is_empty() {
-            return Some(Candidate { energy: Some(energy), forms, ..found });
+        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(form, parameters), &energy).is_some();
+        let kept: Vec<Vec<Quadratic>> = forms.iter().filter(keeps).cloned().collect();
+        (energy, kept)
+    });
+    match with_curved.filter(|(_, kept)| !kept.is_empty()) {
+        Some((with_curved, kept)) => (energy, forms) = (with_curved, kept),
+        None => {
+            energy.add_scaled(&Quadratic::multiple(states + new.len(), &one), &one);
+            forms.iter_mut().for_each(|form| form.push(power.clone()));
+            new.push(curved);
         }
     }
-    energy.add_scaled(&Quadratic::multiple(states + found.new.len(), &one), &one);
-    found.forms.iter_mut().for_each(|form| form.push(power.clone()));
-    found.new.push(curved);
-    Some(Candidate { energy: Some(energy), ..found })
+    let relations = products.relations;
+    Some(Candidate { ring: ring.clone(), new, forms, relations, is_optimal, energy: Some(energy) })
 }
 
 /// Returns the function that the map keeps in the place of a quadratic integral.

@@ -130,7 +130,7 @@ pub(crate) fn choose<'a>(
     let (stable, others): (Vec<_>, Vec<_>) =
         judged.into_iter().partition(|one| one.growth.is_some_and(|growth| growth.is_stable()));
     if !stable.is_empty() {
-        let chosen = "errors of its relations do not grow along the orbit, and no smaller lift has that";
+        let chosen = "errors of its relations do not grow along the orbit";
         return Some((best(stable)?, chosen.to_owned()));
     }
     for one in &others {
@@ -195,8 +195,8 @@ impl<'a> Judged<'a> {
         [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
     }
 
-    /// Whether the map keeps one relation for each new variable, and one for each pair of a sine and
-    /// a cosine.
+    /// Whether the map keeps one relation for each new variable, and one for each pair of a sine
+    /// and a cosine.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
         let is_cosine = |value: &Option<Laurent>| {

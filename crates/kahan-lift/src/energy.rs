@@ -95,8 +95,8 @@ fn dependencies(ring: &Ring, polynomial: &Laurent, into: &mut BTreeSet<usize>) {
     }
 }
 
-/// Positions, whose derivatives are linear in momenta, and as many momenta, whose derivatives depend
-/// on positions only.
+/// Positions, whose derivatives are linear in momenta, and as many momenta, whose derivatives
+/// depend on positions only.
 fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
     let states = ring.field.len();
     let uses = |state: usize| {
@@ -137,8 +137,8 @@ fn along(ring: &Ring, state: usize) -> Ring {
     ring
 }
 
-/// A symmetric matrix S for which −A⁻ᵀSG is a gradient: A itself if it is symmetric, else a diagonal
-/// matrix, else any.
+/// A symmetric matrix S for which −A⁻ᵀSG is a gradient: A itself if it is symmetric, else a
+/// diagonal matrix, else any.
 fn kinetic_energy(
     ring: &Ring,
     partials: &[Ring],

@@ -13,7 +13,7 @@ use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::token::{Span, Token};
 
-use crate::candidates::{energy_candidates, field_of, modified, ordinary_candidates};
+use crate::candidates::{Effort, energy_candidates, field_of, modified, ordinary_candidates};
 use crate::choice::{Judged, Which, choose};
 use crate::embedding::{Builder, Embedding};
 use crate::energy::Mechanical;
@@ -40,6 +40,7 @@ pub struct Options {
 
 /// The nodes of a search where none are given.
 const NODES: usize = 20_000;
+
 /// A variable of a lift beyond the states.
 #[derive(Clone, Debug)]
 pub struct NewVariable {
@@ -75,8 +76,12 @@ pub struct Relation {
     pub along: Option<Along>,
     /// The function that the map keeps exactly, as text.
     pub formula: Option<String>,
-    /// The exponent of its linearised error along the orbit, per unit of time.
+    /// The largest exponent of the linearised errors of all relations along the orbit, per unit of
+    /// time.
     pub rate: Option<f64>,
+    /// The place among the new variables of the one that the relation defines, where it defines
+    /// one.
+    pub defines: Option<usize>,
 }
 
 /// A quadratic field that is equivalent to the equations where its new variables have the values
@@ -95,7 +100,8 @@ pub struct Lift {
     pub new: Vec<NewVariable>,
     /// The quadratic field, in the states and the new variables.
     pub field: Field,
-    /// Whether no smaller set of monomials makes the equations quadratic.
+    /// Whether the search for a smaller set of monomials was complete and found none. It covers
+    /// sets in which each missing monomial is a product of two variables.
     pub is_optimal: bool,
     /// The reason for the choice of this lift.
     pub chosen: String,
@@ -117,29 +123,31 @@ pub struct Lift {
 /// the budget.
 pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
-    let budget = if options.budget == 0 { NODES } else { options.budget };
+    let nodes = if options.budget == 0 { NODES } else { options.budget };
     let nothing = |kind, message: &str, help: &str| {
-        vec![Diagnostic::new(kind, Span::token(0), message.to_owned(), help.to_owned())]
+        Err(vec![Diagnostic::new(kind, Span::token(0), message.to_owned(), help.to_owned())])
     };
     let mut candidates = Vec::new();
     if matches!(options.which, Which::Automatic | Which::Energy) && !equations.has_time {
-        candidates = energy_candidates(&equations, budget, options.orbit.is_some());
+        candidates = energy_candidates(&equations, Effort { nodes, surplus: options.orbit.is_some() });
     }
     if candidates.is_empty() && options.which == Which::Energy {
-        if Mechanical::recognise(&equations.ring).is_some() {
-            let help = "leave `=energy` away, or approximate the potential by a simpler one";
-            return Err(nothing(
-                Kind::NotAPolynomial,
+        let (message, help) = if Mechanical::recognise(&equations.ring).is_some() {
+            (
                 "no energy lift of this mechanical system was found within the budget",
-                help,
-            ));
-        }
-        let help =
-            "the energy lift is for x' = p, p' = -grad V(x) with constant masses; leave `=energy` away";
-        return Err(nothing(Kind::NotAPolynomial, "this is not a mechanical system with a potential", help));
+                "leave `=energy` away, or approximate the potential by a simpler one",
+            )
+        } else {
+            (
+                "this is not a mechanical system with a potential",
+                "the energy lift is for x' = p, p' = -grad V(x) with constant masses; leave `=energy` away",
+            )
+        };
+        return nothing(Kind::NotAPolynomial, message, help);
     }
     if candidates.is_empty() {
-        candidates = ordinary_candidates(&equations, budget, options.which != Which::Smallest);
+        let surplus = options.which != Which::Smallest;
+        candidates = ordinary_candidates(&equations, Effort { nodes, surplus });
     }
     let numeric = options.orbit.as_ref().map(|(start, parameters)| {
         let numeric = Numeric::new(&equations.ring, parameters);
@@ -149,7 +157,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
     let count = equations.parameters.len();
     let Some((judged, chosen)) = choose(&candidates, options.which, numeric.as_ref(), count) else {
         let help = "write a part of the equations as a state of its own, or approximate it by a polynomial";
-        return Err(nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help));
+        return nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help);
     };
     Ok(described(&equations, &judged, chosen))
 }
@@ -200,6 +208,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
             along: Some(Along::Kept),
             formula: Some(fraction(&kept.of_map)),
             rate: None,
+            defines: None,
         })
         .collect();
     let states = equations.states.len();
@@ -223,6 +232,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
             along,
             formula: None,
             rate: judged.growth.map(|growth| growth.exponent),
+            defines: Some(index),
         });
     }
     let energy = judged.candidate.energy.as_ref().and_then(|energy| modified(&field, energy));

@@ -8,7 +8,6 @@ use std::collections::BTreeMap;
 
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational_function::RationalFunction;
-use rustc_hash::FxHashMap;
 
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::Ring;
@@ -100,8 +99,9 @@ impl Quadratic {
 pub(crate) struct Products<'a> {
     ring: &'a Ring,
     variables: &'a [Laurent],
-    direct: FxHashMap<Monomial, Vec<Pair>>,
-    derived: FxHashMap<Monomial, Quadratic>,
+    /// In order, as relations are numbered in answers.
+    direct: BTreeMap<Monomial, Vec<Pair>>,
+    derived: BTreeMap<Monomial, Quadratic>,
     /// Polynomials between the variables that are 0.
     pub relations: Vec<Quadratic>,
 }
@@ -112,8 +112,8 @@ impl<'a> Products<'a> {
         let mut products = Products {
             ring,
             variables,
-            direct: FxHashMap::default(),
-            derived: FxHashMap::default(),
+            direct: BTreeMap::new(),
+            derived: BTreeMap::new(),
             relations: Vec::new(),
         };
         let one = Laurent::from(Monomial::one());
@@ -260,7 +260,7 @@ impl<'a> Products<'a> {
                 None => self.ways(&self.ring.derivative(variable), index, states)?,
             });
         }
-        self.add_product_rules(&mut ways);
+        self.add_product_rules(&mut ways, states);
         let mut forms: Vec<Vec<Quadratic>> = vec![Vec::new()];
         let mut left: usize = MOST_FORMS;
         for ways in ways {
@@ -275,9 +275,10 @@ impl<'a> Products<'a> {
     }
 
     /// Puts the product rule (uv)′ = u′v + uv′ first among the ways of a variable that is a product
-    /// of variables whose equations are affine: its relation is then kept by the lifted field.
-    fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
-        for (index, variable) in self.variables.iter().enumerate() {
+    /// of variables whose equations are affine: the lifted field then keeps its relation. States
+    /// keep their equations.
+    fn add_product_rules(&self, ways: &mut [Vec<Quadratic>], states: usize) {
+        for (index, variable) in self.variables.iter().enumerate().skip(states) {
             let Some(monomial) = variable.as_monomial() else { continue };
             for &(left, right) in &self.direct[monomial] {
                 let (Some(left), Some(right)) = (left, right) else { continue };

@@ -322,15 +322,19 @@ impl Reader {
                 let slope = inverse(self, argument)?;
                 Ok(self.function(Function::Log, argument, slope))
             }
-            "atan" | "arctan" => self.inverse_function(Function::Atan, argument, [1, 1], -1, span),
-            "asin" | "arcsin" => self.inverse_function(Function::Asin, argument, [1, -1], 0, span),
+            "atan" | "arctan" => {
+                self.inverse_function(Function::Atan, argument, [1, 1], Rational::from(-1), span)
+            }
+            "asin" | "arcsin" => {
+                self.inverse_function(Function::Asin, argument, [1, -1], Rational::new(-1, 2), span)
+            }
             "acos" | "arccos" => {
                 let help = "write `asin`: acos(u) = pi/2 - asin(u)";
                 refuse(span, "`acos(…)` is not lifted", help)
             }
-            "asinh" => self.inverse_function(Function::Asinh, argument, [1, 1], 0, span),
-            "acosh" => self.inverse_function(Function::Acosh, argument, [-1, 1], 0, span),
-            "atanh" => self.inverse_function(Function::Atanh, argument, [1, -1], -1, span),
+            "asinh" => self.inverse_function(Function::Asinh, argument, [1, 1], Rational::new(-1, 2), span),
+            "acosh" => self.inverse_function(Function::Acosh, argument, [-1, 1], Rational::new(-1, 2), span),
+            "atanh" => self.inverse_function(Function::Atanh, argument, [1, -1], Rational::from(-1), span),
             "log2" | "log10" => {
                 refuse(span, format!("`{function}(…)` has an irrational factor"), "write `c*log(…)`")
             }
@@ -363,20 +367,18 @@ impl Reader {
         self.function(function, argument, slope)
     }
 
-    /// A function with the slope (a + b u²)^(−1), or with the power −1/2 of that where
-    /// `whole` is 0.
+    /// A function with the slope (a + b u²)^exponent.
     fn inverse_function(
         &mut self,
         function: Function,
         argument: &Laurent,
         [constant, square]: [i64; 2],
-        whole: i64,
+        exponent: Rational,
         span: Span,
     ) -> Read<Laurent> {
         let mut radicand = Laurent::number(Rational::from(constant));
         let squared = self.product(argument, argument, span)?;
         radicand.add_scaled(&squared, &RationalFunction::constant(Rational::from(square)));
-        let exponent = if whole == 0 { Rational::new(-1, 2) } else { Rational::from(whole) };
         let slope = self.power(&radicand, &exponent, span)?;
         Ok(self.function(function, argument, slope))
     }

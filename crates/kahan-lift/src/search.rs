@@ -34,7 +34,8 @@ pub(crate) struct Problem {
 pub(crate) struct Found {
     /// Sets in ascending order: of the least size that was found, then larger ones.
     pub sets: Vec<Vec<Monomial>>,
-    /// Whether no smaller set exists in the class that is searched.
+    /// Whether all smaller sets were tried in which each missing monomial is a product of two
+    /// variables.
     pub is_optimal: bool,
 }
 
@@ -94,7 +95,7 @@ struct Search<'a> {
     sets: Vec<Vec<Id>>,
 }
 
-/// Finds the smallest closed sets within a budget of nodes; `None` if there is none within it.
+/// Returns the smallest closed sets that a search of at most `budget` nodes finds, or `None`.
 /// Sets of `surplus` more variables are found as well.
 pub(crate) fn search(ring: &Ring, problem: &Problem, budget: usize, surplus: usize) -> Option<Found> {
     let mut search = Search::new(ring, problem, budget);

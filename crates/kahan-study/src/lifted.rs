@@ -27,8 +27,8 @@ use crate::study::Study;
 pub struct Lifting {
     /// Which lift is wanted.
     pub which: Which,
-    /// The first point of the orbit along which lifts are judged, in the original variables; the
-    /// text's own where there is none.
+    /// The first point of the orbit along which lifts are judged, in the original variables; by
+    /// default the first point that the text gives.
     pub start: Option<Vec<Rational>>,
     /// Values by which lifts are judged of parameters that have none.
     pub near: Vec<(String, Rational)>,
@@ -213,7 +213,8 @@ impl Study {
         self.lift().filter(|lift| lift.has_time).map(|lift| lift.states.len() - 1)
     }
 
-    /// The columns that an orbit shows, by their places among n, t, all variables and the integrals.
+    /// The columns that an orbit shows, by their places among n, t, all variables and the
+    /// integrals.
     pub(crate) fn columns_shown(&self, columns: usize) -> Vec<usize> {
         let Some(lifted) = self.lifted() else { return (0..columns).collect() };
         let time = self.time_place().map_or(1, |place| 2 + place);
@@ -362,14 +363,13 @@ impl Study {
             value,
         });
         let relations = lift.relations.iter().map(|relation| {
-            let of =
-                |name: &str| relation.text.strip_prefix(name).is_some_and(|rest| rest.starts_with(" - ("));
-            let drift = lift.new.iter().position(|new| of(&new.name)).and_then(|place| drifts.get(place));
+            let drift = relation.defines.and_then(|place| drifts.get(place));
             RelationFound {
                 relation: relation.text.clone(),
                 along: relation.along.map(|along| Fate::of(along, drift.copied().flatten())),
                 formula: relation.formula.clone(),
                 rate: relation.rate,
+                defines: relation.defines,
             }
         });
         Ok(Some(LiftFound {
@@ -400,7 +400,7 @@ pub struct LiftFound {
     pub field: String,
     /// The number of new variables; `t` is not counted.
     pub order: usize,
-    /// Whether no lift of its class has fewer new variables.
+    /// Whether the search for fewer new variables was complete and found none.
     pub optimal: bool,
     /// The reason for the choice of this lift.
     pub chosen: String,
@@ -434,13 +434,16 @@ pub struct NewFound {
 pub struct RelationFound {
     /// The function that is 0 where it holds.
     pub relation: String,
-    /// What becomes of it along the orbit; `None` where no start was given and no rule keeps it.
+    /// Its fate along the orbit; `None` where no start was given and no rule keeps it.
     pub along: Option<Fate>,
-    /// What the map keeps exactly.
+    /// The function that the map keeps exactly.
     pub formula: Option<String>,
-    /// The largest exponent of its linearised error along the orbit.
+    /// The largest exponent of the linearised errors of all relations along the orbit.
     #[serde(serialize_with = "finite")]
     pub rate: Option<f64>,
+    /// The place among the new variables of the one that the relation defines.
+    #[serde(skip)]
+    pub defines: Option<usize>,
 }
 
 /// JSON has no infinite numbers.

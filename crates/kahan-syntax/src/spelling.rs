@@ -4,8 +4,8 @@
 /// The page on fields that are not quadratic, where help names it.
 pub const NOT_QUADRATIC: &str = "docs/how-to/not-quadratic.md";
 
-/// The way out of a field that is not quadratic, where help names it; the page has the calls of each
-/// front.
+/// The way out of a field that is not quadratic, where help names it; the page has the calls of
+/// each front.
 pub const LIFTS: &str = "`kahan lift` makes a quadratic field of it";
 
 /// The page on texts as people write them, where help names it.

@@ -44,14 +44,7 @@ pub mod elementary {
     /// base^exponent by repeated squaring.
     #[must_use]
     pub fn power(base: f64, exponent: i32) -> f64 {
-        let (mut power, mut square, mut left) = (1.0, base, exponent.unsigned_abs());
-        while left > 0 {
-            if left % 2 == 1 {
-                power *= square;
-            }
-            square *= square;
-            left /= 2;
-        }
+        let power = num_traits::pow(base, exponent.unsigned_abs() as usize);
         if exponent < 0 { 1.0 / power } else { power }
     }
 }

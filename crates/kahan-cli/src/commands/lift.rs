@@ -13,12 +13,12 @@ use crate::reading::{Source, number};
 
 /// Lifts a field to a quadratic one: functions, quotients and powers become new variables.
 ///
-/// It prints the quadratic block, what each new variable stands for, its first value, and what
-/// becomes of the relations between them: kept exactly, with the formula that the map keeps;
-/// bounded; decays; drifts linearly; grows at a rate. Of a mechanical system, x' = p, p' = -grad V(x), it
-/// is the lift whose map keeps an energy. Otherwise relations that are kept exactly come first,
-/// then those that do not grow along the orbit from --at, over 100 units of time. --lift on other
-/// commands does all this unseen: `kahan orbit --lift …`.
+/// It prints the quadratic block, the function and the first value of each new variable, and the
+/// fate of each relation between them: kept exactly, with the formula that the map keeps;
+/// bounded; decays; drifts linearly; grows at a rate. Of a mechanical system, x' = p, p' = -grad
+/// V(x), it is the lift whose map keeps an energy. Otherwise relations that are kept exactly come
+/// first, then those that do not grow along the orbit from --at, over 100 units of time. --lift on
+/// other commands does all this unseen: `kahan orbit --lift …`.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -90,9 +90,10 @@ fn fate(relation: &RelationFound) -> String {
 }
 
 /// A relation as an equation.
-fn equation(relation: &RelationFound) -> String {
-    let sides = relation.relation.strip_suffix(')').and_then(|text| text.split_once(" - ("));
-    sides.map_or_else(|| format!("{} = 0", relation.relation), |(left, right)| format!("{left} = {right}"))
+fn equation(found: &LiftFound, relation: &RelationFound) -> String {
+    let defined = relation.defines.map(|place| &found.new[place]);
+    let sides = defined.and_then(|new| Some((&new.name, new.expression.as_ref()?)));
+    sides.map_or_else(|| format!("{} = 0", relation.relation), |(name, value)| format!("{name} = {value}"))
 }
 
 fn text(found: &LiftFound) -> String {
@@ -113,15 +114,21 @@ fn text(found: &LiftFound) -> String {
     if !found.relations.is_empty() {
         page.section(
             "relations",
-            found.relations.iter().map(|relation| format!("{}: {}", equation(relation), fate(relation))),
+            found
+                .relations
+                .iter()
+                .map(|relation| format!("{}: {}", equation(found, relation), fate(relation))),
         );
     }
     if let Some(energy) = &found.energy {
         page.section("energy that the map keeps exactly", [energy]);
     }
-    let optimal =
-        if found.optimal { "no lift of its class has fewer" } else { "there may be one with fewer" };
-    page.section("choice", paragraph(&format!("{}; of new variables {optimal}.", found.chosen)));
+    let optimal = if found.optimal {
+        "the search for fewer new variables was complete and found none"
+    } else {
+        "a lift with fewer new variables may exist"
+    };
+    page.section("choice", paragraph(&format!("{}; {optimal}.", found.chosen)));
     let is_kept = found.relations.iter().any(|relation| relation.formula.is_some());
     let strays = found.relations.iter().any(|relation| match relation.along {
         Some(Fate::Drifts | Fate::Grows) => true,

@@ -91,8 +91,9 @@ pub(crate) struct Orbit {
 
     /// Project each step of a lifted field onto its relations.
     ///
-    /// The projection is symmetric: energies do not drift, and the order of --order stays. A step costs
-    /// 2 to 13 steps of the map, in f64. Where its iteration does not converge the orbit ends.
+    /// The projection is symmetric: energies do not drift, and the order of --order stays. A step
+    /// costs 2 to 13 steps of the map, in f64. Where its iteration does not converge the orbit
+    /// ends.
     #[arg(long, conflicts_with_all = ["begin", "projective"])]
     reembed: bool,
 

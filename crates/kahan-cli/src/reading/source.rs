@@ -125,14 +125,14 @@ impl Source {
         self.system.iter().cloned().chain(options).collect()
     }
 
-    /// The same source without --all, and whether that was given: of a command in which it shows
-    /// more than new variables.
+    /// Takes --all out of the source, and says whether it was given: some commands show more by it
+    /// than new variables.
     pub(crate) fn without_all(mut self) -> (Self, bool) {
         let all = std::mem::take(&mut self.all);
         (self, all)
     }
 
-    /// The same source, lifted where it is not.
+    /// Asks for a lift, as `kahan lift` does of every field.
     pub(crate) fn lifted(mut self) -> Self {
         self.lift.get_or_insert_default();
         self

@@ -81,9 +81,9 @@ impl Tables {
         self.columns.len() >= FEWEST_IN_PANELS
     }
 
-    /// Whether entries of A that are negligible in their row count as 0, and pivots are chosen among
-    /// sparse rows. Blocks that are compiled have fewer variables, so that nothing else steps these
-    /// fields; those of dense fields have entries everywhere, and none decays.
+    /// Whether entries of A that are negligible in their row count as 0, and pivots are chosen
+    /// among sparse rows. Blocks that are compiled have fewer variables, so that nothing else steps
+    /// these fields; those of dense fields have entries everywhere, and none decays.
     pub(super) fn are_sparse(&self) -> bool {
         let variables = self.order.len();
         variables > MOST_VARIABLES && self.columns.len() < variables * variables

@@ -62,8 +62,8 @@ pub struct Orbit {
     /// Whether the orbit goes on at poles, through points at infinity.
     #[serde(default)]
     pub projective: bool,
-    /// Whether each step of a lifted field is projected symmetrically onto the relations between its
-    /// variables, in doubles.
+    /// Whether each step of a lifted field is projected symmetrically onto the relations between
+    /// its variables, in doubles.
     #[serde(default)]
     pub reembed: bool,
 }
