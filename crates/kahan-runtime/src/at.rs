@@ -116,8 +116,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         (level == Level::Baseline || level.is_available() && at.coded.is_some()).then_some(at)
     }
 
-    /// Whether its steps are machine code, or compiled loops over the coefficients of a dense
-    /// field, and not interpreted.
+    /// Whether long runs are machine code, or compiled loops over the coefficients of a dense
+    /// field, and not interpreted. The code of an elimination is compiled after some hundred steps.
     #[must_use]
     pub fn is_code(&self) -> bool {
         self.coded.is_some()
@@ -159,7 +159,11 @@ impl<T: RuntimeFloat> MapAt<T> {
             self.engine().advance(self.kind, self.stages(), numbers, steps);
         };
         let carries = !numbers[1].is_empty();
-        match self.coded.as_ref().and_then(|stages| Some((stages, stages.code(self.engine(), carries)?))) {
+        match self
+            .coded
+            .as_ref()
+            .and_then(|stages| Some((stages, stages.code(self.engine(), carries, steps)?)))
+        {
             Some((stages, code)) => stages.advance(code, numbers, steps, interpret),
             None => interpret(numbers, steps),
         }

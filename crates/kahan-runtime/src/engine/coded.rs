@@ -19,24 +19,33 @@ use super::step::Steps;
 /// Steps between two looks at the guard of code.
 pub(super) const GUARDED: u64 = 64;
 
-/// Machine code, compiled at its first use; `None` if it cannot be compiled.
+/// Machine code, once it was compiled; `None` in it if it cannot be compiled.
 type CodeOnce<W> = OnceLock<Option<Arc<OrbitCode<W>>>>;
 
 /// The stages of a step as code, with the constants of those that differ, the middle one last.
 #[derive(Clone, Debug)]
 pub(crate) struct CodedStages<T: RuntimeFloat> {
-    code: Arc<OrbitCode<T::Word>>,
+    /// The code of states, and that of states that carry what they lack.
+    codes: [Arc<CodeOnce<T::Word>>; 2],
     pub(super) kind: StepKind,
     pub(super) constants: Arc<[Vec<T::Word>]>,
-    /// The code that carries what a state lacks, once it was asked for.
-    carrying: Arc<CodeOnce<T::Word>>,
     pub(super) abreast: Arc<AbreastOnce<T::Word>>,
 }
 
 impl<T: RuntimeFloat> CodedStages<T> {
+    fn new(code: CodeOnce<T::Word>, kind: StepKind, constants: Arc<[Vec<T::Word>]>) -> Self {
+        let codes = [Arc::new(code), Arc::default()];
+        CodedStages { codes, kind, constants, abreast: Arc::default() }
+    }
+
     /// Whether it is the loops of a dense field, which step one state at a time.
     pub(crate) fn has_loops(&self) -> bool {
-        self.code.has_loops()
+        self.compiled().is_some_and(OrbitCode::has_loops)
+    }
+
+    /// The code of states, if it was compiled.
+    fn compiled(&self) -> Option<&OrbitCode<T::Word>> {
+        self.codes[0].get()?.as_deref()
     }
 
     /// Advances columns by the loops of a dense field; `alone` makes the steps that they refuse.
@@ -49,18 +58,15 @@ impl<T: RuntimeFloat> CodedStages<T> {
         advance_dense_columns(self.kind, columns, &self.constants, steps, alone);
     }
 
-    /// Whether the code may leave steps to the interpreter, as that of elimination does.
-    fn is_guarded(&self) -> bool {
-        self.code.is_guarded()
-    }
-
-    /// The code; with `carries` the one that carries what a state lacks.
-    pub(crate) fn code(&self, engine: &Engine, carries: bool) -> Option<&OrbitCode<T::Word>> {
-        let compile = || {
-            let kind = StepKind { compensated: true, ..self.kind };
-            engine.orbit_code::<T>(kind, self.constants.len() > 1)
-        };
-        if carries { self.carrying.get_or_init(compile).as_deref() } else { Some(&self.code) }
+    /// The code for `steps` more steps; with `carries` the one that carries what a state lacks.
+    /// `None` where there is none, or compiling it does not pay yet.
+    pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
+        let once = &self.codes[usize::from(carries)];
+        if once.get().is_none() && !engine.codes.pay_after(steps, engine) {
+            return None;
+        }
+        let kind = StepKind { compensated: carries, ..self.kind };
+        once.get_or_init(|| engine.orbit_code::<T>(kind, self.constants.len() > 1)).as_deref()
     }
 
     /// Advances a state by `steps` steps of `code`. A `carry` that is not empty holds the rounding
@@ -117,12 +123,11 @@ impl<T: RuntimeFloat> CodedStages<T> {
 }
 
 impl<T: MachineFloat> CodedStages<T> {
-    /// Writes the state one step later; `false` where that takes a look at a guard.
+    /// Writes the state one step later; `false` where there is no code, or a guard to look at.
     pub(crate) fn has_stepped(&self, state: &[T], next: &mut [T]) -> bool {
-        if !self.is_guarded() {
-            self.code.step(state, &self.constants, next);
-        }
-        !self.is_guarded()
+        let Some(code) = self.compiled().filter(|code| !code.is_guarded()) else { return false };
+        code.step(state, &self.constants, next);
+        true
     }
 }
 
@@ -133,8 +138,8 @@ impl Engine {
             self.packed(&own.iter().flat_map(|number| number.words()).collect::<Vec<_>>())
         };
         let constants = own.iter().map(packed).collect::<Option<_>>()?;
-        let code = Arc::new(OrbitCode::loops(kind));
-        Some(CodedStages { code, kind, constants, carrying: Arc::default(), abreast: Arc::default() })
+        let loops = OnceLock::from(Some(Arc::new(OrbitCode::loops(kind))));
+        Some(CodedStages::new(loops, kind, constants))
     }
 
     /// The code of an orbit, or the loops of a dense field.
@@ -165,14 +170,18 @@ impl Engine {
         if general.any(|other| other != is_general) {
             return None;
         }
-        let code = self.codes.orbit(self, kind, own.len() > 1)?;
         let (step, mut registers) = (self.steps().form(is_general), Vec::new());
+        let code = match step.has_lanes() {
+            true => Some(self.codes.orbit(self, kind, own.len() > 1)?).into(),
+            false if kind.has_eliminating_code(self) => OnceLock::new(),
+            false => return None,
+        };
         let mut prepared = |own: &Vec<T>| match step.prepared(own, &mut registers) {
             Some(prepared) => prepared.iter().flat_map(T::words).collect(),
             // Elimination takes the parameters and ε.
             None => own.iter().flat_map(|number| number.words()).collect(),
         };
         let constants = own.iter().map(&mut prepared).collect();
-        Some(CodedStages { code, kind, constants, carrying: Arc::default(), abreast: Arc::default() })
+        Some(CodedStages::new(code, kind, constants))
     }
 }

@@ -42,6 +42,10 @@ impl Engine {
         set: Option<InstructionSet>,
     ) -> bool {
         let Some(set) = set.or_else(InstructionSet::best) else { return false };
+        let trajectories = columns.columns.first().map_or(0, |column| column.len() as u64);
+        if !self.codes.pay_after(trajectories.saturating_mul(steps), self) {
+            return false;
+        }
         let Some(code) = self.codes.columns(self, kind, set) else { return false };
         if code.is_guarded() {
             self.advance_guarded(&code, columns, composition, steps, kind);

@@ -9,7 +9,7 @@ use crate::line::Line;
 
 use super::double_double::{self, Pair};
 use super::traced::{self, Traced};
-use super::{Coded, StepKind};
+use super::{Coded, InstructionSet, StepKind};
 
 /// The most operations of an elimination that is compiled.
 const MOST_OPERATIONS: u32 = 50_000;
@@ -51,10 +51,7 @@ impl StepKind {
     ///
     /// [`LARGEST_FACTOR`]: kahan_core::__private::LARGEST_FACTOR
     fn eliminating<T: Coded>(self, engine: &Engine) -> Option<Program> {
-        let couplings = engine.derived.couplings()?;
-        let operations = couplings.cost(engine.derived.field()).operations;
-        let is_of_build = self.fuses == cfg!(target_feature = "fma");
-        if self.precision == Precision::DoubleDouble || !is_of_build || operations > MOST_OPERATIONS {
+        if !self.has_eliminating_code(engine) {
             return None;
         }
         let step = engine.steps().form(self.is_general);
@@ -104,6 +101,16 @@ impl StepKind {
             results.extend(squares);
             Some(results)
         })
+    }
+
+    /// Whether there is code of a step that eliminates: this processor has instructions for it, the
+    /// float is no double-double, the multiply-adds are those of this build, and the operations are
+    /// few enough.
+    pub(crate) fn has_eliminating_code(self, engine: &Engine) -> bool {
+        InstructionSet::best().is_some()
+            && self.precision != Precision::DoubleDouble
+            && self.fuses == cfg!(target_feature = "fma")
+            && engine.codes.operations(engine).is_some_and(|operations| operations <= MOST_OPERATIONS)
     }
 
     fn next<T: Coded>(self, step: &Step, numbers: Vec<Traced<T>>) -> Option<Vec<Traced<T>>> {
