@@ -5,6 +5,7 @@ from typing import Any, final
 import numpy as np
 from typing_extensions import disjoint_base
 
+from ._coefficients import Entries
 from ._exact import Number
 
 _Array = np.ndarray[Any, Any]
@@ -37,7 +38,7 @@ class Relation:
 @disjoint_base
 class Field:
     def __new__(
-        cls, text: str, *, is_name: bool = False, sites: int | None = None, parameters: Sequence[tuple[str, str]] = ...,
+        cls, text: str | Entries, *, is_name: bool = False, sites: int | None = None, parameters: Sequence[tuple[str, str]] = ...,
         lift: tuple[str, list[str] | None, str, bool] | None = None,
     ) -> Any: ...
     @property
@@ -48,6 +49,7 @@ class Field:
     def variables(self) -> Any: ...
     @property
     def _all_variables(self) -> list[str]: ...
+    def _coefficients(self) -> tuple[list[int], tuple[list[int], list[int]], list[float]]: ...
     @property
     def _lift(self) -> str | None: ...
     @property

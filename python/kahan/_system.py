@@ -15,6 +15,7 @@ import numpy as np
 from ._answer import Answer, _short
 from ._arrays import named
 from ._basis import Basis
+from ._coefficients import Entries, coefficients, dense
 from ._errors import CHOICES, FieldError, choice, spelled, unknown
 from ._exact import Number, _number, answer, exact, nearest, point, whole
 from ._kahan import Field, is_family
@@ -56,7 +57,7 @@ class System(Field):
     ``progress=True`` of the methods that take long shows a bar of tqdm, which must be installed.
     """
 
-    _call: tuple[str, bool, int | None, dict[str, str]]
+    _call: tuple[str | Entries, bool, int | None, dict[str, str]]
     _lifting: tuple[str, list[str] | None, str, bool] | None
 
     def __new__(
@@ -82,7 +83,7 @@ class System(Field):
 
     @classmethod
     def _of(
-        cls, text: str, is_name: bool, sites: int | None, parameters: dict[str, str],
+        cls, text: str | Entries, is_name: bool, sites: int | None, parameters: dict[str, str],
         lift: tuple[str, list[str] | None, str, bool] | None = None,
     ) -> System:
         system: System = Field.__new__(
@@ -90,6 +91,46 @@ class System(Field):
         )
         system._call, system._lifting = (text, is_name, sites, parameters), lift
         return system
+
+    @classmethod
+    def from_arrays(
+        cls, c: Any = None, B: Any = None, Q: Any = None, names: Sequence[str] | None = None,
+        parameters: Mapping[str, Any] | None = None, *, order: str = "tril", **values: Number
+    ) -> System:
+        """The field ẋ = c + Bx + Q(x, x) of these arrays, dense or sparse ones of SciPy; ``None`` stands for 0.
+
+        ``c`` has shape (n,), ``B`` (n, n), ``Q`` (n, n, n), or (n, n·n) with the columns xⱼxₖ row by row, or
+        (n, n(n + 1)/2) with each product once: j ≥ k as operator inference has them, with ``order="triu"`` j ≤ k.
+        ``names`` are those of the variables, x1 to xn where they are not given. ``parameters`` maps names to the
+        arrays (c, B, Q) that they multiply, or to a dict of some of them; ``values`` are values of parameters.
+
+        Floats are taken exactly. Raises ``ValueError`` for an array of another shape and numbers that are not finite,
+        and ``FieldError`` for names that variables cannot have.
+
+        >>> import kahan
+        >>> s = kahan.System.from_arrays(B=[[0, 1], [0, 0]], Q=[[0, 0, 0], [-1, 0, 0]], names=["x", "v"])
+        >>> s.text
+        'xdot = v;\nvdot = -x^2;'
+        >>> kahan.System.from_arrays(parameters={"r": {"B": [[1]], "Q": [[-1]]}}, names=["x"], r=2).text
+        'xdot = r*x - r*x^2;'
+        """
+        given = {name: exact(value, name) for name, value in values.items()}
+        return cls._of(coefficients((c, B, Q), names, parameters, order), False, None, given)
+
+    def arrays(self, *, sparse: bool = False) -> tuple[Any, Any, Any]:
+        """The arrays (c, B, Q) of the field at its parameters, as floats: ẋ = c + Bx + Q(x, x).
+
+        ``Q`` is symmetric and has shape (n, n, n); with ``sparse=True`` B and Q are sparse arrays of SciPy, Q with
+        the columns xⱼxₖ row by row. Of a lifted field they are those of all variables. Raises ``ValueError`` for a
+        parameter without a value.
+
+        >>> import kahan
+        >>> kahan.System("xdot = x*y; ydot = 1 - 2*x;").arrays()[1]
+        array([[ 0.,  0.],
+               [-2.,  0.]])
+        """
+        component, (first, second), values = self._coefficients()
+        return dense(len(self._all_variables), (component, first, second, values), sparse)
 
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
         return (type(self)._of, (*self._call, self._lifting))
@@ -100,7 +141,7 @@ class System(Field):
         The text of a family is enough: ``kahan.System("for i in periodic { … }").lattice(1000, 0.01)``.
         """
         text, _, _, own = self._call
-        return Lattice(text, sites, eps, **({name: float(Fraction(value)) for name, value in own.items()} | values))
+        return Lattice(text if isinstance(text, str) else self.text, sites, eps, **({name: float(Fraction(value)) for name, value in own.items()} | values))
 
     def __eq__(self, other: object) -> bool:
         return self._key() == other._key() if isinstance(other, System) else NotImplemented

@@ -2,12 +2,14 @@
 
 use std::sync::Mutex;
 
+use kahan_algebra::coefficients::Coefficient;
 use kahan_algebra::rational::Rational;
 use kahan_judge::Extremes;
-use kahan_runtime::{Map, MapAt};
+use kahan_runtime::{Coefficients, Map, MapAt};
 use kahan_study::numbers::number;
-use kahan_study::{Lifting, Question, Study, Subject, Systems, Which};
-use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
+use kahan_study::{Lifting, Question, Study, StudyError, Subject, Systems, Which};
+use numpy::ndarray::ArrayView1;
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -151,6 +153,42 @@ fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
     Ok(Lifting { which, start, time, shows_all, ..Lifting::default() })
 }
 
+/// How Python gives a field.
+#[derive(FromPyObject)]
+enum Given<'py> {
+    /// As a text.
+    Text(String),
+    /// As coefficients: states, parameters, and the columns of `kahan._coefficients.Entries`.
+    Coefficients(Vec<String>, Vec<String>, Columns<'py>),
+}
+
+/// Of each coefficient the component, two states and the parameter, -1 for none, and the value.
+type Columns<'py> = (Indices<'py>, Indices<'py>, Indices<'py>, Indices<'py>, PyReadonlyArray1<'py, f64>);
+type Indices<'py> = PyReadonlyArray1<'py, i64>;
+
+impl Given<'_> {
+    fn subject(&self, py: Python<'_>, is_name: bool) -> PyResult<Subject> {
+        let (states, parameters, columns) = match self {
+            Given::Text(text) if is_name => return Ok(Subject::named(text.as_str())),
+            Given::Text(text) => return Ok(Subject::text(text.as_str())),
+            Given::Coefficients(states, parameters, columns) => (states, parameters, columns),
+        };
+        let names = Coefficients::new(states, parameters);
+        let mut field = names.map_err(|error| of_study(py, &StudyError::Field(error)))?;
+        let (component, first, second, parameter, values) = columns;
+        let [component, first, second, parameter] =
+            [component, first, second, parameter].map(|one| one.as_array());
+        for (at, value) in values.as_array().iter().enumerate() {
+            let index = |of: &ArrayView1<'_, i64>| usize::try_from(of[at]).ok();
+            let states = [index(&first), index(&second)];
+            let component = index(&component).unwrap_or(usize::MAX);
+            let added = field.add(component, states, index(&parameter), *value);
+            added.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        }
+        Ok(Subject::block(field.text()))
+    }
+}
+
 /// A question that came as JSON.
 pub(crate) fn question(json: &str) -> PyResult<Question> {
     serde_json::from_str(json).map_err(|error| PyValueError::new_err(error.to_string()))
@@ -158,20 +196,20 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 
 #[pymethods]
 impl Field {
-    /// Reads a field: its name in the catalog, or its text; of a family the number of sites. Values
+    /// Reads a field: its name in the catalog, its text or its coefficients; of a family the number of sites. Values
     /// of parameters are exact numbers as text. `lift` says which lift is wanted, the point whose
     /// orbit it is for, the time there, and whether arrays have the new variables.
     #[new]
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None))]
     fn new(
         py: Python<'_>,
-        text: &str,
+        text: Given<'_>,
         is_name: bool,
         sites: Option<usize>,
         parameters: Vec<(String, String)>,
         lift: Option<Lift>,
     ) -> PyResult<Self> {
-        let subject = if is_name { Subject::named(text) } else { Subject::text(text) };
+        let subject = text.subject(py, is_name)?;
         let subject = sites.into_iter().fold(subject, Subject::sites);
         let lifting = lift.map(lifting).transpose()?;
         let subject = lifting.into_iter().fold(subject, Subject::lifting);
@@ -201,6 +239,19 @@ impl Field {
     #[getter]
     fn text(&self) -> &str {
         self.study.text()
+    }
+
+    /// Of each coefficient of the field at its parameters the component, two states, -1 for none, and
+    /// the value.
+    #[pyo3(name = "_coefficients")]
+    fn coefficients(&self, py: Python<'_>) -> PyResult<(Vec<usize>, [Vec<i64>; 2], Vec<f64>)> {
+        let coefficients = self.study.coefficients().map_err(|error| of_study(py, &error))?;
+        let state = |place: usize| {
+            let index = |one: &Coefficient| one.states[place].map_or(-1, |state| state as i64);
+            coefficients.iter().map(index).collect()
+        };
+        let values = coefficients.iter().map(|one| one.value.to_f64()).collect();
+        Ok((coefficients.iter().map(|one| one.component).collect(), [state(0), state(1)], values))
     }
 
     /// The variables of arrays: of a lifted field the original ones, and the new ones where these

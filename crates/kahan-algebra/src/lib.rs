@@ -38,6 +38,8 @@ pub mod modified_integrals;
 
 pub mod system;
 
+pub mod coefficients;
+
 mod variational;
 
 pub mod elimination;

@@ -36,6 +36,7 @@
 
 mod at;
 mod claim;
+mod coefficients;
 mod denominator;
 mod diagnostics;
 mod dimension;
@@ -62,6 +63,7 @@ pub use at::{
     IntegralDrift, MachineFloat, MapAt, Passed, PassedPoles, RuntimeFloat, RuntimePoint, WhileFinite,
 };
 pub use claim::ClaimError;
+pub use coefficients::{CoefficientError, Coefficients, Entries};
 pub use diagnostics::Diagnostics;
 pub use dimension::DimensionError;
 pub use end::End;

@@ -11,6 +11,7 @@ use kahan_algebra::lenient::{self, Reading};
 use kahan_algebra::lexer::Lexed;
 use kahan_algebra::prove::check_claims;
 use kahan_algebra::rational::Rational;
+use kahan_algebra::render::equation_lines;
 use kahan_algebra::system::System;
 use kahan_algebra::token::Token;
 use kahan_algebra::{read, read_unproved_text};
@@ -25,9 +26,12 @@ pub struct FieldText {
 
 #[derive(Debug)]
 struct Shared {
-    text: String,
-    /// Where in the text the block stands.
-    body: Range<usize>,
+    /// Written when it is first asked for, where the field is made of a system.
+    text: OnceLock<String>,
+    /// Where in the text the block stands; `None` for all of it.
+    body: Option<Range<usize>>,
+    /// Whether the field is made of a system.
+    is_made: bool,
     /// What the text is called in reports.
     origin: String,
     said: OnceLock<Said>,
@@ -46,8 +50,8 @@ struct Said {
 /// Two are equal if text, place and name are.
 impl PartialEq for FieldText {
     fn eq(&self, other: &Self) -> bool {
-        let Shared { text, body, origin, .. } = &*self.shared;
-        (text, body, origin) == (&other.shared.text, &other.shared.body, &other.shared.origin)
+        let of = |of: &FieldText| of.shared.body.clone();
+        (self.whole(), of(self), &self.shared.origin) == (other.whole(), of(other), &other.shared.origin)
     }
 }
 
@@ -68,7 +72,26 @@ impl FieldText {
         // A mark of the byte order, as some editors put it in front.
         body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let (said, unproved) = (OnceLock::new(), OnceLock::new());
-        FieldText { shared: Arc::new(Shared { text, body, origin, said, unproved }) }
+        let (text, body) = (OnceLock::from(text), Some(body));
+        FieldText { shared: Arc::new(Shared { text, body, is_made: false, origin, said, unproved }) }
+    }
+
+    /// A field without a text, whose claims are taken as they are: its text is written when it is
+    /// first asked for. `origin` is what the text is called in reports.
+    #[must_use]
+    pub fn of_system(system: System, origin: String) -> Self {
+        let said = Said { canonical: None, reading: Reading::default() };
+        let (said, unproved) = (OnceLock::from(said), OnceLock::from(Checked::System(system)));
+        let text = OnceLock::new();
+        FieldText { shared: Arc::new(Shared { text, body: None, is_made: true, origin, said, unproved }) }
+    }
+
+    /// The text in which the block stands.
+    fn whole(&self) -> &str {
+        self.shared.text.get_or_init(|| match self.unproved() {
+            Checked::System(system) => equation_lines(&system.field).collect::<Vec<_>>().join("\n"),
+            _ => unreachable!("a text was given"),
+        })
     }
 
     /// The tokens of the block. They take several times the memory of the text, so nobody keeps
@@ -79,7 +102,7 @@ impl FieldText {
 
     /// Where each token stands in the text.
     fn ranges(&self) -> Vec<Range<usize>> {
-        let before = self.shared.body.start;
+        let before = self.shared.body.as_ref().map_or(0, |body| body.start);
         let ranges = lenient::read(self.given()).lexed.ranges;
         ranges.into_iter().map(|range| range.start + before..range.end + before).collect()
     }
@@ -102,7 +125,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn system(&self) -> Result<System, Diagnostics> {
-        self.accept(read(&self.tokens()).system())
+        if self.shared.is_made { self.unproved_system() } else { self.accept(read(&self.tokens()).system()) }
     }
 
     /// The family, with its claims proved for every number of sites; `None` where the block has
@@ -111,7 +134,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn family(&self) -> Result<Option<Family>, Diagnostics> {
-        self.accept(read(&self.tokens()).family())
+        if self.shared.is_made { Ok(None) } else { self.accept(read(&self.tokens()).family()) }
     }
 
     /// The system, its claims read but not proved.
@@ -138,7 +161,7 @@ impl FieldText {
     /// # Errors
     /// The claims that do not hold.
     pub fn prove(&self, system: &System) -> Result<(), Diagnostics> {
-        if system.claims.is_empty() {
+        if system.claims.is_empty() || self.shared.is_made {
             return Ok(());
         }
         let mut mistakes = kahan_algebra::diagnostics::Diagnostics::default();
@@ -166,7 +189,7 @@ impl FieldText {
     /// The text of the field, as it was given.
     #[must_use]
     pub fn given(&self) -> &str {
-        &self.shared.text[self.shared.body.clone()]
+        self.shared.body.clone().map_or(self.whole(), |body| &self.whole()[body])
     }
 
     /// The field in the language of `kahan!`: the text as it was given, where it is in that
@@ -201,7 +224,6 @@ impl FieldText {
     }
 
     fn accept<T>(&self, read: Result<T, Vec<Diagnostic>>) -> Result<T, Diagnostics> {
-        let Shared { text, origin, .. } = &*self.shared;
-        read.map_err(|mistakes| Diagnostics::new(mistakes, text, &self.ranges(), origin))
+        read.map_err(|mistakes| Diagnostics::new(mistakes, self.whole(), &self.ranges(), &self.shared.origin))
     }
 }

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 use std::sync::{Arc, OnceLock};
 
+use kahan_algebra::coefficients::Coefficient;
 use kahan_algebra::interpret::Interpreter;
 use kahan_algebra::kahan::RationalMap;
 use kahan_algebra::rational::Rational;
@@ -325,6 +326,16 @@ impl Study {
             return Ok(self.system().clone());
         }
         self.system().specialise(&fixed).ok_or_else(|| self.undefined_field())
+    }
+
+    /// The coefficients of the field at the values of its parameters.
+    ///
+    /// # Errors
+    /// A parameter without a value, and a field that divides by zero.
+    pub fn coefficients(&self) -> Result<Vec<Coefficient>, StudyError> {
+        let values = self.values()?;
+        let system = self.at(values.into_iter().map(Some).collect()).specialised()?;
+        system.coefficients().ok_or_else(|| self.undefined_field())
     }
 
     /// The values of all parameters, in their order.

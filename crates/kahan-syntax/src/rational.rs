@@ -71,7 +71,38 @@ impl Rational {
 
     /// The exact value of a finite float; `None` for infinities and NaN.
     pub fn from_f64(value: f64) -> Option<Self> {
-        BigRational::from_float(value).map(Self::from)
+        if !value.is_finite() {
+            return None;
+        }
+        let (bits, sign) = (value.abs().to_bits(), if value < 0.0 { -1 } else { 1 });
+        let (exponent, fraction) = ((bits >> 52) as i64, bits & ((1 << 52) - 1));
+        // |value| = significand·2^exponent, and the significand of 0 is 0.
+        let significand = if exponent == 0 { fraction } else { fraction | 1 << 52 };
+        if significand == 0 {
+            return Some(Self::ZERO);
+        }
+        let even = significand.trailing_zeros();
+        let (odd, exponent) = (sign * (significand >> even) as i64, exponent.max(1) - 1075 + i64::from(even));
+        Some(match exponent {
+            0..10 => Self(Repr::Small { num: odd << exponent, den: 1 }),
+            -62..0 => Self(Repr::Small { num: odd, den: 1 << -exponent }),
+            10.. => Self::from(BigRational::from(BigInt::from(odd) << exponent)),
+            _ => Self::from(BigRational::new_raw(odd.into(), BigInt::one() << -exponent)),
+        })
+    }
+
+    /// |p| and k where the value is ±p/2ᵏ and p has at most 64 bits.
+    fn dyadic(&self) -> Option<(u64, u64)> {
+        match &self.0 {
+            Repr::Small { num, den } => {
+                (*den as u64).is_power_of_two().then(|| (num.unsigned_abs(), den.trailing_zeros().into()))
+            }
+            Repr::Big(big) => {
+                let shift = big.denom().trailing_zeros()?;
+                let magnitude = big.numer().magnitude().to_u64()?;
+                (big.denom().bits() == shift + 1).then_some((magnitude, shift))
+            }
+        }
     }
 
     /// The value as a big rational.

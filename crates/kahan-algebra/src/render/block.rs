@@ -2,7 +2,7 @@
 
 use kahan_syntax::syntax::{Header, Reference};
 
-use crate::field::Component;
+use crate::field::{Component, Field};
 use crate::system::{Claim, Condition, System};
 
 use super::claim::claim_text;
@@ -65,6 +65,12 @@ fn header_lines(header: &Header, parameters: &[String]) -> Vec<String> {
     lines
 }
 
+/// The equations of a field as expanded, a line each.
+pub fn equation_lines(field: &Field) -> impl Iterator<Item = String> {
+    let right = Formulas { field, map: None, notation: &Text }.field();
+    field.symbols.states.iter().zip(right).map(|(state, value)| format!("{state}dot = {value};"))
+}
+
 /// The block: header, equations as expanded (constants folded in), claims as written.
 #[must_use]
 pub fn macro_block(system: &System) -> String {
@@ -78,10 +84,7 @@ pub fn macro_block(system: &System) -> String {
     for (name, value) in names.filter(|(name, _)| in_claims(name)) {
         lines.push(format!("    const {name} = {value};"));
     }
-    let field = Formulas { field: &system.field, map: None, notation: &Text }.field();
-    for (state, value) in system.field.symbols.states.iter().zip(field) {
-        lines.push(format!("    {state}dot = {value};"));
-    }
+    lines.extend(equation_lines(&system.field).map(|line| format!("    {line}")));
     lines.extend(system.claims.iter().map(|claim| format!("    {}", claim_text(system, claim))));
     lines.push("}".to_owned());
     lines.join("\n")

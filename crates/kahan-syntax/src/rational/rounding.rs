@@ -13,13 +13,13 @@ use super::{Rational, Repr};
 /// A binary interchange format: `precision` bits with the hidden one, exponents of normal numbers
 /// from `min_exponent` to `-min_exponent + 1`.
 #[derive(Clone, Copy)]
-struct Format {
+pub(super) struct Format {
     precision: i64,
     min_exponent: i64,
 }
 
 const BINARY32: Format = Format { precision: 24, min_exponent: -126 };
-const BINARY64: Format = Format { precision: 53, min_exponent: -1022 };
+pub(super) const BINARY64: Format = Format { precision: 53, min_exponent: -1022 };
 
 impl Rational {
     /// The nearest `f64`, ties to even; ±∞ beyond the range.
@@ -32,7 +32,11 @@ impl Rational {
                 *num as f64 / *den as f64
             }
             _ => {
-                let magnitude = f64::from_bits(round_bits(&self.magnitude(), BINARY64));
+                let magnitude = match self.dyadic() {
+                    // A normal number, whose rounding is that of the numerator.
+                    Some((num, shift @ 0..=1022)) => num as f64 * f64::from_bits((1023 - shift) << 52),
+                    _ => f64::from_bits(round_bits(&self.magnitude(), BINARY64)),
+                };
                 if self.is_negative() { -magnitude } else { magnitude }
             }
         }
@@ -67,7 +71,7 @@ impl Rational {
     }
 
     /// |p| and q.
-    fn magnitude(&self) -> (BigUint, BigUint) {
+    pub(super) fn magnitude(&self) -> (BigUint, BigUint) {
         match &self.0 {
             Repr::Small { num, den } => {
                 (BigUint::from(num.unsigned_abs()), BigUint::from(den.unsigned_abs()))
@@ -78,7 +82,7 @@ impl Rational {
 }
 
 /// The bits of the float of `format` nearest to num/den.
-fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64 {
+pub(super) fn round_bits((num, den): &(BigUint, BigUint), format: Format) -> u64 {
     if num.is_zero() {
         return 0;
     }

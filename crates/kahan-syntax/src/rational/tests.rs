@@ -1,7 +1,9 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::{Rational, is_canonical};
+use num_traits::One;
+
+use super::{Rational, is_canonical, rounding};
 
 fn q(text: &str) -> Rational {
     Rational::parse(text).unwrap_or_else(|| panic!("{text} should read as a number"))
@@ -227,5 +229,29 @@ fn numbers_are_read_as_people_type_them() {
         (".5e-1", "1/20"),
     ] {
         assert_eq!(q(typed).to_string(), meant, "{typed}");
+    }
+}
+
+/// Floats and their halves, and numbers between them, in every range of exponents.
+#[test]
+fn dyadic_numbers_are_floats_exactly_and_round_as_all_others() {
+    let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+    for _ in 0..20_000 {
+        bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        let value = f64::from_bits(bits ^ (bits >> 29));
+        let Some(exact) = Rational::from_f64(value) else {
+            assert!(!value.is_finite());
+            continue;
+        };
+        assert_eq!(exact, Rational::from(BigRational::from_float(value).unwrap()), "{value}");
+        assert_eq!(exact.to_f64().to_bits(), value.to_bits() & if value == 0.0 { 0 } else { u64::MAX });
+        // With more bits than a float has: rounded as by long division.
+        for odd in [bits | 1, bits >> 5 | 1, bits >> 9 | 1] {
+            for shift in [0_u32, 3, 40, 63, 64, 200, 1022, 1023, 1070, 1140] {
+                let exact = Rational::from(BigRational::new(odd.into(), BigInt::one() << shift));
+                let divided = f64::from_bits(rounding::round_bits(&exact.magnitude(), rounding::BINARY64));
+                assert_eq!(exact.to_f64(), divided, "{odd}/2^{shift}");
+            }
+        }
     }
 }

@@ -1,0 +1,80 @@
+//! Fields made of their coefficients, and the coefficients of fields: ẋ = Q(x, x) + Bx + c without a
+//! text.
+
+use std::sync::Arc;
+
+use kahan_syntax::rational::Rational;
+
+use crate::field::{Component, Field};
+use crate::kept::Kept;
+use crate::poly::{Monomial, Polynomial};
+use crate::symbols::{Symbol, Symbols};
+use crate::system::System;
+
+/// A coefficient of a field, with what it multiplies.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coefficient {
+    /// The component of the field, from 0 on.
+    pub component: usize,
+    /// The states that it multiplies, from 0 on: none for an entry of c, one for an entry of B.
+    pub states: [Option<usize>; 2],
+    /// The parameter that it multiplies, from 0 on.
+    pub parameter: Option<usize>,
+    /// The number.
+    pub value: Rational,
+}
+
+impl System {
+    /// The system without claims whose components are the sums of these coefficients.
+    ///
+    /// # Panics
+    /// If a component, a state or a parameter is none of the symbols.
+    #[must_use]
+    pub fn of_coefficients(symbols: Symbols, coefficients: impl IntoIterator<Item = Coefficient>) -> System {
+        let mut terms = vec![Vec::new(); symbols.dimension()];
+        for Coefficient { component, states, parameter, value } in coefficients {
+            let mut monomial = Monomial::one();
+            let parameter = parameter.map(Symbol::Parameter);
+            for symbol in states.into_iter().flatten().map(Symbol::State).chain(parameter) {
+                monomial.multiply_by(symbols.variable(symbol), 1);
+            }
+            terms[component].push((monomial, value));
+        }
+        let component =
+            |terms| Component { numerator: Polynomial::from_terms(terms), denominator: Polynomial::one() };
+        let field = Field { components: terms.into_iter().map(component).collect(), symbols };
+        System {
+            header: None,
+            constants: Vec::new(),
+            kept: Kept::of(&field).into(),
+            field: field.into(),
+            written: Arc::default(),
+            claims: Vec::new(),
+        }
+    }
+
+    /// The coefficients of the field, component by component; `None` where a term has parameters
+    /// otherwise than one of them as a factor.
+    #[must_use]
+    pub fn coefficients(&self) -> Option<Vec<Coefficient>> {
+        let symbols = &self.field.symbols;
+        let mut coefficients = Vec::new();
+        for (component, Component { numerator, denominator }) in self.field.components.iter().enumerate() {
+            let divisor = denominator.as_constant()?;
+            for (monomial, value) in numerator.terms() {
+                let (mut states, mut parameter) = (Vec::with_capacity(2), None);
+                for &(variable, power) in monomial.powers() {
+                    match symbols.symbol(variable) {
+                        Symbol::State(state) => states.extend((0..power).map(|_| state)),
+                        Symbol::Parameter(k) if power == 1 && parameter.is_none() => parameter = Some(k),
+                        _ => return None,
+                    }
+                }
+                let states = [states.first().copied(), states.get(1).copied()];
+                let value = value * &divisor.recip()?;
+                coefficients.push(Coefficient { component, states, parameter, value });
+            }
+        }
+        Some(coefficients)
+    }
+}

@@ -1,0 +1,215 @@
+//! Fields that are given by their coefficients: arrays c, B and Q of ẋ = c + Bx + Q(x, x).
+
+use std::fmt;
+
+use kahan_algebra::coefficients::Coefficient;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::Symbols;
+use kahan_algebra::system::System;
+use kahan_core::nalgebra::storage::RawStorage;
+use kahan_core::nalgebra::{Dim, Matrix};
+
+use crate::{Diagnostics, Field, FieldText};
+
+/// The coefficients of a field, which is made of them without a text. Each float is taken exactly.
+///
+/// ```
+/// use kahan_runtime::Coefficients;
+///
+/// let mut logistic = Coefficients::new(["x"], ["r"]).unwrap();
+/// logistic.add(0, [Some(0), None], Some(0), 1.0).unwrap();
+/// logistic.add(0, [Some(0), Some(0)], Some(0), -1.0).unwrap();
+/// assert_eq!(logistic.text().given(), "xdot = r*x - r*x^2;");
+/// ```
+#[derive(Clone, Debug)]
+pub struct Coefficients {
+    symbols: Symbols,
+    coefficients: Vec<Coefficient>,
+}
+
+/// Why coefficients are those of no field.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CoefficientError {
+    /// A component, a state or a parameter is none of the field's.
+    OutOfRange {
+        /// What it is: `component`, `state` or `parameter`.
+        what: &'static str,
+        /// Its index, from 0 on.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A coefficient is not finite.
+    NotFinite {
+        /// The index of the component.
+        component: usize,
+    },
+    /// An array has another length than the coefficients of the field.
+    Length {
+        /// The array.
+        array: &'static str,
+        /// Its length.
+        found: usize,
+        /// The lengths that fit.
+        wanted: Vec<usize>,
+    },
+}
+
+impl fmt::Display for CoefficientError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CoefficientError::OutOfRange { what, index, count } => {
+                write!(f, "there is no {what} {index}: the field has {count}, numbered from 0 on")
+            }
+            CoefficientError::NotFinite { component } => {
+                write!(f, "a coefficient of component {component} is not finite")
+            }
+            CoefficientError::Length { array, found, wanted } => {
+                let wanted: Vec<String> = wanted.iter().map(ToString::to_string).collect();
+                write!(f, "{array} has {found} numbers; it needs {}", wanted.join(" or "))
+            }
+        }
+    }
+}
+
+impl std::error::Error for CoefficientError {}
+
+impl Coefficients {
+    /// The coefficients of the field ẋ = 0 in these states and parameters.
+    ///
+    /// # Errors
+    /// A name that no state or parameter can have, or that occurs twice.
+    pub fn new<N: Into<String>>(
+        states: impl IntoIterator<Item = N>,
+        parameters: impl IntoIterator<Item = N>,
+    ) -> Result<Self, Diagnostics> {
+        let own = |names: Vec<N>| -> Vec<String> { names.into_iter().map(Into::into).collect() };
+        let symbols = Symbols {
+            states: own(states.into_iter().collect()),
+            parameters: own(parameters.into_iter().collect()),
+        };
+        // The rules for names are those of a text.
+        let sum = if symbols.parameters.is_empty() { "0".to_owned() } else { symbols.parameters.join(" + ") };
+        let equations: String = symbols.states.iter().map(|state| format!("{state}dot = {sum};\n")).collect();
+        FieldText::new(equations, "names".to_owned()).unproved_system()?;
+        Ok(Coefficients { symbols, coefficients: Vec::new() })
+    }
+
+    /// Adds a coefficient: the entry of c with no state, of B with one, of Q with two.
+    ///
+    /// # Errors
+    /// [`CoefficientError`] where it is not finite, or multiplies what is none of the field's.
+    pub fn add(
+        &mut self,
+        component: usize,
+        states: [Option<usize>; 2],
+        parameter: Option<usize>,
+        value: f64,
+    ) -> Result<(), CoefficientError> {
+        let (n, parameters) = (self.symbols.dimension(), self.symbols.parameters.len());
+        let indices = [("component", Some(component), n), ("parameter", parameter, parameters)];
+        for (what, index, count) in indices.into_iter().chain(states.map(|state| ("state", state, n))) {
+            if let Some(index) = index.filter(|index| *index >= count) {
+                return Err(CoefficientError::OutOfRange { what, index, count });
+            }
+        }
+        let value = Rational::from_f64(value).ok_or(CoefficientError::NotFinite { component })?;
+        if !value.is_zero() {
+            self.coefficients.push(Coefficient { component, states, parameter, value });
+        }
+        Ok(())
+    }
+
+    /// The field, with the text that says the same.
+    #[must_use]
+    pub fn text(self) -> FieldText {
+        let system = System::of_coefficients(self.symbols, self.coefficients);
+        FieldText::of_system(system, "field".to_owned())
+    }
+}
+
+/// The numbers of an array, row by row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Entries(Vec<f64>);
+
+impl From<&[f64]> for Entries {
+    fn from(rows: &[f64]) -> Self {
+        Entries(rows.to_vec())
+    }
+}
+
+impl<const N: usize> From<&[f64; N]> for Entries {
+    fn from(rows: &[f64; N]) -> Self {
+        Entries(rows.to_vec())
+    }
+}
+
+impl From<&Vec<f64>> for Entries {
+    fn from(rows: &Vec<f64>) -> Self {
+        Entries(rows.clone())
+    }
+}
+
+impl<R: Dim, C: Dim, S: RawStorage<f64, R, C>> From<&Matrix<f64, R, C, S>> for Entries {
+    fn from(matrix: &Matrix<f64, R, C, S>) -> Self {
+        Entries(matrix.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()).collect())
+    }
+}
+
+impl Field {
+    /// The field ẋᵢ = cᵢ + Σⱼ Bᵢⱼxⱼ + Σⱼₖ Qᵢⱼₖxⱼxₖ in x1, …, xn, from slices row by row or matrices of
+    /// nalgebra. An array without numbers is 0. Q has n³ numbers, or n²(n + 1)/2: then each row has
+    /// the coefficients of xⱼxₖ with k ≤ j, as operator inference has them. Each float is taken
+    /// exactly.
+    ///
+    /// # Errors
+    /// [`CoefficientError`] for an array of another length, and a number that is not finite.
+    ///
+    /// ```
+    /// use kahan_runtime::Field;
+    ///
+    /// // x1' = x2, x2' = 1 - x1²
+    /// let field = Field::from_coefficients(&[0.0, 1.0], &[0.0, 1.0, 0.0, 0.0], &[0.0, 0.0, 0.0, -1.0, 0.0, 0.0]);
+    /// let text = Field::parse("x1dot = x2; x2dot = 1 - x1^2;").unwrap();
+    /// assert_eq!(field.unwrap().system().field, text.system().field);
+    /// ```
+    pub fn from_coefficients(
+        c: impl Into<Entries>,
+        b: impl Into<Entries>,
+        q: impl Into<Entries>,
+    ) -> Result<Self, CoefficientError> {
+        let [Entries(c), Entries(b), Entries(q)] = [c.into(), b.into(), q.into()];
+        let n = if c.is_empty() { b.len().isqrt() } else { c.len() };
+        let half = n * (n + 1) / 2;
+        let fits = |array, numbers: &[f64], wanted: &[usize]| {
+            let found = numbers.len();
+            if numbers.is_empty() || wanted.contains(&found) {
+                return Ok(());
+            }
+            Err(CoefficientError::Length { array, found, wanted: wanted.to_vec() })
+        };
+        fits("c", &c, &[n])?;
+        fits("B", &b, &[n * n])?;
+        fits("Q", &q, &[n * n * n, n * half])?;
+        let names = (1..=n).map(|i| format!("x{i}"));
+        let mut field = Coefficients {
+            symbols: Symbols { states: names.collect(), parameters: Vec::new() },
+            coefficients: Vec::with_capacity(c.len() + b.len() + q.len()),
+        };
+        let columns = if q.len() == n * half { half } else { n * n };
+        let triangle: Vec<[usize; 2]> = (0..n).flat_map(|j| (0..=j).map(move |k| [j, k])).collect();
+        for (i, value) in c.into_iter().enumerate() {
+            field.add(i, [None, None], None, value)?;
+        }
+        for (at, value) in b.into_iter().enumerate() {
+            field.add(at / n, [Some(at % n), None], None, value)?;
+        }
+        for (at, value) in q.into_iter().enumerate() {
+            let (i, at) = (at / columns, at % columns);
+            let [j, k] = if columns == half { triangle[at] } else { [at / n, at % n] };
+            field.add(i, [Some(j), Some(k)], None, value)?;
+        }
+        Ok(Field::of(&System::of_coefficients(field.symbols, field.coefficients)))
+    }
+}

@@ -1,0 +1,110 @@
+"""Fields from arrays of their coefficients, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ._arrays import floats
+
+__all__ = ["Entries", "coefficients", "dense"]
+
+Entries = tuple[tuple[str, ...], tuple[str, ...], tuple[np.ndarray[Any, Any], ...]]
+"""The states, the parameters, and of each coefficient the component, two states, and the parameter, -1 for
+none, and its value."""
+
+_PARTS = ("c", "B", "Q")
+
+
+def _triangle(n: int, order: str) -> tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]:
+    """The states j and k of the columns of a Q that has each product once."""
+    return np.tril_indices(n) if order == "tril" else np.triu_indices(n)
+
+
+def _sparse(given: Any, name: str) -> tuple[tuple[int, ...], tuple[np.ndarray[Any, Any], ...], np.ndarray[Any, Any]]:
+    """The shape of an array, the indices of its entries that are not 0, and their values."""
+    if hasattr(given, "tocoo"):
+        entries = given.tocoo()
+        indices: tuple[np.ndarray[Any, Any], ...] = tuple(getattr(entries, "coords", None) or (entries.row, entries.col))
+        return entries.shape, indices, floats(entries.data, name)
+    array = floats(given, name)
+    indices = np.nonzero(array)
+    return array.shape, indices, array[indices]
+
+
+def _part(given: Any, name: str, n: int, order: str) -> tuple[np.ndarray[Any, Any], ...]:
+    """Of each entry the component, two states, -1 for none, and the value."""
+    shape, (component, *columns), values = _sparse(given, name)
+    half = n * (n + 1) // 2
+    shapes = {"c": [(n,)], "B": [(n, n)], "Q": [(n, n, n), (n, n * n), (n, half)]}[name[0]]
+    if shape not in shapes:
+        wanted = ", ".join(map(str, shapes[:-1])) + " or " * (len(shapes) > 1) + str(shapes[-1])
+        raise ValueError(f"{name} has the shape {shape}; with {n} variables it must be {wanted}")
+    if not np.isfinite(values).all():
+        at = int(np.flatnonzero(~np.isfinite(values))[0])
+        place = tuple(int(index[at]) for index in (component, *columns))
+        raise ValueError(f"{name}: the entry {place} is {values[at]}")
+    none = np.full(len(values), -1)
+    if name[0] == "c":
+        columns = [none, none]
+    elif name[0] == "B":
+        columns = [columns[0], none]
+    elif len(shape) == 2:
+        column = columns[0]
+        columns = [of[column] for of in _triangle(n, order)] if shape[1] == half and n > 1 else list(np.divmod(column, n))
+    return (component, *columns, values.astype(float))
+
+
+def coefficients(
+    parts: Sequence[Any], names: Sequence[str] | None, parameters: Mapping[str, Any] | None, order: str
+) -> Entries:
+    """The coefficients of ẋ = c + Bx + Q(x, x), each part an array or ``None``, and of what parameters multiply."""
+    if order not in ("tril", "triu"):
+        raise ValueError(f'order: columns of Q stand as "tril" (j <= i) or "triu" (j >= i), not "{order}"')
+    groups: list[tuple[int, str, Any]] = [(-1, part, given) for part, given in zip(_PARTS, parts) if given is not None]
+    for k, (name, own) in enumerate((parameters or {}).items()):
+        if not isinstance(own, Mapping):
+            own = dict(zip(_PARTS, own, strict=True))
+        for part, given in own.items():
+            if part not in _PARTS:
+                raise ValueError(f"parameters: {name} multiplies arrays c, B and Q, and there is no `{part}`")
+            if given is not None:
+                groups.append((k, part, given))
+    if not groups:
+        raise ValueError("give at least one of the arrays c, B and Q")
+    shape = np.shape(groups[0][2])
+    if not shape or 0 in shape:
+        raise ValueError(f"{groups[0][1]} has the shape {shape}; its first direction is the components of the field")
+    n = shape[0]
+    states = tuple(names) if names is not None else tuple(f"x{i + 1}" for i in range(n))
+    if len(states) != n:
+        raise ValueError(f"names: there are {len(states)} and {n} variables")
+    known = tuple(parameters or ())
+    columns = []
+    for k, part, given in groups:
+        component, j, l, values = _part(given, part if k < 0 else f"{part} of {known[k]}", n, order)
+        columns.append((component, j, l, np.full(len(values), k), values))
+    *indices, values = (np.concatenate(column) for column in zip(*columns))
+    return states, known, (*(np.ascontiguousarray(index, dtype=np.int64) for index in indices), values)
+
+
+def dense(n: int, entries: Sequence[Any], sparse: bool) -> tuple[Any, Any, Any]:
+    """The arrays c, B and Q of coefficients; Q is symmetric, and sparse ones have a row a component."""
+    component, j, k, values = (np.asarray(column) for column in entries)
+    c = np.zeros(n)
+    is_c, is_b, is_q = (k < 0) & (j < 0), (k < 0) & (j >= 0), k >= 0
+    c[component[is_c]] = values[is_c]
+    rows, ours, others, halves = component[is_q], j[is_q], k[is_q], values[is_q] / 2
+    # A square has both halves at one place.
+    rows, ours, others, halves = np.tile(rows, 2), np.concatenate([ours, others]), np.concatenate([others, ours]), np.tile(halves, 2)
+    if sparse:
+        from scipy.sparse import coo_array
+
+        B = coo_array((values[is_b], (component[is_b], j[is_b])), shape=(n, n)).tocsr()
+        return c, B, coo_array((halves, (rows, ours * n + others)), shape=(n, n * n)).tocsr()
+    B, Q = np.zeros((n, n)), np.zeros((n, n, n))
+    B[component[is_b], j[is_b]] = values[is_b]
+    np.add.at(Q, (rows, ours, others), halves)
+    return c, B, Q

@@ -1,0 +1,135 @@
+"""Fields from arrays, and the arrays of fields."""
+
+import pickle
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import kahan
+
+
+def quadratic(n, rng, size=0.1):
+    """Dense arrays c, B and a symmetric Q."""
+    Q = rng.normal(size=(n, n, n)) * size
+    return rng.normal(size=n) * size, rng.normal(size=(n, n)) * size, Q + Q.transpose(0, 2, 1)
+
+
+def triangle(Q, order):
+    """The same field with each product once."""
+    n = len(Q)
+    whole = Q + Q.transpose(0, 2, 1) - Q * np.eye(n)
+    j, k = np.tril_indices(n) if order == "tril" else np.triu_indices(n)
+    return whole[:, j, k]
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 7, 12])
+def test_all_forms_of_arrays_are_one_field(n):
+    c, B, Q = quadratic(n, np.random.default_rng(n))
+    x = np.linspace(-0.5, 0.5, n)
+    s = kahan.System.from_arrays(c, B, Q)
+    assert s.variables == tuple(f"x{i + 1}" for i in range(n))
+    expected = c + B @ x + Q @ x @ x
+    np.testing.assert_allclose(s.rhs()(0.0, x), expected, rtol=1e-14 * n**2, atol=1e-15 * n**2)
+    # Kahan's map, from the arrays alone.
+    eps = 0.01
+    step = x + 2 * eps * np.linalg.solve(np.eye(n) - eps * (B + 2 * Q @ x), expected)
+    np.testing.assert_allclose(s.step(x, eps), step, rtol=1e-13, atol=1e-15)
+    # A column in which halves are summed may differ from them in the last bit.
+    for other, order in ((Q.reshape(n, n * n), "tril"), (triangle(Q, "tril"), "tril"), (triangle(Q, "triu"), "triu")):
+        again = kahan.System.from_arrays(c, B, other, order=order)
+        np.testing.assert_allclose(again.step(x, eps), step, rtol=1e-13, atol=1e-15)
+
+
+@pytest.mark.parametrize("n", [2, 5, 11])
+def test_arrays_come_back_as_they_were_given(n):
+    c, B, Q = quadratic(n, np.random.default_rng(n))
+    s = kahan.System.from_arrays(c, B, Q)
+    for found, given in zip(s.arrays(), (c, B, Q)):
+        assert (found == given).all()
+    scipy = pytest.importorskip("scipy.sparse")
+    found = s.arrays(sparse=True)
+    assert (found[1].toarray() == B).all() and (found[2].toarray() == Q.reshape(n, n * n)).all()
+    sparse = kahan.System.from_arrays(c, scipy.csr_matrix(B), scipy.coo_array(Q.reshape(n, n * n)))
+    assert sparse.text == s.text and sparse == s
+
+
+def test_arrays_say_what_the_text_says():
+    text = kahan.System("xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x) + 3/8;")
+    s = kahan.System.from_arrays(*text.arrays(), names=["x", "y", "z"])
+    x = [0.3, 0.5, -0.2]
+    # Sums that the text has as factors are written out, so the last digits differ.
+    np.testing.assert_allclose(s.orbit(x, 0.01, 200).x, text.orbit(x, 0.01, 200).x, rtol=1e-13)
+    assert kahan.System(s.text).arrays()[2].tolist() == s.arrays()[2].tolist()
+    # Discovery and exact answers work as for a text.
+    euler = kahan.System.from_arrays(Q=kahan.catalog.euler(a1=1, a2=-3, a3=1).arrays()[2])
+    assert len(euler.discover().integrals) >= 2
+    assert euler.evaluate([Fraction(1, 2), 1, 2], Fraction(1, 10), exact=True).x_next[0].denominator > 1
+
+
+def test_floats_are_taken_exactly():
+    s = kahan.System.from_arrays(B=[[0.1]], names=["x"])
+    assert s.text == f"xdot = {Fraction(0.1)}*x;"
+    single = kahan.System.from_arrays(B=np.array([[0.1]], dtype=np.float32), names=["x"])
+    assert single.arrays()[1].item() == float(np.float32(0.1))
+
+
+def test_parameters_multiply_arrays():
+    s = kahan.System.from_arrays(
+        c=[1, 0], parameters={"mu": {"B": [[0, 0], [0, -1]]}, "nu": (None, None, [[0, 0, 0, 0], [1, 0, 0, 0]])}, names=["u", "v"])
+    assert s.text == "udot = 1;\nvdot = -mu*v + nu*u^2;" and list(s.parameters) == ["mu", "nu"]
+    at = s(mu=0.5, nu="1/3")
+    text = kahan.System("udot = 1; vdot = -mu*v + nu*u^2;", mu=0.5, nu="1/3")
+    assert (at.orbit([0.1, 0.2], 0.05, 20).x == text.orbit([0.1, 0.2], 0.05, 20).x).all()
+    with pytest.raises(ValueError, match="mu"):
+        s.arrays()
+    again = pickle.loads(pickle.dumps(at))
+    assert again == at and (again.step([0.1, 0.2], 0.1) == at.step([0.1, 0.2], 0.1)).all()
+
+
+@pytest.mark.parametrize(("arrays", "message"), [
+    ({}, "at least one"),
+    ({"B": [[1, 2]]}, r"B has the shape \(1, 2\); with 1 variables it must be \(1, 1\)"),
+    ({"c": [1, 2], "Q": np.zeros((2, 5))}, r"Q has the shape \(2, 5\).*\(2, 2, 2\), \(2, 4\) or \(2, 3\)"),
+    ({"B": [[0, np.nan], [0, 0]]}, r"B: the entry \(0, 1\) is nan"),
+    ({"c": [np.inf]}, r"c: the entry \(0,\) is inf"),
+    ({"c": [1.0], "names": ["a", "b"]}, "names: there are 2 and 1 variables"),
+    ({"c": [1.0], "order": "F"}, "order"),
+    ({"c": [1.0], "parameters": {"a": {"D": [1.0]}}}, "there is no `D`"),
+    ({"c": 1.0}, "shape"),
+])
+def test_what_is_no_field_is_an_error(arrays, message):
+    with pytest.raises(ValueError, match=message):
+        kahan.System.from_arrays(**arrays)
+
+
+@pytest.mark.parametrize("names", [["eps"], ["2x"], ["a b"], ["x+y"]])
+def test_names_follow_the_rules_of_texts(names):
+    with pytest.raises(kahan.FieldError):
+        kahan.System.from_arrays(c=[1.0], names=names)
+    with pytest.raises(kahan.FieldError):
+        kahan.System.from_arrays(c=[1.0, 1.0], names=["x", "x"])
+
+
+def test_many_variables_step_as_the_arrays_say():
+    rng = np.random.default_rng(5)
+    n = 200
+    c, B, Q = quadratic(n, rng, size=0.01)
+    s = kahan.System.from_arrays(c, B, Q)
+    x, eps = rng.normal(size=n) * 0.1, 0.001
+    step = x + 2 * eps * np.linalg.solve(np.eye(n) - eps * (B + 2 * Q @ x), c + B @ x + Q @ x @ x)
+    np.testing.assert_allclose(s.step(x, eps), step, rtol=1e-12, atol=1e-14)
+
+
+def test_ten_thousand_sparse_variables():
+    scipy = pytest.importorskip("scipy.sparse")
+    n, i = 10_000, np.arange(10_000)
+    B = scipy.diags_array([np.ones(n - 1), -2 * np.ones(n), np.ones(n - 1)], offsets=[-1, 0, 1])
+    Q = scipy.coo_array((-np.ones(n), (i, i * n + i)), shape=(n, n * n))
+    s = kahan.System.from_arrays(B=B, Q=Q)
+    x, eps = np.full(n, 0.5), 0.1
+    matrix = scipy.eye_array(n) - eps * (B - 2 * scipy.diags_array(x))
+    from scipy.sparse.linalg import spsolve
+
+    step = x + 2 * eps * spsolve(matrix.tocsc(), B @ x - x**2)
+    np.testing.assert_allclose(s.step(x, eps), step, rtol=1e-12, atol=1e-14)
