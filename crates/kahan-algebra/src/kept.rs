@@ -15,6 +15,7 @@ use crate::kahan::SparseRows;
 use crate::numbered::Numbered;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::Symbols;
+use crate::variational::By;
 
 /// What a value is, in states, parameters and values before it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -156,23 +157,22 @@ impl Values {
         self.intern(Value::Reciprocal(primitive)).map(|value| Polynomial::variable(value).scale(&inverse))
     }
 
-    /// The slopes of a polynomial in all states that it depends on, from those of the values in it.
+    /// The slopes of a polynomial in all variables that are wanted, from those of the values in it.
     /// A slope of a value that is a sum becomes a value, too.
     fn gradient(
         &mut self,
         polynomial: &Polynomial,
-        symbols: &Symbols,
+        is_wanted: &dyn Fn(Variable) -> bool,
         of_values: &mut Vec<Option<Gradient>>,
     ) -> Gradient {
         let mut gradient = Gradient::default();
-        let slopes =
-            polynomial.gradient(|variable| symbols.is_state(variable) || self.place(variable).is_some());
+        let slopes = polynomial.gradient(|variable| is_wanted(variable) || self.place(variable).is_some());
         for (variable, slope) in slopes {
-            if symbols.is_state(variable) {
-                gradient.add(usize::from(variable.0), slope);
+            if is_wanted(variable) {
+                gradient.add(variable, slope);
             } else if let Some(place) = self.place(variable) {
-                for (state, inner) in self.gradient_of_value(place, symbols, of_values).0 {
-                    gradient.add(state, &slope * &inner);
+                for (inner_variable, inner) in self.gradient_of_value(place, is_wanted, of_values).0 {
+                    gradient.add(inner_variable, &slope * &inner);
                 }
             }
         }
@@ -182,7 +182,7 @@ impl Values {
     fn gradient_of_value(
         &mut self,
         place: usize,
-        symbols: &Symbols,
+        is_wanted: &dyn Fn(Variable) -> bool,
         of_values: &mut Vec<Option<Gradient>>,
     ) -> Gradient {
         if of_values.len() <= place {
@@ -192,10 +192,18 @@ impl Values {
             return known.clone();
         }
         let gradient = match self.values[place].clone() {
-            Value::Reciprocal(_) => Gradient::default(),
+            // (1/q)′ = −q′·(1/q)²
+            Value::Reciprocal(divisor) => {
+                let Gradient(slopes) = self.gradient(&divisor, is_wanted, of_values);
+                let own = self.variable(place).expect("it has a variable");
+                let square = Polynomial::term(Monomial::power(own, 2), -Rational::ONE);
+                let mut times = |slope: Polynomial| &self.factor(&slope) * &square;
+                Gradient(slopes.into_iter().map(|(variable, slope)| (variable, times(slope))).collect())
+            }
             Value::Sum(sum) => {
-                let Gradient(slopes) = self.gradient(&sum, symbols, of_values);
-                Gradient(slopes.into_iter().map(|(state, slope)| (state, self.factor(&slope))).collect())
+                let Gradient(slopes) = self.gradient(&sum, is_wanted, of_values);
+                let factor = |(variable, slope)| (variable, self.factor(&slope));
+                Gradient(slopes.into_iter().map(factor).collect())
             }
         };
         of_values[place] = Some(gradient.clone());
@@ -203,15 +211,15 @@ impl Values {
     }
 }
 
-/// ∂/∂xᵢ for the states i on which something depends, in no order.
+/// The derivatives by the variables on which something depends, in no order.
 #[derive(Clone, Debug, Default)]
-struct Gradient(Vec<(usize, Polynomial)>);
+struct Gradient(Vec<(Variable, Polynomial)>);
 
 impl Gradient {
-    fn add(&mut self, state: usize, slope: Polynomial) {
-        match self.0.iter_mut().find(|(known, _)| *known == state) {
+    fn add(&mut self, variable: Variable, slope: Polynomial) {
+        match self.0.iter_mut().find(|(known, _)| *known == variable) {
             Some((_, sum)) => *sum = &*sum + &slope,
-            None => self.0.push((state, slope)),
+            None => self.0.push((variable, slope)),
         }
     }
 }
@@ -261,24 +269,53 @@ impl Kept {
         Kept { values, components }
     }
 
-    /// What stands for the variational field, whose symbols are `tangent`.
-    pub(crate) fn variational(&self, symbols: &Symbols, tangent: &Symbols) -> Self {
-        let (values, rows) = self.jacobian(symbols);
+    /// What stands for the field with a vector of derivatives for each entry of `by`, whose symbols
+    /// are `tangent`.
+    pub(crate) fn with_derivatives(&self, symbols: &Symbols, tangent: &Symbols, by: &[By]) -> Self {
+        let (mut values, rows) = self.jacobian(symbols);
+        let sources: Vec<Vec<Polynomial>> =
+            by.iter().map(|by| self.sources(symbols, &mut values, *by)).collect();
         let moved = Values::of(tangent);
         let rename = |variable: Variable| match values.place(variable) {
             Some(place) => moved.variable(place).expect("values are fewer than 16 bits can number"),
             None => tangent.variable(symbols.symbol(variable)),
         };
-        let along = |row: &Vec<(usize, Polynomial)>| {
-            row.iter().fold(Polynomial::zero(), |sum, (k, slope)| {
-                let entry = Polynomial::variable(tangent.state(symbols.dimension() + k));
-                &sum + &(&slope.map_variables(rename) * &entry)
-            })
-        };
-        let components = self.components.iter().map(|component| component.map_variables(rename));
-        let components = components.chain(rows.iter().map(along)).collect();
+        let mut components: Vec<Polynomial> =
+            self.components.iter().map(|component| component.map_variables(rename)).collect();
+        for (vector, (by, sources)) in by.iter().zip(sources).enumerate() {
+            let first = (vector + 1) * symbols.dimension();
+            for (row, source) in rows.iter().zip(sources) {
+                let mut source = source.map_variables(rename);
+                if *by == By::Epsilon {
+                    let inverse = tangent.parameter(tangent.parameters.len() - 1);
+                    source = &source * &Polynomial::variable(inverse);
+                }
+                components.push(row.iter().fold(source, |sum, (k, slope)| {
+                    let entry = Polynomial::variable(tangent.state(first + k));
+                    &sum + &(&slope.map_variables(rename) * &entry)
+                }));
+            }
+        }
         let renamed = values.values.iter().map(|value| value.renamed(&rename));
         Kept::new(Values::of(tangent).with(renamed), components)
+    }
+
+    /// ∂f/∂a over the values for what a is: for ε, f itself, which 1/ε multiplies.
+    fn sources(&self, symbols: &Symbols, values: &mut Values, by: By) -> Vec<Polynomial> {
+        let By::Parameter(k) = by else {
+            let of_eps = |component: &Polynomial| {
+                if by == By::Epsilon { component.clone() } else { Polynomial::zero() }
+            };
+            return self.components.iter().map(of_eps).collect();
+        };
+        let parameter = symbols.parameter(k);
+        let mut of_values = Vec::new();
+        let source = |component: &Polynomial| {
+            let Gradient(slopes) =
+                values.gradient(component, &|variable| variable == parameter, &mut of_values);
+            slopes.into_iter().next().map_or_else(Polynomial::zero, |(_, slope)| slope)
+        };
+        self.components.iter().map(source).collect()
     }
 
     /// The entries of f′(x) over the values that are not identically zero, row by row in the order
@@ -287,8 +324,10 @@ impl Kept {
         let mut values = self.values.clone();
         let mut of_values = Vec::new();
         let row = |component: &Polynomial| {
-            let Gradient(slopes) = values.gradient(component, symbols, &mut of_values);
-            sorted_by_key(slopes.into_iter().filter(|(_, slope)| !slope.is_zero()), |(state, _)| *state)
+            let is_state = |variable| symbols.is_state(variable);
+            let Gradient(slopes) = values.gradient(component, &is_state, &mut of_values);
+            let slopes = slopes.into_iter().filter(|(_, slope)| !slope.is_zero());
+            sorted_by_key(slopes.map(|(state, slope)| (usize::from(state.0), slope)), |(state, _)| *state)
         };
         let rows = self.components.iter().map(row).collect();
         (values, rows)

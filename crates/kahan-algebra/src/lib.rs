@@ -40,7 +40,7 @@ pub mod system;
 
 pub mod coefficients;
 
-mod variational;
+pub mod variational;
 
 pub mod elimination;
 

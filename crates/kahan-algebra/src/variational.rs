@@ -1,7 +1,7 @@
-//! The variational field: a field and a tangent vector that it carries along.
+//! The variational field: a field and tangent vectors that it carries along.
 //!
-//! In: ẋ = f(x). Out: ẋ = f(x), v̇ = f′(x)·v, which is quadratic, too. Kahan's map of it is x ↦ x̃
-//! with v ↦ (∂x̃/∂x)·v: to polarise and to differentiate along v is the same in either order.
+//! In: ẋ = f(x). Out: ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic, too. Kahan's map of it is
+//! x ↦ x̃ with v ↦ (∂x̃/∂x)·v + ∂x̃/∂a: to polarise and to differentiate is the same in either order.
 
 use std::sync::Arc;
 
@@ -10,40 +10,79 @@ use crate::poly::{Polynomial, gcd};
 use crate::symbols::Symbols;
 use crate::system::System;
 
+/// What a point of an orbit is differentiated by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum By {
+    /// A coordinate of the first point.
+    Start,
+    /// The parameter with this index.
+    Parameter(usize),
+    /// ε, half the time step.
+    Epsilon,
+}
+
 impl System {
     /// The system of x and a tangent vector v, whose names are those of x with a `d` before them;
     /// without claims.
     #[must_use]
     pub fn variational(&self) -> System {
+        self.with_derivatives(&[By::Start])
+    }
+
+    /// The system of x and of derivatives of it, a vector for each entry of `by`; without claims. The
+    /// names of a vector are those of x with `d`s before them. Where one is by ε, 1/ε is one more
+    /// parameter, the last.
+    #[must_use]
+    pub fn with_derivatives(&self, by: &[By]) -> System {
         let field = &self.field;
         let dimension = field.dimension();
-        let symbols = field.symbols.with_tangent();
+        let symbols = field.symbols.with_tangents(by);
         let renamed = |polynomial: &Polynomial| {
             polynomial.map_variables(|variable| symbols.variable(field.symbols.symbol(variable)))
-        };
-        let along = |component: &Component| {
-            let mut sum = Polynomial::zero();
-            for k in 0..dimension {
-                let slope = renamed(&component.numerator.derivative(field.symbols.state(k)));
-                let tangent = Polynomial::variable(symbols.state(dimension + k));
-                sum = &sum + &(&slope * &tangent);
-            }
-            let denominator = renamed(&component.denominator);
-            let common = gcd(&sum, &denominator);
-            let [numerator, denominator] =
-                [sum, denominator].map(|of| of.checked_div(&common).expect("a common divisor divides"));
-            Component { numerator, denominator }
         };
         let moved = |component: &Component| Component {
             numerator: renamed(&component.numerator),
             denominator: renamed(&component.denominator),
         };
-        let components = field.components.iter().map(moved).chain(field.components.iter().map(along));
+        let along = |(vector, by): (usize, By), component: &Component| {
+            let Component { numerator, denominator } = component;
+            let slopes = (0..dimension).map(|k| {
+                let slope = renamed(&numerator.derivative(field.symbols.state(k)));
+                &slope * &Polynomial::variable(symbols.state((vector + 1) * dimension + k))
+            });
+            let slopes: Vec<Polynomial> = slopes.collect();
+            let mut sum = Polynomial::sum_of(slopes.iter().map(|slope| (false, slope)));
+            let mut divisor = denominator.clone();
+            match by {
+                By::Start => {}
+                By::Parameter(k) => {
+                    let parameter = field.symbols.parameter(k);
+                    let [above, below] = [numerator, denominator].map(|of| of.derivative(parameter));
+                    sum = &sum + &renamed(&above);
+                    if !below.is_zero() {
+                        sum = &(&sum * &renamed(denominator)) - &renamed(&(numerator * &below));
+                        divisor = denominator * denominator;
+                    }
+                }
+                By::Epsilon => {
+                    let inverse = Polynomial::variable(symbols.parameter(symbols.parameters.len() - 1));
+                    sum = &sum + &(&renamed(numerator) * &inverse);
+                }
+            }
+            let denominator = renamed(&divisor);
+            let common = gcd(&sum, &denominator);
+            let [numerator, denominator] =
+                [sum, denominator].map(|of| of.checked_div(&common).expect("a common divisor divides"));
+            Component { numerator, denominator }
+        };
+        let of_vector = |own: (usize, By)| field.components.iter().map(move |one| along(own, one));
+        let vectors = by.iter().copied().enumerate().flat_map(of_vector);
+        let components = field.components.iter().map(moved).chain(vectors);
         System {
             header: None,
             constants: self.constants.clone(),
-            kept: self.kept.variational(&field.symbols, &symbols).into(),
-            field: Field { components: components.collect(), symbols }.into(),
+            kept: self.kept.with_derivatives(&field.symbols, &symbols, by).into(),
+            field: Field { components: components.collect(), symbols: symbols.clone() }.into(),
             written: Arc::default(),
             claims: Vec::new(),
         }
@@ -51,17 +90,24 @@ impl System {
 }
 
 impl Symbols {
-    /// These names, and one more for the tangent of each state.
-    fn with_tangent(&self) -> Symbols {
-        let mut states = self.states.clone();
-        for state in &self.states {
+    /// These names, and names of a vector for each entry of `by`; one more parameter where one is by ε.
+    fn with_tangents(&self, by: &[By]) -> Symbols {
+        let (mut states, mut parameters) = (self.states.clone(), self.parameters.clone());
+        for state in by.iter().flat_map(|_| &self.states) {
             let mut name = format!("d{state}");
-            while states.contains(&name) || self.parameters.contains(&name) {
+            while states.contains(&name) || parameters.contains(&name) {
                 name.insert(0, 'd');
             }
             states.push(name);
         }
-        Symbols { states, parameters: self.parameters.clone() }
+        if by.contains(&By::Epsilon) {
+            let mut name = "inverse_eps".to_owned();
+            while states.contains(&name) || parameters.contains(&name) {
+                name.push('_');
+            }
+            parameters.push(name);
+        }
+        Symbols { states, parameters }
     }
 }
 

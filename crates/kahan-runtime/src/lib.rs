@@ -71,6 +71,7 @@ pub use field::Field;
 pub use follow::{Follow, Followed};
 pub use fraction::Fraction;
 pub use kahan_algebra::rational::Rational;
+pub use kahan_algebra::variational::By;
 pub use kahan_core::{Composition, Level};
 pub use lattice::{ChainAt, Lattice, LatticeError};
 pub use map::Map;

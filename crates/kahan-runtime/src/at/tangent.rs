@@ -3,14 +3,12 @@
 //! In: a map at its ε. Out: v ↦ (∂x̃/∂x)·v, as Kahan's map of the variational field of twice the
 //! variables, which runs as the map itself does, as machine code where that can be had.
 
-use std::sync::Arc;
-
 use kahan_core::observe::{GROUP, Grouped, SideBySide, Tangent, TangentMap, are_moderate};
 use smallvec::SmallVec;
 
 use super::group::Aligned;
 use crate::engine::{Scratch, determinant, with_scratch};
-use crate::{Field, MachineFloat, MapAt};
+use crate::{By, Field, MachineFloat, MapAt, Rational, RuntimeFloat};
 
 /// Those of two vectors in four variables: with more there is no code.
 const MOST_COLUMNS: usize = 4 + 2 * 4 + 2;
@@ -24,11 +22,42 @@ impl<T: MachineFloat> MapAt<T> {
 
     /// The map of the variational field.
     fn variational(&self) -> &Self {
-        self.variational.get_or_init(|| {
-            let field = Field { engine: Arc::clone(self.engine().variational()) };
-            let map = crate::Map::new(field, self.map.parameters().to_vec());
-            MapAt::new(map, self.constants.clone(), self.kind.precision).composed(self.composition)
-        })
+        self.variational.get_or_init(|| self.with_derivatives(&[By::Start]))
+    }
+}
+
+impl<T: RuntimeFloat> MapAt<T> {
+    /// The map of a point and of its derivatives: a state has the numbers of x, and behind them a
+    /// vector for each entry of `by`, which is 0 at the start but for [`By::Start`], there the unit
+    /// vector of the coordinate. A vector of a composed or compensated orbit is the derivative of
+    /// that orbit.
+    ///
+    /// Cost: the first call for a field plans a field of 1 + `by.len()` times the variables.
+    ///
+    /// ```
+    /// use kahan_runtime::{By, Field};
+    ///
+    /// // x' = a·x²: one step takes x to x/(1 − 2εax)
+    /// let at = Field::parse("xdot = a*x^2;").unwrap().with([("a", 3)]).unwrap().at(0.125);
+    /// let mut state = [0.5, 0.0, 1.0];
+    /// at.with_derivatives(&[By::Parameter(0), By::Start]).advance(&mut state, 1).unwrap();
+    /// assert_eq!(state, [0.8, 0.16, 2.56]);
+    /// ```
+    #[must_use]
+    pub fn with_derivatives(&self, by: &[By]) -> Self {
+        let field = Field { engine: self.engine().with_derivatives(by) };
+        let mut parameters = self.map.parameters().to_vec();
+        let (own, eps) = self.own();
+        let mut constants = own.to_vec();
+        if by.contains(&By::Epsilon) {
+            let inverse = T::one() / eps;
+            parameters.push(Rational::from_f64(inverse.approximate()).unwrap_or_default());
+            constants.push(inverse);
+        }
+        constants.push(eps);
+        let map = crate::Map::new(field, parameters);
+        MapAt { kind: self.kind, ..MapAt::new(map, constants.into(), self.kind.precision) }
+            .composed(self.composition)
     }
 }
 

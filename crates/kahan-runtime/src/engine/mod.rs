@@ -16,11 +16,12 @@ mod lanes;
 mod scratch;
 mod step;
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use kahan_algebra::derived::{Derived, derive};
 use kahan_algebra::plan::Plan;
 use kahan_algebra::system::System;
+use kahan_algebra::variational::By;
 use kahan_core::{Composition, Constant, Dual, FloatScalar, Scalar};
 
 use crate::line::Line;
@@ -100,7 +101,8 @@ pub struct Engine {
     lines: Vec<OnceLock<Option<Line>>>,
     /// The integrals, each by itself.
     single_integrals: OnceLock<Vec<Line>>,
-    variational: OnceLock<Arc<Engine>>,
+    /// Those of the fields with derivatives that were asked for.
+    with_derivatives: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
     /// From the parameters to the coefficients of a dense field.
     coefficients: OnceLock<Option<Line>>,
     pub(crate) codes: Codes,
@@ -137,7 +139,7 @@ impl Engine {
             derived,
             steps: OnceLock::new(),
             single_integrals: OnceLock::new(),
-            variational: OnceLock::new(),
+            with_derivatives: Mutex::default(),
             coefficients: OnceLock::new(),
         }
     }
@@ -147,9 +149,15 @@ impl Engine {
         self.derived.system.field.dimension()
     }
 
-    /// The variational field, of twice the variables.
-    pub(crate) fn variational(&self) -> &Arc<Engine> {
-        self.variational.get_or_init(|| Arc::new(Engine::new(&self.derived.system.variational())))
+    /// The field with derivatives, a vector for each entry of `by`.
+    pub(crate) fn with_derivatives(&self, by: &[By]) -> Arc<Engine> {
+        let mut known = self.with_derivatives.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, engine)) = known.iter().find(|(own, _)| own == by) {
+            return Arc::clone(engine);
+        }
+        let engine = Arc::new(Engine::new(&self.derived.system.with_derivatives(by)));
+        known.push((by.to_vec(), Arc::clone(&engine)));
+        engine
     }
 
     /// The forms of the step.

@@ -3,6 +3,7 @@
 mod catalog;
 mod columns;
 mod couplings;
+mod derivatives;
 mod errors;
 mod follow;
 mod large;

@@ -60,6 +60,9 @@ impl Rational {
     /// `f64` to what `hi` leaves; `lo` is 0 where `hi` is infinite.
     pub fn to_double_double(&self) -> (f64, f64) {
         let hi = self.to_f64();
+        if hi.abs() >= f64::MIN_POSITIVE && self.dyadic().is_some_and(|(num, _)| num < 1 << 53) {
+            return (hi, 0.0);
+        }
         let Some(exact) = Self::from_f64(hi) else { return (hi, 0.0) };
         // Common factors of what is left change no rounding, and to look for them in thousands of
         // digits takes longer than all the rest.
