@@ -3,9 +3,11 @@
 use kahan_core::Dd;
 use kahan_runtime::{By, Composition, Field, Map, MapAt, Rational};
 
-/// Fields with the values of their parameters and a first point: straight lines, eliminations,
-/// divisors, sums as factors.
-fn fields() -> Vec<(String, Vec<(&'static str, f64)>, Vec<f64>)> {
+/// A field with the values of its parameters and a first point.
+type Case = (String, Vec<(&'static str, f64)>, Vec<f64>);
+
+/// Fields with straight lines, eliminations, divisors, and sums as factors.
+fn fields() -> Vec<Case> {
     let network: String = (0..7)
         .map(|i| {
             let (left, right) = ((i + 6) % 7, (i + 1) % 7);
