@@ -129,8 +129,8 @@ class System(Field):
         array([[ 0.,  0.],
                [-2.,  0.]])
         """
-        component, (first, second), values = self._coefficients()
-        return dense(len(self._all_variables), (component, first, second, values), sparse)
+        indices, values = self._coefficients()
+        return dense(len(self._all_variables), (*indices, values), sparse)
 
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
         return (type(self)._of, (*self._call, self._lifting))

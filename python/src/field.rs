@@ -244,14 +244,13 @@ impl Field {
     /// Of each coefficient of the field at its parameters the component, two states, -1 for none, and
     /// the value.
     #[pyo3(name = "_coefficients")]
-    fn coefficients(&self, py: Python<'_>) -> PyResult<(Vec<usize>, [Vec<i64>; 2], Vec<f64>)> {
+    fn coefficients(&self, py: Python<'_>) -> PyResult<([Vec<i64>; 3], Vec<f64>)> {
         let coefficients = self.study.coefficients().map_err(|error| of_study(py, &error))?;
-        let state = |place: usize| {
-            let index = |one: &Coefficient| one.states[place].map_or(-1, |state| state as i64);
-            coefficients.iter().map(index).collect()
+        let of = |index: &dyn Fn(&Coefficient) -> Option<usize>| {
+            coefficients.iter().map(|one| index(one).map_or(-1, |index| index as i64)).collect()
         };
-        let values = coefficients.iter().map(|one| one.value.to_f64()).collect();
-        Ok((coefficients.iter().map(|one| one.component).collect(), [state(0), state(1)], values))
+        let indices = [of(&|one| Some(one.component)), of(&|one| one.states[0]), of(&|one| one.states[1])];
+        Ok((indices, coefficients.iter().map(|one| one.value.to_f64()).collect()))
     }
 
     /// The variables of arrays: of a lifted field the original ones, and the new ones where these
