@@ -5,18 +5,15 @@
 //! system with the formulas that its map keeps as integrals, and the lift. Points are given in the
 //! original variables; the new ones are functions of them.
 
-use std::ops::ControlFlow;
-
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::parse::parse_lifted;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::expression_text;
 use kahan_algebra::syntax::{Claim, ClaimBody, TensorEntry};
 use kahan_algebra::system::System;
-use kahan_core::observe::Visit;
 use kahan_latex::Latex;
 use kahan_lift::{Along, Lift, Options, Which, lift, stated};
-use kahan_runtime::{FieldText, Follow};
+use kahan_runtime::FieldText;
 use serde::{Serialize, Serializer};
 
 use crate::error::StudyError;
@@ -294,45 +291,24 @@ const DRIFT: f64 = 1.5;
 const ROUNDING: f64 = 1e-11;
 
 impl Study {
-    /// How much larger the error of the relation of each new variable is in the last eighth of an
-    /// orbit over 100 units of time than in the first; `None` where it has no relation, or the
-    /// orbit ends early.
-    ///
-    /// # Errors
-    /// Values that are missing, a start that does not fit.
-    pub fn relation_drifts(&self, at: &[Rational], eps: Option<f64>) -> Result<Vec<Option<f64>>, StudyError> {
-        let Some(lifted) = self.lifted() else { return Ok(Vec::new()) };
-        let eps = eps.unwrap_or(USUAL_STEP).abs();
+    /// How much larger the error of each relation is in the last eighth of an orbit over 100 units
+    /// of time than in the first; `None` where the orbit ends early.
+    fn relation_drifts(&self, at: &[Rational], eps: f64) -> Result<Vec<Option<f64>>, StudyError> {
         let steps = (HORIZON / (2.0 * eps)).ceil().clamp(8.0, 1e7) as u64;
-        let (map, mut x) = self.in_floats(at, &Rational::from_f64(eps).unwrap_or_default())?;
-        let values: Vec<f64> = self.values()?.iter().map(Rational::to_f64).collect();
-        let own: Vec<f64> = lifted
-            .lift
-            .parameters
-            .iter()
-            .map(|name| self.parameter(name).map_or(f64::NAN, |place| values[place]))
-            .collect();
-        let states = lifted.lift.states.len();
-        let mut most = vec![[0.0_f64; 2]; lifted.lift.new.len()];
-        let look = Visit::by(|step, x: &[f64]| {
-            let eighth = step * 8 / (steps + 1);
-            if !matches!(eighth, 0 | 7) {
-                return;
-            }
-            let new = lifted.lift.embed(&x[..states], &own);
-            for ((most, value), own) in most.iter_mut().zip(&new).zip(&x[states..]) {
-                let error = &mut most[usize::from(eighth == 7)];
-                let size = (value - own).abs() / value.abs().max(1.0);
-                *error = if size.is_nan() { f64::INFINITY } else { error.max(size) };
-            }
-        });
-        let followed = map.observe(&mut x, steps, look, |_| ControlFlow::Continue(()));
-        let is_complete = followed.is_ok_and(|followed| !followed.end.is_early());
-        let drifts = lifted.lift.new.iter().zip(most).map(|(new, [first, last])| {
-            let has_relation = is_complete && new.expression.is_some();
-            has_relation.then(|| last.max(ROUNDING) / first.max(ROUNDING))
-        });
-        Ok(drifts.collect())
+        let eps = Rational::from_f64(eps).unwrap_or_default();
+        let seen = self.relation_errors(at, &eps, steps, 8)?;
+        let drift = |errors: Vec<f64>| match errors[..] {
+            [first, .., last] if seen.steps == steps => Some(last.max(ROUNDING) / first.max(ROUNDING)),
+            _ => None,
+        };
+        Ok(seen.errors.into_iter().map(drift).collect())
+    }
+
+    /// The first point of the orbit along which the lift was chosen: the one that was given for it,
+    /// or else the text's own.
+    #[must_use]
+    pub fn lift_start(&self) -> Option<Vec<Rational>> {
+        self.lifted()?.lifting.start.clone().or_else(|| self.start())
     }
 
     /// Describes the lift; `None` where the field was not lifted. With a start the
@@ -344,9 +320,9 @@ impl Study {
         self.proved()?;
         let Some(lifted) = self.lifted() else { return Ok(None) };
         let lift = &lifted.lift;
-        let start = lifted.lifting.start.clone().or_else(|| self.start());
+        let eps = eps.unwrap_or(USUAL_STEP).abs();
         let has_values = self.valued().iter().all(Option::is_some);
-        let start = start.filter(|_| has_values);
+        let start = self.lift_start().filter(|_| has_values);
         let (values, drifts) = match &start {
             Some(start) => {
                 let point = self.point(start)?;
@@ -362,8 +338,8 @@ impl Study {
             latex,
             value,
         });
-        let relations = lift.relations.iter().map(|relation| {
-            let drift = relation.defines.and_then(|place| drifts.get(place));
+        let relations = lift.relations.iter().enumerate().map(|(place, relation)| {
+            let drift = drifts.get(place);
             RelationFound {
                 relation: relation.text.clone(),
                 along: relation.along.map(|along| Fate::of(along, drift.copied().flatten())),
@@ -374,6 +350,7 @@ impl Study {
         });
         Ok(Some(LiftFound {
             system: self.name().to_owned(),
+            written: lifted.given.text().to_owned(),
             variables: lift.variables().to_vec(),
             new: new.collect(),
             field: self.text().to_owned(),
@@ -383,6 +360,7 @@ impl Study {
             relations: relations.collect(),
             energy: lift.energy.clone(),
             notes: lift.notes.clone(),
+            followed: start.map(|start| (start, eps)),
         }))
     }
 }
@@ -392,6 +370,9 @@ impl Study {
 pub struct LiftFound {
     /// The name of the system.
     pub system: String,
+    /// The text that was lifted.
+    #[serde(skip)]
+    pub written: String,
     /// The original variables, then the new ones.
     pub variables: Vec<String>,
     /// The new variables.
@@ -411,6 +392,10 @@ pub struct LiftFound {
     /// What a user should know of.
     #[serde(skip)]
     pub notes: Vec<String>,
+    /// The first point and ε of the orbit along which the relations were watched, over 100 units of
+    /// time.
+    #[serde(skip)]
+    pub followed: Option<(Vec<Rational>, f64)>,
 }
 
 /// A new variable of a lift.

@@ -102,3 +102,62 @@ fn claims_of_the_text_are_those_of_the_lift() {
     let lv = Subject::named("lv").lifted(Which::Automatic).study(&Systems).unwrap();
     assert_eq!(lv.text(), Subject::named("lv").study(&Systems).unwrap().text());
 }
+
+#[test]
+fn relations_have_errors_along_an_orbit() {
+    let study = lifted(PENDULUM, &[("g", 1)]);
+    let errors = |eps: (i64, i64), steps: u64| {
+        let start = rational(&[(1, 1), (0, 1)]);
+        study.relation_errors(&start, &Rational::new(eps.0, eps.1), steps, 8).expect("an orbit")
+    };
+    // s² + c² − 1, s − sin x and c − cos x, each of order 2 in the step and without a trend.
+    let (coarse, fine) = (errors((1, 20), 800), errors((1, 40), 1600));
+    assert_eq!((coarse.errors.len(), coarse.steps), (3, 800));
+    for (coarse, fine) in coarse.errors.iter().zip(&fine.errors) {
+        assert_eq!(coarse.len(), 8);
+        let most = |errors: &[f64]| errors.iter().copied().fold(0.0, f64::max);
+        let ratio = most(coarse) / most(fine);
+        assert!((3.5..4.5).contains(&ratio), "{coarse:?} {fine:?}");
+        assert!(coarse[7] < 1.5 * coarse[0], "{coarse:?}");
+    }
+    // More parts than points: the start has rounding alone, and its parts stand for it.
+    let few = errors((1, 20), 1);
+    assert!(few.errors.iter().all(|errors| errors.len() == 5 && errors[3] < 1e-15 && errors[4] > 1e-6));
+    let none = Subject::named("lv").study(&Systems).unwrap();
+    assert!(none.relation_errors(&[], &Rational::one(), 1, 1).unwrap().errors.is_empty());
+}
+
+#[test]
+fn a_lift_to_show_is_chosen_along_an_orbit() {
+    let neuron = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
+    let subject = Subject::text(neuron).lifted(Which::Automatic);
+    let fates = |study: Study| study.lift_found(None).unwrap().expect("a lift").relations[0].along;
+    assert_eq!(fates(subject.study(&Systems).unwrap()), None);
+    let study = subject.study_to_show(&Systems).unwrap();
+    assert_eq!(study.lift_start().as_ref(), Some(&study.shown_orbit(None, None).unwrap().start));
+    assert_eq!(fates(study), Some(Fate::Decays));
+    // A text that begins somewhere is judged there, and one without values has no orbit.
+    let begun = Subject::text(format!("{neuron}\ninit v=1, w=0")).lifted(Which::Automatic);
+    assert_eq!(begun.study_to_show(&Systems).unwrap().lift_start(), Some(rational(&[(1, 1), (0, 1)])));
+    let generic = Subject::text(PENDULUM).lifted(Which::Automatic).study_to_show(&Systems).unwrap();
+    assert_eq!(generic.lift_start(), None);
+}
+
+#[test]
+fn what_is_not_quadratic_calls_for_a_lift() {
+    for (text, calls) in [
+        (PENDULUM, true),
+        ("x'' = -x/(x^2 + y^2)^(3/2), y'' = -y/(x^2 + y^2)^(3/2)", true),
+        ("xdot = x - x^3;", true),
+        ("xdot = x^2;", false),
+        ("xdot = abs(x);", false),
+        ("xdot = sin(x", false),
+        ("xdot = x*y*;", false),
+        // A false claim is no reason.
+        ("xdot = y; ydot = -x; integral H = x;", false),
+    ] {
+        assert_eq!(Subject::text(text).calls_for_a_lift(), calls, "{text}");
+    }
+    assert!(!Subject::text(PENDULUM).lifted(Which::Automatic).calls_for_a_lift());
+    assert!(!Subject::named("lv").calls_for_a_lift());
+}

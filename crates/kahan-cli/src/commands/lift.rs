@@ -75,25 +75,10 @@ impl Lift {
     }
 }
 
-/// The fate of a relation, in words.
-fn fate(relation: &RelationFound) -> String {
-    let rate = relation.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));
-    match (relation.along, &relation.formula) {
-        (_, Some(formula)) => format!("kept exactly: {formula}"),
-        (Some(Fate::Kept), None) => "kept exactly".to_owned(),
-        (Some(Fate::Bounded), _) => "bounded".to_owned(),
-        (Some(Fate::Decays), _) => format!("decays{rate}"),
-        (Some(Fate::Drifts), _) => "drifts".to_owned(),
-        (Some(Fate::Grows), _) => format!("grows{rate}"),
-        (None, _) => "not followed: give --at, and a value to each parameter".to_owned(),
-    }
-}
-
-/// A relation as an equation.
-fn equation(found: &LiftFound, relation: &RelationFound) -> String {
-    let defined = relation.defines.map(|place| &found.new[place]);
-    let sides = defined.and_then(|new| Some((&new.name, new.expression.as_ref()?)));
-    sides.map_or_else(|| format!("{} = 0", relation.relation), |(name, value)| format!("{name} = {value}"))
+/// A relation and its fate.
+fn relation(found: &LiftFound, relation: &RelationFound) -> String {
+    let verdict = relation.verdict().replace("give a first point", "give --at");
+    format!("{}: {verdict}", found.equation(relation))
 }
 
 fn text(found: &LiftFound) -> String {
@@ -112,23 +97,12 @@ fn text(found: &LiftFound) -> String {
         );
     }
     if !found.relations.is_empty() {
-        page.section(
-            "relations",
-            found
-                .relations
-                .iter()
-                .map(|relation| format!("{}: {}", equation(found, relation), fate(relation))),
-        );
+        page.section("relations", found.relations.iter().map(|one| relation(found, one)));
     }
     if let Some(energy) = &found.energy {
         page.section("energy that the map keeps exactly", [energy]);
     }
-    let optimal = if found.optimal {
-        "the search for fewer new variables was complete and found none"
-    } else {
-        "a lift with fewer new variables may exist"
-    };
-    page.section("choice", paragraph(&format!("{}; {optimal}.", found.chosen)));
+    page.section("choice", paragraph(&format!("{}; {}.", found.chosen, found.optimality())));
     let is_kept = found.relations.iter().any(|relation| relation.formula.is_some());
     let strays = found.relations.iter().any(|relation| match relation.along {
         Some(Fate::Drifts | Fate::Grows) => true,

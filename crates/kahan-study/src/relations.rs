@@ -1,0 +1,175 @@
+//! Relations between the variables of a lift: their errors along an orbit, and their fates in
+//! words.
+
+use std::ops::ControlFlow;
+
+use kahan_algebra::rational::Rational;
+use kahan_core::observe::Visit;
+use kahan_lift::Lift;
+use kahan_runtime::Follow;
+
+use crate::error::StudyError;
+use crate::formula::{Formula, formula_of};
+use crate::lifted::{Fate, LiftFound, RelationFound};
+use crate::study::Study;
+use crate::subject::{Catalog, Subject};
+
+/// The sizes of the relations of a lift along an orbit of the map, relation by relation.
+#[derive(Clone, Debug)]
+pub struct RelationErrors {
+    /// The largest error of each relation in each of the equal parts of the orbit; infinite where a
+    /// function has no value. A part that the orbit does not reach has no entry.
+    pub errors: Vec<Vec<f64>>,
+    /// The steps that were asked for, or up to where the orbit ended.
+    pub steps: u64,
+}
+
+/// The error of a relation at a point.
+enum Error {
+    /// The distance of a new variable from its function, relative to functions above 1.
+    Defined(usize),
+    /// The function that is 0 where the relation holds, of all variables.
+    Function(Formula),
+}
+
+impl Error {
+    /// The error at a point, where the functions of the new variables have these values.
+    fn at(&self, point: &[f64], states: usize, functions: &[f64]) -> f64 {
+        let size = match self {
+            Error::Defined(place) => {
+                (functions[*place] - point[states + place]).abs() / functions[*place].abs().max(1.0)
+            }
+            Error::Function(formula) => formula.of(point).abs(),
+        };
+        if size.is_nan() { f64::INFINITY } else { size }
+    }
+}
+
+impl Study {
+    /// The errors of the relations of a lift along an orbit of Kahan's map, in so many equal parts
+    /// of it; of a field that was not lifted, none. Costs the steps and, at each, the functions of
+    /// the new variables.
+    ///
+    /// # Errors
+    /// Values that are missing, a start that does not fit.
+    ///
+    /// # Panics
+    /// Where there is no part.
+    pub fn relation_errors(
+        &self,
+        at: &[Rational],
+        eps: &Rational,
+        steps: u64,
+        parts: usize,
+    ) -> Result<RelationErrors, StudyError> {
+        let Some(lift) = self.lift() else { return Ok(RelationErrors { errors: Vec::new(), steps }) };
+        let (map, mut x) = self.in_floats(at, eps)?;
+        let values: Vec<f64> = self.values()?.iter().map(Rational::to_f64).collect();
+        let known: Vec<(String, f64)> = self.parameters().iter().cloned().zip(values).collect();
+        let own = |name: &String| known.iter().find(|(known, _)| known == name).map_or(f64::NAN, |own| own.1);
+        let own: Vec<f64> = lift.parameters.iter().map(own).collect();
+        let sizes = errors_of(lift, &known);
+        let states = lift.states.len();
+        let mut errors = vec![Vec::with_capacity(parts); sizes.len()];
+        let look = Visit::by(|step: u64, x: &[f64]| {
+            let part = (u128::from(step) * parts as u128 / (u128::from(steps) + 1)) as usize;
+            let functions = lift.embed(&x[..states], &own);
+            for (errors, size) in errors.iter_mut().zip(&sizes) {
+                let error = size.at(x, states, &functions);
+                // Where there are fewer points than parts, some parts have none.
+                errors.resize(part + 1, errors.last().copied().unwrap_or(error).min(error));
+                errors[part] = error.max(errors[part]);
+            }
+        });
+        let followed = map.observe(&mut x, steps, look, |_| ControlFlow::Continue(()));
+        let end = followed.expect("the start is of the field").end;
+        Ok(RelationErrors { errors, steps: end.steps(steps) })
+    }
+}
+
+/// The errors of a lift's relations, where its parameters have these values.
+fn errors_of(lift: &Lift, known: &[(String, f64)]) -> Vec<Error> {
+    let names: Vec<&str> = lift.variables().iter().map(String::as_str).collect();
+    let error = |relation: &kahan_lift::Relation| match relation.defines {
+        Some(place) => Error::Defined(place),
+        None => {
+            let formula = formula_of(&names, &relation.text, known);
+            Error::Function(formula.expect("a relation is a formula of the variables"))
+        }
+    };
+    lift.relations.iter().map(error).collect()
+}
+
+impl Subject {
+    /// Reads the field as [`study`](Subject::study) does. A lift without a first point is chosen
+    /// along an orbit to see ([`Study::shown_orbit`]), where all parameters have values.
+    ///
+    /// # Errors
+    /// Those of [`study`](Subject::study).
+    pub fn study_to_show(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
+        let mut study = self.study(catalog)?;
+        let Some(lifting) = self.lifting.as_ref().filter(|_| study.lift_start().is_none()) else {
+            return Ok(study);
+        };
+        // The first lift is chosen without an orbit, so that its own may not stay.
+        for _ in 0..2 {
+            let Ok(shown) = study.shown_orbit(None, None) else { break };
+            if study.lift_start().as_ref() == Some(&shown.start) {
+                break;
+            }
+            let lifting = crate::Lifting { start: Some(shown.start), ..lifting.clone() };
+            study = self.clone().lifting(lifting).study(catalog)?;
+        }
+        Ok(study)
+    }
+
+    /// Whether the equations are not quadratic, and a lift reads them: it may still find no
+    /// quadratic field within its budget.
+    #[must_use]
+    pub fn calls_for_a_lift(&self) -> bool {
+        match &self.field {
+            crate::subject::Given::Text(text) if self.lifting.is_none() => {
+                text.unproved_system().is_err() && text.read_by(kahan_lift::stated).is_ok()
+            }
+            _ => false,
+        }
+    }
+}
+
+impl LiftFound {
+    /// A relation as an equation: `sin_x = sin(x)`.
+    #[must_use]
+    pub fn equation(&self, relation: &RelationFound) -> String {
+        let defined = relation.defines.map(|place| &self.new[place]);
+        let sides = defined.and_then(|new| Some((&new.name, new.expression.as_ref()?)));
+        sides
+            .map_or_else(|| format!("{} = 0", relation.relation), |(name, value)| format!("{name} = {value}"))
+    }
+
+    /// Whether the search for fewer new variables was complete, in words.
+    #[must_use]
+    pub fn optimality(&self) -> &'static str {
+        if self.optimal {
+            "the search for fewer new variables was complete and found none"
+        } else {
+            "a lift with fewer new variables may exist"
+        }
+    }
+}
+
+impl RelationFound {
+    /// The fate along the orbit in words: `kept exactly: …`, `bounded`, `decays at the rate …`.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        let rate = self.rate.map_or_else(String::new, |rate| format!(" at the rate {rate:.3}"));
+        match (self.along, &self.formula) {
+            (_, Some(formula)) => format!("kept exactly: {formula}"),
+            (Some(Fate::Kept), None) => "kept exactly".to_owned(),
+            (Some(Fate::Bounded), _) => "bounded".to_owned(),
+            (Some(Fate::Decays), _) => format!("decays{rate}"),
+            (Some(Fate::Drifts), _) => "drifts".to_owned(),
+            (Some(Fate::Grows), _) => format!("grows{rate}"),
+            (None, _) => "not followed: give a first point, and a value to each parameter".to_owned(),
+        }
+    }
+}
