@@ -126,12 +126,21 @@ function span(lists, isWhole, [least, most] = [-Infinity, Infinity]) {
   return [low - room, high + room]
 }
 
-// By how much integrals change: the logarithm of the largest relative change in each pixel.
-function drift(canvas, orbits) {
+// Strokes of relations, which tell them apart from integrals.
+const RELATION_PAINTS = ['--c4', '--c5', '--c2', '--c3', '--c6', '--c1']
+const STROKES = [['dashed', [7, 4]], ['dotted', [2, 3]]]
+const strokeOf = k => ({ paint: RELATION_PAINTS[k % 6], stroke: STROKES[Math.floor(k / 6) % 2] })
+
+// By how much integrals change: the logarithm of the largest relative change in each pixel. Of a
+// relation the errors are known, in equal parts of an orbit that takes all steps.
+function drift(canvas, time, orbits, relations, whole) {
   const FLOOR = -17
-  const time = orbits[0].columns[1]
   const end = time.at(-1) || 1
-  const curves = orbits.map(({ columns, integrals, paint }) => {
+  const curve = (sizes, style, end) => {
+    const heights = Array.from(sizes, (size, k) => [(k / (sizes.length - 1)) * end, Math.max(FLOOR, Math.log10(size))])
+    return { ...style, heights: heights.filter(([, height]) => height > FLOOR && height < 300) }
+  }
+  const ofIntegrals = orbits.map(({ columns, integrals, paint }) => {
     const bins = new Float64Array(Math.max(60, canvas.clientWidth - MARGIN.left)).fill(0)
     for (const values of integrals.map(index => columns[index])) {
       const size = Math.abs(values[0]) || 1
@@ -140,17 +149,19 @@ function drift(canvas, orbits) {
         bins[bin] = Math.max(bins[bin], Math.abs(values[k] - values[0]) / size)
       }
     }
-    const heights = Array.from(bins, (change, k) => [(k / (bins.length - 1)) * end, Math.max(FLOOR, Math.log10(change))])
-    return { paint, heights: heights.filter(([, height]) => height > FLOOR && height < 300) }
+    return curve(bins, { paint }, end)
   })
+  const curves = [...relations.map((sizes, k) => curve(sizes, strokeOf(k), whole)), ...ofIntegrals]
   const top = Math.max(-10, ...curves.flatMap(({ heights }) => heights.map(([, height]) => height)))
   const drawn = sheet(canvas, [[Math.min(0, end), Math.max(0, end)], [FLOOR, Math.min(top, 6) + 1]])
   axes(drawn, ['t', ''], tick => (Number.isInteger(tick) ? `10${raised(tick)}` : ''))
-  for (const { paint, heights } of curves) {
+  for (const { paint, stroke, heights } of curves) {
     drawn.context.strokeStyle = colour(paint)
     drawn.context.lineWidth = 1.6
+    drawn.context.setLineDash(stroke?.[1] || [])
     drawn.context.beginPath()
     for (const [t, height] of heights) drawn.context.lineTo(drawn.x(t), Math.max(MARGIN.top, drawn.y(height)))
     drawn.context.stroke()
   }
+  drawn.context.setLineDash([])
 }

@@ -7,13 +7,17 @@ let state = readAddress()
 let chosen = { eps: false, at: false } // whether the reader or the address gave ε and the first points
 let catalog = []
 let sheetOf = null // the answer to `show` for the field as it is, or null where it has a mistake
+let lifted = null // what `show` says of the lift, where there is one
 let values = {} // of the parameters that have some
 let searched = null // the subject of the search, its equations and what was found
 let frame = null // what the portrait shows: its sheet, its window
 
 const entry = () => catalog.find(({ name }) => name === state.system)
 const named = text => Object.fromEntries(Object.entries(state.params).filter(([name, value]) => NUMBER.test(value) && new RegExp(`\\b${name}\\b`).test(text)))
-const subject = () => ({ ...(entry() ? { name: state.system } : { field: state.field }), params: named(state.field) })
+const subject = () => ({ ...(entry() ? { name: state.system } : { field: state.field, ...lifting() }), params: named(state.field) })
+const lifting = () => (state.lift ? { lift: state.lift } : {})
+// The variables of first points and pictures.
+const coordinates = () => lifted?.coordinates || sheetOf.variables
 const save = () => history.replaceState(null, '', address({ ...state, params: named(state.field) }))
 
 // A sentence, its formulas between backticks.
@@ -51,11 +55,17 @@ async function refresh() {
   const reply = await lead.ask(subject(), { ask: 'show', as: 'latex' })
   if (!reply) return
   $('mistake').hidden = $('first').hidden = !reply.mistake
+  $('offer').hidden = !reply.lifts
+  $('lifting').hidden = !state.lift || !(reply.mistake || reply.lifted)
+  $('which-lift').value = state.lift
+  $('first').textContent = `${reply.lifts ? 'Lift or correct the field first.' : 'Correct the field first.'} What is below is of the field before.`
   $('mistake').textContent = reply.mistake || ''
   $('field').setAttribute('aria-invalid', String(Boolean(reply.mistake)))
   $('rest').disabled = Boolean(reply.mistake)
-  ;[sheetOf, lastDrawn] = [reply.mistake ? null : reply.answer, []]
+  ;[sheetOf, lastDrawn, relationErrors] = [reply.mistake ? null : reply.answer, [], []]
   if (!sheetOf) return
+  lifted = reply.lifted
+  showLift()
   set('formulas', reply.html)
   values = reply.values
   parameters(reply.parameters)
@@ -65,6 +75,27 @@ async function refresh() {
   if (isWanted) search()
   if ($('jacobian').open) await jacobian()
   await orbitsAnew()
+}
+
+function showLift() {
+  $('lifted').hidden = !lifted
+  if (!lifted) return
+  set('lift-shown', lifted.html)
+  $('growing').hidden = !lifted.warning
+  $('growing').textContent = lifted.warning ? `Note: ${lifted.warning}.` : ''
+  // The heading says where the answer stands, as the button is gone.
+  if (isLifting) $('h-lift').focus()
+  isLifting = false
+}
+
+let isLifting = false // whether a lift was asked for by the button
+
+// Another lift of the same text, or none.
+function lift(which) {
+  state = { ...state, lift: which, system: '' }
+  save()
+  forget()
+  return refresh()
 }
 
 // Boxes that scroll are stops for the keyboard, with a name; others are none.
@@ -214,8 +245,8 @@ function search() {
     const sheet = await workers.search.ask(asked, { ask: 'show' })
     if (!sheet?.answer || searched?.subject !== asked) return
     const equations = sheet.answer.variables.map((name, k) => `${name}dot = ${sheet.answer.field[k]};`)
-    // The equations have the values that claims are made for.
-    searched = { ...searched, equations, lines: lines.map(line => line.replace(/ when [^{}]*;$/, ';')) }
+    // The equations have the values that claims are made for; a lift's text has not.
+    searched = { ...searched, equations, lines: lifted ? lines : lines.map(line => line.replace(/ when [^{}]*;$/, ';')) }
     move()
   }, ({ found }) => {
     if (!found) return
@@ -228,6 +259,8 @@ function search() {
 
 // The field of the search with some of what was found.
 function claimed(lines) {
+  // A lift takes claims behind the equations as they are written, and points in their variables.
+  if (lifted) return { ...searched.subject, field: [searched.subject.field, ...lines].join('\n') }
   const field = [...searched.equations, ...lines].join('\n')
   const params = named(field)
   // The values that the text itself gives.
@@ -242,7 +275,7 @@ function measured() {
 }
 
 async function orbitsAnew() {
-  const { variables } = sheetOf
+  const variables = coordinates()
   const fits = state.at.length && state.at.every(at => at.split(',').length === variables.length)
   if (!chosen.eps || !chosen.at || !fits) {
     const scene = await lead.ask(subject(), { ask: 'scene' })
@@ -308,6 +341,17 @@ function move() {
   return moveMaps()
 }
 
+// The errors of the relations of a lift along the first orbit of the map, and those drawn last.
+let relationErrors = []
+async function relations() {
+  const [{ at, eps, steps }, names] = [state, lifted?.relations || []]
+  if (!names.length) return []
+  const reply = await mover.ask(subject(), { ask: 'relations', eps, at: at[0].split(','), steps })
+  if (!reply || reply.mistake) return reply && []
+  const { rows } = reply.answer
+  return names.map((_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
+}
+
 async function orbits(asker, methods) {
   const [sheet, asked, { at: starts, eps }] = [sheetOf, measured(), state]
   const made = []
@@ -322,6 +366,11 @@ async function orbits(asker, methods) {
       const first = 2 + head.variables.length
       made.push({ names: head.columns, method, eps, at, columns, stopped, integrals: head.columns.map((_, k) => k).slice(first), paint: METHODS[method][1] })
     }
+  }
+  if (asker === mover) {
+    const errors = await relations()
+    if (!errors || sheet !== sheetOf) return
+    relationErrors = errors
   }
   const others = lastDrawn.filter(({ method }) => (method === 'flow') !== (asker === follower))
   const drawn = asker === follower ? [...others, ...made] : [...made, ...others]
@@ -339,7 +388,7 @@ function show(drawn) {
   $('ended').textContent = ended
     ? `${METHODS[ended.method][0]} blows up after ${ended.stopped.step} steps; the ${ended.stopped.step + 1} points before it are drawn.`
     : `${own.length * (state.steps + 1)} points of ${own.length === 1 ? 'one orbit' : `${own.length} orbits`}`
-  const places = state.axes.map(name => (name === 't' ? 1 : 2 + sheetOf.variables.indexOf(name)))
+  const places = state.axes.map(name => (name === 't' ? 1 : 2 + coordinates().indexOf(name)))
   const window = frame?.window || places.map(k => {
     const lists = orbits => orbits.map(({ columns }) => columns[k])
     const [low, high] = span(lists(own), frame?.isWhole)
@@ -347,21 +396,42 @@ function show(drawn) {
     return frame?.isWhole ? span(lists(drawn), true, [11 * low - 10 * high, 11 * high - 10 * low]) : [low, high]
   })
   const measured = drawn.filter(({ integrals }, k) => integrals.length && (k === 0 || drawn[k - 1].method !== drawn[k].method))
-  $('drift').parentElement.hidden = !measured.length
-  $('drifting').textContent = measured.length ? `Largest relative change of ${measured[0].integrals.map(k => measured[0].names[k]).join(', ')} along the first orbit` : ''
+  const hasDrift = Boolean(measured.length || relationErrors.length)
+  $('drift').parentElement.hidden = !hasDrift
+  const integrals = measured.length ? measured[0].integrals.map(k => measured[0].names[k]).join(', ') : ''
+  $('drifting').replaceChildren(...drifting(integrals))
   // The map itself lies above what it is compared with, which is drawn wider.
   const sets = [...drawn].reverse().map(({ columns, paint, method }) => ({ xs: columns[places[0]], ys: columns[places[1]], paint, wider: { kahan: 0, flow: 3 }[method] ?? 1.5 }))
-  const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[sheetOf.variables.indexOf(name)]))))
+  const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[coordinates().indexOf(name)]))))
   frame = { ...portrait($('portrait'), window, state.axes, sets, starts), starts, window }
   $('portrait').setAttribute('aria-label', `${state.axes[1]} against ${state.axes[0]} on ${own.length} orbits of ${state.steps} steps from ${state.at.join('; ')} at eps ${state.eps}`)
-  if (measured.length) drift($('drift'), measured)
+  if (!hasDrift) return
+  $('drift').setAttribute('aria-label', ['Drift of', integrals || 'nothing', ...(relationErrors.length ? ['and errors of', lifted.relations.join('; ')] : [])].join(' '))
+  drift($('drift'), own[0].columns[1], measured, relationErrors, 2 * valueOf(own[0].eps) * state.steps)
+}
+
+// What the drift plot shows, and by which lines.
+function drifting(integrals) {
+  const said = integrals ? [`Largest relative change of ${integrals} along the first orbit${relationErrors.length ? ', and' : ''}`] : []
+  if (!relationErrors.length) return said
+  const list = document.createElement('ul')
+  list.append(...lifted.relations.map((relation, k) => {
+    const [item, line, code] = ['li', 'span', 'code'].map(name => document.createElement(name))
+    line.className = 'line'
+    line.style.borderTopStyle = strokeOf(k).stroke[0]
+    line.style.borderTopColor = `var(${strokeOf(k).paint})`
+    code.textContent = relation
+    item.append(line, code)
+    return item
+  }))
+  return [...said, integrals ? ' errors of the relations of the lift:' : 'Errors of the relations of the lift along the first orbit:', list]
 }
 
 // Moves a first point to where the pointer is in the plane of the axes.
 function put(index, [x, y]) {
   const coordinates = state.at[index].split(',')
   state.axes.forEach((name, k) => {
-    const place = sheetOf.variables.indexOf(name)
+    const place = coordinates().indexOf(name)
     if (place >= 0) coordinates[place] = decimal([x, y][k], 4)
   })
   state.at = state.at.toSpliced(index, 1, coordinates.join(','))
@@ -418,7 +488,7 @@ function gallery() {
     new Option('a field of your own', ''),
     group('Classical systems', CLASSICAL.map(({ name }, k) => new Option(name, `#${k}`))),
   )
-  $('gallery').onchange = ({ target: { value } }) => choose(value.startsWith('#') ? CLASSICAL[value.slice(1)] : value ? { system: value } : { field: state.field })
+  $('gallery').onchange = ({ target: { value } }) => choose(value.startsWith('#') ? CLASSICAL[value.slice(1)] : value ? { system: value } : { field: state.field, lift: state.lift })
 }
 
 // The catalog joins what stands there, under the hands of whoever is choosing.
@@ -434,6 +504,10 @@ async function list() {
 
 function wire() {
   $('field').oninput = typed
+  $('lift').onclick = () => { isLifting = true; lift('automatic') }
+  $('unlift').onclick = () => { lift(''); $('field').focus() }
+  $('which-lift').replaceChildren(...Object.entries(LIFTS).map(([name, meaning]) => new Option(meaning, name)))
+  $('which-lift').onchange = ({ target: { value } }) => lift(value)
   $('jacobian').ontoggle = () => { if ($('jacobian').open && sheetOf) jacobian() }
   for (const made of document.querySelectorAll('[data-copy]')) made.onclick = () => copy(made.dataset.copy, made)
   for (const made of document.querySelectorAll('[data-found]')) made.onclick = () => copyFound(made.dataset.found)
@@ -451,7 +525,7 @@ function wire() {
   $('eps').oninput = () => { if (NUMBER.test($('eps').value)) timed($('eps').value) }
   $('at').onchange = () => {
     const parts = $('at').value.split(',').map(part => part.trim())
-    if (parts.length !== sheetOf?.variables.length || !parts.every(part => NUMBER.test(part))) return
+    if (!sheetOf || parts.length !== coordinates().length || !parts.every(part => NUMBER.test(part))) return
     state.at = [...state.at.slice(0, -1), parts.join(',')]
     chosen.at = true
     frame = null

@@ -1,6 +1,15 @@
-// What the page shows, which its address holds: field or system, params, eps, at, steps, axes,
-// beside.
-const START = { system: '', field: '', params: {}, eps: '', at: [], steps: 4000, axes: [], beside: [] }
+// What the page shows, which its address holds: field or system, which lift, params, eps, at, steps,
+// axes, beside.
+const START = { system: '', field: '', lift: '', params: {}, eps: '', at: [], steps: 4000, axes: [], beside: [] }
+
+// The lifts that can be asked for, by their names in questions.
+const LIFTS = {
+  automatic: 'the usual one',
+  energy: 'one that keeps an energy',
+  relations: 'one that keeps relations',
+  stable: 'one whose errors do not grow',
+  smallest: 'one with the fewest variables',
+}
 
 function readAddress() {
   const given = new URLSearchParams(location.hash.slice(1))
@@ -9,6 +18,7 @@ function readAddress() {
   return {
     system: given.get('system') || '',
     field: given.get('field') || '',
+    lift: given.get('lift') in LIFTS ? given.get('lift') : '',
     params: Object.fromEntries(given.getAll('param').map(text => text.split('='))),
     eps: given.get('eps') || '',
     at: list('at', ';'),
@@ -20,6 +30,7 @@ function readAddress() {
 
 function address(state) {
   const given = new URLSearchParams(state.system ? { system: state.system } : { field: state.field })
+  if (state.lift) given.set('lift', state.lift)
   for (const [name, value] of Object.entries(state.params)) if (value) given.append('param', `${name}=${value}`)
   given.set('eps', state.eps)
   given.set('at', state.at.join(';'))

@@ -6,8 +6,8 @@
 use kahan_algebra::rational::Rational;
 use kahan_draw::document::style_sheet;
 use kahan_study::{
-    Answer, Discover, Form, Heights, Kept, Orbit, Poles, Show, Study, StudyError, Subject, Systems, Table,
-    Watch, list,
+    Answer, Discover, Form, Heights, Kept, Lift, Orbit, Poles, Show, Study, StudyError, Subject, Systems,
+    Table, Watch, list,
 };
 use kahan_systems::registry;
 use serde::de::DeserializeOwned;
@@ -24,10 +24,11 @@ pub struct Asker {
 /// An answer.
 #[derive(Debug, Default)]
 pub struct Answered {
-    /// `{"answer": …, "html": …, "parameters": […], "values": {…}}`, or `{"mistake": …}`, which
-    /// says in words what was wrong.
+    /// `{"answer": …, "html": …, "parameters": […], "values": {…}, "lifted": …}`, or
+    /// `{"mistake": …, "lifts": …}`, which says in words what was wrong, and whether a lift reads
+    /// the equations all the same.
     pub json: String,
-    /// Of an orbit its rows, column by column.
+    /// Of an orbit its rows, column by column; of relations their errors, one after the other.
     pub columns: Vec<f64>,
 }
 
@@ -40,8 +41,26 @@ struct Reply {
     parameters: Vec<String>,
     /// The values of the parameters that have some.
     values: Map<String, Value>,
+    /// Of a lifted field `{"html": …, "coordinates": […], "relations": […], "warning": …}`.
+    lifted: Value,
     columns: Vec<f64>,
 }
+
+/// What was wrong, in words.
+struct Mistake {
+    said: String,
+    /// Whether the equations are not quadratic, and a lift reads them.
+    lifts: bool,
+}
+
+impl<E: ToString> From<E> for Mistake {
+    fn from(error: E) -> Self {
+        Mistake { said: error.to_string(), lifts: false }
+    }
+}
+
+/// Equal parts of an orbit that have an error of a relation each.
+const PARTS: usize = 480;
 
 impl Reply {
     /// An answer, and how pages show it.
@@ -54,57 +73,58 @@ impl Asker {
     /// Answers what stands in a text: `{"subject": …, "question": {"ask": …}}`. Without a subject
     /// the page asks for `list`, the catalog, or `style`, the style of the page. Beside the
     /// questions of `kahan-study` it may ask for `scene`, an ε and a first point that show
-    /// something.
+    /// something, and for `relations`, the errors of a lift's relations along an orbit.
     pub fn ask(&mut self, text: &str, watch: &dyn Watch) -> Answered {
         match self.reply(text, watch) {
-            Ok(Reply { answer, html, parameters, values, columns }) => {
-                let json =
-                    json!({"answer": answer, "html": html, "parameters": parameters, "values": values})
-                        .to_string();
-                Answered { json, columns }
+            Ok(Reply { answer, html, parameters, values, lifted, columns }) => {
+                let json = json!({"answer": answer, "html": html, "parameters": parameters, "values": values, "lifted": lifted});
+                Answered { json: json.to_string(), columns }
             }
-            Err(mistake) => Answered { json: json!({"mistake": mistake}).to_string(), columns: Vec::new() },
+            Err(Mistake { said, lifts }) => {
+                Answered { json: json!({"mistake": said, "lifts": lifts}).to_string(), columns: Vec::new() }
+            }
         }
     }
 
-    fn reply(&mut self, text: &str, watch: &dyn Watch) -> Result<Reply, String> {
-        let mut asked: Map<String, Value> =
-            read(text.parse().map_err(|mistake: serde_json::Error| mistake.to_string())?)?;
+    fn reply(&mut self, text: &str, watch: &dyn Watch) -> Result<Reply, Mistake> {
+        let mut asked: Map<String, Value> = read(text.parse()?)?;
         let mut question: Map<String, Value> = read(asked.remove("question").unwrap_or_default())?;
         let name = question.remove("ask").unwrap_or_default();
         let Some(subject) = asked.remove("subject") else {
             return match name.as_str() {
                 Some("style") => Ok(Reply { answer: json!(style_sheet()), ..Reply::default() }),
-                Some("list") => catalog().map_err(|error| error.to_string()),
-                _ => Err(format!("{name} is asked of a subject")),
+                Some("list") => Ok(catalog()?),
+                _ => Err(format!("{name} is asked of a subject").into()),
             };
         };
         let (study, question) = (self.study(subject)?, Value::Object(question));
-        match name.as_str() {
-            Some("show") => shown_formulas(study, &read(question)?, watch),
-            Some("scene") => scene(study),
-            Some("orbit") => return orbit(study, &read(question)?, watch).map_err(|error| error.to_string()),
-            Some("discover") => discovered(study, &read(question)?, watch),
-            Some("heights") => heights(study, &read(question)?, watch),
-            Some("poles") => followed(study, &read(question)?, watch),
-            _ => return Err(format!("the page has no question {name}")),
-        }
-        .map_err(|error| error.to_string())
+        Ok(match name.as_str() {
+            Some("show") => shown_formulas(study, &read(question)?, watch)?,
+            Some("scene") => scene(study)?,
+            Some("orbit") => orbit(study, &read(question)?, watch)?,
+            Some("relations") => relations(study, &read(question)?)?,
+            Some("discover") => discovered(study, &read(question)?, watch)?,
+            Some("heights") => heights(study, &read(question)?, watch)?,
+            Some("poles") => followed(study, &read(question)?, watch)?,
+            _ => return Err(format!("the page has no question {name}").into()),
+        })
     }
 
     /// The study of a subject, which is the last one where it is the same.
-    fn study(&mut self, subject: Value) -> Result<&Study, String> {
+    fn study(&mut self, subject: Value) -> Result<&Study, Mistake> {
         if self.last.as_ref().is_none_or(|(last, _)| *last != subject) {
             let read: Subject = read(subject.clone())?;
-            let study = read.study(&Systems).map_err(|error| error.to_string())?;
+            let study = read.study_to_show(&Systems);
+            let study =
+                study.map_err(|error| Mistake { lifts: read.calls_for_a_lift(), ..Mistake::from(error) })?;
             self.last = Some((subject, study));
         }
         Ok(&self.last.as_ref().expect("it was put there").1)
     }
 }
 
-fn read<T: DeserializeOwned>(value: Value) -> Result<T, String> {
-    serde_json::from_value(value).map_err(|mistake| mistake.to_string())
+fn read<T: DeserializeOwned>(value: Value) -> Result<T, serde_json::Error> {
+    serde_json::from_value(value)
 }
 
 /// A block as one writes it: without its header, and what is said to readers of its source.
@@ -136,11 +156,24 @@ fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Repl
     let values = parameters.iter().cloned().zip(study.valued());
     let values = values.filter_map(|(name, value)| Some((name, Value::String(value?.to_string()))));
     let values = values.collect();
-    Ok(Reply { answer, html, parameters, values, ..Reply::default() })
+    Ok(Reply { answer, html, parameters, values, lifted: lifted(study)?, ..Reply::default() })
+}
+
+/// What there is to say of a lift; null of a field that is quadratic as it was written.
+fn lifted(study: &Study) -> Result<Value, StudyError> {
+    let is_quadratic = study.lift().is_none_or(|lift| lift.order() == 0 && !lift.has_time);
+    let Some(found) = study.lift_found(None)?.filter(|_| !is_quadratic) else { return Ok(Value::Null) };
+    let relations = found.relations.iter().map(|relation| found.equation(relation));
+    Ok(json!({
+        "html": shown::lift(&found),
+        "coordinates": study.coordinates(),
+        "relations": relations.collect::<Vec<_>>(),
+        "warning": study.lift().and_then(Lift::warning),
+    }))
 }
 
 fn scene(study: &Study) -> Result<Reply, StudyError> {
-    let shown = study.shown_orbit(None, None)?;
+    let shown = study.shown_orbit(None, study.lift_start().as_deref())?;
     let start: Vec<String> = shown.start.iter().map(ToString::to_string).collect();
     let answer = json!({"eps": shown.eps.to_string(), "at": start, "stays": shown.stays});
     Ok(Reply { answer, ..Reply::default() })
@@ -163,6 +196,18 @@ fn orbit(study: &Study, asked: &Orbit, watch: &dyn Watch) -> Result<Reply, Study
     let stopped = ending.why.map(|_| json!({"step": ending.step}));
     let answer = json!({"head": head, "rows": table.count(), "stopped": stopped});
     Ok(Reply { answer, columns, ..Reply::default() })
+}
+
+/// The errors of the relations along an orbit of Kahan's map, in equal parts of it; those that it
+/// does not reach have none.
+fn relations(study: &Study, asked: &Orbit) -> Result<Reply, StudyError> {
+    let seen = study.relation_errors(&asked.at, &asked.eps, asked.steps, PARTS)?;
+    let padded = |errors: &Vec<f64>| {
+        let missing = PARTS - errors.len();
+        errors.iter().copied().chain(std::iter::repeat_n(f64::NAN, missing)).collect::<Vec<_>>()
+    };
+    let columns = seen.errors.iter().flat_map(padded).collect();
+    Ok(Reply { answer: json!({"rows": PARTS}), columns, ..Reply::default() })
 }
 
 fn discovered(study: &Study, asked: &Discover, watch: &dyn Watch) -> Result<Reply, StudyError> {

@@ -5,7 +5,7 @@ use kahan_draw::document::{JACOBIAN, LINE, display};
 use kahan_draw::picture::{self, Look};
 use kahan_draw::{Sheet as Paper, answer};
 use kahan_latex::breaking;
-use kahan_study::{Answer, HeightsFound, Sheet, Shown};
+use kahan_study::{Answer, HeightsFound, LiftFound, Sheet, Shown};
 use maud::{Markup, html};
 
 pub(crate) use kahan_draw::document::readable;
@@ -29,6 +29,11 @@ fn jacobian(sheet: &Sheet) -> Markup {
             p { "Its entries are too long to be written out." }
         }
     }
+}
+
+/// The new variables of a lift, the relations and their fates.
+pub(crate) fn lift(found: &LiftFound) -> String {
+    answer::lift(found).into_string()
 }
 
 /// What an answer says on a page.

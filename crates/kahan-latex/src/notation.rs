@@ -40,6 +40,19 @@ impl Notation for Latex {
         if exponent == 1 { base.to_owned() } else { format!("{base}^{{{exponent}}}") }
     }
 
+    fn raised(&self, base: &str, exponent: &str) -> String {
+        format!("{base}^{{{exponent}}}")
+    }
+
+    fn call(&self, function: &str, argument: &str) -> String {
+        match function {
+            "sqrt" => format!("\\sqrt{{{argument}}}"),
+            "cbrt" => format!("\\sqrt[3]{{{argument}}}"),
+            "" => format!("\\left({argument}\\right)"),
+            name => format!("\\operatorname{{{name}}}\\left({argument}\\right)"),
+        }
+    }
+
     /// A point stands before a number that is not the first.
     fn product(&self, factors: &[String]) -> String {
         let mut text = String::new();

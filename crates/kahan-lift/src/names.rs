@@ -105,7 +105,7 @@ impl Writer<'_> {
     fn power(&self, coordinate: usize, exponent: u16, notation: &dyn Notation) -> String {
         let call = |name: &str, argument: &Laurent| {
             let argument = self.polynomial(argument, notation);
-            notation.power(&format!("{name}({argument})"), i64::from(exponent))
+            notation.power(&notation.call(name, &argument), i64::from(exponent))
         };
         match &self.ring.coordinates[coordinate].meaning {
             Meaning::State(state) => {
@@ -116,12 +116,13 @@ impl Writer<'_> {
             Meaning::Root(base, 2) => call("sqrt", base),
             Meaning::Root(base, 3) => call("cbrt", base),
             Meaning::Root(base, index) => {
-                format!("({})^({exponent}/{index})", self.polynomial(base, notation))
+                let base = notation.call("", &self.polynomial(base, notation));
+                notation.raised(&base, &format!("{exponent}/{index}"))
             }
             Meaning::Power(base, power) => {
                 let power = power * &RationalFunction::constant(Rational::from(i64::from(exponent)));
                 let power = self.polynomial(&Laurent::constant(power), notation);
-                format!("({})^({power})", self.polynomial(base, notation))
+                notation.raised(&notation.call("", &self.polynomial(base, notation)), &power)
             }
         }
     }

@@ -55,7 +55,7 @@ pub use from_toml::from_toml;
 pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use kahan_lift::{Lift, Which};
 pub use kahan_runtime::End;
-pub use lifted::{Fate, LiftFound, Lifting, NewFound, RelationFound};
+pub use lifted::{Fate, LiftFound, Lifting, NewFound, RelationFound, Watched};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::*;

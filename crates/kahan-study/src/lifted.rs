@@ -17,6 +17,7 @@ use kahan_runtime::FieldText;
 use serde::{Serialize, Serializer};
 
 use crate::error::StudyError;
+use crate::relations::RelationErrors;
 use crate::study::Study;
 
 /// How a field is lifted.
@@ -285,23 +286,29 @@ impl Study {
 /// The time over which relations are watched, and the step by which they are, where none is given.
 const HORIZON: f64 = 100.0;
 const USUAL_STEP: f64 = 0.01;
+/// The parts of an orbit in an eighth of it, each of which has an error of its own.
+const EIGHTH: usize = 50;
 /// The growth of a relation from the first eighth of an orbit to the last that counts as a drift.
 const DRIFT: f64 = 1.5;
 /// A relation that small is rounding.
 const ROUNDING: f64 = 1e-11;
 
+impl RelationErrors {
+    /// How much larger the error of a relation is in the last eighth of the orbit than in the first;
+    /// `None` where the orbit ends early.
+    fn drift(&self, place: usize) -> Option<f64> {
+        let errors = &self.errors[place];
+        let (first, last) = (errors.get(..EIGHTH)?, errors.get(7 * EIGHTH..8 * EIGHTH)?);
+        let [first, last] = [first, last].map(|part| part.iter().copied().fold(ROUNDING, f64::max));
+        Some(last / first)
+    }
+}
+
 impl Study {
-    /// How much larger the error of each relation is in the last eighth of an orbit over 100 units
-    /// of time than in the first; `None` where the orbit ends early.
-    fn relation_drifts(&self, at: &[Rational], eps: f64) -> Result<Vec<Option<f64>>, StudyError> {
+    /// The errors of the relations along an orbit over 100 units of time.
+    fn watched(&self, at: &[Rational], eps: f64) -> Result<RelationErrors, StudyError> {
         let steps = (HORIZON / (2.0 * eps)).ceil().clamp(8.0, 1e7) as u64;
-        let eps = Rational::from_f64(eps).unwrap_or_default();
-        let seen = self.relation_errors(at, &eps, steps, 8)?;
-        let drift = |errors: Vec<f64>| match errors[..] {
-            [first, .., last] if seen.steps == steps => Some(last.max(ROUNDING) / first.max(ROUNDING)),
-            _ => None,
-        };
-        Ok(seen.errors.into_iter().map(drift).collect())
+        self.relation_errors(at, &Rational::from_f64(eps).unwrap_or_default(), steps, 8 * EIGHTH)
     }
 
     /// The first point of the orbit along which the lift was chosen: the one that was given for it,
@@ -323,13 +330,13 @@ impl Study {
         let eps = eps.unwrap_or(USUAL_STEP).abs();
         let has_values = self.valued().iter().all(Option::is_some);
         let start = self.lift_start().filter(|_| has_values);
-        let (values, drifts) = match &start {
+        let (values, watched) = match &start {
             Some(start) => {
                 let point = self.point(start)?;
                 let new = point[lift.states.len()..].iter().map(|value| Some(value.to_f64()));
-                (new.collect(), self.relation_drifts(start, eps)?)
+                (new.collect(), Some(self.watched(start, eps)?))
             }
-            None => (vec![None; lift.new.len()], Vec::new()),
+            None => (vec![None; lift.new.len()], None),
         };
         let latex = lift.expressions(&Latex);
         let new = lift.new.iter().zip(values).zip(latex).map(|((new, value), latex)| NewFound {
@@ -339,10 +346,10 @@ impl Study {
             value,
         });
         let relations = lift.relations.iter().enumerate().map(|(place, relation)| {
-            let drift = drifts.get(place);
+            let drift = watched.as_ref().and_then(|watched| watched.drift(place));
             RelationFound {
                 relation: relation.text.clone(),
-                along: relation.along.map(|along| Fate::of(along, drift.copied().flatten())),
+                along: relation.along.map(|along| Fate::of(along, drift)),
                 formula: relation.formula.clone(),
                 rate: relation.rate,
                 defines: relation.defines,
@@ -360,7 +367,7 @@ impl Study {
             relations: relations.collect(),
             energy: lift.energy.clone(),
             notes: lift.notes.clone(),
-            followed: start.map(|start| (start, eps)),
+            watched: start.zip(watched).map(|(start, errors)| Watched { start, eps, errors }),
         }))
     }
 }
@@ -392,10 +399,20 @@ pub struct LiftFound {
     /// What a user should know of.
     #[serde(skip)]
     pub notes: Vec<String>,
-    /// The first point and ε of the orbit along which the relations were watched, over 100 units of
-    /// time.
+    /// The orbit along which the relations were watched.
     #[serde(skip)]
-    pub followed: Option<(Vec<Rational>, f64)>,
+    pub watched: Option<Watched>,
+}
+
+/// An orbit over 100 units of time, along which the relations of a lift were watched.
+#[derive(Clone, Debug)]
+pub struct Watched {
+    /// The first point, in the original variables.
+    pub start: Vec<Rational>,
+    /// ε, half the time step.
+    pub eps: f64,
+    /// The errors of the relations along it.
+    pub errors: RelationErrors,
 }
 
 /// A new variable of a lift.

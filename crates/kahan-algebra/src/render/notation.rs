@@ -29,6 +29,16 @@ pub trait Notation: fmt::Debug {
     /// base^exponent.
     fn power(&self, base: &str, exponent: i64) -> String;
 
+    /// base^exponent, the exponent a formula.
+    fn raised(&self, base: &str, exponent: &str) -> String {
+        format!("{base}^({exponent})")
+    }
+
+    /// A function of an argument; without a name the argument alone, in parentheses.
+    fn call(&self, function: &str, argument: &str) -> String {
+        format!("{function}({argument})")
+    }
+
     /// A product of factors that are written already.
     fn product(&self, factors: &[String]) -> String;
 

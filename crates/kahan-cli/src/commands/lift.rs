@@ -1,12 +1,16 @@
 //! `kahan lift`: a quadratic field that is equivalent to equations with functions, quotients and
 //! powers, and what becomes of the relations between its variables.
 
+use std::path::PathBuf;
+
 use clap::Args;
 use kahan_algebra::render::{Formulas, macro_block};
+use kahan_draw::picture::{Look, relations};
 use kahan_latex::Latex;
 use kahan_latex::breaking::{self, PAGE_WIDTH};
 use kahan_study::{ClaimShown, Fate, LiftFound, RelationFound, Study};
 
+use super::look::{OutFile, SheetOptions, usual};
 use crate::printing::page::{Page, aligned, paragraph};
 use crate::printing::{Answer, Refusal};
 use crate::reading::{Source, number};
@@ -26,6 +30,7 @@ Examples:
   kahan lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --eps 0.05
   kahan lift --field \"v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08\" --at 1,0
   kahan lift --field 'xdot = v; vdot = -x^3 + cos(2*t);' --lift=smallest --json
+  kahan lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --out relations.svg
   kahan lift --field 'struct Pendulum { g } xdot = v; vdot = -g*sin(x);' --macro
   kahan orbit --lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --eps 0.05 --steps 100")]
 pub(crate) struct Lift {
@@ -51,6 +56,13 @@ pub(crate) struct Lift {
     /// Print one JSON object.
     #[arg(long, conflicts_with_all = ["as_macro", "latex"])]
     json: bool,
+
+    /// Draw the errors of the relations along that orbit into FILE: .svg, .png or .pdf.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+
+    #[command(flatten)]
+    look: SheetOptions,
 }
 
 impl Lift {
@@ -65,6 +77,13 @@ impl Lift {
         let Some(found) = found else {
             return Err(Refusal::new("--sites: a chain is lifted as its equations are; write them out"));
         };
+        if let Some(out) = &self.out {
+            let look = Look::on(self.look.sheet(usual()));
+            let picture = relations(&found, &look).ok_or_else(|| {
+                Refusal::new("--out draws errors along an orbit: give --at, and a value to each parameter")
+            })?;
+            OutFile::picture(out)?.put(&picture.drawing, String::new)?;
+        }
         Ok(if self.as_macro {
             Answer::verbatim(format!("{}\n", macro_block(study.system())))
         } else if self.latex {

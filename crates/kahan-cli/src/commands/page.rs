@@ -3,6 +3,7 @@
 //! Each figure is what another command draws, and is shown with the call that makes it again.
 
 mod figures;
+mod lifted;
 
 use std::path::PathBuf;
 
@@ -12,7 +13,7 @@ use kahan_algebra::render::macro_block;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 use kahan_draw::document::{Making, colophon, document, readable};
-use kahan_study::{Answer as Found, ShownOrbit, Study, Systems};
+use kahan_study::{Answer as Found, Lift, ShownOrbit, Study, Systems};
 use kahan_systems::entry::Entry;
 use maud::{Markup, html};
 
@@ -32,6 +33,10 @@ use figures::{Asked, Field, Subject, command};
 /// --param. The catalog's other parameters are generic there, and have its values in the figures;
 /// a field of your own needs a value for each parameter.
 ///
+/// The page of a lifted field begins with the equations as written, the new variables, and the
+/// relations with the error of each along the orbit. Without a first point the lift is chosen along
+/// an orbit to see.
+///
 /// The page needs no network and no script. It appears whole or not at all, in place of an older
 /// one. What cannot be made is left out, and the page says why.
 #[derive(Args, Debug)]
@@ -39,6 +44,7 @@ use figures::{Asked, Field, Subject, command};
 Examples:
   kahan page e6 --out e6 --seconds 5
   kahan page --field 'xdot = y; ydot = 6*x^2 - a;' --param a=1 --seconds 5 --out weierstrass
+  kahan page --lift --field 'xdot = v; vdot = -sin(x);' --seconds 5 --out pendulum
   kahan page lorenz --eps 1/500 --at 1,1,1 --seconds 5 --out lorenz")]
 pub(crate) struct Page {
     #[command(flatten)]
@@ -66,38 +72,22 @@ impl Page {
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
         let index = Index::begin(&self.out)?;
         let block = self.source.required_block()?;
+        let at = self.at.as_deref();
+        let (source, begun) = self.begun(&block)?;
         let read = |source: &Source| -> Result<Field, Refusal> {
-            Ok(Field {
-                words: source.words(&block),
-                study: source.study_of_block(&block, self.at.as_deref())?,
-            })
+            Ok(Field { words: source.words(&begun), study: source.study_of_block(&begun, at)? })
         };
-        let generic = read(&self.source)?;
+        let generic = read(&source)?;
         generic.study.proved()?;
-        let valued = read(&self.with_values(&block, &generic.study))?;
+        let valued = read(&with_values(&source, &begun, &generic.study))?;
         let (study, shown) = (&valued.study, self.shown(&valued.study)?);
         let seconds = self.seconds;
         let variables = study.shown();
         let subject =
             Subject { valued: &valued, kept: &valued, generic: &generic, variables, shown: &shown, seconds };
-        let chapters = chapters(&subject);
+        let chapters = chapters(&subject, block.text());
         let text = written(&subject, block.entry, &chapters, &self.line(&block), &index.making());
         index.put(&text, "", 2)
-    }
-
-    /// The source with the values that the text or the catalog has for parameters that none was
-    /// given for.
-    fn with_values(&self, block: &Block, study: &Study) -> Source {
-        let of_catalog = block.entry.map_or(&[][..], |entry| entry.parameters);
-        let of_catalog = |k: usize| of_catalog.get(k).map(|(above, below)| Rational::new(*above, *below));
-        let values = study.valued().into_iter().enumerate();
-        let values = values.map(|(k, own)| own.or_else(|| of_catalog(k)));
-        let missing = study.parameters().iter().zip(values).zip(study.given());
-        let missing = missing.filter(|(_, given)| given.is_none());
-        missing.fold(self.source.clone(), |source, ((name, value), _)| match value {
-            Some(value) => source.with_parameter(name, &value),
-            None => source,
-        })
     }
 
     fn shown(&self, study: &Study) -> Result<ShownOrbit, Refusal> {
@@ -114,6 +104,21 @@ impl Page {
     }
 }
 
+/// The source with the values that the text or the catalog has for parameters that none was
+/// given for.
+fn with_values(source: &Source, block: &Block, study: &Study) -> Source {
+    let of_catalog = block.entry.map_or(&[][..], |entry| entry.parameters);
+    let of_catalog = |k: usize| of_catalog.get(k).map(|(above, below)| Rational::new(*above, *below));
+    let values = study.valued().into_iter().enumerate();
+    let values = values.map(|(k, own)| own.or_else(|| of_catalog(k)));
+    let missing = study.parameters().iter().zip(values).zip(study.given());
+    let missing = missing.filter(|(_, given)| given.is_none());
+    missing.fold(source.clone(), |source, ((name, value), _)| match value {
+        Some(value) => source.with_parameter(name, &value),
+        None => source,
+    })
+}
+
 /// A part of the page.
 struct Chapter {
     id: &'static str,
@@ -121,8 +126,8 @@ struct Chapter {
     body: Markup,
 }
 
-/// All parts, one after the other.
-fn chapters(subject: &Subject<'_>) -> Vec<Chapter> {
+/// All parts, one after the other. `written` is the text of a lifted field as it was given.
+fn chapters(subject: &Subject<'_>, written: &str) -> Vec<Chapter> {
     let (generic, valued) = (subject.generic.study.system(), &subject.valued.study);
     let progress = Prompt::stages();
     let mut chapters = Vec::new();
@@ -130,6 +135,9 @@ fn chapters(subject: &Subject<'_>) -> Vec<Chapter> {
         progress.say(title);
         chapters.push(Chapter { id, title, body: make() });
     };
+    if valued.lift().is_some_and(|lift| lift.order() > 0) {
+        chapter("lift", "The lift", &|| subject.lift(written));
+    }
     chapter("formulas", "Formulas", &|| subject.formulas());
     progress.say("What the map preserves");
     let search = subject.search();
@@ -182,7 +190,11 @@ fn introduction(subject: &Subject<'_>) -> Markup {
     html! {
         @if let Some(title) = study.title() { p.lead { (readable(title)) } }
         p.lead {
-            "Kahan’s method turns this quadratic differential equation into a rational map that can be run forwards and "
+            @match study.lift().map_or(0, Lift::order) {
+                0 => "Kahan’s method turns this quadratic differential equation into a rational map that can be run forwards and ",
+                1 => "With one new variable this differential equation is quadratic, and Kahan’s method turns it into a rational map that can be run forwards and ",
+                order => { "With " (order) " new variables this differential equation is quadratic, and Kahan’s method turns it into a rational map that can be run forwards and " },
+            }
             "backwards. All that stands here was computed from the equations when the page was written, and under each figure "
             "stands the command that makes it again."
         }

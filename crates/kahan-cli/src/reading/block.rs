@@ -88,6 +88,16 @@ impl Block {
         self.text.given()
     }
 
+    /// Texts of the block that begin at this point, the first as it was given: equations of order 2
+    /// have no names for their velocities there.
+    pub(crate) fn beginning_at(&self, states: &[String], start: &[Rational]) -> [String; 2] {
+        let values = self.text.parameters().iter().map(|(name, value)| format!("{name} = {value}; "));
+        let first = states.iter().zip(start).map(|(state, value)| format!("{state}(0) = {value};"));
+        let first = joined(first, " ");
+        let given = self.text().trim().trim_end_matches(';');
+        [format!("{given}; {first}"), format!("{} {}{first}", self.text.text(), values.collect::<String>())]
+    }
+
     /// Notes on how the text is read: quantities, and values that the text gives
     /// where no option gives others.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {

@@ -249,6 +249,11 @@ impl Source {
         self
     }
 
+    /// This source with another text of the field.
+    pub(crate) fn with_text(self, text: String) -> Self {
+        Source { system: None, field: Some(text), file: None, block: None, ..self }
+    }
+
     /// The block that was named, of a command that needs one.
     pub(crate) fn required_block(&self) -> Result<Block, Refusal> {
         self.block()?.ok_or_else(|| {

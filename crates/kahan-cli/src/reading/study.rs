@@ -35,18 +35,31 @@ impl Source {
 
     /// The same of a block that was read from here: standard input can be read once only.
     pub(crate) fn study_of_block(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
+        Ok(self.subject_of_block(block, at)?.study(&Systems)?)
+    }
+
+    /// The same, a lift without a first point chosen along an orbit to see.
+    pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
+        Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
+    }
+
+    fn subject_of_block(&self, block: &Block, at: Option<&str>) -> Result<Subject, Refusal> {
         let named = self.system.as_ref().map(Subject::named);
-        self.study_of(named.unwrap_or_else(|| block.subject()), at, &[])
+        self.subject_of(named.unwrap_or_else(|| block.subject()), at, &[])
     }
 
     fn study_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Study, Refusal> {
+        Ok(self.subject_of(subject, at, axes)?.study(&Systems)?)
+    }
+
+    /// The subject with all that the arguments say of it.
+    fn subject_of(&self, subject: Subject, at: Option<&str>, axes: &[Axis]) -> Result<Subject, Refusal> {
         let middle = |axis: &Axis| (axis.name.clone(), axis.range.value(axis.range.count() / 2));
         let lifting = self.lifting(at.and_then(first_point), axes.iter().map(middle).collect())?;
         let subject = lifting.into_iter().fold(subject, Subject::lifting);
         let given = self.given()?.into_iter();
         let subject = given.fold(subject, |subject, (name, value)| subject.with(name, value));
-        let subject = self.sites.into_iter().fold(subject, Subject::sites);
-        Ok(subject.study(&Systems)?)
+        Ok(self.sites.into_iter().fold(subject, Subject::sites))
     }
 }
 

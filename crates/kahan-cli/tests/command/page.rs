@@ -166,3 +166,49 @@ fn what_cannot_be_made_is_left_out_and_said() {
     refusal(&["page", "e6", "--at", "1,2", "--out", out]);
     assert_eq!(fs::read_to_string(&there).expect("the page"), before);
 }
+
+/// A pendulum of two parameters, one with a value, in the words that people use.
+const PENDULUM: &str = "x'' = -g*sin(x) - k*x', g = 2";
+
+#[cfg(unix)]
+#[test]
+fn the_page_of_a_lifted_field_shows_the_lift_and_its_commands_choose_the_same() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = ["page", "--field", PENDULUM, "--param", "k=0", "--lift", "--seconds", "1", "--out"];
+    let output = kahan(&[&arguments[..], &[folder.path().to_str().expect("UTF-8")]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let page = fs::read_to_string(folder.path().join("index.html")).expect("the page");
+    let lift =
+        page.split_once("<section id=\"lift\">").expect("the lift").1.split_once("</section>").unwrap().0;
+    assert!(lift.contains("x'' = -g*sin(x) - k*x', g = 2"), "{lift}");
+    for part in
+        ["sin_x = sin(x)", "cos_x = cos(x)", "<td>bounded</td>", "kept exactly: ", "the orbit from (2, 1)"]
+    {
+        assert!(lift.contains(part), "{part}: {lift}");
+    }
+    assert!(painted(drawing(&page, "relations")) > 15);
+    assert!(page.contains("With 2 new variables this differential equation is quadratic"));
+    let lines = commands(&page);
+    assert!(lines[1].starts_with("kahan lift") && lines[1].contains("x(0) = 2; v(0) = 1;"), "{}", lines[1]);
+    for line in lines[1..].iter().filter(|line| !line.starts_with("kahan trade")) {
+        let output = shell(line, folder.path());
+        assert_eq!(output.status.code(), Some(0), "{line}: {}", text(&output.stderr));
+    }
+    for id in ["relations", "portrait", "time"] {
+        let file = fs::read_to_string(folder.path().join(format!("{id}.svg"))).expect("the file");
+        assert!(file.contains(drawing(&page, id)), "{id}");
+    }
+}
+
+#[test]
+fn the_lift_of_a_page_is_chosen_along_an_orbit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let neuron = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08";
+    let shown = page(folder.path(), &["--field", neuron, "--lift", "--seconds", "0.5"]);
+    assert!(shown.contains("decays at the rate -1."), "{shown}");
+    // Where a point is given, along its orbit; a quadratic field has no lift to show.
+    let given = page(folder.path(), &["--field", neuron, "--lift", "--at", "2,1/2", "--seconds", "0.5"]);
+    assert!(given.contains("the orbit from (2, 1/2)") && given.contains("v(0) = 2; w(0) = 1/2;"), "{given}");
+    let plain = page(folder.path(), &["--field", "xdot = 1/4 - x^2;", "--lift", "--seconds", "0.5"]);
+    assert!(!plain.contains("id=\"lift\"") && plain.contains("turns this quadratic differential equation"));
+}

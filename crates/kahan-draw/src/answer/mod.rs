@@ -4,6 +4,7 @@
 //! asked for, this module must not know.
 
 mod discovered;
+mod lifted;
 mod observed;
 mod poles;
 mod section;
@@ -15,6 +16,7 @@ use maud::{Markup, html};
 use crate::document::{JACOBIAN, LINE, claim, display, formulas};
 
 pub use discovered::{evaluation, numbers, states_and_images};
+pub use lifted::lift;
 pub use observed::{convergence, observed, out_of_range};
 pub use poles::poles;
 pub use section::jumps;

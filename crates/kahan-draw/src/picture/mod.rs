@@ -7,12 +7,14 @@ mod chart;
 mod heights;
 mod over;
 mod portrait;
+mod relations;
 mod trade;
 
 pub use chart::{Chart, chart};
 pub use heights::heights;
 pub use over::{branch, diagram};
 pub use portrait::{Coordinate, Trace, Visits, portrait};
+pub use relations::relations;
 pub use trade::{trade, trade_sheet};
 
 use crate::plot::{Drawing, NumberLine, Plot, Sheet};

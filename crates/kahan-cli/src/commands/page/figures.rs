@@ -95,7 +95,7 @@ impl Subject<'_> {
     /// What the map preserves, found from the equations alone.
     pub(super) fn search(&self) -> Asked {
         // With a degree the search ends where that is looked at, and every page says the same.
-        let degree = Some(default_degree(self.variables.len()));
+        let degree = Some(default_degree(self.generic.study.variables().len()));
         let asked = Discover { degree, seconds: self.share(SEARCH), ..Discover::default() };
         Asked::of(self.generic, Question::Discover(asked))
     }
@@ -249,9 +249,9 @@ impl Subject<'_> {
 }
 
 /// A drawing with notes and words on it, or why there is none.
-type Figure = Result<(Drawing, Vec<String>, Markup), Refusal>;
+pub(super) type Figure = Result<(Drawing, Vec<String>, Markup), Refusal>;
 
-fn figure(id: &str, title: &str, line: &Line, drawn: Figure) -> Markup {
+pub(super) fn figure(id: &str, title: &str, line: &Line, drawn: Figure) -> Markup {
     html! {
         figure.single id=(id) {
             h3 { (title) }

@@ -1,0 +1,29 @@
+//! The errors of the relations of a lift along an orbit.
+
+use kahan_study::{LiftFound, Watched};
+
+use super::{COLOURS, Look, Picture};
+use crate::plot::{Mark, Marks, NumberLine, Plot, Series};
+
+/// The largest error of each relation in each part of the orbit along which they were watched, on a
+/// logarithmic axis; `None` where there was none. A relation whose error is 0 all the way has no
+/// line.
+#[must_use]
+pub fn relations(found: &LiftFound, look: &Look) -> Option<Picture> {
+    let Watched { eps, errors: seen, .. } = found.watched.as_ref()?;
+    let end = 2.0 * eps * seen.steps as f64;
+    let series = found.relations.iter().zip(&seen.errors).enumerate().map(|(index, (relation, errors))| {
+        let time = |part: usize| (part as f64 + 0.5) / errors.len() as f64 * end;
+        let points = errors.iter().enumerate().map(|(part, error)| (time(part), error.log10()));
+        // An error of 0 has no logarithm.
+        let points = points.filter(|point| point.1.is_finite()).collect();
+        let mark = if index < COLOURS { Mark::Line } else { Mark::Thin };
+        Series::new(&found.equation(relation), index % COLOURS + 1, mark, points)
+    });
+    let series: Vec<Series> = series.filter(|series| !series.points.is_empty()).collect();
+    let description =
+        format!("Errors of the relations of {} along an orbit at eps = {eps}, against time", found.system);
+    let plot = Plot::around(&description, ["t", "error of the relation"], series);
+    let y = NumberLine { marks: Marks::Powers, ..plot.y };
+    Some(Picture::of(&Plot { sheet: look.sheet, y, ..plot }))
+}
