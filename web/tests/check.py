@@ -3,6 +3,7 @@
 In: the files of web/dist, and the command `kahan`, whose texts and bits the page must have."""
 
 import argparse
+import itertools
 import json
 import pathlib
 import shutil
@@ -96,8 +97,8 @@ def classical_systems_have_orbits(browser, _):
             tab.waits(DRAWN)
             assert tab.page.is_hidden("#mistake"), tab.text("#mistake")
         tab.waits("document.querySelectorAll('#catalog button').length > 20 && document.querySelectorAll('#gallery option').length > 30")
-    assert count == 10
-    print("the ten classical systems are drawn")
+    assert count == 13
+    print("the thirteen classical systems are drawn, of which three are lifted")
 
 
 def findings_are_those_of_the_command(browser, kahan):
@@ -155,6 +156,80 @@ def mistakes_are_the_macros(browser, kahan):
         tab.page.fill("#field", E6)
         tab.waits("document.querySelector('#mistake').hidden")
     print("a mistake has the macro's words under a caret")
+
+
+PENDULUM = "xdot = v;\nvdot = -g*sin(x);"
+NEURON = "v' = v - v^3/3 - w + 1/2\nw' = (v + 0.7 - 0.8*w)*0.08"
+LIFTED = "!document.querySelector('#lifted').hidden"
+
+
+def what_is_not_quadratic_is_lifted_by_one_click(browser, kahan):
+    with Tab(browser, address(field=E6)) as tab:
+        tab.opened()
+        assert tab.page.is_hidden("#offer") and tab.page.is_hidden("#lifted")
+        tab.page.fill("#field", PENDULUM)
+        tab.waits("!document.querySelector('#offer').hidden")
+        assert "sin(…)" in tab.text("#mistake")
+        tab.page.click("#lift")
+        tab.waits(LIFTED)
+        assert tab.page.is_hidden("#mistake") and tab.page.evaluate("document.activeElement.id") == "h-lift"
+        # Without a value of g there is no orbit along which relations could be watched.
+        assert "not followed" in tab.text("#lift-shown")
+        tab.page.fill("#parameters input", "2")
+        tab.waits("document.querySelector('#lift-shown').textContent.includes('bounded')")
+        said = tab.text("#lift-shown")
+        object_ = json.loads(command(kahan, "lift", "--field", PENDULUM, "--param", "g=2", "--at", "1,1/2", "--json"))
+        for part in [object_["field"], object_["energy"], object_["chosen"], "(1, 1/2) at ε = 0.01"]:
+            assert part in said, (part, said)
+        for relation in object_["relations"]:
+            fate = f"kept exactly: {relation['formula']}" if relation["formula"] else relation["along"]
+            assert fate in said, (fate, said)
+        # Points and axes are in the original variables; relations are drawn beside the energy.
+        tab.waits(DRAWN)
+        assert tab.page.evaluate("[state.at[0].split(',').length, state.axes.join()]") == [2, "x,v"]
+        tab.waits("relationErrors.length === 3")
+        drifting = tab.text("#drifting")
+        assert "energy" in drifting and "sin_x = sin(x)" in drifting, drifting
+        errors = tab.page.evaluate("relationErrors.map(errors => Math.max(...errors))")
+        energy = tab.page.evaluate("(values => Math.max(...values.map(value => Math.abs(value - values[0]))))(lastDrawn[0].columns[lastDrawn[0].integrals[0]])")
+        assert all(1e-7 < error < 0.1 for error in errors) and energy < 1e-12, (errors, energy)
+        shared = tab.page.url
+        tab.page.click("#unlift")
+        tab.waits("!document.querySelector('#offer').hidden")
+    with Tab(browser, shared) as tab:
+        tab.waits(LIFTED)
+        tab.waits(DRAWN)
+        assert tab.text("#lift-shown") == said
+    print("a field that is not quadratic is lifted by one click, in the command's words, and a link holds the lift")
+
+
+def lifts_are_chosen_along_an_orbit_searched_and_refused(browser, kahan):
+    with Tab(browser, address(field=NEURON, lift="automatic")) as tab:
+        tab.waits(LIFTED)
+        assert "decays at the rate -1." in tab.text("#lift-shown") and tab.page.is_hidden("#growing")
+        tab.waits(DRAWN)
+        assert tab.page.evaluate("Math.max(...relationErrors[0])") < 0.1
+        # What is found of a lift is measured along orbits in the original variables.
+        tab.page.fill("#field", "x'' = -x^5")
+        tab.waits(f"{LIFTED} && document.querySelector('#lift-shown').textContent.includes('energy')")
+        found(tab)
+        tab.waits(DRAWN)
+        assert tab.page.evaluate("state.at[0].split(',').length") == 2
+        # Of what is no mechanical system there is no energy lift, and the way back is open.
+        tab.page.fill("#field", NEURON)
+        tab.waits("document.querySelector('#lift-shown').textContent.includes('decays')")
+        tab.page.select_option("#which-lift", "energy")
+        tab.waits("document.querySelector('#mistake').textContent.includes('not a mechanical system')")
+        tab.page.select_option("#which-lift", "smallest")
+        tab.waits(f"document.querySelector('#mistake').hidden && {LIFTED}")
+        tab.page.fill("#field", E6)
+        tab.waits("document.querySelector('#lifted').hidden && document.querySelector('#lifting').hidden")
+        # What no lift reads is refused with the reason, and without the button.
+        for text, why in [("xdot = abs(x);", "corner"), ("xdot = sin(x", "")]:
+            tab.page.fill("#field", text)
+            tab.waits(f"document.querySelector('#mistake').textContent.includes({json.dumps(why)}) && !document.querySelector('#mistake').hidden")
+            assert tab.page.is_hidden("#offer")
+    print("lifts are chosen along an orbit, searched, chosen otherwise, and refused with the reason")
 
 
 def what_is_typed_overtakes_a_search(browser, _):
@@ -302,8 +377,9 @@ def frames_follow_what_is_shown(browser, _):
 
 
 def axe_finds_no_serious_fault(browser, _):
-    for scheme in ["light", "dark"]:
-        with Tab(browser, address(field=E6, eps="0.05", at="1,1/2,1/3"), color_scheme=scheme) as tab:
+    fields = [{"field": E6, "eps": "0.05", "at": "1,1/2,1/3"}, {"field": PENDULUM, "param": "g=2", "lift": "automatic"}]
+    for scheme, given in itertools.product(["light", "dark"], fields):
+        with Tab(browser, address(**given), color_scheme=scheme) as tab:
             found(tab)
             tab.waits(DRAWN)
             tab.page.evaluate(AXE)
@@ -312,7 +388,7 @@ def axe_finds_no_serious_fault(browser, _):
             assert not serious, serious
             wide = tab.page.evaluate("document.documentElement.scrollWidth > innerWidth")
             assert not wide
-        with Tab(browser, address(field=E6), color_scheme=scheme, viewport={"width": 390, "height": 844}) as tab:
+        with Tab(browser, address(**given), color_scheme=scheme, viewport={"width": 390, "height": 844}) as tab:
             tab.opened()
             tab.waits(DRAWN)
             assert not tab.page.evaluate("document.documentElement.scrollWidth > innerWidth")
@@ -385,6 +461,8 @@ CHECKS = [
     bits_are_those_of_the_command,
     the_script_is_the_commands,
     mistakes_are_the_macros,
+    what_is_not_quadratic_is_lifted_by_one_click,
+    lifts_are_chosen_along_an_orbit_searched_and_refused,
     what_is_typed_overtakes_a_search,
     starts_are_clicked_and_dragged,
     heights_and_poles_are_shown,

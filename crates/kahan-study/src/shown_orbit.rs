@@ -58,7 +58,11 @@ impl Study {
         let start = start.map(<[Rational]>::to_vec).or_else(|| self.start());
         start.as_ref().map(|start| self.point(start)).transpose()?;
         let map = self.map()?;
-        let length = length(self.system(), map.parameters(), eps);
+        // The coefficients of a lift are no lengths of the original variables.
+        let length = match self.lift() {
+            Some(lift) if lift.order() > 0 => 1.0,
+            _ => length(self.system(), map.parameters(), eps),
+        };
         let starts = start.map_or_else(|| starts(self.coordinates().len(), length), |start| vec![start]);
         let (mut best, mut refused): (Option<Followed>, _) = (None, None);
         for own in starts {
