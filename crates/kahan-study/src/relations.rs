@@ -107,20 +107,13 @@ impl Subject {
     /// # Errors
     /// Those of [`study`](Subject::study).
     pub fn study_to_show(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
-        let mut study = self.study(catalog)?;
+        let study = self.study(catalog)?;
         let Some(lifting) = self.lifting.as_ref().filter(|_| study.lift_start().is_none()) else {
             return Ok(study);
         };
-        // The first lift is chosen without an orbit, so that its own may not stay.
-        for _ in 0..2 {
-            let Ok(shown) = study.shown_orbit(None, None) else { break };
-            if study.lift_start().as_ref() == Some(&shown.start) {
-                break;
-            }
-            let lifting = crate::Lifting { start: Some(shown.start), ..lifting.clone() };
-            study = self.clone().lifting(lifting).study(catalog)?;
-        }
-        Ok(study)
+        let Ok(shown) = study.shown_orbit(None, None) else { return Ok(study) };
+        let lifting = crate::Lifting { start: Some(shown.start), ..lifting.clone() };
+        self.clone().lifting(lifting).study(catalog)
     }
 
     /// Whether the equations are not quadratic, and a lift reads them: it may still find no

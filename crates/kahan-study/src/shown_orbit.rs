@@ -3,14 +3,12 @@
 //! What is chosen is in units of the field's own: other units of length and time change a choice by
 //! powers of two, and so nothing of what is drawn.
 
-use std::ops::ControlFlow;
-
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::system::System;
-use kahan_core::observe::{Escape, Visit};
-use kahan_runtime::{End, Follow, MapAt};
+use kahan_lift::{Lift, Reembedding};
+use kahan_runtime::MapAt;
 
 use crate::error::StudyError;
 use crate::map::rate;
@@ -45,7 +43,8 @@ const SIZES: [(i64, i64); 6] = [(1, 1), (1, 5), (5, 1), (1, 20), (20, 1), (1, 10
 impl Study {
     /// An orbit to see. What is not given is chosen: ε as a power of two, up to a fifth of what the
     /// field's rates allow, and the first point as the first of some small fractions of the field's
-    /// length whose orbit stays and goes on moving. Costs some orbits of four thousand steps.
+    /// length whose orbit stays and goes on moving. Rates and orbits of a lifted field are those of
+    /// its original variables. Costs some orbits of four thousand steps.
     ///
     /// # Errors
     /// [`StudyError`]: values that are missing, a point that does not fit, a field that is not
@@ -59,10 +58,8 @@ impl Study {
         start.as_ref().map(|start| self.point(start)).transpose()?;
         let map = self.map()?;
         // The coefficients of a lift are no lengths of the original variables.
-        let length = match self.lift() {
-            Some(lift) if lift.order() > 0 => 1.0,
-            _ => length(self.system(), map.parameters(), eps),
-        };
+        let is_lifted = self.lift().is_some_and(|lift| lift.order() > 0);
+        let length = if is_lifted { 1.0 } else { length(self.system(), map.parameters(), eps) };
         let starts = start.map_or_else(|| starts(self.coordinates().len(), length), |start| vec![start]);
         let (mut best, mut refused): (Option<Followed>, _) = (None, None);
         for own in starts {
@@ -74,13 +71,19 @@ impl Study {
                     continue;
                 }
             };
-            let mut rate = rate(&map.at(0.0), &floats(&start));
-            // A second look, at the rates where the orbit went.
-            for _ in 0..2 {
-                let eps = eps.cloned().unwrap_or_else(|| round_below(0.2 / rate));
-                let mut followed = Followed::of(&map.at(eps.to_f64()), eps, &start, length);
+            // Frequencies are smaller than norms.
+            let share = if is_lifted { 0.1 } else { 0.2 };
+            let mut rate = Way::new(self, map.at(0.0), true).rate(&floats(&start));
+            // A second look, at the rates where the orbit went; of a lifted field, whose rates may
+            // change by orders of magnitude, some more.
+            for look in 0..4 {
+                if look > 1 && (!is_lifted || best.as_ref().is_some_and(|best| best.shown.stays)) {
+                    break;
+                }
+                let eps = eps.cloned().unwrap_or_else(|| round_below(share / rate));
+                let mut way = Way::new(self, map.at(eps.to_f64()), true);
+                let mut followed = Followed::of(&mut way, eps, &start, length);
                 followed.shown.start.clone_from(&own);
-                followed.shown.extremes = self.project(&followed.shown.extremes);
                 rate = rate.max(followed.rate);
                 if best.as_ref().is_none_or(|best| best.rank() < followed.rank()) {
                     best = Some(followed);
@@ -90,7 +93,91 @@ impl Study {
                 break;
             }
         }
-        best.map(|best| best.shown).ok_or_else(|| refused.expect("there is a start"))
+        let mut shown = best.map(|best| best.shown).ok_or_else(|| refused.expect("there is a start"))?;
+        shown.extremes = self.project(&shown.extremes);
+        if !is_lifted || self.lift_start().is_none() {
+            return Ok(shown);
+        }
+        // Errors of the relations may ask for smaller steps.
+        let (start, tries) = (self.point(&shown.start)?, if eps.is_some() { 1 } else { 5 });
+        let mut smaller = shown.eps.clone();
+        for _ in 0..tries {
+            let mut way = Way::new(self, map.at(smaller.to_f64()), false);
+            let followed = Followed::of(&mut way, smaller.clone(), &start, length).shown;
+            if followed.stays {
+                let extremes = self.project(&followed.extremes);
+                return Ok(ShownOrbit { start: shown.start, extremes, ..followed });
+            }
+            smaller = &smaller * &Rational::new(1, 2);
+        }
+        Ok(ShownOrbit { stays: false, ..shown })
+    }
+}
+
+/// How points move, and at which rates.
+struct Way<'a> {
+    at: MapAt<f64>,
+    lift: Option<(&'a Lift, Vec<f64>)>,
+    /// Projects each step onto the relations of the lift.
+    reembedding: Option<Reembedding>,
+}
+
+impl<'a> Way<'a> {
+    /// The way of a map, perhaps one that keeps the relations of a lift.
+    fn new(study: &'a Study, at: MapAt<f64>, projects: bool) -> Self {
+        let lift = study.lift().filter(|lift| lift.order() > 0);
+        let lift = lift.map(|lift| {
+            let value =
+                |name: &String| study.parameter(name).map_or(f64::NAN, |k| at.map().parameters()[k].to_f64());
+            (lift, lift.parameters.iter().map(value).collect())
+        });
+        Way { at, lift, reembedding: projects.then(Reembedding::default) }
+    }
+
+    fn advance(&mut self, x: &mut [f64]) {
+        let Way { at, lift, reembedding } = self;
+        let step = |x: &mut [f64]| at.advance(x, 1).expect("the start is of the field");
+        let (Some((lift, own)), Some(reembedding)) = (lift, reembedding) else { return step(x) };
+        let (states, new) = x.split_at_mut(lift.states.len());
+        if reembedding.step(states, |states| lift.embed(states, own), step) {
+            new.copy_from_slice(&lift.embed(states, own));
+        } else {
+            states.fill(f64::NAN);
+        }
+    }
+
+    /// ‖f′‖∞; of a lifted field ‖J²‖∞^(1/2), where J = f_x + f_w g′ is the Jacobian of the original
+    /// equations and w = g(x) are new variables: of x″ = −ω²x that is the frequency ω.
+    fn rate(&self, x: &[f64]) -> f64 {
+        /// The step of differences, about the cube root of the rounding error.
+        const STEP: f64 = 1e-5;
+
+        let Some((lift, own)) = &self.lift else { return rate(&self.at, x) };
+        let (count, states) = (x.len(), lift.states.len());
+        let mut jacobian = vec![0.0; count * count];
+        self.at.field_jacobian(x, &mut jacobian).expect("the point is of the field");
+        let mut original = vec![0.0; states * states];
+        for k in 0..states {
+            let step = STEP * x[k].abs().max(1.0);
+            let moved = |by: f64| {
+                let mut point = x[..states].to_vec();
+                point[k] += by;
+                lift.embed(&point, own)
+            };
+            let (above, below) = (moved(step), moved(-step));
+            for (row, entry) in original.iter_mut().skip(k).step_by(states).enumerate() {
+                let row = &jacobian[row * count..][..count];
+                let slopes = above.iter().zip(&below).map(|(above, below)| (above - below) / (2.0 * step));
+                let through = row[states..].iter().zip(slopes).map(|(one, slope)| one * slope);
+                *entry = row[k] + through.sum::<f64>();
+            }
+        }
+        let square = |row: &[f64], k: usize| {
+            let column = original.iter().skip(k).step_by(states);
+            row.iter().zip(column).map(|(one, other)| one * other).sum::<f64>().abs()
+        };
+        let sums = original.chunks(states).map(|row| (0..states).map(|k| square(row, k)).sum::<f64>());
+        sums.fold(0.0, f64::max).sqrt()
     }
 }
 
@@ -105,32 +192,28 @@ struct Followed {
 }
 
 impl Followed {
-    fn of(at: &MapAt<f64>, eps: Rational, start: &[Rational], length: f64) -> Self {
+    fn of(way: &mut Way<'_>, eps: Rational, start: &[Rational], length: f64) -> Self {
         let mut x = floats(start);
-        let size = x.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        // New variables of a lift have sizes of their own.
+        let original = way.lift.as_ref().map_or(x.len(), |(lift, _)| lift.states.len());
+        let size = x[..original].iter().fold(0.0, |size: f64, x| size.max(x.abs()));
         let size = if size > 0.0 { size } else { length };
-        let is_within = |x: &[f64]| x.iter().all(|x| x.abs() <= REACH * size);
+        let is_within = |x: &[f64]| x[..original].iter().all(|x| x.abs() <= REACH * size);
         let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
-        let (mut late, mut steepest) = (extremes.clone(), 0.0f64);
-        let look = Visit::by(|step, x: &[f64]| {
-            if !is_within(x) {
-                return;
-            }
-            widen(&mut extremes, x);
-            if step == STEPS / 2 {
+        let (mut late, mut steepest, mut steps) = (extremes.clone(), 0.0f64, 0);
+        // A point that is lost is none of them.
+        while steps < STEPS && is_within(&x) {
+            widen(&mut extremes, &x);
+            if steps == STEPS / 2 {
                 late = x.iter().map(|&x| [x, x]).collect();
             }
-            widen(&mut late, x);
-            if step % 16 == 0 {
-                steepest = steepest.max(rate(at, x));
+            widen(&mut late, &x);
+            if steps % 16 == 0 {
+                steepest = steepest.max(way.rate(&x));
             }
-        });
-        let lost = Escape::when(|x: &[f64]| !is_within(x)).ending();
-        let followed = at.observe(&mut x, STEPS - 1, (look, lost), |_| ControlFlow::Continue(()));
-        let followed = followed.expect("the start is of the field");
-        // A point that is lost is none of them.
-        let is_lost = matches!(followed.end, End::Stopped(_));
-        let steps = followed.end.steps(STEPS - 1) + u64::from(!is_lost);
+            steps += 1;
+            way.advance(&mut x);
+        }
         let spread = |ends: &[[f64; 2]]| ends.iter().fold(0.0, |most: f64, [low, high]| most.max(high - low));
         let moves = spread(&late) > 1e-3 * size;
         let shown = ShownOrbit { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };

@@ -134,13 +134,34 @@ fn a_lift_to_show_is_chosen_along_an_orbit() {
     let fates = |study: Study| study.lift_found(None).unwrap().expect("a lift").relations[0].along;
     assert_eq!(fates(subject.study(&Systems).unwrap()), None);
     let study = subject.study_to_show(&Systems).unwrap();
-    assert_eq!(study.lift_start().as_ref(), Some(&study.shown_orbit(None, None).unwrap().start));
+    assert_eq!(study.lift_start(), Some(rational(&[(1, 1), (1, 2)])));
     assert_eq!(fates(study), Some(Fate::Decays));
     // A text that begins somewhere is judged there, and one without values has no orbit.
     let begun = Subject::text(format!("{neuron}\ninit v=1, w=0")).lifted(Which::Automatic);
     assert_eq!(begun.study_to_show(&Systems).unwrap().lift_start(), Some(rational(&[(1, 1), (0, 1)])));
     let generic = Subject::text(PENDULUM).lifted(Which::Automatic).study_to_show(&Systems).unwrap();
     assert_eq!(generic.lift_start(), None);
+}
+
+#[test]
+fn a_lift_to_show_begins_where_the_original_orbit_stays() {
+    // Rates of the lifted variables say nothing of the original ones, and the first lift of tanh is
+    // one along which errors grow.
+    for (text, largest, smallest) in [
+        ("x' = -x + tanh(y), y' = -y + tanh(2*x) + 1/10", 0.25, 0.01),
+        ("xdot = u; ydot = v; udot = -x/(x^2 + y^2)^(3/2); vdot = -y/(x^2 + y^2)^(3/2);", 0.05, 0.001),
+        (PENDULUM, 0.25, 0.05),
+    ] {
+        let subject = Subject::text(text).lifted(Which::Automatic);
+        let subject = if text == PENDULUM { subject.with("g", 1.into()) } else { subject };
+        let study = subject.study_to_show(&Systems).unwrap();
+        let start = study.lift_start().expect("an orbit");
+        let shown = study.shown_orbit(None, Some(&start)).unwrap();
+        let eps = shown.eps.to_f64();
+        assert!(shown.stays && (smallest..largest).contains(&eps), "{text}: {shown:?}");
+        assert_eq!(start[0], Rational::one(), "{text}");
+        assert!(study.lift().unwrap().warning().is_none(), "{text}");
+    }
 }
 
 #[test]
