@@ -33,6 +33,8 @@ pub struct ShownOrbit {
 const STEPS: u64 = 4000;
 /// The size, seen from the first point, beyond which an orbit is lost to a picture.
 const REACH: f64 = 1e3;
+/// The error of a relation of a lift beyond which an orbit is none of the original equations.
+const LARGEST_ERROR: f64 = 0.1;
 /// Numbers that first points are made of: of small height, so that exact orbits can be followed,
 /// and different, so that no symmetry holds them.
 const NUMBERS: [(i64, i64); 6] = [(1, 1), (1, 2), (1, 3), (2, 3), (1, 4), (3, 4)];
@@ -100,17 +102,22 @@ impl Study {
         }
         // Errors of the relations may ask for smaller steps.
         let (start, tries) = (self.point(&shown.start)?, if eps.is_some() { 1 } else { 5 });
-        let mut smaller = shown.eps.clone();
+        let (own, mut smaller) = (shown.start.clone(), shown.eps.clone());
+        shown.stays = false;
         for _ in 0..tries {
             let mut way = Way::new(self, map.at(smaller.to_f64()), false);
-            let followed = Followed::of(&mut way, smaller.clone(), &start, length).shown;
+            let Followed { shown: followed, error, .. } =
+                Followed::of(&mut way, smaller.clone(), &start, length);
             if followed.stays {
-                let extremes = self.project(&followed.extremes);
-                return Ok(ShownOrbit { start: shown.start, extremes, ..followed });
+                shown =
+                    ShownOrbit { start: own.clone(), extremes: self.project(&followed.extremes), ..followed };
+            }
+            if shown.stays && error <= LARGEST_ERROR {
+                break;
             }
             smaller = &smaller * &Rational::new(1, 2);
         }
-        Ok(ShownOrbit { stays: false, ..shown })
+        Ok(shown)
     }
 }
 
@@ -144,6 +151,16 @@ impl<'a> Way<'a> {
         } else {
             states.fill(f64::NAN);
         }
+    }
+
+    /// The largest distance of a new variable from its function, relative to functions above 1.
+    fn error(&self, x: &[f64]) -> f64 {
+        let Some((lift, own)) = &self.lift else { return 0.0 };
+        let (states, new) = x.split_at(lift.states.len());
+        let values = lift.embed(states, own).into_iter().zip(new).zip(&lift.new);
+        // The work done since the start is no function of the states.
+        let values = values.filter(|(_, new)| new.expression.is_some());
+        values.map(|((value, own), _)| (value - own).abs() / value.abs().max(1.0)).fold(0.0, f64::max)
     }
 
     /// ‖f′‖∞; of a lifted field ‖J²‖∞^(1/2), where J = f_x + f_w g′ is the Jacobian of the original
@@ -189,6 +206,8 @@ struct Followed {
     moves: bool,
     /// The largest size of f′ on it.
     rate: f64,
+    /// The largest error of a relation of a lift.
+    error: f64,
 }
 
 impl Followed {
@@ -200,7 +219,7 @@ impl Followed {
         let size = if size > 0.0 { size } else { length };
         let is_within = |x: &[f64]| x[..original].iter().all(|x| x.abs() <= REACH * size);
         let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
-        let (mut late, mut steepest, mut steps) = (extremes.clone(), 0.0f64, 0);
+        let (mut late, mut steepest, mut error, mut steps) = (extremes.clone(), 0.0f64, 0.0f64, 0);
         // A point that is lost is none of them.
         while steps < STEPS && is_within(&x) {
             widen(&mut extremes, &x);
@@ -211,13 +230,14 @@ impl Followed {
             if steps % 16 == 0 {
                 steepest = steepest.max(way.rate(&x));
             }
+            error = error.max(way.error(&x));
             steps += 1;
             way.advance(&mut x);
         }
         let spread = |ends: &[[f64; 2]]| ends.iter().fold(0.0, |most: f64, [low, high]| most.max(high - low));
         let moves = spread(&late) > 1e-3 * size;
         let shown = ShownOrbit { eps, start: start.to_vec(), extremes, size, stays: steps == STEPS };
-        Followed { shown, steps, moves, rate: steepest }
+        Followed { shown, steps, moves, rate: steepest, error }
     }
 
     /// Larger for what is better: an orbit that stays and moves, then one that stays, then a longer
