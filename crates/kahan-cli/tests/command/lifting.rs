@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use crate::painting::painted;
 use crate::running::{answer, kahan, refusal, text};
 
 const PENDULUM: &str = "xdot = v; vdot = -sin(x);";
@@ -103,6 +104,26 @@ fn relations_are_kept_bounded_or_drift() {
     assert_eq!(fates(&lifted(PENDULUM, &["--at", "1,0"])), ["kept", "bounded", "bounded"]);
     assert_eq!(fates(&lifted(PENDULUM, &[])), ["kept", "null", "null"]);
     assert!(fates(&lifted(KEPLER, &["--at", "1,0,0,1.1"])).contains(&"drifts"));
+}
+
+#[test]
+fn errors_of_relations_are_drawn() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("relations.svg");
+    let out = out.to_str().expect("UTF-8");
+    answer(&["lift", "--field", PENDULUM, "--at", "1,0", "--out", out]);
+    let drawn = std::fs::read_to_string(out).expect("the file");
+    assert!(painted(&drawn) > 15 && drawn.contains("sin_x = sin("), "{drawn}");
+    let refused = refusal(&["lift", "--field", PENDULUM, "--out", out]);
+    assert!(refused.contains("give --at"), "{refused}");
+}
+
+#[test]
+fn new_variables_are_set_in_latex() {
+    let latex = answer(&["lift", "--latex", "--field", "x' = -x + tanh(x) + x^(1/5)"]);
+    assert!(latex.contains("\\operatorname{tanh}\\left(x\\right)"), "{latex}");
+    let latex = answer(&["lift", "--latex", "--field", "xdot = v; vdot = -x/sqrt(1 + x^2);"]);
+    assert!(latex.contains("\\sqrt{1 + x^{2}}") && !latex.contains(" sqrt("), "{latex}");
 }
 
 #[test]
