@@ -182,14 +182,14 @@ fn the_page_of_a_lifted_field_shows_the_lift_and_its_commands_choose_the_same() 
         page.split_once("<section id=\"lift\">").expect("the lift").1.split_once("</section>").unwrap().0;
     assert!(lift.contains("x'' = -g*sin(x) - k*x', g = 2"), "{lift}");
     for part in
-        ["sin_x = sin(x)", "cos_x = cos(x)", "<td>bounded</td>", "kept exactly: ", "the orbit from (2, 1)"]
+        ["sin_x = sin(x)", "cos_x = cos(x)", "<td>bounded</td>", "kept exactly: ", "the orbit from (1, 1/2)"]
     {
         assert!(lift.contains(part), "{part}: {lift}");
     }
     assert!(painted(drawing(&page, "relations")) > 15);
     assert!(page.contains("With 2 new variables this differential equation is quadratic"));
     let lines = commands(&page);
-    assert!(lines[1].starts_with("kahan lift") && lines[1].contains("x(0) = 2; v(0) = 1;"), "{}", lines[1]);
+    assert!(lines[1].starts_with("kahan lift") && lines[1].contains("x(0) = 1; v(0) = 1/2;"), "{}", lines[1]);
     for line in lines[1..].iter().filter(|line| !line.starts_with("kahan trade")) {
         let output = shell(line, folder.path());
         assert_eq!(output.status.code(), Some(0), "{line}: {}", text(&output.stderr));
