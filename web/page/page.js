@@ -5,6 +5,7 @@ const workers = { search: new Asker(), heights: new Asker(), poles: new Asker() 
 const $ = id => document.getElementById(id)
 let state = readAddress()
 let chosen = { eps: false, at: false } // whether the reader or the address gave ε and the first points
+let isFromGallery = !location.hash // whether these are those of an entry of the gallery
 let catalog = []
 let sheetOf = null // the answer to `show` for the field as it is, or null where it has a mistake
 let lifted = null // what `show` says of the lift, where there is one
@@ -17,7 +18,7 @@ const named = text => Object.fromEntries(Object.entries(state.params).filter(([n
 const subject = () => ({ ...(entry() ? { name: state.system } : { field: state.field, ...lifting() }), params: named(state.field) })
 const lifting = () => (state.lift ? { lift: state.lift } : {})
 // The variables of first points and pictures.
-const coordinates = () => lifted?.coordinates || sheetOf.variables
+const pointVariables = () => lifted?.coordinates || sheetOf.variables
 const save = () => history.replaceState(null, '', address({ ...state, params: named(state.field) }))
 
 // A sentence, its formulas between backticks.
@@ -26,6 +27,7 @@ const say = (id, text) => $(id).replaceChildren(...text.split('`').map((part, k)
 // --- The field and its formulas
 
 function choose(change) {
+  isFromGallery = true
   state = { ...START, ...change }
   open()
 }
@@ -275,7 +277,7 @@ function measured() {
 }
 
 async function orbitsAnew() {
-  const variables = coordinates()
+  const variables = pointVariables()
   const fits = state.at.length && state.at.every(at => at.split(',').length === variables.length)
   if (!chosen.eps || !chosen.at || !fits) {
     const scene = await lead.ask(subject(), { ask: 'scene' })
@@ -388,7 +390,7 @@ function show(drawn) {
   $('ended').textContent = ended
     ? `${METHODS[ended.method][0]} blows up after ${ended.stopped.step} steps; the ${ended.stopped.step + 1} points before it are drawn.`
     : `${own.length * (state.steps + 1)} points of ${own.length === 1 ? 'one orbit' : `${own.length} orbits`}`
-  const places = state.axes.map(name => (name === 't' ? 1 : 2 + coordinates().indexOf(name)))
+  const places = state.axes.map(name => (name === 't' ? 1 : 2 + pointVariables().indexOf(name)))
   const window = frame?.window || places.map(k => {
     const lists = orbits => orbits.map(({ columns }) => columns[k])
     const [low, high] = span(lists(own), frame?.isWhole)
@@ -402,7 +404,7 @@ function show(drawn) {
   $('drifting').replaceChildren(...drifting(integrals))
   // The map itself lies above what it is compared with, which is drawn wider.
   const sets = [...drawn].reverse().map(({ columns, paint, method }) => ({ xs: columns[places[0]], ys: columns[places[1]], paint, wider: { kahan: 0, flow: 3 }[method] ?? 1.5 }))
-  const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[coordinates().indexOf(name)]))))
+  const starts = state.at.map(at => state.axes.map(name => (name === 't' ? 0 : valueOf(at.split(',')[pointVariables().indexOf(name)]))))
   frame = { ...portrait($('portrait'), window, state.axes, sets, starts), starts, window }
   $('portrait').setAttribute('aria-label', `${state.axes[1]} against ${state.axes[0]} on ${own.length} orbits of ${state.steps} steps from ${state.at.join('; ')} at eps ${state.eps}`)
   if (!hasDrift) return
@@ -431,11 +433,12 @@ function drifting(integrals) {
 function put(index, [x, y]) {
   const coordinates = state.at[index].split(',')
   state.axes.forEach((name, k) => {
-    const place = coordinates().indexOf(name)
+    const place = pointVariables().indexOf(name)
     if (place >= 0) coordinates[place] = decimal([x, y][k], 4)
   })
   state.at = state.at.toSpliced(index, 1, coordinates.join(','))
   chosen.at = true
+  isFromGallery = false
   fields()
   move()
 }
@@ -504,7 +507,11 @@ async function list() {
 
 function wire() {
   $('field').oninput = typed
-  $('lift').onclick = () => { isLifting = true; lift('automatic') }
+  $('lift').onclick = () => {
+    isLifting = true
+    if (isFromGallery) [state.eps, state.at, state.axes, chosen] = ['', [], [], { eps: false, at: false }]
+    lift('automatic')
+  }
   $('unlift').onclick = () => { lift(''); $('field').focus() }
   $('which-lift').replaceChildren(...Object.entries(LIFTS).map(([name, meaning]) => new Option(meaning, name)))
   $('which-lift').onchange = ({ target: { value } }) => lift(value)
@@ -520,14 +527,15 @@ function wire() {
     set('poles-shown', html)
     $('poles-stage').textContent = `The degrees of the iterates are ${answer.degrees.join(', ')}: growth is ${answer.growth}.`
   })
-  const timed = eps => { [state.eps, chosen.eps] = [eps, true]; fields(); move() }
+  const timed = eps => { [state.eps, chosen.eps, isFromGallery] = [eps, true, false]; fields(); move() }
   $('slider').oninput = () => timed(ofSlider($('slider').value))
   $('eps').oninput = () => { if (NUMBER.test($('eps').value)) timed($('eps').value) }
   $('at').onchange = () => {
     const parts = $('at').value.split(',').map(part => part.trim())
-    if (!sheetOf || parts.length !== coordinates().length || !parts.every(part => NUMBER.test(part))) return
+    if (!sheetOf || parts.length !== pointVariables().length || !parts.every(part => NUMBER.test(part))) return
     state.at = [...state.at.slice(0, -1), parts.join(',')]
     chosen.at = true
+    isFromGallery = false
     frame = null
     move()
   }
@@ -549,7 +557,7 @@ function wire() {
   const again = () => { if (sheetOf) show(lastDrawn) }
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again)
   addEventListener('resize', again)
-  addEventListener('hashchange', () => { state = readAddress(); open() })
+  addEventListener('hashchange', () => { isFromGallery = !location.hash; state = readAddress(); open() })
 }
 
 async function begin() {
