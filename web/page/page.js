@@ -345,10 +345,10 @@ function move() {
 
 // The errors of the relations of a lift along the first orbit of the map, and those drawn last.
 let relationErrors = []
-async function relations() {
+async function relations(asked) {
   const [{ at, eps, steps }, names] = [state, lifted?.relations || []]
   if (!names.length) return []
-  const reply = await mover.ask(subject(), { ask: 'relations', eps, at: at[0].split(','), steps })
+  const reply = await mover.ask(asked, { ask: 'relations', eps, at: at[0].split(','), steps })
   if (!reply || reply.mistake) return reply && []
   const { rows } = reply.answer
   return names.map((_, k) => reply.columns.subarray(k * rows, (k + 1) * rows))
@@ -370,7 +370,7 @@ async function orbits(asker, methods) {
     }
   }
   if (asker === mover) {
-    const errors = await relations()
+    const errors = await relations(asked)
     if (!errors || sheet !== sheetOf) return
     relationErrors = errors
   }

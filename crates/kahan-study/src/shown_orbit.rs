@@ -46,7 +46,8 @@ impl Study {
     /// An orbit to see. What is not given is chosen: ε as a power of two, up to a fifth of what the
     /// field's rates allow, and the first point as the first of some small fractions of the field's
     /// length whose orbit stays and goes on moving. Rates and orbits of a lifted field are those of
-    /// its original variables. Costs some orbits of four thousand steps.
+    /// its original variables: ε is up to a tenth of what their frequencies allow, and smaller while
+    /// the relations have large errors. Costs some orbits of four thousand steps.
     ///
     /// # Errors
     /// [`StudyError`]: values that are missing, a point that does not fit, a field that is not
