@@ -32,7 +32,7 @@ pub(crate) struct Effort {
 }
 
 /// A set of new variables with the forms of its equations.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Candidate {
     pub(crate) ring: Ring,
     pub(crate) new: Vec<Option<Laurent>>,

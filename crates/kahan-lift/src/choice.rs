@@ -148,7 +148,7 @@ pub(crate) fn choose<'a>(
 }
 
 impl<'a> Judged<'a> {
-    fn new(
+    pub(crate) fn new(
         candidate: &'a Candidate,
         form: Vec<Quadratic>,
         orbit: Option<&(Orbit, &Vec<f64>)>,

@@ -47,6 +47,6 @@ mod reembedding;
 pub use choice::Which;
 pub use embedding::{Embedding, Step};
 pub use equations::{Stated, stated};
-pub use lift::{Along, Lift, NewVariable, Options, Relation, lift};
+pub use lift::{Along, Lift, NewVariable, Options, Relation, lift, lifts};
 pub use reembedding::Reembedding;
 pub use ring::Function;

@@ -149,17 +149,36 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         let surplus = options.which != Which::Smallest;
         candidates = ordinary_candidates(&equations, Effort { nodes, surplus });
     }
-    let numeric = options.orbit.as_ref().map(|(start, parameters)| {
-        let numeric = Numeric::new(&equations.ring, parameters);
-        let orbit = Orbit::new(&numeric, start);
-        (orbit, parameters)
-    });
+    let numeric = followed(&equations, options);
     let count = equations.parameters.len();
     let Some((judged, chosen)) = choose(&candidates, options.which, numeric.as_ref(), count) else {
         let help = "write a part of the equations as a state of its own, or approximate it by a polynomial";
         return nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help);
     };
     Ok(described(&equations, &judged, chosen))
+}
+
+/// The orbit along which lifts are judged, and the values of parameters.
+fn followed<'a>(equations: &Equations, options: &'a Options) -> Option<(Orbit, &'a Vec<f64>)> {
+    let (start, parameters) = options.orbit.as_ref()?;
+    Some((Orbit::new(&Numeric::new(&equations.ring, parameters), start), parameters))
+}
+
+/// Returns all lifts and forms between which [`lift`] chooses, with no reason for a choice.
+///
+/// # Errors
+/// Mistakes in the text, and what cannot be lifted, with its reason.
+pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagnostic>> {
+    let equations = Equations::read(tokens)?;
+    let numeric = followed(&equations, options);
+    let effort = Effort { nodes: NODES, surplus: true };
+    let candidates = [energy_candidates(&equations, effort), ordinary_candidates(&equations, effort)].concat();
+    let judged = candidates.iter().flat_map(|candidate| {
+        candidate.forms.iter().map(|form| {
+            Judged::new(candidate, form.clone(), numeric.as_ref(), equations.parameters.len())
+        })
+    });
+    Ok(judged.map(|judged| described(&equations, &judged, String::new())).collect())
 }
 
 /// The answer: names, texts and the field.

@@ -1,0 +1,188 @@
+//! The systems of `systems.tsv`, their lifts, and reference solutions.
+//!
+//! A line of the file is a name, equations, values of parameters, a start, a time before which no
+//! solution loses its predictability, and words: `conservative`, `chaotic`, and `extra` for what is
+//! none of the thirty systems.
+
+use kahan_algebra::diagnostics::Diagnostics;
+use kahan_algebra::lenient;
+use kahan_algebra::parse::parse_lifted;
+use kahan_algebra::syntax::{Expr, ExprKind, Factor, InFormula, Term};
+use kahan_algebra::token::Token;
+use kahan_lift::{Lift, Options, Which, lift, stated};
+use kahan_runtime::Map;
+use ode_solvers::{DVector, Dop853, OutputType};
+
+/// A system with a start and values of its parameters.
+pub(crate) struct System {
+    pub(crate) name: &'static str,
+    tokens: Vec<Token>,
+    /// Names and values, in the order in which equations name them.
+    pub(crate) parameters: Vec<(String, f64)>,
+    /// The states, and the time 0 where the equations depend on it.
+    pub(crate) start: Vec<f64>,
+    pub(crate) time: f64,
+    kind: &'static str,
+    field: Vec<Formula>,
+}
+
+impl System {
+    pub(crate) fn all() -> Vec<System> {
+        include_str!("../systems.tsv").lines().skip(1).map(System::read).collect()
+    }
+
+    pub(crate) fn is(&self, word: &str) -> bool {
+        self.kind.split(' ').any(|one| one == word)
+    }
+
+    fn read(line: &'static str) -> Self {
+        let cells: Vec<&str> = line.split('\t').collect();
+        let [name, text, parameters, start, time, kind] = cells[..] else { panic!("six cells: {line}") };
+        let tokens = lenient::read(text).lexed.tokens;
+        let stated = stated(&tokens).unwrap_or_else(|mistakes| panic!("{name}: {}", mistakes[0]));
+        let number = |word: &str| word.parse::<f64>().unwrap_or_else(|_| panic!("{name}: {word}"));
+        let values: Vec<(&str, f64)> = parameters
+            .split_whitespace()
+            .filter_map(|word| word.split_once('=').map(|(name, value)| (name, number(value))))
+            .collect();
+        let value = |name: &String| values.iter().find(|(known, _)| known == name).expect("a value").1;
+        let parameters: Vec<_> = stated.parameters.iter().map(|name| (name.clone(), value(name))).collect();
+        let time_at_start = stated.has_time.then_some(0.0);
+        let start = start.split_whitespace().map(number).chain(time_at_start).collect();
+        let names: Vec<&str> = stated.states.iter().map(String::as_str).collect();
+        let block = parse_lifted(&tokens, &mut Diagnostics::default());
+        let sides = block.equations.iter().filter_map(|equation| equation.value.as_ref());
+        let mut field: Vec<_> = sides.map(|side| Formula::of(side, &names, &values)).collect();
+        field.extend(stated.has_time.then_some(Formula::Number(1.0)));
+        System { name, tokens, parameters, start, time: number(time), kind, field }
+    }
+
+    fn options(&self, which: Which) -> Options {
+        Options { which, orbit: Some((self.start.clone(), self.values())), ..Options::default() }
+    }
+
+    pub(crate) fn values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|(_, value)| *value).collect()
+    }
+
+    pub(crate) fn lift(&self, which: Which) -> Lift {
+        let lift = lift(&self.tokens, &self.options(which));
+        lift.unwrap_or_else(|mistakes| panic!("{}: {}", self.name, mistakes[0]))
+    }
+
+    /// All lifts and forms between which is chosen.
+    pub(crate) fn lifts(&self) -> Vec<Lift> {
+        kahan_lift::lifts(&self.tokens, &self.options(Which::Automatic)).expect("equations")
+    }
+
+    pub(crate) fn map(&self, lift: &Lift) -> Map {
+        let field = kahan_runtime::Field::parse(&lift.text()).expect("a quadratic field");
+        let used = |name: &str| field.parameters().iter().any(|known| known == name);
+        let values = self.parameters.iter().filter(|(name, _)| used(name));
+        field.with(values.map(|(name, value)| (name.as_str(), *value))).expect("all parameters")
+    }
+
+    /// All variables of a lift at these states.
+    pub(crate) fn embedded(&self, lift: &Lift, states: &[f64]) -> Vec<f64> {
+        [states.to_vec(), lift.embed(states, &self.values())].concat()
+    }
+
+    fn slope(&self, x: &[f64], slope: &mut [f64]) {
+        slope.iter_mut().zip(&self.field).for_each(|(slope, formula)| *slope = formula.value(x));
+    }
+
+    /// States at the ends of `parts` equal parts of the time, by the Dormand–Prince method with this
+    /// tolerance; none where it fails.
+    pub(crate) fn solution(&self, time: f64, parts: u32, tolerance: f64) -> Option<Vec<Vec<f64>>> {
+        let mut x = DVector::from_column_slice(&self.start);
+        let part = time / f64::from(parts);
+        (0..parts)
+            .map(|_| {
+                let mut solver = Dop853::new(Slope(self), 0.0, part, part, x.clone(), tolerance, tolerance);
+                solver.set_output(OutputType::Sparse);
+                solver.integrate().ok()?;
+                x.clone_from(solver.y_out().last()?);
+                Some(x.as_slice().to_vec())
+            })
+            .collect()
+    }
+}
+
+/// The field of a system as `ode_solvers` wants it.
+struct Slope<'a>(&'a System);
+
+impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
+    fn system(&self, _time: f64, x: &DVector<f64>, slope: &mut DVector<f64>) {
+        self.0.slope(x.as_slice(), slope.as_mut_slice());
+    }
+}
+
+/// A right-hand side as it was written, so that references do not go through the crate under test.
+enum Formula {
+    Number(f64),
+    State(usize),
+    Sum(Vec<(bool, Formula)>),
+    Product(Vec<(bool, Formula)>),
+    Power(Box<Formula>, f64),
+    Call(fn(f64) -> f64, Box<Formula>),
+}
+
+impl Formula {
+    fn of(expr: &Expr<InFormula>, states: &[&str], parameters: &[(&str, f64)]) -> Self {
+        let read = |expr: &Expr<InFormula>| Formula::of(expr, states, parameters);
+        match &expr.kind {
+            ExprKind::Number(number) => Formula::Number(number.to_f64()),
+            ExprKind::Name(name) => match states.iter().position(|state| state == name) {
+                Some(state) => Formula::State(state),
+                None => {
+                    let known = parameters.iter().find(|(known, _)| known == name);
+                    Formula::Number(known.unwrap_or_else(|| panic!("{name} has no value")).1)
+                }
+            },
+            ExprKind::Sum(terms) => {
+                Formula::Sum(terms.iter().map(|Term { negative, expr }| (*negative, read(expr))).collect())
+            }
+            ExprKind::Product(factors) => Formula::Product(
+                factors.iter().map(|Factor { divides, expr }| (*divides, read(expr))).collect(),
+            ),
+            ExprKind::Negation(inner) => Formula::Sum(vec![(true, read(inner))]),
+            ExprKind::Power(base, exponent) => Formula::Power(Box::new(read(base)), *exponent as f64),
+            ExprKind::Special(InFormula::Power(parts)) => {
+                Formula::Power(Box::new(read(&parts[0])), read(&parts[1]).value(&[]))
+            }
+            ExprKind::Special(InFormula::Call { function, arguments }) => {
+                let function = match function.as_str() {
+                    "sin" => f64::sin,
+                    "cos" => f64::cos,
+                    "exp" => f64::exp,
+                    _ => panic!("{function}"),
+                };
+                Formula::Call(function, Box::new(read(&arguments[0])))
+            }
+        }
+    }
+
+    fn value(&self, x: &[f64]) -> f64 {
+        match self {
+            Formula::Number(number) => *number,
+            Formula::State(state) => x[*state],
+            Formula::Sum(terms) => terms.iter().fold(0.0, |sum, (negative, term)| {
+                if *negative { sum - term.value(x) } else { sum + term.value(x) }
+            }),
+            Formula::Product(factors) => factors.iter().fold(1.0, |product, (divides, factor)| {
+                if *divides { product / factor.value(x) } else { product * factor.value(x) }
+            }),
+            Formula::Power(base, exponent) if exponent.fract() == 0.0 => base.value(x).powi(*exponent as i32),
+            Formula::Power(base, exponent) => base.value(x).powf(*exponent),
+            Formula::Call(function, argument) => function(argument.value(x)),
+        }
+    }
+}
+
+/// The largest difference of `b`'s components to `a`'s first ones, relative to the size of `b`.
+pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+    // `max` would forget what is not a number.
+    let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };
+    a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
+}
