@@ -50,7 +50,9 @@ impl System {
         let time_at_start = stated.has_time.then_some(0.0);
         let start = start.split_whitespace().map(number).chain(time_at_start).collect();
         let names: Vec<&str> = stated.states.iter().map(String::as_str).collect();
-        let block = parse_lifted(&tokens, &mut Diagnostics::default());
+        let mut mistakes = Diagnostics::default();
+        let block = parse_lifted(&tokens, &mut mistakes);
+        assert!(mistakes.finish().is_empty(), "{name}");
         let sides = block.equations.iter().filter_map(|equation| equation.value.as_ref());
         let mut field: Vec<_> = sides.map(|side| Formula::of(side, &names, &values)).collect();
         field.extend(stated.has_time.then_some(Formula::Number(1.0)));
@@ -76,7 +78,7 @@ impl System {
     }
 
     pub(crate) fn map(&self, lift: &Lift) -> Map {
-        let field = kahan_runtime::Field::parse(&lift.text()).expect("a quadratic field");
+        let field = kahan_runtime::Field::parse(&lift.text()).unwrap_or_else(|_| panic!("{}: {}", self.name, lift.text()));
         let used = |name: &str| field.parameters().iter().any(|known| known == name);
         let values = self.parameters.iter().filter(|(name, _)| used(name));
         field.with(values.map(|(name, value)| (name.as_str(), *value))).expect("all parameters")

@@ -277,6 +277,7 @@ impl<'a> Search<'a> {
         let monomial = self.table.monomial(id);
         let negative = &self.problem.negative;
         id != Table::ONE
+            && !self.given.contains(&id)
             && self.table.rewritten(id).is_none()
             && monomial.size() <= self.largest
             && monomial.powers().all(|(coordinate, exponent)| exponent > 0 || negative.contains(&coordinate))
