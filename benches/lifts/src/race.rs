@@ -14,6 +14,8 @@ use kahan_lift::{Lift, Options, lift};
 use kahan_runtime::Map;
 use ode_solvers::{Dop853, OutputType, SVector};
 
+use crate::systems::distance;
+
 const TIME: f64 = 100.0;
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 /// How often a run is repeated; the least time counts.
@@ -163,13 +165,6 @@ impl System {
         }
         x
     }
-}
-
-fn distance(a: &[f64], b: &[f64]) -> f64 {
-    let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
-    // `max` would forget what is not a number.
-    let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };
-    a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
 }
 
 /// Runs several times; returns the least time in seconds and the result.

@@ -1,8 +1,8 @@
 //! The systems of `systems.tsv`, their lifts, and reference solutions.
 //!
 //! A line of the file is a name, equations, values of parameters, a start, a time before which no
-//! solution loses its predictability, and words: `conservative`, `chaotic`, and `extra` for what is
-//! none of the thirty systems.
+//! solution loses its predictability, the energy of a conservative system, and words: `chaotic`,
+//! and `extra` for what is none of the thirty systems.
 
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lenient;
@@ -22,6 +22,8 @@ pub(crate) struct System {
     /// The states, and the time 0 where the equations depend on it.
     pub(crate) start: Vec<f64>,
     pub(crate) time: f64,
+    /// The energy of a conservative system, by hand.
+    pub(crate) energy: Option<Formula>,
     kind: &'static str,
     field: Vec<Formula>,
 }
@@ -37,7 +39,7 @@ impl System {
 
     fn read(line: &'static str) -> Self {
         let cells: Vec<&str> = line.split('\t').collect();
-        let [name, text, parameters, start, time, kind] = cells[..] else { panic!("six cells: {line}") };
+        let [name, text, parameters, start, time, energy, kind] = cells[..] else { panic!("seven cells: {line}") };
         let tokens = lenient::read(text).lexed.tokens;
         let stated = stated(&tokens).unwrap_or_else(|mistakes| panic!("{name}: {}", mistakes[0]));
         let number = |word: &str| word.parse::<f64>().unwrap_or_else(|_| panic!("{name}: {word}"));
@@ -50,13 +52,11 @@ impl System {
         let time_at_start = stated.has_time.then_some(0.0);
         let start = start.split_whitespace().map(number).chain(time_at_start).collect();
         let names: Vec<&str> = stated.states.iter().map(String::as_str).collect();
-        let mut mistakes = Diagnostics::default();
-        let block = parse_lifted(&tokens, &mut mistakes);
-        assert!(mistakes.finish().is_empty(), "{name}");
-        let sides = block.equations.iter().filter_map(|equation| equation.value.as_ref());
-        let mut field: Vec<_> = sides.map(|side| Formula::of(side, &names, &values)).collect();
+        let mut field = Formula::read(text, &names, &values);
         field.extend(stated.has_time.then_some(Formula::Number(1.0)));
-        System { name, tokens, parameters, start, time: number(time), kind, field }
+        let energy = (!energy.is_empty()).then(|| Formula::read(&format!("E' = {energy}"), &names, &values));
+        let energy = energy.map(|mut one| one.remove(0));
+        System { name, tokens, parameters, start, time: number(time), energy, kind, field }
     }
 
     fn options(&self, which: Which) -> Options {
@@ -94,17 +94,17 @@ impl System {
     }
 
     /// States at the ends of `parts` equal parts of the time, by the Dormand–Prince method with this
-    /// tolerance; none where it fails.
-    pub(crate) fn solution(&self, time: f64, parts: u32, tolerance: f64) -> Option<Vec<Vec<f64>>> {
+    /// tolerance.
+    pub(crate) fn solution(&self, time: f64, parts: u32, tolerance: f64) -> Vec<Vec<f64>> {
         let mut x = DVector::from_column_slice(&self.start);
         let part = time / f64::from(parts);
         (0..parts)
             .map(|_| {
                 let mut solver = Dop853::new(Slope(self), 0.0, part, part, x.clone(), tolerance, tolerance);
                 solver.set_output(OutputType::Sparse);
-                solver.integrate().ok()?;
-                x.clone_from(solver.y_out().last()?);
-                Some(x.as_slice().to_vec())
+                solver.integrate().unwrap_or_else(|error| panic!("{}: {error}", self.name));
+                x.clone_from(solver.y_out().last().expect("the end is put out"));
+                x.as_slice().to_vec()
             })
             .collect()
     }
@@ -120,7 +120,7 @@ impl ode_solvers::System<f64, DVector<f64>> for Slope<'_> {
 }
 
 /// A right-hand side as it was written, so that references do not go through the crate under test.
-enum Formula {
+pub(crate) enum Formula {
     Number(f64),
     State(usize),
     Sum(Vec<(bool, Formula)>),
@@ -130,6 +130,15 @@ enum Formula {
 }
 
 impl Formula {
+    /// The right-hand sides of a block.
+    pub(crate) fn read(text: &str, states: &[&str], parameters: &[(&str, f64)]) -> Vec<Self> {
+        let mut mistakes = Diagnostics::default();
+        let block = parse_lifted(&lenient::read(text).lexed.tokens, &mut mistakes);
+        assert!(mistakes.finish().is_empty(), "{text}");
+        let sides = block.equations.iter().filter_map(|equation| equation.value.as_ref());
+        sides.map(|side| Formula::of(side, states, parameters)).collect()
+    }
+
     fn of(expr: &Expr<InFormula>, states: &[&str], parameters: &[(&str, f64)]) -> Self {
         let read = |expr: &Expr<InFormula>| Formula::of(expr, states, parameters);
         match &expr.kind {
@@ -164,7 +173,15 @@ impl Formula {
         }
     }
 
-    fn value(&self, x: &[f64]) -> f64 {
+    /// The sum of the sizes of a sum's terms.
+    pub(crate) fn size(&self, x: &[f64]) -> f64 {
+        match self {
+            Formula::Sum(terms) => terms.iter().map(|(_, term)| term.value(x).abs()).sum(),
+            _ => self.value(x).abs(),
+        }
+    }
+
+    pub(crate) fn value(&self, x: &[f64]) -> f64 {
         match self {
             Formula::Number(number) => *number,
             Formula::State(state) => x[*state],
@@ -181,10 +198,14 @@ impl Formula {
     }
 }
 
+/// The largest size of a component.
+pub(crate) fn size(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |size, value| size.max(value.abs()))
+}
+
 /// The largest difference of `b`'s components to `a`'s first ones, relative to the size of `b`.
 pub(crate) fn distance(a: &[f64], b: &[f64]) -> f64 {
-    let size = b.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
     // `max` would forget what is not a number.
     let far = |a: f64, b: f64| if a.is_finite() { (a - b).abs() } else { f64::INFINITY };
-    a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size
+    a.iter().zip(b).fold(0.0_f64, |most, (&a, &b)| most.max(far(a, b))) / size(b)
 }
