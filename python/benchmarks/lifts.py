@@ -9,8 +9,8 @@ QBee 0.8.2 needs a NumPy before 2, so it runs by an interpreter of its own, whic
 import json
 import os
 import re
+import resource
 import shutil
-import statistics
 import subprocess
 import sys
 import time
@@ -44,31 +44,80 @@ def qbee(name: str) -> None:
     values = values if isinstance(values, (list, tuple)) else [values]
     names = dict(zip([state for state, _ in sides] + named, [*states, *values]))
     equations = [(names[state], sympy.sympify(right, locals=names)) for state, right in sides]
-    begun = time.perf_counter()
+    begun = time.process_time()
     found = polynomialize_and_quadratize(equations)
-    seconds = time.perf_counter() - begun
+    seconds = time.process_time() - begun
     order = len(found.equations) - len(sides) if found else None
     print(json.dumps({"seconds": seconds, "order": order}))
 
 
 def by_qbee(python: str, name: str) -> dict[str, float] | str:
+    """QBee's time and order, or why there are none."""
     try:
-        done = subprocess.run([python, __file__, "qbee", name], capture_output=True, text=True, timeout=PATIENCE + 10)
+        done = subprocess.run([python, __file__, "qbee", name], capture_output=True, text=True, timeout=PATIENCE)
     except subprocess.TimeoutExpired:
         return f"none in {PATIENCE} s"
-    return json.loads(done.stdout.splitlines()[-1]) if done.returncode == 0 else "error"
+    # QBee writes its progress before.
+    return json.loads("{" + done.stdout.rpartition("{")[2]) if done.returncode == 0 else "error"
+
+
+def spent() -> float:
+    """The processor time of all processes that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def by_kahan(command: str, row: list[str], *options: str) -> tuple[float, int]:
     """The time of the whole command, and how many variables it introduces."""
-    _, text, known, start, _, _ = row
-    given = [word for value in known.split() for word in ("--param", value)]
-    begun = time.perf_counter()
-    done = subprocess.run([command, "lift", "--field", text, "--at", ",".join(start.split()), *given, "--json", *options],
-                          check=True, capture_output=True, text=True)
-    return time.perf_counter() - begun, json.loads(done.stdout)["order"]
+    begun = spent()
+    done = subprocess.run([command, "lift", "--field", row[1], "--json", *options], check=True, capture_output=True, text=True)
+    return spent() - begun, json.loads(done.stdout)["order"]
+
+
+def lifting(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> None:
+    """`kahan lift` on the systems of `benches/lifts/systems.tsv`: its time, and beside QBee's."""
+    command = shutil.which("kahan") or str(ROOT / "target/release/kahan")
+    python = os.environ.get("QBEE_PYTHON")
+    if not Path(command).exists():
+        return skipped("`kahan lift`", "no command `kahan`")
+    rows, lines, times, ratios, above = systems(), [], [], [], []
+    for row in rows:
+        smallest = [by_kahan(command, row, "--lift=smallest") for _ in range(ROUNDS)]
+        known = [word for value in row[2].split() for word in ("--param", value)]
+        default = [by_kahan(command, row, "--at", ",".join(row[3].split()), *known) for _ in range(ROUNDS)]
+        theirs = by_qbee(python, row[0]) if python else "skipped"
+        # Once more, so that neither has a time of its own.
+        smallest += [by_kahan(command, row, "--lift=smallest") for _ in range(ROUNDS)]
+        order, (own, slow) = smallest[0][1], (min(one[0] for one in runs) for runs in (smallest, default))
+        if "extra" not in row[-1]:
+            times.append((own, slow))
+        cells = [theirs, "–", "–"]
+        if isinstance(theirs, dict):
+            ratios.append(own / theirs["seconds"])
+            above += [row[0]] if order > theirs["order"] else []
+            cells = [f"{1e3 * theirs['seconds']:.0f} ms", str(theirs["order"]), f"{ratios[-1]:.2g}"]
+        lines.append(f"| {row[0]} | {order} | {1e3 * own:.0f} ms | {default[0][1]} | {1e3 * slow:.0f} ms | {' | '.join(cells)} |")
+        print(lines[-1], file=sys.stderr, flush=True)
+    for name, column in (("--lift=smallest", 0), ("default", 1)):
+        ranked = sorted(one[column] for one in times)
+        limit(f"`kahan lift`, {name}: the 25th of 30 systems by time", 0.1, [ranked[24]], " s")
+        limit(f"`kahan lift`, {name}: the slowest of 30 systems", 1.0, [ranked[29]], " s")
+    if ratios:
+        limit("`kahan lift --lift=smallest` / QBee, the largest of all ratios", 1.0, [max(ratios)])
+        limit("systems in which its order is above QBee's", 0, [len(above)])
+    else:
+        skipped("`kahan lift --lift=smallest` / QBee", "QBEE_PYTHON names no interpreter with QBee")
+    print("\n## Lifts\n\nProcessor time of the whole command `kahan lift`, the least of some runs: with `--lift=smallest`, and "
+          "as it is with\na start, from which an orbit is followed. Beside QBee without its imports, which has no more than "
+          f"{PATIENCE} s.\n")
+    print("| system | smallest | time | default | time | QBee | new variables | smallest / QBee |\n|---|---:|---:|---:|---:|---:|---:|---:|")
+    print("\n".join(lines))
 
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["qbee"]:
         qbee(sys.argv[2])
+    else:
+        from run import limit, skipped
+
+        lifting(limit, skipped)

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use kahan_algebra::lenient;
 use kahan_core::Composition;
-use kahan_lift::{Lift, Options, lift};
+use kahan_lift::{Lift, Options, Which, lift};
 use kahan_runtime::Map;
 use ode_solvers::{Dop853, OutputType, SVector};
 
@@ -114,10 +114,10 @@ const SYSTEMS: [System; 6] = [
 ];
 
 impl System {
-    fn lifted(&self) -> (Lift, Map) {
+    fn lifted(&self, which: Which) -> (Lift, Map) {
         let orbit = Some((self.start.to_vec(), Vec::new()));
         let tokens = lenient::read(self.text).lexed.tokens;
-        let lift = lift(&tokens, &Options { orbit, ..Options::default() }).expect("a lift");
+        let lift = lift(&tokens, &Options { which, orbit, ..Options::default() }).expect("a lift");
         let field = kahan_runtime::Field::parse(&lift.text()).expect("a quadratic field");
         let map = field.with([("", 0.0); 0]).expect("no parameters");
         (lift, map)
@@ -210,14 +210,10 @@ pub(crate) fn race() {
             let cells: Vec<String> = least.into_iter().zip(peer).map(cell).collect();
             println!("| {} | {method} | {} |", system.name, cells.join(" | "));
         };
-        let (lift, map) = system.lifted();
-        let start = [system.start.to_vec(), lift.embed(system.start, &[])].concat();
         let steps = |k: i32| (100.0 * 1.25_f64.powi(k)).ceil() as u64;
-        for (name, composition) in [
-            ("order 2", Composition::KAHAN),
-            ("order 4", Composition::SUZUKI_4),
-            ("order 8", Composition::KAHAN_LI_8),
-        ] {
+        let lifted = |which: Which, composition: Composition| {
+            let (lift, map) = system.lifted(which);
+            let start = [system.start.to_vec(), lift.embed(system.start, &[])].concat();
             let runs = (0..60).map_while(|k| {
                 let steps = steps(k);
                 let at = map.at(TIME / steps as f64 / 2.0).composed(composition);
@@ -229,7 +225,18 @@ pub(crate) fn race() {
                     })
                 })
             });
-            row(&format!("lifted, {name}"), cheapest(&reference, runs));
+            (lift.order(), cheapest(&reference, runs))
+        };
+        for (name, composition) in [
+            ("order 2", Composition::KAHAN),
+            ("order 4", Composition::SUZUKI_4),
+            ("order 8", Composition::KAHAN_LI_8),
+        ] {
+            row(&format!("lifted, {name}"), lifted(Which::Automatic, composition).1);
+        }
+        let (order, least) = lifted(Which::Smallest, Composition::KAHAN_LI_8);
+        if order < system.lifted(Which::Automatic).0.order() {
+            row("`--lift=smallest`, order 8", least);
         }
         if system.is_mechanical {
             for (name, composition) in [("order 2", Composition::KAHAN), ("order 8", Composition::KAHAN_LI_8)]

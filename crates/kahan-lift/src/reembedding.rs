@@ -40,9 +40,9 @@ impl Reembedding {
             let wanted = embed(reached);
             // The largest error, relative to rounding in the terms of its relation.
             let mut error = 0.0_f64;
-            for ((wanted, value), shift) in wanted.iter().zip(lifted).zip(&mut self.shift) {
+            for (((new, wanted), value), shift) in new.iter().zip(&wanted).zip(lifted).zip(&mut self.shift) {
                 let difference = wanted - value - *shift;
-                let size = wanted.abs() + value.abs() + shift.abs();
+                let size = new.abs() + wanted.abs() + value.abs() + shift.abs();
                 error = error.max(if size > 0.0 { difference.abs() / size } else { 0.0 });
                 *shift += difference / 2.0;
             }

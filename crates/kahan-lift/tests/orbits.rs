@@ -120,6 +120,13 @@ const QUARTIC: System = System {
     parameters: &[],
     field: |x| vec![x[1], -x[0].powi(3)],
 };
+/// The new variables x² and x³ come near 0, where rounding is large relative to them.
+const DUFFING: System = System {
+    text: "x' = p; p' = -x - x^3/2",
+    start: &[1.0, 0.2],
+    parameters: &[],
+    field: |x| vec![x[1], -x[0] - x[0].powi(3) / 2.0],
+};
 const DISSIPATIVE: [System; 5] =
     [FITZHUGH_NAGUMO, VAN_DER_POL, BRUSSELATOR, ROSENZWEIG_MACARTHUR, REPRESSILATOR];
 
@@ -156,10 +163,11 @@ fn relations_of_default_lifts_hold_to_order_two_for_a_long_time() {
 type Energy = fn(&[f64]) -> f64;
 
 /// p·p/2 + V, by hand.
-fn energies() -> [(System, Energy); 3] {
+fn energies() -> [(System, Energy); 4] {
     [
         (PENDULUM, |x| x[1] * x[1] / 2.0 - x[0].cos()),
         (QUARTIC, |x| x[1] * x[1] / 2.0 + x[0].powi(4) / 4.0),
+        (DUFFING, |x| x[1] * x[1] / 2.0 + x[0] * x[0] / 2.0 + x[0].powi(4) / 8.0),
         (KEPLER, |x| (x[2] * x[2] + x[3] * x[3]) / 2.0 - 1.0 / x[0].hypot(x[1])),
     ]
 }
