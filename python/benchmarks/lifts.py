@@ -16,10 +16,11 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 SYSTEMS = ROOT / "benches/lifts/systems.tsv"
-ROUNDS, PATIENCE = 5, 35
+ROUNDS, PATIENCE, TURNS = 5, 35, 200
 
 
 def systems() -> list[list[str]]:
@@ -74,12 +75,13 @@ def by_kahan(command: str, row: list[str], *options: str) -> tuple[float, int]:
     return spent() - begun, json.loads(done.stdout)["order"]
 
 
-def lifting(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> None:
-    """`kahan lift` on the systems of `benches/lifts/systems.tsv`: its time, and beside QBee's."""
+def lifting(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> str:
+    """`kahan lift` on the systems of `benches/lifts/systems.tsv`: its time, and beside QBee's. Returns a table."""
     command = shutil.which("kahan") or str(ROOT / "target/release/kahan")
     python = os.environ.get("QBEE_PYTHON")
     if not Path(command).exists():
-        return skipped("`kahan lift`", "no command `kahan`")
+        skipped("`kahan lift`", "no command `kahan`")
+        return ""
     rows, lines, times, ratios, above = systems(), [], [], [], []
     for row in rows:
         smallest = [by_kahan(command, row, "--lift=smallest") for _ in range(ROUNDS)]
@@ -97,7 +99,6 @@ def lifting(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> 
             above += [row[0]] if order > theirs["order"] else []
             cells = [f"{1e3 * theirs['seconds']:.0f} ms", str(theirs["order"]), f"{ratios[-1]:.2g}"]
         lines.append(f"| {row[0]} | {order} | {1e3 * own:.0f} ms | {default[0][1]} | {1e3 * slow:.0f} ms | {' | '.join(cells)} |")
-        print(lines[-1], file=sys.stderr, flush=True)
     for name, column in (("--lift=smallest", 0), ("default", 1)):
         ranked = sorted(one[column] for one in times)
         limit(f"`kahan lift`, {name}: the 25th of 30 systems by time", 0.1, [ranked[24]], " s")
@@ -107,11 +108,88 @@ def lifting(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> 
         limit("systems in which its order is above QBee's", 0, [len(above)])
     else:
         skipped("`kahan lift --lift=smallest` / QBee", "QBEE_PYTHON names no interpreter with QBee")
-    print("\n## Lifts\n\nProcessor time of the whole command `kahan lift`, the least of some runs: with `--lift=smallest`, and "
-          "as it is with\na start, from which an orbit is followed. Beside QBee without its imports, which has no more than "
-          f"{PATIENCE} s.\n")
-    print("| system | smallest | time | default | time | QBee | new variables | smallest / QBee |\n|---|---:|---:|---:|---:|---:|---:|---:|")
-    print("\n".join(lines))
+    return "\n".join([
+        "\n## Lifts\n",
+        "Processor time of the whole command `kahan lift`, the least of some runs: with `--lift=smallest`, and as it is with a",
+        f"start, from which an orbit is followed. Beside QBee without its imports, which has no more than {PATIENCE} s.\n",
+        "| system | smallest | time | default | time | QBee | new variables | smallest / QBee |",
+        "|---|---:|---:|---:|---:|---:|---:|---:|", *lines])
+
+
+# Names of the states, their rates by hand, the values that these share, the text, and a start.
+RACES: dict[str, tuple[str, list[str], list[str], str, list[float]]] = {
+    "quartic oscillator": ("x p", ["p", "-x*x*x"], [], "x' = p; p' = -x^3", [1, 0]),
+    "pendulum": ("x p", ["p", "-math.sin(x)"], [], "x' = p; p' = -sin(x)", [1, 0]),
+    "Toda chain of 3": (
+        "x y z p q s", ["p", "q", "s", "c - a", "a - b", "b - c"],
+        ["a = math.exp(x - y)", "b = math.exp(y - z)", "c = math.exp(z - x)"],
+        "x' = p; y' = q; z' = s; p' = exp(z - x) - exp(x - y); q' = exp(x - y) - exp(y - z); s' = exp(y - z) - exp(z - x)",
+        [0.5, 0, -0.3, 0.2, -0.4, 0.2]),
+    "Kepler": (
+        "x y p q", ["p", "q", "-x*c", "-y*c"], ["r = x*x + y*y", "c = 1/(r*math.sqrt(r))"],
+        "x' = p; y' = q; p' = -x/(x^2 + y^2)^(3/2); q' = -y/(x^2 + y^2)^(3/2)", [1, 0, 0, 1.1]),
+}
+TIME, ERROR = 100.0, 1e-9
+
+
+def least(works: list[Callable[[], object]]) -> list[float]:
+    """The least time of each work; all take turns."""
+    times = [float("inf")] * len(works)
+    for _ in range(TURNS):
+        for place, work in enumerate(works):
+            begun = time.perf_counter()
+            work()
+            times[place] = min(times[place], time.perf_counter() - begun)
+    return times
+
+
+def racing(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> str:
+    """Order 8 beside DOP853 in Numba, each with the largest step or tolerance that reaches the error. Returns a table."""
+    # Not above, as the interpreter with QBee has none of them.
+    import numpy as np
+
+    import kahan
+    from dop853 import by_loops, written_out
+    from peers import is_here
+
+    if not is_here("numba") or not is_here("scipy"):
+        skipped("lifted, order 8 / DOP853 in Numba", "Numba and SciPy are not both installed")
+        return ""
+    lines = []
+    for name, (states, rates, helpers, text, start) in RACES.items():
+        first = np.array(start, float)
+        solvers = [make(states.split(), rates, helpers) for make in (by_loops, written_out)]
+        reference = solvers[0](first, TIME, 1e-14)
+
+        def far(end: Any) -> float:
+            return float(np.abs(end - reference).max() / np.abs(reference).max())
+
+        assert far(solvers[1](first, TIME, 3e-14)) < ERROR / 20, "the reference is right"
+        tolerance = 1e-6
+        while far(solvers[0](first, TIME, tolerance)) > ERROR:
+            tolerance *= 0.9
+        ratios = {}
+        for which in ("smallest", "automatic"):
+            s = kahan.System(text, lift=True if which == "automatic" else which, at=start)
+            steps = 60
+
+            def orbit(count: int) -> Any:
+                return s.orbit(start, TIME / (2 * steps), count, every=count, order=8).x[-1]
+
+            while far(orbit(steps)) > ERROR:
+                steps = int(1.03 * steps) + 1
+            peers = [lambda solve=solve: solve(first, TIME, tolerance) for solve in solvers]
+            whole, call, *theirs = least([lambda: orbit(steps), lambda: orbit(1), *peers])
+            ratios[which] = [(whole - call) / one for one in theirs]
+        limit(f"lifted {name}, order 8 / DOP853 in Numba by loops, at {ERROR:.0e}", 0.9, [min(one[0] for one in ratios.values())])
+        cells = " | ".join(f"{ratio:.2f}" for which in ("smallest", "automatic") for ratio in ratios[which])
+        lines.append(f"| {name} | {cells} |")
+    return "\n".join([
+        "\n## Lifted orbits of order 8\n",
+        f"To the time {TIME:g} with an error of {ERROR:.0e} at the end, as a ratio to DOP853 in Numba; above 1, kahan is slower. A call with",
+        "one step is taken off ours.\n",
+        "| system | smallest / by loops | smallest / written out | default / by loops | default / written out |",
+        "|---|---:|---:|---:|---:|", *lines])
 
 
 if __name__ == "__main__":
@@ -120,4 +198,4 @@ if __name__ == "__main__":
     else:
         from run import limit, skipped
 
-        lifting(limit, skipped)
+        print(lifting(limit, skipped), racing(limit, skipped), sep="\n")

@@ -20,6 +20,7 @@ import numpy as np
 
 import kahan
 from dense import dense_fields
+from lifts import lifting, racing
 from peers import lorenz_grid, scenes
 from sparse import sparse_fields
 
@@ -126,8 +127,10 @@ def main() -> None:
     start_up()
     dense_fields(limit, skipped)
     sparse_fields(limit, skipped)
+    lifts = lifting(limit, skipped) + racing(limit, skipped)
     lorenz_grid(limit)
     scenes()
+    print(lifts)
     for line in missed:
         print(f"limit not met: {line}", file=sys.stderr)
     sys.exit(1 if missed else 0)
