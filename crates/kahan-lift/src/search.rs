@@ -290,7 +290,7 @@ impl<'a> Search<'a> {
         let quotients = variables.iter().map(|&variable| monomial.over(self.table.monomial(variable)));
         let mut candidates: Vec<Monomial> =
             std::iter::once(monomial.clone()).chain(monomial.square_root()).chain(quotients).collect();
-        candidates.sort_unstable_by_key(|one| (one.size(), one.clone()));
+        candidates.sort_unstable_by(|a, b| a.size().cmp(&b.size()).then_with(|| a.cmp(b)));
         candidates.dedup();
         let ids: Vec<Id> = candidates.iter().map(|one| self.table.id(one)).collect();
         ids.into_iter().filter(|&id| self.is_allowed(id)).collect()
