@@ -108,8 +108,13 @@ impl Orbit {
         let functions: Vec<NumericLaurent> = new.iter().map(|one| numeric.laurent(one)).collect();
         let field: Vec<_> = field.iter().map(|equation| quadratic(equation, parameters)).collect();
         let count = new.len();
-        let mut matrix: Vec<Vec<f64>> =
-            (0..count).map(|i| (0..count).map(|k| if i == k { 1.0 } else { 0.0 }).collect()).collect();
+        if count == 0 {
+            return Growth { exponent: 0.0, amplification: 1.0, half: 1.0 };
+        }
+        // Matrices are row by row; this one is the identity.
+        let mut matrix: Vec<f64> =
+            (0..count * count).map(|place| if place % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
+        let [mut first, mut second] = [matrix.clone(), matrix.clone()];
         // Errors count relative to the size of their variable, so that units do not matter.
         let mut sizes = vec![0.0_f64; count];
         for (_, x) in &self.points {
@@ -120,9 +125,9 @@ impl Orbit {
         }
         let scale =
             |i: usize, k: usize| if sizes[i] > 0.0 && sizes[k] > 0.0 { sizes[k] / sizes[i] } else { 1.0 };
-        let largest = |matrix: &[Vec<f64>]| {
+        let largest = |matrix: &[f64]| {
             let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
-            entries.fold(0.0, |norm: f64, (i, k)| norm.max(matrix[i][k].abs() * scale(i, k)))
+            entries.fold(0.0, |norm: f64, (i, k)| norm.max(matrix[i * count + k].abs() * scale(i, k)))
         };
         let (mut logarithm, mut last, mut most, mut half, mut time) = (0.0, 0.0, 0.0_f64, 0.0_f64, 0.0);
         for (h, x) in &self.points {
@@ -141,32 +146,33 @@ impl Orbit {
             };
             let jacobian: Vec<Vec<f64>> =
                 field.iter().map(|equation| (0..count).map(|k| partial(equation, k)).collect()).collect();
-            let lambda: Vec<Vec<f64>> = (0..count)
-                .map(|i| {
-                    let gradient = numeric.gradient(&functions[i], &coordinates, &gradients);
-                    (0..count)
-                        .map(|k| {
-                            let moved = gradient.iter().zip(&jacobian).map(|(slope, row)| slope * row[k]);
-                            jacobian[states + i][k] - moved.sum::<f64>()
-                        })
-                        .collect()
-                })
-                .collect();
-            let times = |matrix: &[Vec<f64>]| -> Vec<Vec<f64>> {
-                let entry = |i: usize, k: usize| (0..count).map(|j| lambda[i][j] * matrix[j][k]).sum::<f64>();
-                (0..count).map(|i| (0..count).map(|k| entry(i, k)).collect()).collect()
+            let mut lambda = Vec::with_capacity(count * count);
+            for (i, function) in functions.iter().enumerate() {
+                let gradient = numeric.gradient(function, &coordinates, &gradients);
+                lambda.extend((0..count).map(|k| {
+                    let moved = gradient.iter().zip(&jacobian).map(|(slope, row)| slope * row[k]);
+                    jacobian[states + i][k] - moved.sum::<f64>()
+                }));
+            }
+            let times = |matrix: &[f64], product: &mut [f64]| {
+                product.fill(0.0);
+                for (row, factors) in product.chunks_exact_mut(count).zip(lambda.chunks_exact(count)) {
+                    for (factor, other) in factors.iter().zip(matrix.chunks_exact(count)) {
+                        if *factor != 0.0 {
+                            row.iter_mut().zip(other).for_each(|(sum, entry)| *sum += factor * entry);
+                        }
+                    }
+                }
             };
             // exp(hΛ) as a power of (1 + sΛ + (sΛ)²/2) with s ‖Λ‖ ≤ 1/2.
-            let size = lambda.iter().map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
+            let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;
             for _ in 0..parts as usize {
-                let first = times(&matrix);
-                let second = times(&first);
-                for i in 0..count {
-                    for k in 0..count {
-                        matrix[i][k] += part * first[i][k] + part * part / 2.0 * second[i][k];
-                    }
+                times(&matrix, &mut first);
+                times(&first, &mut second);
+                for ((entry, first), second) in matrix.iter_mut().zip(&first).zip(&second) {
+                    *entry += part * first + part * part / 2.0 * second;
                 }
             }
             let norm = largest(&matrix);
@@ -188,7 +194,7 @@ impl Orbit {
             }
             if !(1e-100..1e100).contains(&norm) && norm > 0.0 {
                 logarithm += norm.ln();
-                matrix.iter_mut().flatten().for_each(|entry| *entry /= norm);
+                matrix.iter_mut().for_each(|entry| *entry /= norm);
             }
         }
         let exponent = if time > 0.0 { last / time } else { 0.0 };
