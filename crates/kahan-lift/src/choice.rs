@@ -90,12 +90,19 @@ pub(crate) fn choose<'a>(
     }
     let order = |one: &Judged<'_>| one.candidate.new.len();
     let exponent = |one: &Judged<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
+    // x² before x·p: functions of fewer variables.
+    let spread = |one: &Judged<'_>| {
+        let new = one.candidate.new.iter().flatten().flat_map(Laurent::terms);
+        new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
+    };
     let best = |judged: Vec<Judged<'a>>| {
         judged.into_iter().reduce(|best, next| {
             let key = |one: &Judged<'_>| (order(one), usize::MAX - one.kept.len());
-            let better =
-                key(&next).cmp(&key(&best)).then(exponent(&next).total_cmp(&exponent(&best))).is_lt();
-            if better { next } else { best }
+            let better = key(&next)
+                .cmp(&key(&best))
+                .then(exponent(&next).total_cmp(&exponent(&best)))
+                .then(spread(&next).cmp(&spread(&best)));
+            if better.is_lt() { next } else { best }
         })
     };
     if candidates[0].energy.is_some() {
