@@ -172,11 +172,13 @@ pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagn
     let equations = Equations::read(tokens)?;
     let numeric = followed(&equations, options);
     let effort = Effort { nodes: NODES, surplus: true };
-    let candidates = [energy_candidates(&equations, effort), ordinary_candidates(&equations, effort)].concat();
+    let candidates =
+        [energy_candidates(&equations, effort), ordinary_candidates(&equations, effort)].concat();
     let judged = candidates.iter().flat_map(|candidate| {
-        candidate.forms.iter().map(|form| {
-            Judged::new(candidate, form.clone(), numeric.as_ref(), equations.parameters.len())
-        })
+        candidate
+            .forms
+            .iter()
+            .map(|form| Judged::new(candidate, form.clone(), numeric.as_ref(), equations.parameters.len()))
     });
     Ok(judged.map(|judged| described(&equations, &judged, String::new())).collect())
 }
