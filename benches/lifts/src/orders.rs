@@ -17,7 +17,9 @@ const LEAST: f64 = 1e-9;
 const MOST_STEPS: u64 = 1 << 24;
 
 pub(crate) fn orders() {
-    println!("| system | new variables | order 2: ratios | steps | order 4: ratios | steps |\n|---|---|---|---|---|---|");
+    println!(
+        "| system | new variables | order 2: ratios | steps | order 4: ratios | steps |\n|---|---|---|---|---|---|"
+    );
     let mut missed = Vec::new();
     for system in System::all().into_iter().filter(|one| !one.is("extra")) {
         let lift = system.lift(Which::Automatic);

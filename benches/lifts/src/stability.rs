@@ -134,8 +134,12 @@ impl Counts {
 }
 
 pub(crate) fn stability() {
-    println!("Errors are those of relations and of states, at ε = 0.01 and, where they are large, ε/8 and ε/64.");
-    println!("| system | stable: good / at smaller ε / bad | drifts: the same | grows: the same | chosen: predicted, errors |");
+    println!(
+        "Errors are those of relations and of states, at ε = 0.01 and, where they are large, ε/8 and ε/64."
+    );
+    println!(
+        "| system | stable: good / at smaller ε / bad | drifts: the same | grows: the same | chosen: predicted, errors |"
+    );
     println!("|---|---|---|---|---|");
     let mut all = Counts::default();
     let mut misses = Vec::new();
@@ -160,7 +164,11 @@ pub(crate) fn stability() {
             if !is_right {
                 let rate = judged.lift.relations.iter().find_map(|one| one.rate).unwrap_or(0.0);
                 let (order, name) = (judged.lift.order(), judged.predicted.name());
-                misses.push(format!("{}: order {order}, {name} at {rate:.3}: {}", system.name, judged.errors()));
+                misses.push(format!(
+                    "{}: order {order}, {name} at {rate:.3}: {}",
+                    system.name,
+                    judged.errors()
+                ));
             }
         }
         for (sum, own) in all.0.iter_mut().flatten().zip(counts.0.iter().flatten()) {
@@ -178,8 +186,16 @@ pub(crate) fn stability() {
         100.0 * part as f64 / whole as f64
     };
     let [[good, later, _], _, [_, late, bad]] = all.0;
-    println!("predicted stable: {:.1} % good, {:.1} % at smaller ε, too", share(good, Predicted::Stable), share(good + later, Predicted::Stable));
-    println!("predicted to grow: {:.1} % bad, {:.1} % at every ε", share(late + bad, Predicted::Grows), share(bad, Predicted::Grows));
+    println!(
+        "predicted stable: {:.1} % good, {:.1} % at smaller ε, too",
+        share(good, Predicted::Stable),
+        share(good + later, Predicted::Stable)
+    );
+    println!(
+        "predicted to grow: {:.1} % bad, {:.1} % at every ε",
+        share(late + bad, Predicted::Grows),
+        share(bad, Predicted::Grows)
+    );
     println!("chosen and bad at every ε: {wrong:?}\n\nMisses:");
     misses.iter().for_each(|miss| println!("{miss}"));
 }

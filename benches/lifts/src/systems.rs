@@ -39,7 +39,9 @@ impl System {
 
     fn read(line: &'static str) -> Self {
         let cells: Vec<&str> = line.split('\t').collect();
-        let [name, text, parameters, start, time, energy, kind] = cells[..] else { panic!("seven cells: {line}") };
+        let [name, text, parameters, start, time, energy, kind] = cells[..] else {
+            panic!("seven cells: {line}")
+        };
         let tokens = lenient::read(text).lexed.tokens;
         let stated = stated(&tokens).unwrap_or_else(|mistakes| panic!("{name}: {}", mistakes[0]));
         let number = |word: &str| word.parse::<f64>().unwrap_or_else(|_| panic!("{name}: {word}"));
@@ -78,7 +80,8 @@ impl System {
     }
 
     pub(crate) fn map(&self, lift: &Lift) -> Map {
-        let field = kahan_runtime::Field::parse(&lift.text()).unwrap_or_else(|_| panic!("{}: {}", self.name, lift.text()));
+        let field = kahan_runtime::Field::parse(&lift.text())
+            .unwrap_or_else(|_| panic!("{}: {}", self.name, lift.text()));
         let used = |name: &str| field.parameters().iter().any(|known| known == name);
         let values = self.parameters.iter().filter(|(name, _)| used(name));
         field.with(values.map(|(name, value)| (name.as_str(), *value))).expect("all parameters")
@@ -185,9 +188,14 @@ impl Formula {
         match self {
             Formula::Number(number) => *number,
             Formula::State(state) => x[*state],
-            Formula::Sum(terms) => terms.iter().fold(0.0, |sum, (negative, term)| {
-                if *negative { sum - term.value(x) } else { sum + term.value(x) }
-            }),
+            Formula::Sum(terms) => {
+                terms.iter().fold(
+                    0.0,
+                    |sum, (negative, term)| {
+                        if *negative { sum - term.value(x) } else { sum + term.value(x) }
+                    },
+                )
+            }
             Formula::Product(factors) => factors.iter().fold(1.0, |product, (divides, factor)| {
                 if *divides { product / factor.value(x) } else { product * factor.value(x) }
             }),
