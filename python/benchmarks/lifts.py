@@ -24,7 +24,7 @@ ROUNDS, PATIENCE, TURNS = 5, 35, 200
 
 
 def systems() -> list[list[str]]:
-    """Name, equations, parameters, start, time and kind of each system."""
+    """Name, equations, parameters, start, time, energy and kind of each system."""
     return [line.split("\t") for line in SYSTEMS.read_text().splitlines()[1:]]
 
 
