@@ -130,7 +130,7 @@ fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
 }
 
 /// The ring with the field that moves one state at unit speed.
-fn along(ring: &Ring, state: usize) -> Ring {
+pub(crate) fn along(ring: &Ring, state: usize) -> Ring {
     let mut ring = ring.clone();
     let unit = |other| if other == state { Laurent::number(Rational::one()) } else { Laurent::zero() };
     ring.set_field((0..ring.field.len()).map(unit).collect());

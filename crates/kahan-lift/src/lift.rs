@@ -16,7 +16,7 @@ use kahan_algebra::token::{Span, Token};
 use crate::candidates::{Effort, energy_candidates, field_of, modified, ordinary_candidates};
 use crate::choice::{Judged, Which, choose};
 use crate::embedding::{Builder, Embedding};
-use crate::energy::Mechanical;
+use crate::energy::{Mechanical, along};
 use crate::equations::Equations;
 use crate::exact;
 use crate::laurent::{Laurent, Monomial};
@@ -391,6 +391,20 @@ impl Lift {
     #[must_use]
     pub fn embedding(&self) -> &Embedding {
         &self.embedding
+    }
+
+    /// The derivatives of the new variables by the states without `t`, as steps: the derivatives of a
+    /// variable follow one another. Those of the work done since the start are 0.
+    #[must_use]
+    pub fn slopes(&self) -> Embedding {
+        let states = 0..self.states.len() - usize::from(self.has_time);
+        let partials: Vec<Ring> = states.map(|state| along(&self.ring, state)).collect();
+        let of = |new: &NewVariable| -> Vec<Option<Laurent>> {
+            let derivative = |ring: &Ring| new.value.as_ref().map(|value| ring.derivative(value));
+            partials.iter().map(derivative).collect()
+        };
+        let slopes: Vec<Option<Laurent>> = self.new.iter().flat_map(of).collect();
+        Builder::embedding(&self.ring, slopes.iter().map(Option::as_ref))
     }
 
     /// The values of the new variables at these states, with these values of the parameters: exact

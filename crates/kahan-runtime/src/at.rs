@@ -136,7 +136,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     }
 
     /// The parameters, and ε.
-    fn own(&self) -> (&[T], T) {
+    pub(crate) fn own(&self) -> (&[T], T) {
         split(&self.constants)
     }
 

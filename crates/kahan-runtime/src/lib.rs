@@ -75,7 +75,7 @@ pub use kahan_algebra::variational::By;
 pub use kahan_core::{Composition, Level};
 pub use lattice::{ChainAt, Lattice, LatticeError};
 pub use map::Map;
-pub use observed::{Observable, ObservedFloat, Observing, Seen};
+pub use observed::{Observable, ObservedFloat, Observing, Relations, Seen};
 pub use parameters::{ParameterError, ParameterValue};
 pub use periodic::{MOST_DIGITS as MOST_DIGITS_OF_CYCLES, ParametricAt, RationalCycle};
 pub use text::FieldText;

@@ -5,6 +5,9 @@
 //! system with the formulas that its map keeps as integrals, and the lift. Points are given in the
 //! original variables; the new ones are functions of them.
 
+
+use std::sync::OnceLock;
+
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::parse::parse_lifted;
 use kahan_algebra::rational::Rational;
@@ -12,8 +15,8 @@ use kahan_algebra::render::expression_text;
 use kahan_algebra::syntax::{Claim, ClaimBody, TensorEntry};
 use kahan_algebra::system::System;
 use kahan_latex::Latex;
-use kahan_lift::{Along, Lift, Options, Which, lift, stated};
-use kahan_runtime::FieldText;
+use kahan_lift::{Along, Embedding, Lift, Options, Which, lift, stated};
+use kahan_runtime::{FieldText, Relations};
 use serde::{Serialize, Serializer};
 
 use crate::error::StudyError;
@@ -48,6 +51,10 @@ pub(crate) struct Lifted {
     /// The variables that answers show, and their places among all.
     shown: Vec<String>,
     places: Vec<usize>,
+    /// The places of the lift's parameters among those of the field.
+    parameters: Vec<Option<usize>>,
+    /// The derivatives of the new variables by the original ones, once vectors are carried.
+    slopes: OnceLock<Embedding>,
 }
 
 impl Lifted {
@@ -96,16 +103,22 @@ impl Lifted {
             Some(system) => (given.clone(), system),
             None => quadratic(&lift, &claims(given)?)?,
         };
-        let lifting = lifting.clone();
-        Ok((Lifted { lift, given: given.clone(), lifting, original, shown, places }, text, system))
+        let known = &system.field.symbols.parameters;
+        let place = |name: &String| known.iter().position(|known| known == name);
+        let parameters = lift.parameters.iter().map(place).collect();
+        let (given, lifting, slopes) = (given.clone(), lifting.clone(), OnceLock::new());
+        let lifted = Lifted { lift, given, lifting, original, shown, places, parameters, slopes };
+        Ok((lifted, text, system))
+    }
+
+    /// The values of the lift's parameters among those of the field's.
+    fn own(&self, values: &[f64]) -> Vec<f64> {
+        self.parameters.iter().map(|place| place.map_or(f64::NAN, |place| values[place])).collect()
     }
 
     /// All variables at a point of the original ones; not a number where one has no value.
-    fn embed(&self, at: &[f64], parameters: &[String], values: &[f64], time: f64) -> Vec<f64> {
-        let value = |name: &String| {
-            parameters.iter().position(|known| known == name).map_or(f64::NAN, |place| values[place])
-        };
-        let own: Vec<f64> = self.lift.parameters.iter().map(value).collect();
+    fn embed(&self, at: &[f64], values: &[f64], time: f64) -> Vec<f64> {
+        let own = self.own(values);
         let time = self.lift.has_time.then_some(time);
         let states: Vec<f64> = at.iter().copied().chain(time).collect();
         let new = self.lift.embed(&states, &own);
@@ -179,6 +192,20 @@ fn quadratic(lift: &Lift, given: &str) -> Result<(FieldText, System), StudyError
     Ok((text, System { header: lift.header.clone(), ..system }))
 }
 
+/// A lifted `t` and the new variables stand for functions of the original ones.
+impl Relations for Lifted {
+    fn originals(&self) -> usize {
+        self.original.len()
+    }
+
+    fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64> {
+        let slopes = self.slopes.get_or_init(|| self.lift.slopes());
+        let of_time = vec![0.0; usize::from(self.lift.has_time) * self.original.len()];
+        let of_new = slopes.values(&x[..self.lift.states.len()], &self.own(parameters));
+        of_time.into_iter().chain(of_new).collect()
+    }
+}
+
 impl Study {
     /// The lift, where the field was lifted.
     #[must_use]
@@ -197,6 +224,13 @@ impl Study {
     #[must_use]
     pub fn shown(&self) -> &[String] {
         self.lifted().map_or_else(|| self.variables(), |lifted| &lifted.shown)
+    }
+
+    /// The relations by which tangent vectors are those of the original variables; none where all
+    /// variables are original.
+    pub(crate) fn relations(&self) -> Option<&dyn Relations> {
+        let lifted = self.lifted().filter(|lifted| lifted.original.len() < self.variables().len());
+        lifted.map(|lifted| lifted as &dyn Relations)
     }
 
     /// The time at the start of an orbit.
@@ -240,9 +274,7 @@ impl Study {
     #[must_use]
     pub fn embed_at(&self, at: &[f64], values: &[f64], time: f64) -> Vec<f64> {
         match self.lifted() {
-            Some(lifted) if at.len() == lifted.original.len() => {
-                lifted.embed(at, self.parameters(), values, time)
-            }
+            Some(lifted) if at.len() == lifted.original.len() => lifted.embed(at, values, time),
             _ => self.with_time(at, time),
         }
     }

@@ -6,12 +6,16 @@
 
 mod observable;
 mod running;
+mod tangent;
 
 use std::ops::ControlFlow;
+
+use kahan_core::EmbedScalar;
 
 use crate::{DimensionError, Followed, MachineFloat, MapAt};
 
 pub use observable::{Observable, Seen};
+pub use tangent::Relations;
 
 /// What is asked of orbits.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +28,8 @@ pub struct Observing<'a> {
     pub every: u64,
     /// The size of a variable beyond which an orbit has escaped, and ends; `None` for no bound.
     pub escape: Option<f64>,
+    /// The relations of a lifted field, whose tangent vectors are those of its original variables.
+    pub relations: Option<&'a dyn Relations>,
 }
 
 impl Observing<'_> {
@@ -37,7 +43,7 @@ impl Observing<'_> {
 }
 
 /// A float of the machine whose orbits are observed.
-pub trait ObservedFloat: MachineFloat + PartialOrd {
+pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
     /// What is seen of the orbit of `start`, which goes as far as its points are finite and within
     /// the bound. `tell` hears of steps, and may stop the orbit.
     ///

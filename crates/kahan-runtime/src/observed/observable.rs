@@ -108,6 +108,14 @@ pub enum Seen {
 }
 
 impl Observable {
+    /// Whether it follows tangent vectors, which are those of the original variables where a field was
+    /// lifted.
+    #[must_use]
+    pub fn is_of_tangent_vectors(self) -> bool {
+        use Observable::{Fli, LogDet, Lyapunov, Megno, Sali, Spectrum};
+        matches!(self, Lyapunov | Spectrum | LogDet | Fli | Megno | Sali)
+    }
+
     /// The columns of a table that hold it, of a field with these variables and integrals: names
     /// and meanings.
     #[must_use]

@@ -5,14 +5,15 @@
 
 use std::ops::ControlFlow;
 
-use kahan_core::Step;
 use kahan_core::observe::{
     Burst, Escape, Extrema, Extremes, Fli, GROUP, Grouped, Lyapunov, MeanLogDet, Megno, Observer, Observers,
     Sali, Spectrum,
 };
+use kahan_core::{EmbedScalar, Step};
 
 use super::Observing;
 use super::observable::{Observable, Seen};
+use super::tangent::Carrier;
 use crate::{
     DimensionError, End, Follow, Followed, IntegralDrift, MachineFloat, MapAt, PassedPoles, WhileFinite,
 };
@@ -23,16 +24,17 @@ type Middles<T> = [Vec<Option<Extremes<T>>>; 2];
 type Quantity<T> = Box<dyn Fn(&[T]) -> T>;
 
 macro_rules! observers {
-    ($at:ident, $asked:ident, $middles:ident: $($name:ident($type:ty) = $new:expr, $one:ident => $seen:expr;)*) => {
+    ($at:ident, $carrier:ident, $asked:ident, $middles:ident: $($name:ident($type:ty) = $new:expr, $one:ident => $seen:expr;)*) => {
         /// An observer of one thing; `M` sees what the rotation turns about, and `B` tells what is
         /// beyond the size of an escape.
-        enum Running<'a, T: MachineFloat, M, B> {
+        enum Running<'a, T: MachineFloat + EmbedScalar, M, B> {
             $($name($type),)*
         }
 
-        fn running<'a, T: MachineFloat + PartialOrd>(
+        fn running<'a, T: MachineFloat + EmbedScalar + PartialOrd>(
             observable: Observable,
             $at: &'a MapAt<T>,
+            $carrier: &Carrier<'a, T>,
             $asked: &Observing<'_>,
         ) -> Running<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
             match observable {
@@ -42,7 +44,7 @@ macro_rules! observers {
 
         impl<T, M, B> Running<'_, T, M, B>
         where
-            T: MachineFloat + PartialOrd,
+            T: MachineFloat + EmbedScalar + PartialOrd,
             M: Observer<T, Report = Middles<T>>,
             B: Fn(&[T]) -> bool,
         {
@@ -76,19 +78,19 @@ macro_rules! observers {
 }
 
 observers! {
-    at, asked, middles:
+    at, carrier, asked, middles:
     Last(Last<T>) = Last(Vec::new()), one => Seen::Point(one.report().iter().map(T::approximate).collect());
     Drift(IntegralDrift<'a, T>) = IntegralDrift::of(at), one => Seen::Drift(one.report());
     Extrema(Vec<Extrema<Quantity<T>, T>>) =
         (0..at.dimension()).map(|k| Extrema::of(Box::new(move |x: &[T]| x[k]) as Quantity<T>)).collect(),
         one => Seen::Extrema(one.report().into_iter().map(|of| of.map(in_doubles)).collect());
-    Lyapunov(Lyapunov<&'a MapAt<T>>) = Lyapunov::new(at), one => Seen::Exponent(one.report());
-    Spectrum(Spectrum<&'a MapAt<T>>) = Spectrum::new(at, at.dimension(), asked.every),
+    Lyapunov(Lyapunov<Carrier<'a, T>>) = Lyapunov::new(carrier.clone()), one => Seen::Exponent(one.report());
+    Spectrum(Spectrum<Carrier<'a, T>>) = Spectrum::new(carrier.clone(), Step::dimension(carrier), asked.every),
         one => Seen::Spectrum(one.report());
-    LogDet(MeanLogDet<&'a MapAt<T>>) = MeanLogDet::new(at), one => Seen::Number(one.report());
-    Fli(Fli<&'a MapAt<T>>) = Fli::new(at), one => Seen::Number(one.report());
-    Megno(Megno<&'a MapAt<T>>) = Megno::new(at), one => Seen::Number(one.report().mean);
-    Sali(Sali<&'a MapAt<T>>) = Sali::new(at), one => Seen::Number(one.report());
+    LogDet(MeanLogDet<Carrier<'a, T>>) = MeanLogDet::new(carrier.clone()), one => Seen::Number(one.report());
+    Fli(Fli<Carrier<'a, T>>) = Fli::new(carrier.clone()), one => Seen::Number(one.report());
+    Megno(Megno<Carrier<'a, T>>) = Megno::new(carrier.clone()), one => Seen::Number(one.report().mean);
+    Sali(Sali<Carrier<'a, T>>) = Sali::new(carrier.clone()), one => Seen::Number(one.report());
     Rotation(M) = at.extremes(), one => {
         *middles = Some(one.report());
         // The second run finds them.
@@ -131,18 +133,26 @@ impl<T: MachineFloat> Observer<T> for Last<T> {
 }
 
 /// All that is asked of an orbit. Its report is what was seen, and what a second run turns about.
-struct All<'a, T: MachineFloat, M, B>(Vec<Running<'a, T, M, B>>);
+struct All<'a, T: MachineFloat + EmbedScalar, M, B> {
+    /// What carries the tangent vectors of all observers.
+    carrier: Carrier<'a, T>,
+    running: Vec<(Observable, Running<'a, T, M, B>)>,
+}
 
-fn all<'a, T: MachineFloat + PartialOrd>(
+fn all<'a, T: MachineFloat + EmbedScalar + PartialOrd>(
     at: &'a MapAt<T>,
-    asked: &Observing<'_>,
+    asked: &Observing<'a>,
 ) -> All<'a, T, impl Observer<T, Report = Middles<T>> + use<'a, T>, impl Fn(&[T]) -> bool + use<T>> {
-    All(asked.of.iter().map(|observable| running(*observable, at, asked)).collect())
+    let needs_vectors = asked.of.iter().any(|one| one.is_of_tangent_vectors());
+    let carrier = Carrier::new(at, asked.relations.filter(|_| needs_vectors));
+    let own = |one: &Observable| (*one, running(*one, at, &carrier, asked));
+    let running = asked.of.iter().map(own).collect();
+    All { carrier, running }
 }
 
 impl<T, M, B> Observer<T> for All<'_, T, M, B>
 where
-    T: MachineFloat + PartialOrd,
+    T: MachineFloat + EmbedScalar + PartialOrd,
     M: Observer<T, Report = Middles<T>>,
     B: Fn(&[T]) -> bool,
 {
@@ -151,28 +161,39 @@ where
     const MAY_END: bool = false;
 
     fn observe(&mut self, step: u64, x: &[T]) {
-        self.0.iter_mut().for_each(|running| running.observe(step, x));
+        self.carrier.follow(step, x);
+        for (observable, running) in &mut self.running {
+            let seen = if observable.is_of_tangent_vectors() { self.carrier.seen(x) } else { x };
+            running.observe(step, seen);
+        }
     }
 
     /// Each observable of all orbits at once, so that their tangent vectors and integrals go side
-    /// by side.
+    /// by side; one orbit after the other where a plane of tangent vectors goes along.
     fn observe_burst<P: Grouped<T>>(group: &mut Observers<'_, Self>, burst: &Burst<'_, P>) {
-        for place in 0..group[0].as_ref().map_or(0, |all| all.0.len()) {
-            let own = group.each_mut().map(|all| Some(&mut all.as_mut()?.0[place]));
+        let Some(first) = &group[0] else { return };
+        if matches!(first.carrier, Carrier::Plane(..)) {
+            for (lane, all) in group.iter_mut().flatten().enumerate() {
+                burst.show(lane, 0, |step, x| all.observe(step, x));
+            }
+            return;
+        }
+        for place in 0..first.running.len() {
+            let own = group.each_mut().map(|all| Some(&mut all.as_mut()?.running[place].1));
             Running::observe_burst(own, burst);
         }
     }
 
     fn report(self) -> Self::Report {
         let mut middles = None;
-        let seen = self.0.into_iter().map(|running| running.report(&mut middles)).collect();
+        let seen = self.running.into_iter().map(|(_, running)| running.report(&mut middles)).collect();
         (seen, middles)
     }
 }
 
 /// What is seen of the orbit of `start`, which goes as far as its points are finite; a second run
 /// counts turns, where they are asked for. `tell` hears of steps, and may stop the orbit.
-pub(super) fn alone<T: MachineFloat + PartialOrd>(
+pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
     at: &MapAt<T>,
     start: &[T],
     asked: &Observing<'_>,
@@ -196,7 +217,7 @@ pub(super) fn alone<T: MachineFloat + PartialOrd>(
 
 /// The same of many orbits, side by side where there is code for that: a map an orbit, and column c
 /// has variable c of all first points.
-pub(super) fn abreast<T: MachineFloat + PartialOrd>(
+pub(super) fn abreast<T: MachineFloat + EmbedScalar + PartialOrd>(
     maps: &[&MapAt<T>],
     starts: &[Vec<T>],
     asked: &Observing<'_>,

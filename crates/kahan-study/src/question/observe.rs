@@ -127,7 +127,7 @@ impl Observe {
         let runs = if self.of.contains(&Observable::Rotation) { 2 } else { 1 };
         let count = Count::new("steps", runs * self.steps, watch);
         let of = self.observables();
-        let seen = f64::alone(&at, &start, &self.observing(&of), &|steps| count.tell(steps));
+        let seen = f64::alone(&at, &start, &self.observing(study, &of), &|steps| count.tell(steps));
         let Followed { report, end } = seen.expect(FITTING);
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
@@ -151,8 +151,9 @@ impl Observe {
     }
 
     /// The same with what observers need to know.
-    pub(super) fn observing<'a>(&self, of: &'a [Observable]) -> Observing<'a> {
-        Observing { of, steps: self.steps, every: self.every, escape: self.escape }
+    pub(super) fn observing<'a>(&self, study: &'a Study, of: &'a [Observable]) -> Observing<'a> {
+        let relations = study.relations();
+        Observing { of, steps: self.steps, every: self.every, escape: self.escape, relations }
     }
 
     /// The columns of a table that hold what is observed in a field, an orbit a row.
@@ -160,9 +161,9 @@ impl Observe {
     pub fn columns(&self, study: &Study) -> Vec<Column> {
         let integrals = study.field().integrals();
         let columns = self.observables().into_iter().flat_map(|one| {
-            // A lifted field has the exponents of all of its variables.
-            let is_of_all = one == Observable::Spectrum;
-            one.columns(if is_of_all { study.variables() } else { study.shown() }, integrals)
+            // A lifted field has the exponents of its original variables.
+            let of_vectors = one.is_of_tangent_vectors();
+            one.columns(if of_vectors { study.coordinates() } else { study.shown() }, integrals)
         });
         columns.map(|(name, meaning)| Column { name, meaning: meaning.to_owned() }).collect()
     }
@@ -186,7 +187,8 @@ impl Observe {
             let found = Followed { report, end: found.end };
             Followed { report: Self::numbers(&found), end: found.end }
         };
-        let seen = T::abreast(maps, starts, &self.observing(&self.observables()), tell).expect(FITTING);
+        let seen =
+            T::abreast(maps, starts, &self.observing(study, &self.observables()), tell).expect(FITTING);
         seen.into_iter().map(numbers).collect()
     }
 

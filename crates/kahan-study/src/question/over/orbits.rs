@@ -139,7 +139,7 @@ impl<'a> Orbits<'a> {
         let column = |k: usize| points.iter().map(|point| nearest(point[k])).collect();
         let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
         let of = self.asked.observables();
-        let asked = self.asked.observing(&of);
+        let asked = self.asked.observing(self.study, &of);
         let found = match own[..] {
             [] => Vec::new(),
             _ if self.asked.escape.is_none() && self.asked.of.iter().all(|one| *one == Observable::Last) => {

@@ -1,0 +1,226 @@
+//! The map that observers of tangent vectors follow: the field's own, or, where variables stand
+//! for functions of others, the derivative of the others alone.
+//!
+//! In: the points of an orbit. Out: how tangent vectors of the original variables are carried, as
+//! many entries as these have, so that lengths and determinants are theirs.
+//!
+//! With w = g(x), a tangent vector e of x belongs to (e, Dg·e). The map takes the plane of these
+//! vectors at one point to a plane at the next one. That plane is as near to the vectors
+//! (e, Dg·e) there as the orbit is to w = g(x), and it stays so where the map keeps the relations.
+//! Taking it for the plane of the (e, Dg·e) at every step would change exponents by a multiple of ε,
+//! and let vectors on regular orbits grow exponentially. So the plane is carried, and replaced
+//! only where the direction of a relation outgrows the contracting ones.
+
+use core::fmt;
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use kahan_core::observe::{GROUP, Grouped, SideBySide, TangentMap};
+use kahan_core::{EmbedScalar, Scalar, Step, Stopped, Workspace};
+
+use crate::engine::determinant;
+use crate::{MachineFloat, MapAt};
+
+/// Variables that stand for functions of the variables before them.
+pub trait Relations: fmt::Debug + Sync {
+    /// The number of the original variables, which come first.
+    fn originals(&self) -> usize;
+
+    /// The derivatives of the functions by the original variables at a point of all variables, with
+    /// these values of the map's parameters: a row of entries for each function.
+    fn slopes(&self, x: &[f64], parameters: &[f64]) -> Vec<f64>;
+}
+
+/// The largest error of a carried derivative, relative to the largest derivative of that function
+/// along the orbit, before the plane is replaced. Errors of relations that the map keeps are of the
+/// order ε².
+const FARTHEST: f64 = 1.0 / 64.0;
+
+/// What carries tangent vectors.
+#[derive(Clone, Debug)]
+pub(super) enum Carrier<'a, T: MachineFloat> {
+    /// All variables by the map.
+    Map(&'a MapAt<T>),
+    /// Original variables by a plane that goes along the orbit.
+    Plane(&'a MapAt<T>, Rc<RefCell<Plane<'a, T>>>),
+}
+
+/// The tangent vectors of the original variables at a point of an orbit.
+#[derive(Clone, Debug)]
+pub(super) struct Plane<'a, T: MachineFloat> {
+    map: &'a MapAt<T>,
+    relations: &'a dyn Relations,
+    parameters: Vec<f64>,
+    place: Vec<T>,
+    /// Row i: the tangent vector whose original entries are those of axis i.
+    basis: Vec<Vec<T>>,
+    /// Row i: the original entries of the image of `basis[i]` by the last step.
+    images: Vec<Vec<T>>,
+    /// The largest derivative of each function.
+    largest: Vec<f64>,
+}
+
+impl<'a, T: MachineFloat + EmbedScalar> Carrier<'a, T> {
+    pub(super) fn new(map: &'a MapAt<T>, relations: Option<&'a dyn Relations>) -> Self {
+        let Some(relations) = relations else { return Carrier::Map(map) };
+        let (parameters, _) = map.own();
+        let plane = Plane {
+            map,
+            relations,
+            parameters: parameters.iter().map(T::approximate).collect(),
+            place: Vec::new(),
+            basis: Vec::new(),
+            images: Vec::new(),
+            largest: Vec::new(),
+        };
+        Carrier::Plane(map, Rc::new(RefCell::new(plane)))
+    }
+
+    /// Goes along to the next point, before observers see it.
+    pub(super) fn follow(&self, step: u64, x: &[T]) {
+        if let Carrier::Plane(_, plane) = self {
+            plane.borrow_mut().follow(step, x);
+        }
+    }
+
+    /// The part of a point that observers of tangent vectors see.
+    pub(super) fn seen<'x>(&self, x: &'x [T]) -> &'x [T] {
+        &x[..Step::dimension(self)]
+    }
+}
+
+impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
+    fn follow(&mut self, step: u64, x: &[T]) {
+        if step == 0 {
+            self.begin(x);
+        } else {
+            for vector in &mut self.basis {
+                self.map.carry(&self.place, vector);
+            }
+            let n = self.basis.len();
+            self.images = self.basis.iter().map(|vector| vector[..n].to_vec()).collect();
+            let is_plane = has_reduced(&mut self.basis);
+            self.replace_if_far(x, !is_plane);
+        }
+        self.place.clear();
+        self.place.extend_from_slice(x);
+    }
+
+    fn slopes(&self, x: &[T]) -> Vec<f64> {
+        let x: Vec<f64> = x.iter().map(T::approximate).collect();
+        self.relations.slopes(&x, &self.parameters)
+    }
+
+    fn begin(&mut self, x: &[T]) {
+        let n = self.relations.originals();
+        let axis = |i| (0..x.len()).map(|k| if k == i { T::one() } else { T::zero() }).collect();
+        self.basis = (0..n).map(axis).collect();
+        self.largest = vec![0.0; x.len() - n];
+        self.replace_if_far(x, true);
+    }
+
+    /// Replaces the plane by that of the relations where it is far from it, or `must` be.
+    fn replace_if_far(&mut self, x: &[T], must: bool) {
+        let (n, slopes) = (self.basis.len(), self.slopes(x));
+        let mut is_far = must;
+        for ((k, row), largest) in (n..).zip(slopes.chunks_exact(n)).zip(&mut self.largest) {
+            let squares = |sum: f64, one: f64| sum + one * one;
+            *largest = largest.max(row.iter().copied().fold(0.0, squares));
+            let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
+            let error = errors.fold(0.0, squares);
+            // A variable without a function has no slopes, and no equation has it.
+            is_far |= *largest > 0.0 && !(error <= FARTHEST * FARTHEST * *largest);
+        }
+        if is_far {
+            for (k, row) in (n..).zip(slopes.chunks_exact(n)) {
+                for (vector, slope) in self.basis.iter_mut().zip(row) {
+                    vector[k] = T::narrowed(*slope);
+                }
+            }
+        }
+    }
+}
+
+/// Brings rows to reduced row echelon form, a unit matrix first; `false` where there is none.
+fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
+    for k in 0..rows.len() {
+        let better =
+            |best: usize, i: usize| if rows[i][k].is_better_pivot(&rows[best][k]) { i } else { best };
+        let pivot = (k + 1..rows.len()).fold(k, better);
+        rows.swap(k, pivot);
+        let (above, rest) = rows.split_at_mut(k);
+        let Some((row, below)) = rest.split_first_mut() else { break };
+        let inverse = row[k].reciprocal().unwrap_or_else(T::zero);
+        row.iter_mut().for_each(|entry| *entry *= inverse);
+        for other in above.iter_mut().chain(below) {
+            let factor = other[k];
+            other.iter_mut().zip(&*row).for_each(|(entry, own)| *entry -= factor * *own);
+        }
+    }
+    rows.iter().flatten().all(|entry| entry.approximate().is_finite())
+}
+
+/// A carrier is a map for the sake of its ε and the length of its vectors.
+impl<T: MachineFloat + EmbedScalar> Step for Carrier<'_, T> {
+    type Scalar = T;
+    type State = Vec<T>;
+
+    fn dimension(&self) -> usize {
+        match self {
+            Carrier::Map(map) => Step::dimension(*map),
+            Carrier::Plane(_, plane) => plane.borrow().relations.originals(),
+        }
+    }
+
+    fn eps(&self) -> &T {
+        let (Carrier::Map(map) | Carrier::Plane(map, _)) = self;
+        Step::eps(*map)
+    }
+
+    /// Steps of the map, on all variables.
+    fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
+        let (Carrier::Map(map) | Carrier::Plane(map, _)) = self;
+        Step::advance(*map, x, steps, workspace)
+    }
+
+    fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
+        let (Carrier::Map(map) | Carrier::Plane(map, _)) = self;
+        map.part(eps, x, workspace)
+    }
+}
+
+impl<T: MachineFloat + EmbedScalar> TangentMap for Carrier<'_, T> {
+    /// On a plane, to the point that it followed last.
+    fn carry(&self, x: &[T], v: &mut Vec<T>) {
+        match self {
+            Carrier::Map(map) => map.carry(x, v),
+            Carrier::Plane(_, plane) => {
+                let mut sum = vec![T::zero(); v.len()];
+                for (image, entry) in plane.borrow().images.iter().zip(&*v) {
+                    sum.iter_mut().zip(image).for_each(|(sum, one)| *sum += *entry * *one);
+                }
+                *v = sum;
+            }
+        }
+    }
+
+    fn det_jacobian(&self, x: &[T]) -> T {
+        match self {
+            Carrier::Map(map) => map.det_jacobian(x),
+            Carrier::Plane(_, plane) => {
+                let images = &plane.borrow().images;
+                determinant(&mut images.concat(), images.len())
+            }
+        }
+    }
+
+    fn carry_side_by_side<P: Grouped<T>>(maps: [&Self; GROUP], work: SideBySide<'_, T, P>) -> Option<usize> {
+        let mut own = [None; GROUP];
+        for (own, carrier) in own.iter_mut().zip(maps) {
+            let Carrier::Map(map) = carrier else { return None };
+            *own = Some(*map);
+        }
+        let first = own[0]?;
+        MapAt::carry_side_by_side(own.map(|map| map.unwrap_or(first)), work)
+    }
+}
