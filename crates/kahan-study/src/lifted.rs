@@ -91,11 +91,6 @@ impl Lifted {
         let lift = read.map_err(StudyError::Field)?;
         let states = lift.states.len() - usize::from(lift.has_time);
         let original = lift.states[..states].to_vec();
-        let places: Vec<usize> = match lifting.shows_all {
-            true => (0..states).chain(lift.states.len()..lift.variables().len()).collect(),
-            false => (0..states).collect(),
-        };
-        let shown = places.iter().map(|&place| lift.variables()[place].clone()).collect();
         // A quadratic text stays as it was written, with its claims.
         let as_written =
             (lift.order() == 0 && !lift.has_time).then(|| given.unproved_system().ok()).flatten();
@@ -107,8 +102,19 @@ impl Lifted {
         let place = |name: &String| known.iter().position(|known| known == name);
         let parameters = lift.parameters.iter().map(place).collect();
         let (given, lifting, slopes) = (given.clone(), lifting.clone(), OnceLock::new());
+        let (shown, places) = (original.clone(), (0..states).collect());
         let lifted = Lifted { lift, given, lifting, original, shown, places, parameters, slopes };
+        let lifted = if lifted.lifting.shows_all { lifted.showing_all() } else { lifted };
         Ok((lifted, text, system))
+    }
+
+    /// The lift with the new variables among those that answers show.
+    pub(crate) fn showing_all(&self) -> Self {
+        let names = self.lift.variables();
+        let places = (0..self.original.len()).chain(self.lift.states.len()..names.len());
+        let places: Vec<usize> = places.collect();
+        let shown = places.iter().map(|&place| names[place].clone()).collect();
+        Lifted { shown, places, ..self.clone() }
     }
 
     /// The values of the lift's parameters among those of the field's.

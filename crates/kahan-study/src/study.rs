@@ -110,6 +110,14 @@ impl Study {
         Study { read, here: Arc::new(Here { given, map: OnceLock::new() }) }
     }
 
+    /// The study whose answers show the new variables of a lift, too.
+    #[must_use]
+    pub fn showing_all(&self) -> Self {
+        let lifted = self.lifted().map(Lifted::showing_all);
+        let read = Read { lifted, ..(*self.read).clone() };
+        Study { read: Arc::new(read), here: Arc::clone(&self.here) }
+    }
+
     /// The name of the field in answers: the catalog's, or that of its type, or `field`.
     #[must_use]
     pub fn name(&self) -> &str {

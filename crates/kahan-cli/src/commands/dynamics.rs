@@ -17,7 +17,8 @@ use crate::reading::{MOST_OBSERVED, Start, observable, order, whole};
 /// from what the first eighth to quarter of the steps gave; its value has the digits that this
 /// leaves, and in JSON all. Where 0 lies within that, the largest exponent shows no chaos so far.
 /// It follows a vector of its own, and agrees with the first of all exponents as far as both have
-/// converged. All exponents together are the mean of log |det J|.
+/// converged. All exponents together are the mean of log |det J|. A lifted field has the exponents
+/// and indicators of its original variables.
 ///
 /// Three indicators tell regular orbits from chaotic ones sooner. FLI, the fast Lyapunov indicator,
 /// is the logarithm of the largest growth of a tangent vector: it grows like log n on regular

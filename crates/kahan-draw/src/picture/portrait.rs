@@ -4,18 +4,29 @@ use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use kahan_latex::symbol;
+use kahan_core::observe::Crossing;
+use kahan_study::formula::Formula;
 use kahan_study::{Column, Rows, SectionFound, Values};
 
 use super::{COLOURS, Look, Picture};
 use crate::plot::{Cloud, Mark, NumberLine, Plot, Series, Space};
 
 /// What an axis shows of a point of an orbit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub enum Coordinate {
     /// The time 2εn.
     Time,
     /// A variable, by its index.
     Variable(usize),
+    /// A formula of all variables, and of the integrals behind them.
+    Formula {
+        /// Its text, or the name of an integral.
+        text: String,
+        /// The formula.
+        formula: Formula,
+        /// The place of `t` among the variables, where it is one and no column of the rows.
+        time: Option<usize>,
+    },
 }
 
 /// The points of an orbit, as two or three axes show them; it takes the rows of an orbit in doubles
@@ -39,21 +50,35 @@ pub struct Visits {
 impl Coordinate {
     /// Its name, of a field with these variables.
     #[must_use]
-    pub fn name(self, variables: &[String]) -> &str {
+    pub fn name<'a>(&'a self, variables: &'a [String]) -> &'a str {
         match self {
             Coordinate::Time => "t",
-            Coordinate::Variable(index) => &variables[index],
+            Coordinate::Variable(index) => &variables[*index],
+            Coordinate::Formula { text, .. } => text,
+        }
+    }
+
+    /// Its value at a point: the time, and what follows it in rows.
+    fn value(&self, t: f64, mut point: Vec<f64>) -> f64 {
+        match self {
+            Coordinate::Time => t,
+            Coordinate::Variable(index) => point[*index],
+            Coordinate::Formula { formula, time, .. } => {
+                time.iter().for_each(|place| point.insert(*place, t));
+                formula.of(&point)
+            }
         }
     }
 
     /// An axis for these numbers.
-    fn axis(self, variables: &[String], values: impl Iterator<Item = f64>, look: &Look) -> NumberLine {
+    fn axis(&self, variables: &[String], values: impl Iterator<Item = f64>, look: &Look) -> NumberLine {
         let name = self.name(variables);
         look.windowed(
             name,
             match self {
                 Coordinate::Time => NumberLine::around("t", values),
                 Coordinate::Variable(_) => NumberLine::around_most(&symbol(name), values),
+                Coordinate::Formula { text, .. } => NumberLine::around_most(text, values),
             },
         )
     }
@@ -78,10 +103,9 @@ impl Trace {
     pub fn of_section(axes: &[Coordinate], found: &SectionFound) -> Self {
         let mut trace = Trace::new(axes);
         for (axis, column) in axes.iter().zip(&mut trace.columns) {
-            column.extend(found.crossings.iter().map(|crossing| match axis {
-                Coordinate::Time => crossing.time,
-                Coordinate::Variable(index) => crossing.point[*index],
-            }));
+            let value =
+                |crossing: &Crossing<Vec<f64>, f64>| axis.value(crossing.time, crossing.point.clone());
+            column.extend(found.crossings.iter().map(value));
         }
         trace
     }
@@ -111,13 +135,19 @@ impl Trace {
 impl Rows for Trace {
     /// Takes rows of n, t, the variables, and whatever follows.
     fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
+        let columns = values.iter().map(|values| match values {
+            Values::F64(values) => *values,
+            _ => panic!("a picture shows doubles"),
+        });
+        let columns: Vec<&[f64]> = columns.skip(1).collect();
         for (axis, column) in self.axes.iter().zip(&mut self.columns) {
-            let index = match axis {
-                Coordinate::Time => 1,
-                Coordinate::Variable(index) => 2 + index,
-            };
-            let Values::F64(values) = values[index] else { panic!("a picture shows doubles") };
-            column.extend_from_slice(values);
+            match axis {
+                Coordinate::Time => column.extend_from_slice(columns[0]),
+                Coordinate::Variable(index) => column.extend_from_slice(columns[1 + index]),
+                Coordinate::Formula { .. } => column.extend((0..columns[0].len()).map(|row| {
+                    axis.value(columns[0][row], columns[1..].iter().map(|column| column[row]).collect())
+                })),
+            }
         }
         ControlFlow::Continue(())
     }

@@ -92,6 +92,35 @@ pub struct SectionFound {
     pub jumps: u64,
 }
 
+/// A formula of the variables, the integrals that are claimed without `when`, the parameters and
+/// `eps`, at these values. `what` it is called in reports.
+fn formula_at(
+    system: &System,
+    parameters: &[Rational],
+    eps: &Rational,
+    what: &'static str,
+    text: &str,
+) -> Result<Formula, StudyError> {
+    let symbols = &system.field.symbols;
+    let parameters = symbols.parameters.iter().cloned().zip(parameters);
+    let known = parameters.chain([("eps".to_owned(), eps)]);
+    let known: Vec<(String, f64)> = known.map(|(name, value)| (name, value.to_f64())).collect();
+    let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.as_str());
+    let variables: Vec<&str> = symbols.states.iter().map(String::as_str).chain(integrals).collect();
+    formula_of(&variables, text, &known).map_err(|why| StudyError::Formula { what, why })
+}
+
+impl Study {
+    /// A formula of the variables, the integrals that are claimed without `when`, the parameters and
+    /// `eps`. `what` it is called in reports.
+    ///
+    /// # Errors
+    /// [`StudyError::Formula`], and values that are missing.
+    pub fn formula(&self, eps: &Rational, what: &'static str, text: &str) -> Result<Formula, StudyError> {
+        formula_at(self.system(), &self.values()?, eps, what, text)
+    }
+}
+
 /// A function of the state whose zeros are a section.
 #[derive(Clone, Debug)]
 pub struct Plane(Formula);
@@ -107,14 +136,7 @@ impl Plane {
         eps: &Rational,
         text: &str,
     ) -> Result<Self, StudyError> {
-        let symbols = &system.field.symbols;
-        let parameters = symbols.parameters.iter().cloned().zip(parameters);
-        let known = parameters.chain([("eps".to_owned(), eps)]);
-        let known: Vec<(String, f64)> = known.map(|(name, value)| (name, value.to_f64())).collect();
-        let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.as_str());
-        let variables: Vec<&str> = symbols.states.iter().map(String::as_str).chain(integrals).collect();
-        let formula = formula_of(&variables, text, &known);
-        let formula = formula.map_err(|why| StudyError::Formula { what: "plane", why })?;
+        let formula = formula_at(system, parameters, eps, "plane", text)?;
         match formula.last_variable() {
             Some(_) => Ok(Plane(formula)),
             None => Err(StudyError::ConstantPlane { text: text.to_owned() }),

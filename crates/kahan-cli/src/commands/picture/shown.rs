@@ -114,11 +114,14 @@ impl Shown {
         Ok(match (&self.what, &self.axes[..]) {
             (What::Heights, _) => Vec::new(),
             (What::Over(..), []) => vec![Coordinate::Variable(0)],
-            (What::Over(..), [name]) => match axis(name, study)? {
-                Coordinate::Time => {
-                    return Err(Refusal::new("--axes: an orbit diagram shows a variable, and t is none"));
+            (What::Over(..), [name]) => match self.axis(name, study)? {
+                variable @ Coordinate::Variable(_) => vec![variable],
+                other => {
+                    let name = other.name(study.shown());
+                    return Err(Refusal::new(format!(
+                        "--axes: an orbit diagram shows a variable, and {name} is none"
+                    )));
                 }
-                variable => vec![variable],
             },
             (What::Over(..), _) => {
                 return Err(Refusal::new(
@@ -133,7 +136,7 @@ impl Shown {
             (_, []) if variables == 1 => vec![Coordinate::Time, Coordinate::Variable(0)],
             (_, []) => (0..variables.min(3)).map(Coordinate::Variable).collect(),
             (_, names @ ([_, _] | [_, _, _])) => {
-                names.iter().map(|name| axis(name, study)).collect::<Result<_, _>>()?
+                names.iter().map(|name| self.axis(name, study)).collect::<Result<_, _>>()?
             }
             (_, names) => {
                 return Err(Refusal::new(format!(
@@ -144,9 +147,39 @@ impl Shown {
         })
     }
 
+    /// The variable of this name, or the time where no variable is called t, or a formula.
+    fn axis(&self, name: &str, study: &Study) -> Result<Coordinate, Refusal> {
+        if let Some(index) = study.shown().iter().position(|known| known == name) {
+            return Ok(Coordinate::Variable(index));
+        }
+        if name == "t" {
+            return Ok(Coordinate::Time);
+        }
+        let integrals = study.field().integrals();
+        let names = [study.variables(), integrals].concat();
+        let is_name = name.chars().all(|one| one.is_alphanumeric() || one == '_');
+        if is_name && !names.iter().any(|known| known == name) {
+            return Err(Refusal::new(format!(
+                "--axes: `{name}` is no variable or integral of {}: it has {}; t is the time, and formulas of them \
+                 are drawn, too",
+                study.name(),
+                names.join(", ")
+            )));
+        }
+        let formula = study.formula(&self.eps()?, "axes", name)?;
+        let place = formula.last_variable().unwrap_or_default();
+        if matches!(self.what, What::Section(_)) && place >= study.variables().len() {
+            return Err(Refusal::new(format!(
+                "--axes: a section shows variables and formulas of them, and {name} has an integral"
+            )));
+        }
+        Ok(Coordinate::Formula { text: name.to_owned(), formula, time: study.time_place() })
+    }
+
     /// The names of the axes.
     pub(super) fn names(&self, study: &Study) -> Result<Vec<String>, Refusal> {
-        let axes = self.axes(study)?.into_iter().map(|axis| axis.name(study.shown()).to_owned());
+        let axes = self.axes(study)?;
+        let axes = axes.iter().map(|axis| axis.name(study.shown()).to_owned());
         Ok(match &self.what {
             What::Over(axis, _) => [axis.name.clone()].into_iter().chain(axes).collect(),
             _ => axes.collect(),
@@ -190,6 +223,8 @@ impl Shown {
 
     /// Orbits, or where they cross a section.
     fn orbits(&self, study: &Study, plane: Option<&str>, look: &Look) -> Result<Drawn, Refusal> {
+        // What axes name may be a new variable of a lift.
+        let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len())?;
         let (traced, is_over) = self.each(&starts, self.steps, |at, prompt| {
@@ -251,19 +286,6 @@ impl Shown {
             format!("the orbit ends after {} of {} steps: {why}", found.steps(), self.steps)
         }));
         Ok(Drawn { picture: picture::heights(&found, &eps, look), notes })
-    }
-}
-
-/// The variable of this name, or the time where no variable is called t.
-fn axis(name: &str, study: &Study) -> Result<Coordinate, Refusal> {
-    match study.shown().iter().position(|known| known == name) {
-        Some(index) => Ok(Coordinate::Variable(index)),
-        None if name == "t" => Ok(Coordinate::Time),
-        None => Err(Refusal::new(format!(
-            "--axes: `{name}` is no variable of {}: it has {}; t is the time",
-            study.name(),
-            study.shown().join(", ")
-        ))),
     }
 }
 
