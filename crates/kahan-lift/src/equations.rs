@@ -114,6 +114,7 @@ fn check(block: Block<InFormula>, diagnostics: &mut Diagnostics) -> Option<Equat
     reader.states = states;
     let known = block.header.as_ref().map(|header| &header.parameters);
     reader.parameters = known.iter().flat_map(|names| names.iter()).map(|name| name.text.clone()).collect();
+    reader.is_declared = known.is_some();
     let mut has_time = false;
     for side in &sides {
         names(side, &mut |name| {

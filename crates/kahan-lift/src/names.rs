@@ -71,7 +71,9 @@ impl Writer<'_> {
         }
         // A quotient puts its own parentheses around a sum.
         let side = |factors: &[String]| match factors {
-            [sum] if sum.starts_with('(') && sum.ends_with(')') => sum[1..sum.len() - 1].to_owned(),
+            [sum] if sum.starts_with('(') && sum.find(')') == Some(sum.len() - 1) => {
+                sum[1..sum.len() - 1].to_owned()
+            }
             factors => notation.product(factors),
         };
         notation.quotient(&side(&above), &side(&below))
@@ -122,7 +124,9 @@ impl Writer<'_> {
             Meaning::Power(base, power) => {
                 let power = power * &RationalFunction::constant(Rational::from(i64::from(exponent)));
                 let power = self.polynomial(&Laurent::constant(power), notation);
-                notation.raised(&notation.call("", &self.polynomial(base, notation)), &power)
+                let base = self.polynomial(base, notation);
+                let is_name = base.chars().all(|one| one.is_alphanumeric() || one == '_');
+                notation.raised(&if is_name { base } else { notation.call("", &base) }, &power)
             }
         }
     }

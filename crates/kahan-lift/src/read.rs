@@ -4,6 +4,7 @@
 //! other. How fine these must be is known once all equations are read, so they are read until
 //! nothing changes.
 
+use kahan_algebra::check::number;
 use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
@@ -28,6 +29,8 @@ pub(crate) struct Reader {
     pub states: Vec<String>,
     /// The parameters.
     pub parameters: Vec<String>,
+    /// Whether a header declares them.
+    pub is_declared: bool,
     /// Constants that were read, with their values.
     constants: Vec<(String, Laurent)>,
     /// The coordinates and relations so far.
@@ -114,6 +117,11 @@ impl Reader {
                 self.power(&base, &Rational::from(*exponent), expr.span)?
             }
             ExprKind::Special(InFormula::Power(parts)) => {
+                let is_e = matches!(&parts[0].kind, ExprKind::Name(name) if name == "e");
+                if is_e && !self.is_declared && !self.states.iter().any(|state| state == "e") {
+                    let help = "write `exp(…)` for the exponential; a parameter needs another name here";
+                    return refuse(expr.span, "`e` is read as a name, not as the number 2.718…", help);
+                }
                 let (base, exponent) = (self.expr(&parts[0])?, self.expr(&parts[1])?);
                 self.general_power(&base, &exponent, expr.span)?
             }
@@ -125,6 +133,7 @@ impl Reader {
                     );
                     return refuse(expr.span, format!("`{function}(…)` is a state at another time"), help);
                 }
+                _ if let Some((message, help)) = reason(function) => return refuse(expr.span, message, help),
                 [argument] => {
                     let argument = self.expr(argument)?;
                     self.call(function, &argument, expr.span)?
@@ -163,7 +172,10 @@ impl Reader {
                 Kind::Name,
                 span,
                 format!("`{name}` is neither a state nor a parameter"),
-                format!("write its equation `{name}dot = …;`, or name it in the header"),
+                match number(name) {
+                    Some(number) => number,
+                    None => format!("write its equation `{name}dot = …;`, or name it in the header"),
+                },
             )),
         }
     }
@@ -328,27 +340,9 @@ impl Reader {
             "asin" | "arcsin" => {
                 self.inverse_function(Function::Asin, argument, [1, -1], Rational::new(-1, 2), span)
             }
-            "acos" | "arccos" => {
-                let help = "write `asin`: acos(u) = pi/2 - asin(u)";
-                refuse(span, "`acos(…)` is not lifted", help)
-            }
             "asinh" => self.inverse_function(Function::Asinh, argument, [1, 1], Rational::new(-1, 2), span),
             "acosh" => self.inverse_function(Function::Acosh, argument, [-1, 1], Rational::new(-1, 2), span),
             "atanh" => self.inverse_function(Function::Atanh, argument, [1, -1], Rational::from(-1), span),
-            "log2" | "log10" => {
-                refuse(span, format!("`{function}(…)` has an irrational factor"), "write `c*log(…)`")
-            }
-            "abs" | "sign" | "sgn" | "max" | "min" | "floor" | "ceil" | "round" | "mod" | "heaviside"
-            | "Heaviside" | "piecewise" => {
-                let message =
-                    format!("`{function}(…)` has a corner or a jump, and a lift needs an analytic field");
-                let help = "write a smooth function, such as `tanh(k*x)` for a sign, or study each side of the corner";
-                refuse(span, message, help)
-            }
-            "erf" | "gamma" => {
-                let message = format!("`{function}(…)` is not lifted");
-                refuse(span, message, "its equation can be written as that of a state of its own")
-            }
             _ => refuse(span, unknown(function), KNOWN),
         }
     }
@@ -466,6 +460,44 @@ impl Reader {
 
 const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
                      cbrt, asin, atan, asinh, acosh, atanh and pow; for a product write `f*(…)`";
+
+/// The reason for which a function is not lifted, and what to write instead.
+fn reason(function: &str) -> Option<(String, &'static str)> {
+    let help = match function {
+        "acos" | "arccos" => "write `pi/2 - asin(u)` for `acos(u)`",
+        "log2" => "write `c*log(u)`, with a parameter c = 1.4426950408889634",
+        "log10" => "write `c*log(u)`, with a parameter c = 0.4342944819032518",
+        "sigmoid" | "logistic" | "expit" => "write `1/(1 + exp(-u))`",
+        "softplus" => "write `log(1 + exp(u))`",
+        "sinc" => "write `sin(u)/u`, whose lift has a pole at u = 0",
+        "sin2" | "sin3" | "cos2" | "cos3" => "write `sin(u)^2`",
+        "erf" | "erfc" => {
+            "write a state for it: E = erf(u) has Edot = c*exp(-u^2)*udot, with a parameter c = 1.1283791670955126, \
+             and E = 0 where u = 0"
+        }
+        "gamma" | "Gamma" | "lgamma" | "zeta" => {
+            return Some((
+                format!("`{function}(…)` is not lifted: it solves no algebraic differential equation"),
+                "approximate it by a rational function or by exponentials",
+            ));
+        }
+        "atan2" | "arctan2" => "write `atan(y/x)` for `atan2(y, x)`, where x keeps its sign",
+        "j0" | "J0" | "j1" | "J1" | "besselj" | "bessely" | "BesselJ" | "airy" => {
+            "its linear equation in u can be written as two states, whose derivatives by u times udot stand in the field"
+        }
+        "abs" | "sign" | "sgn" | "max" | "min" | "floor" | "ceil" | "round" | "mod" | "fmod"
+        | "heaviside" | "Heaviside" | "step" | "piecewise" | "Piecewise" | "relu" | "clip" | "if"
+        | "where" => {
+            return Some((
+                format!("`{function}(…)` has a corner or a jump, and a lift needs an analytic field"),
+                "write a smooth function, such as `sqrt(x^2 + d^2)` for |x| or `tanh(k*x)` for a sign, or study each \
+                 side of the corner",
+            ));
+        }
+        _ => return None,
+    };
+    Some((format!("`{function}(…)` is not lifted as it stands"), help))
+}
 
 fn unknown(function: &str) -> String {
     format!("`{function}(…)` is no function that can be lifted")

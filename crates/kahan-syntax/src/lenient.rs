@@ -148,6 +148,11 @@ impl Reader<'_> {
         self.given[tokens.start].1.start..self.given[tokens.end - 1].1.end
     }
 
+    /// Whether the text has a header, or attributes, in the language of `kahan!`.
+    fn has_header(&self) -> bool {
+        matches!(self.at(0), "pub" | "struct" | "#")
+    }
+
     fn note(&mut self, note: &str) {
         let note = brief(note);
         if !self.read.notes.contains(&note) {
@@ -174,6 +179,19 @@ impl Reader<'_> {
         for (item, instead) in items.iter().zip(instead) {
             self.write(item, instead);
         }
+        self.give_pi();
+    }
+
+    /// A parameter `pi` that has no value is the number.
+    fn give_pi(&mut self) {
+        const PI: &str = "3.141592653589793";
+        let is_read = self.is_state("pi") || self.quantities.contains_key("pi") || self.has_header();
+        if is_read || !self.mentions("pi") || self.read.parameters.iter().any(|(name, _)| name == "pi") {
+            return;
+        }
+        self.note(&format!("`pi` is read as a parameter, which is {PI}: numbers are exact"));
+        let value = Rational::parse(PI).expect("digits");
+        self.read.parameters.push(("pi".to_owned(), value));
     }
 
     /// Writes an item, or what stands in its place, and its end.

@@ -20,6 +20,14 @@ pub fn is_keyword(name: &str) -> bool {
     KEYWORDS.split(' ').any(|keyword| keyword == name)
 }
 
+/// The way out where the name of a number stands: coefficients are exact, and π is a parameter.
+#[must_use]
+pub fn number(name: &str) -> Option<String> {
+    matches!(name, "pi" | "PI" | "π").then(|| {
+        format!("numbers are exact, and this one is not rational: declare a parameter, `struct Name {{ {name} }}`, and give it the value 3.141592653589793")
+    })
+}
+
 /// The name that `name` is a slip of, if one of them is close enough; of equals, the first. Two
 /// neighbours that changed places are one slip.
 #[must_use]

@@ -29,7 +29,7 @@ use crate::system::System;
 use names::Scope;
 
 pub(crate) use family::check_family;
-pub use kahan_syntax::spelling::nearest;
+pub use kahan_syntax::spelling::{nearest, number};
 pub use stand_in::{Broken, StandIn};
 
 /// The most equations of a block.

@@ -10,7 +10,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use kahan_syntax::diagnostics::{Diagnostics, Kind};
 use kahan_syntax::rational::Rational;
-use kahan_syntax::spelling::{fresh, is_keyword, nearest, without_dots};
+use kahan_syntax::spelling::{fresh, is_keyword, nearest, number, without_dots};
 use kahan_syntax::syntax::{Block, Expr, Name, Reference};
 use kahan_syntax::table::sorted_by_key;
 use kahan_syntax::token::Span;
@@ -159,6 +159,8 @@ impl Scope {
             format!(
                 "give it an equation `{array}[i]dot = …;`, or declare it as a parameter: `struct Name {{ {array} }}`"
             )
+        } else if let Some(help) = number(name) {
+            help
         } else if let Some(nearest) = self.nearest(name, in_claim) {
             // Nothing else may use the name that was meant; that is not a second mistake.
             self.mark_used(&nearest);

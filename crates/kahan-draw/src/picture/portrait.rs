@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 use std::ops::ControlFlow;
 
-use kahan_latex::symbol;
 use kahan_core::observe::Crossing;
+use kahan_latex::symbol;
 use kahan_study::formula::Formula;
 use kahan_study::{Column, Rows, SectionFound, Values};
 
@@ -135,11 +135,12 @@ impl Trace {
 impl Rows for Trace {
     /// Takes rows of n, t, the variables, and whatever follows.
     fn block(&mut self, _: &[Column], values: &[Values<'_>]) -> ControlFlow<()> {
-        let columns = values.iter().map(|values| match values {
+        // The first column is the number of the step.
+        let columns = values.iter().skip(1).map(|values| match values {
             Values::F64(values) => *values,
             _ => panic!("a picture shows doubles"),
         });
-        let columns: Vec<&[f64]> = columns.skip(1).collect();
+        let columns: Vec<&[f64]> = columns.collect();
         for (axis, column) in self.axes.iter().zip(&mut self.columns) {
             match axis {
                 Coordinate::Time => column.extend_from_slice(columns[0]),

@@ -100,8 +100,7 @@ impl Reader<'_> {
     fn root(&mut self, at: usize) -> Option<String> {
         let radicand = self.at(at + 2);
         let is_root = self.at(at) == "sqrt" && self.at(at + 1) == "(" && self.is_group(at + 1, radicand);
-        let has_header = matches!(self.at(0), "pub" | "struct" | "#");
-        let value = Rational::parse(radicand).filter(|_| is_root && !has_header)?;
+        let value = Rational::parse(radicand).filter(|_| is_root && !self.has_header())?;
         let root = value.to_f64().sqrt().to_string();
         let exact = Rational::parse(&root)?;
         if &exact * &exact == value {
@@ -119,6 +118,16 @@ impl Reader<'_> {
 
     /// Where operands stand side by side, says what to write for all of the right side.
     fn explain_products(&self, right: &mut [Placed]) {
+        let texts =
+            |four: &[Placed]| four.iter().map(|(token, _)| token.text.to_string()).collect::<Vec<_>>();
+        let is_power =
+            |four: &[Placed]| is_function(&four[0].0.text) && four[1].0.text == "^" && four[3].0.text == "(";
+        if let Some(place) = right.windows(4).position(is_power) {
+            let [name, _, power, _] = &texts(&right[place..place + 4])[..] else { return };
+            let message = format!("`{name}^{power}(…)` is a power of a name, not of a value");
+            right[place].0.kind = TokenKind::unreadable(message, format!("write `{name}(…)^{power}`"));
+            return;
+        }
         let (mut first, mut written, mut question) = (None, String::new(), String::new());
         for (place, (token, _)) in right.iter().enumerate() {
             let before = place.checked_sub(1).map(|before| &right[before].0);

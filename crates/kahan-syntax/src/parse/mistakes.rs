@@ -16,6 +16,13 @@ pub(super) fn missing_operand<T>(cursor: &Cursor<'_>) -> Parsed<T> {
     let ends = cursor
         .peek(0)
         .is_none_or(|token| matches!(token.kind, TokenKind::Punctuation(';' | ',') | TokenKind::Close(_)));
+    if cursor.is_punctuation(0, '|') {
+        let help = format!(
+            "write a smooth function, or study each side of the corner; {ON_TEXTS} says what else can be done"
+        );
+        let message = "|x| has a corner: Kahan's method needs an analytic field";
+        return error(Kind::NotAPolynomial, before.to(cursor.here()), message, help);
+    }
     let (message, help) = if !ends {
         (format!("{found} begins no operand"), "write a number, a name or `(`")
     } else if cursor.position() > 0 && cursor.is_after_equals() {
@@ -224,6 +231,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
             let help = "an equation has one `=`; if a new one begins here, write `;` before it";
             error(Kind::Syntax, span, "an `=` inside an expression", help)
         }
+        TokenKind::Punctuation('<' | '>' | '?' | '&' | '|') => no_statement(span),
         _ => {
             let message = format!("`{}` is not an operator of the language", token.text);
             error(Kind::Syntax, cursor.here(), message, "the operators are `+`, `-`, `*`, `/` and `^`")
