@@ -5,14 +5,14 @@
 //! system with the formulas that its map keeps as integrals, and the lift. Points are given in the
 //! original variables; the new ones are functions of them.
 
-
+use std::collections::HashSet;
 use std::sync::OnceLock;
 
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::parse::parse_lifted;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::expression_text;
-use kahan_algebra::syntax::{Claim, ClaimBody, TensorEntry};
+use kahan_algebra::syntax::{Claim, ClaimBody, Expr, TensorEntry};
 use kahan_algebra::system::System;
 use kahan_latex::Latex;
 use kahan_lift::{Along, Embedding, Lift, Options, Which, lift, stated};
@@ -132,7 +132,7 @@ impl Lifted {
     }
 }
 
-/// The claims of a text, as written, one a line.
+/// The constants of a text that are numbers, and its claims, as written, one a line.
 fn claims(given: &FieldText) -> Result<String, StudyError> {
     let block = given.read_by(|tokens| {
         let mut mistakes = Diagnostics::default();
@@ -161,7 +161,30 @@ fn claims(given: &FieldText) -> Result<String, StudyError> {
             }
         })
     };
-    Ok(block.map_err(StudyError::Field)?.claims.iter().filter_map(claim).collect())
+    let block = block.map_err(StudyError::Field)?;
+    let mut named = HashSet::new();
+    for value in block.claims.iter().filter_map(|claim| claim.body.as_ref()).flat_map(ClaimBody::expressions)
+    {
+        value.visit_names(&mut |name, _| {
+            named.insert(name.to_string());
+        });
+    }
+    // A claim may name a constant by way of another one.
+    let constants: Vec<(&str, Expr)> = block
+        .constants
+        .iter()
+        .filter_map(|constant| Some((constant.name.text.as_str(), constant.value.as_ref()?.rational()?)))
+        .collect();
+    for (name, value) in constants.iter().rev() {
+        if named.contains(*name) {
+            value.visit_names(&mut |name, _| {
+                named.insert(name.to_string());
+            });
+        }
+    }
+    let constant = |(name, value): &(&str, Expr)| format!("\nconst {name} = {};", expression_text(value));
+    let constants = constants.iter().filter(|(name, _)| named.contains(*name)).map(constant);
+    Ok(constants.chain(block.claims.iter().filter_map(claim)).collect())
 }
 
 /// The text of a lift with these claims besides its own, and the system that it says.

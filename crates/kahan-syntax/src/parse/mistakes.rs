@@ -148,6 +148,12 @@ fn instead_of_call(cursor: &Cursor<'_>, name: &str, arguments: &[Token]) -> Stri
         return "a claim names the new variables of the lift, such as `cos_x`: `NEW_VARIABLES` lists them"
             .to_owned();
     }
+    if arguments.iter().any(|token| token.kind == TokenKind::Open('[')) {
+        return format!(
+            "introduce a state of the sites for `{name}(…)`, such as `s[i]`, with an equation of its own that is quadratic: \
+             {NOT_QUADRATIC} shows how"
+        );
+    }
     if arguments.iter().enumerate().any(is_state) {
         if LIFTED.split(' ').any(|known| known == name) {
             return format!("{LIFTS}, with a state for `{name}(…)`: {NOT_QUADRATIC} shows how");

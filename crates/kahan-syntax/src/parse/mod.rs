@@ -20,7 +20,7 @@ mod mistakes;
 mod number;
 
 use crate::diagnostics::{Diagnostic, Diagnostics, Kind};
-use crate::syntax::{Block, InFormula};
+use crate::syntax::{Block, ClaimBody, InFormula, Reference};
 use crate::token::{Span, Token};
 
 use cursor::Cursor;
@@ -75,12 +75,46 @@ pub fn parse_lifted(tokens: &[Token], diagnostics: &mut Diagnostics) -> Block<In
     let (mut cursor, mut block) = begin(tokens, diagnostics);
     items(&mut cursor, &mut block, diagnostics, |cursor, block, _| {
         if family::begins(cursor) {
-            let help = "write the equations of some sites one by one";
-            return error(Kind::Syntax, cursor.here(), "a family of equations is not lifted", help);
+            let help = "write the new variables by hand, as in `s[i]dot = c[i]*v[i]; c[i]dot = -s[i]*v[i];` for sine and \
+                        cosine, or the equations of some sites one by one";
+            let message =
+                "a family of equations is not lifted: a lift is made for a fixed number of variables";
+            return error(Kind::Syntax, cursor.here(), message, help);
         }
         block::parse_item(cursor, block)
     });
+    refuse_functions_in_claims(&block, diagnostics);
     block
+}
+
+/// A claim of a lift is about its quadratic field, so no constant in it holds a function.
+fn refuse_functions_in_claims(block: &Block<InFormula>, diagnostics: &mut Diagnostics) {
+    let mut functions: Vec<&str> = Vec::new();
+    for constant in &block.constants {
+        let Some(value) = &constant.value else { continue };
+        let mut is_rational = false;
+        if let Some(value) = value.rational() {
+            is_rational = true;
+            value.visit_names(&mut |named, _| {
+                is_rational &= !functions.iter().any(|name| named == Reference::Name(name));
+            });
+        }
+        if !is_rational {
+            functions.push(&constant.name.text);
+        }
+    }
+    for claim in &block.claims {
+        let conditions = claim.conditions.iter().flat_map(|one| [&one.left, &one.right]);
+        let values = claim.body.iter().flat_map(ClaimBody::expressions);
+        for value in values.chain(conditions) {
+            value.visit_names(&mut |named, span| {
+                let Some(name) = functions.iter().find(|name| named == Reference::Name(name)) else { return };
+                let message = format!("`{name}` holds a function, and claims are rational");
+                let help = "write the new variable of the lift for it, such as `cos_x`";
+                diagnostics.report(Kind::NotAPolynomial, span, message, help);
+            });
+        }
+    }
 }
 
 /// A block with its header, and the place behind it.
