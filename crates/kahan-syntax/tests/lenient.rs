@@ -78,6 +78,9 @@ fn texts_of_other_tools_are_read() {
             "x' = sqrt(4)*y + sqrt(0.25)*x - sqrt(2)\ny' = sqrt_2 - sqrt(2)",
             "sqrt_21=14142135623730951/10000000000000000 xdot = 2*y + 0.5*x - sqrt_21; ydot = sqrt_2 - sqrt_21;",
         ),
+        ("x' = pi*x", "pi=3141592653589793/1000000000000000 xdot = pi*x;"),
+        ("pi = 3; x' = pi*x", "pi=3 xdot = pi*x;"),
+        ("pi' = -pi", "pidot = -pi;"),
         ("a = 1; b = 2; x' = a*x - b*x*y; y' = -y + x*y", "a=1 b=2 xdot = a*x - b*x*y; ydot = -y + x*y;"),
         // Lines, signs and comments.
         (

@@ -81,7 +81,7 @@ pub(crate) struct Picture {
     #[arg(long, value_enum, hide_possible_values = true)]
     kind: Option<Kind>,
 
-    /// Two or three of the variables and t: x,y or x,y,z or t,x.
+    /// Two or three variables, t, integrals or formulas of these: x,y or t,H or t,x^2+y^2.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     axes: Vec<String>,
 

@@ -179,6 +179,70 @@ fn what_cannot_be_lifted_is_refused_with_the_reason() {
 }
 
 #[test]
+fn functions_that_are_not_lifted_name_the_way_out() {
+    for (side, wanted) in [
+        ("-|x|", "has a corner"),
+        ("-min(x, 1)", "has a corner or a jump"),
+        ("if(x > 0, 1, -1)", "no conditions"),
+        ("x > 0 ? 1 : -1", "no conditions"),
+        ("x(t-1)", "a state at another time"),
+        ("erf(x)", "Edot = c*exp(-u^2)*udot"),
+        ("gamma(x)", "no algebraic differential equation"),
+        ("log2(x)", "1.4426950408889634"),
+        ("acos(x)", "pi/2 - asin(u)"),
+        ("-e^x", "write `exp(…)`"),
+        ("-sin^2(x)", "write `sin(…)^2`"),
+        ("sigmoid(x)", "1/(1 + exp(-u))"),
+    ] {
+        let refused = refusal(&["lift", "--field", &format!("xdot = {side};")]);
+        assert!(refused.contains(wanted), "{side}: {refused}");
+    }
+    let family = "for i in periodic { x[i]dot = v[i]; v[i]dot = -sin(x[i]); }";
+    assert!(refusal(&["lift", "--field", family]).contains("a fixed number of variables"));
+    let root = lifted("xdot = -x^sqrt(2);", &[]);
+    assert_eq!(root["new"][0]["expression"], "x^(sqrt_2)/x");
+}
+
+#[test]
+fn pi_is_the_number_where_numbers_are_needed() {
+    let field = "xdot = v; vdot = -sin(pi*x);";
+    let start =
+        ["orbit", "--lift", "--all", "--field", field, "--at", "1/6,0", "--eps", "0.1", "--steps", "1"];
+    let (heading, rows) = rows(&start);
+    let sine = heading.split(',').position(|name| name == "sin_pix").expect("a column");
+    assert!((rows[0][sine] - 0.5).abs() < 1e-15, "{rows:?}");
+}
+
+#[test]
+fn claims_of_lifts_may_name_constants() {
+    let claim = "integral H = v^2/2 - k*cos_x - eps^2*k^2*sin_x^2/2;";
+    let object = lifted(&format!("const k = 2; xdot = v; vdot = -k*sin(x); {claim}"), &[]);
+    assert!(object["field"].as_str().is_some_and(|field| field.contains("const k = 2;")), "{object}");
+    let refused =
+        refusal(&["lift", "--field", "const F = sin(x); xdot = v; vdot = -F; integral H = v^2 - F;"]);
+    assert!(refused.contains("`F` holds a function"), "{refused}");
+}
+
+#[test]
+fn pictures_draw_integrals_and_formulas() {
+    let file = std::env::temp_dir().join(format!("kahan-lifted-axes-{}.svg", std::process::id()));
+    let out = file.to_str().expect("a path");
+    let picture = |axes| {
+        let start =
+            ["picture", "--lift", "--field", PENDULUM, "--at", "1,0", "--eps", "0.1", "--steps", "20"];
+        [&start[..], &["--out", out, "--axes", axes]].concat()
+    };
+    for axes in ["t,energy", "x,R1", "t,sin_x", "t,sin_x-sin(x)"] {
+        let output = kahan(&picture(axes));
+        assert_eq!(output.status.code(), Some(0), "{axes}: {}", text(&output.stderr));
+        let drawn = std::fs::read_to_string(&file).expect("a picture");
+        assert!(drawn.contains(axes.split_once(',').unwrap().1.split('_').next().unwrap()), "{axes}");
+    }
+    std::fs::remove_file(&file).expect("a picture");
+    assert!(refusal(&picture("x,foo")).contains("no variable or integral"));
+}
+
+#[test]
 fn what_is_not_quadratic_names_the_call_that_lifts() {
     for field in ["xdot = x^3;", "xdot = sin(x);", "xdot = 1/x;", "xdot = x^n;"] {
         let refused = refusal(&["show", "--field", field]);
