@@ -11,7 +11,7 @@ use kahan_algebra::rational_function::RationalFunction;
 use rustc_hash::FxHashMap;
 
 use crate::laurent::Laurent;
-use crate::numeric::{evaluate, power};
+use crate::numeric::power;
 use crate::ring::{Function, Meaning, Ring};
 
 /// One step; operands are places of earlier steps.
@@ -70,7 +70,7 @@ impl Embedding {
                 Step::RealPower(a, b) => libm::pow(found[a], found[b]),
                 Step::SquareRoot(a) => libm::sqrt(found[a]),
                 Step::CubeRoot(a) => libm::cbrt(found[a]),
-                Step::Function(function, a) => evaluate(function, found[a]),
+                Step::Function(function, a) => function.at(found[a]),
             });
         }
         self.values.iter().map(|&value| found[value]).collect()

@@ -9,28 +9,6 @@ use kahan_algebra::symbols::Symbols;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::{Function, Meaning, Ring};
 
-impl Function {
-    /// The name by which it is called.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Function::Exp => "exp",
-            Function::Log => "log",
-            Function::Sin => "sin",
-            Function::Cos => "cos",
-            Function::Tan => "tan",
-            Function::Sinh => "sinh",
-            Function::Cosh => "cosh",
-            Function::Tanh => "tanh",
-            Function::Asin => "asin",
-            Function::Atan => "atan",
-            Function::Asinh => "asinh",
-            Function::Acosh => "acosh",
-            Function::Atanh => "atanh",
-        }
-    }
-}
-
 /// Writes coordinates and monomials, as names and as expressions.
 #[derive(Debug)]
 pub(crate) struct Writer<'a> {

@@ -122,7 +122,7 @@ impl Numeric {
             let argument = argument.value(&values);
             values.push(match kind {
                 Kind::State | Kind::Sum => argument,
-                Kind::Function(function) => evaluate(*function, argument),
+                Kind::Function(function) => function.at(argument),
                 Kind::Root(1) => argument,
                 Kind::Root(2) => libm::sqrt(argument),
                 Kind::Root(3) => libm::cbrt(argument),
@@ -165,25 +165,6 @@ impl Numeric {
     pub(crate) fn field(&self, states: &[f64]) -> Vec<f64> {
         let coordinates = self.coordinates(states);
         self.field.iter().map(|component| component.value(&coordinates)).collect()
-    }
-}
-
-/// The function at an argument.
-pub(crate) fn evaluate(function: Function, argument: f64) -> f64 {
-    match function {
-        Function::Exp => libm::exp(argument),
-        Function::Log => libm::log(argument),
-        Function::Sin => libm::sin(argument),
-        Function::Cos => libm::cos(argument),
-        Function::Tan => libm::tan(argument),
-        Function::Sinh => libm::sinh(argument),
-        Function::Cosh => libm::cosh(argument),
-        Function::Tanh => libm::tanh(argument),
-        Function::Asin => libm::asin(argument),
-        Function::Atan => libm::atan(argument),
-        Function::Asinh => libm::asinh(argument),
-        Function::Acosh => libm::acosh(argument),
-        Function::Atanh => libm::atanh(argument),
     }
 }
 

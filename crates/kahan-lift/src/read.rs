@@ -9,7 +9,7 @@ use kahan_algebra::diagnostics::{Diagnostic, Kind};
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::syntax::{Constant, Expr, ExprKind, InFormula};
+use kahan_algebra::syntax::{Constant, Expr, ExprKind, Factor, InFormula};
 use kahan_algebra::token::Span;
 
 use crate::laurent::{Laurent, Monomial};
@@ -101,17 +101,7 @@ impl Reader {
                 }
                 sum
             }
-            ExprKind::Product(factors) => {
-                let mut product = Laurent::number(Rational::one());
-                for factor in factors {
-                    let mut value = self.expr(&factor.expr)?;
-                    if factor.divides {
-                        value = self.power(&value, &Rational::from(-1), factor.expr.span)?;
-                    }
-                    product = self.product(&product, &value, expr.span)?;
-                }
-                product
-            }
+            ExprKind::Product(factors) => self.quotient(factors, false, expr.span)?,
             ExprKind::Power(base, exponent) => {
                 let base = self.expr(base)?;
                 self.power(&base, &Rational::from(*exponent), expr.span)?
@@ -154,6 +144,31 @@ impl Reader {
             return refuse(expr.span, message, "name a part of it as a parameter or a state");
         }
         Ok(value)
+    }
+
+    /// The product of the factors, or the inverse of it. Each factor is inverted alone: the inverse
+    /// of P² is a power of that of P, of which other powers are powers as well.
+    fn quotient(&mut self, factors: &[Factor<InFormula>], is_inverted: bool, span: Span) -> Read<Laurent> {
+        let mut product = Laurent::number(Rational::one());
+        for Factor { expr, divides } in factors {
+            let value = if *divides == is_inverted { self.expr(expr)? } else { self.inverse(expr)? };
+            product = self.product(&product, &value, span)?;
+        }
+        Ok(product)
+    }
+
+    fn inverse(&mut self, expr: &Expr<InFormula>) -> Read<Laurent> {
+        match &expr.kind {
+            ExprKind::Product(factors) => self.quotient(factors, true, expr.span),
+            ExprKind::Power(base, exponent) => {
+                let base = self.expr(base)?;
+                self.power(&base, &-&Rational::from(*exponent), expr.span)
+            }
+            _ => {
+                let value = self.expr(expr)?;
+                self.power(&value, &Rational::from(-1), expr.span)
+            }
+        }
     }
 
     fn name(&self, name: &str, span: Span) -> Read<Laurent> {
@@ -303,16 +318,13 @@ impl Reader {
 
     fn call(&mut self, function: &str, argument: &Laurent, span: Span) -> Read<Laurent> {
         let inverse = |reader: &mut Self, value: &Laurent| reader.power(value, &Rational::from(-1), span);
-        let over = |reader: &mut Self, above: &str, below: &str| {
-            let below = reader.call(below, argument, span)?;
-            let below = inverse(reader, &below)?;
-            let above = reader.call(above, argument, span)?;
-            reader.product(&above, &below, span)
-        };
-        let reciprocal = |reader: &mut Self, of: &str| {
-            let value = reader.call(of, argument, span)?;
-            inverse(reader, &value)
-        };
+        if let Some((_, above, below)) = QUOTIENTS.iter().find(|(name, ..)| *name == function) {
+            let below = self.call(below, argument, span)?;
+            let below = inverse(self, &below)?;
+            let Some(above) = above else { return Ok(below) };
+            let above = self.call(above, argument, span)?;
+            return self.product(&above, &below, span);
+        }
         match function {
             "exp" => self.exponential(argument, span),
             "sin" => self.circular(Family::Circular, argument, span).map(|[sine, _]| sine),
@@ -322,12 +334,6 @@ impl Reader {
             // tan′ = 1 + tan², tanh′ = 1 − tanh²: one variable, where sine and cosine are two.
             "tan" => Ok(self.tangent(Function::Tan, argument, 1)),
             "tanh" => Ok(self.tangent(Function::Tanh, argument, -1)),
-            "cot" => over(self, "cos", "sin"),
-            "sec" => reciprocal(self, "cos"),
-            "csc" => reciprocal(self, "sin"),
-            "coth" => over(self, "cosh", "sinh"),
-            "sech" => reciprocal(self, "cosh"),
-            "csch" => reciprocal(self, "sinh"),
             "sqrt" => self.power(argument, &Rational::new(1, 2), span),
             "cbrt" => self.power(argument, &Rational::new(1, 3), span),
             "log" | "ln" => {
@@ -457,6 +463,16 @@ impl Reader {
         Ok([sine, cosine])
     }
 }
+
+/// Functions that are quotients of two others, or inverses of one.
+const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
+    ("cot", Some("cos"), "sin"),
+    ("sec", None, "cos"),
+    ("csc", None, "sin"),
+    ("coth", Some("cosh"), "sinh"),
+    ("sech", None, "cosh"),
+    ("csch", None, "sinh"),
+];
 
 const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
                      cbrt, asin, atan, asinh, acosh, atanh and pow; for a product write `f*(…)`";

@@ -43,6 +43,36 @@ pub enum Function {
     Atanh,
 }
 
+/// Names and values of the functions, in the order of [`Function`].
+const FUNCTIONS: [(&str, fn(f64) -> f64); 13] = [
+    ("exp", libm::exp),
+    ("log", libm::log),
+    ("sin", libm::sin),
+    ("cos", libm::cos),
+    ("tan", libm::tan),
+    ("sinh", libm::sinh),
+    ("cosh", libm::cosh),
+    ("tanh", libm::tanh),
+    ("asin", libm::asin),
+    ("atan", libm::atan),
+    ("asinh", libm::asinh),
+    ("acosh", libm::acosh),
+    ("atanh", libm::atanh),
+];
+
+impl Function {
+    /// The name by which it is called.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        FUNCTIONS[self as usize].0
+    }
+
+    /// The value at an argument.
+    pub(crate) fn at(self, argument: f64) -> f64 {
+        FUNCTIONS[self as usize].1(argument)
+    }
+}
+
 /// The function that a coordinate stands for.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Meaning {
