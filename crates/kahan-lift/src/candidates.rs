@@ -16,7 +16,7 @@ use crate::equations::Equations;
 use crate::laurent::{Laurent, Monomial};
 use crate::quadratic::{Products, Quadratic};
 use crate::ring::Ring;
-use crate::search::{Problem, founded, search};
+use crate::search::{MOST_VARIABLES, Problem, founded, search};
 
 /// The most sets of new variables of one size that are judged.
 const MOST_SETS: usize = 8;
@@ -53,7 +53,7 @@ pub(crate) fn ordinary_candidates(equations: &Equations, effort: Effort) -> Vec<
         .into_iter()
         .flatten()
         .filter_map(|ring| {
-            let found = search(&ring, &equations.problem_in(&ring), effort.nodes, surplus)?;
+            let found = search(&ring, &equations.problem_in(&ring), effort.nodes, surplus, MOST_VARIABLES)?;
             Some((ring, found))
         })
         .collect();
@@ -96,25 +96,28 @@ fn ordinary(ring: &Ring, new: Vec<Laurent>, is_optimal: bool) -> Option<Candidat
 /// that is wanted, of one more, and lifts in which each variable has a relation of its own.
 pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
-    let rings = [Some(equations.ring.clone()), equations.ring.grouped()];
-    let mut candidates = Vec::new();
-    for ring in rings.iter().flatten() {
-        for as_sums in [false, true] {
-            candidates.extend(energy_lifts(equations, ring, &mechanical, as_sums, effort));
-        }
-    }
+    let lifts = |ring: &Ring, least: usize| {
+        let lifts = |as_sums| energy_lifts(equations, ring, &mechanical, as_sums, effort, least);
+        [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
+    };
+    // With sums that occur often as coordinates sets are small: they limit those without.
+    let grouped = equations.ring.grouped().map_or_else(Vec::new, |ring| lifts(&ring, MOST_VARIABLES));
+    let least = grouped.iter().map(|one| one.new.len()).min().unwrap_or(MOST_VARIABLES);
+    let mut candidates = lifts(&equations.ring, least);
+    candidates.extend(grouped);
     candidates.sort_by_key(|one: &Candidate| one.new.len());
     candidates
 }
 
 /// The energy lifts in which the components of the force are variables, each as a sum or each of
-/// its monomials.
+/// its monomials. `least` is the order of another lift.
 fn energy_lifts(
     equations: &Equations,
     ring: &Ring,
     mechanical: &Mechanical,
     as_sums: bool,
     effort: Effort,
+    least: usize,
 ) -> Vec<Candidate> {
     let states = ring.field.len();
     let is_state =
@@ -141,7 +144,10 @@ fn energy_lifts(
             None => problem.sums.push(force.clone()),
         }
     }
-    let Some(found) = search(ring, &problem, effort.nodes, usize::from(effort.surplus)) else {
+    let surplus = usize::from(effort.surplus);
+    let monomials = forces.len() - problem.sums.len();
+    let most = (least + surplus).saturating_sub(monomials).min(MOST_VARIABLES);
+    let Some(found) = search(ring, &problem, effort.nodes, surplus, most) else {
         return Vec::new();
     };
     let least = found.sets[0].len();

@@ -42,7 +42,7 @@ pub(crate) struct Found {
 /// How many sets of one size are kept.
 const MOST_SETS: usize = 24;
 /// The most new variables of an answer.
-const MOST_VARIABLES: usize = 60;
+pub(crate) const MOST_VARIABLES: usize = 60;
 /// The nodes of the search that take as long as a local change.
 const NODES_A_CHANGE: usize = 20;
 /// How many local changes are tried for each variable of a set that is not proved to be optimal.
@@ -95,12 +95,22 @@ struct Search<'a> {
     sets: Vec<Vec<Id>>,
 }
 
-/// Returns the smallest closed sets that a search of at most `budget` nodes finds, or `None`.
-/// Sets of `surplus` more variables are found as well.
-pub(crate) fn search(ring: &Ring, problem: &Problem, budget: usize, surplus: usize) -> Option<Found> {
+/// Returns the smallest closed sets of at most `most` variables that a search of at most `budget`
+/// nodes finds, or `None`. Sets of `surplus` more variables are found as well.
+pub(crate) fn search(
+    ring: &Ring,
+    problem: &Problem,
+    budget: usize,
+    surplus: usize,
+    most: usize,
+) -> Option<Found> {
     let mut search = Search::new(ring, problem, budget);
-    let greedy = search.greedy();
-    let most = greedy.as_ref().map_or(MOST_VARIABLES, Vec::len);
+    let greedy = search.greedy(most);
+    // A set below a limit that comes from another ring is unlikely where none is found at once.
+    if greedy.is_none() && most < MOST_VARIABLES {
+        search.nodes = budget / NODES_A_CHANGE;
+    }
+    let most = greedy.as_ref().map_or(most, Vec::len);
     for size in 0..=most {
         search.collect(size);
         if search.sets.is_empty() && search.nodes > 0 {
@@ -375,8 +385,8 @@ impl<'a> Search<'a> {
 
     /// A closed set by adding, again and again, the variable that leaves least to be written; then
     /// reduced.
-    fn greedy(&mut self) -> Option<Vec<Id>> {
-        let closed = self.closure(Vec::new(), MOST_VARIABLES, 0)?;
+    fn greedy(&mut self, most: usize) -> Option<Vec<Id>> {
+        let closed = self.closure(Vec::new(), most, 0)?;
         Some(self.reduced(closed))
     }
 

@@ -180,6 +180,27 @@ fn maps_of_mechanical_systems_keep_an_energy() {
     }
 }
 
+/// Central forces in the plane, by their ratio to −(x, y), with the largest order of the energy lift.
+const CENTRAL: [(&str, usize); 6] = [
+    ("6/(x^2 + y^2)^4 - 12/(x^2 + y^2)^7", 8),
+    ("(x^2 + y^2)^(-5/6)", 6),
+    ("1/(x^2 + y^2 + 1)", 6),
+    ("(x^2 + y^2 + b^2)^(-3/2)", 7),
+    ("1/(x^2 + y^2)^2 - 1/(x^2 + y^2)^3", 8),
+    ("1/(x^2 + y^2)^(5/2)", 6),
+];
+
+#[test]
+fn energies_of_central_forces_are_kept() {
+    let options = Options { which: Which::Energy, ..Options::default() };
+    for (ratio, most) in CENTRAL {
+        let text = format!("x' = p; y' = q; p' = -x*({ratio}); q' = -y*({ratio})");
+        let lift = lifted(&text, &options).expect(&text);
+        assert!(lift.order() <= most, "{text}: {} new variables, not {most}", lift.order());
+        assert!(lift.energy.is_some_and(|energy| energy.contains("eps")), "{text}");
+    }
+}
+
 /// A number below `bound` from a stream of random bytes.
 fn below(random: &mut Vec<u8>, bound: u8) -> u8 {
     random.pop().expect("enough bytes") % bound
