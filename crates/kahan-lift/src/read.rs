@@ -164,7 +164,13 @@ impl Reader {
                 let base = self.expr(base)?;
                 self.power(&base, &-&Rational::from(*exponent), expr.span)
             }
-            _ => {
+            kind => {
+                if let ExprKind::Special(InFormula::Power(parts)) = kind
+                    && let Some(exponent) = self.expr(&parts[1])?.as_number()
+                {
+                    let base = self.expr(&parts[0])?;
+                    return self.power(&base, &-&exponent, expr.span);
+                }
                 let value = self.expr(expr)?;
                 self.power(&value, &Rational::from(-1), expr.span)
             }
