@@ -1,5 +1,8 @@
 //! Symmetric projection onto the relations (E. Hairer, "Symmetric projection methods for
-//! differential equations on manifolds", BIT 40, 2000).
+//! differential equations on manifolds", BIT 40, 2000), and the signs that new variables have.
+
+use crate::embedding::{Embedding, Step};
+use crate::ring::Function;
 
 /// How often the image of a point is computed for one step, at most.
 const MOST_EVALUATIONS: usize = 40;
@@ -59,5 +62,35 @@ impl Reembedding {
         }
         self.shift.fill(0.0);
         false
+    }
+}
+
+impl Embedding {
+    /// The places of the new variables that are positive by their definitions: even roots, powers
+    /// with exponents that are no integers, exponentials, and what is made of these by +, ·, / and
+    /// powers.
+    #[must_use]
+    pub fn positive(&self) -> Vec<usize> {
+        let mut positive: Vec<bool> = Vec::with_capacity(self.steps.len());
+        for step in &self.steps {
+            positive.push(match *step {
+                Step::SquareRoot(_) | Step::Function(Function::Exp | Function::Cosh, _) => true,
+                // Odd roots have the sign of what they are of.
+                Step::RealPower(_, exponent) => !matches!(
+                    self.steps[exponent],
+                    Step::Number(bits) if f64::from_bits(bits).recip().round() % 2.0 != 0.0
+                ),
+                Step::Number(bits) => f64::from_bits(bits) > 0.0,
+                Step::Sum(a, b) | Step::Product(a, b) | Step::Quotient(a, b) => positive[a] && positive[b],
+                Step::Power(a, _) => positive[a],
+                Step::State(_)
+                | Step::Parameter(_)
+                | Step::Negation(_)
+                | Step::CubeRoot(_)
+                | Step::Function(..) => false,
+            });
+        }
+        let places = self.values.iter().enumerate();
+        places.filter(|(_, step)| positive[**step]).map(|(place, _)| place).collect()
     }
 }

@@ -29,6 +29,7 @@ pub mod formula;
 #[cfg(feature = "toml")]
 mod from_toml;
 mod lifted;
+mod lifted_step;
 mod list;
 mod map;
 mod named;
@@ -56,6 +57,7 @@ pub use kahan_discover::{Finding, Progress, Unwatched, Watch};
 pub use kahan_lift::{Lift, Which};
 pub use kahan_runtime::End;
 pub use lifted::{Fate, LiftFound, Lifting, NewFound, RelationFound, Watched};
+pub use lifted_step::{LiftEnds, LiftedStep};
 pub use list::{FamilyListed, Listed, SystemListed, list};
 pub use named::Names;
 pub use question::*;

@@ -8,7 +8,6 @@ mod chain;
 mod maps;
 mod methods;
 mod points;
-mod reembedded;
 
 use std::fmt;
 use std::ops::{ControlFlow, Range};
@@ -316,7 +315,7 @@ impl Orbit {
             return Err(StudyError::NotPositive { what: "every", value: Rational::zero() });
         }
         let composition = Composition::of_order(self.order).ok_or(StudyError::Order(self.order))?;
-        self.check().map_err(StudyError::Orbit)?;
+        self.check(study).map_err(StudyError::Orbit)?;
         let (start, given) = (study.point(&self.at)?, study.values()?);
         let in_scalar = |what: &'static str, name: &str, value: &Rational| {
             let rounded = A::round(value);
@@ -339,9 +338,7 @@ impl Orbit {
         let numbers: Names<Number> = named.zip(parameters.iter().map(A::number)).collect();
         let mut points: Box<dyn Points<A> + 'a> = match self.method {
             Method::Kahan if self.projective => maps::projective(map, &self.eps, &start)?,
-            Method::Kahan if self.reembed => A::reembedded(study, map, composition, &self.eps, &start)
-                .ok_or(StudyError::Orbit(NoOrbit::Reembed))?,
-            Method::Kahan => A::kahan(map, composition, &self.eps, &start),
+            Method::Kahan => A::kahan(study, self, composition, &start)?,
             Method::Euler | Method::Rk4 => {
                 methods::explicit(arithmetic, map, self.method, parameters, &self.eps, &start)
             }
@@ -375,9 +372,10 @@ impl Orbit {
     }
 
     /// Whether method, order and scalar go together.
-    fn check(&self) -> Result<(), NoOrbit> {
+    fn check(&self, study: &Study) -> Result<(), NoOrbit> {
         let is_kahans = self.method == Method::Kahan;
-        if self.reembed && (self.projective || !is_kahans) {
+        let has_relations = study.lift().is_some() && self.scalar == ScalarKind::F64;
+        if self.reembed && (self.projective || !is_kahans || !has_relations) {
             Err(NoOrbit::Reembed)
         } else if self.projective && self.order != usual_order() {
             Err(NoOrbit::ProjectiveOrder)

@@ -13,13 +13,13 @@ use kahan_runtime::{Follow, Followed, Fraction, Map, MapAt, RuntimeFloat};
 
 use crate::count::Count;
 use crate::error::StudyError;
+use crate::lifted_step::LiftedStep;
 use crate::numbers::{DoubleDouble, Number, Printable};
 use crate::rows::{self, Values};
 use crate::study::Study;
 
-use super::NoOrbit;
 use super::points::{Halt, Points, Why, moment, one_by_one};
-use super::reembedded::Reembedded;
+use super::{NoOrbit, Orbit};
 
 /// An arithmetic in which points move, and whose numbers are cells of tables.
 pub(super) trait Moving: Printable {
@@ -53,30 +53,19 @@ pub(super) trait Moving: Printable {
     /// A double-double as one of its numbers; `None` where they are exact.
     fn narrow(number: Dd) -> Option<Self::Value>;
 
-    /// The orbit of Kahan's map, or of a composition of it, at its first point.
-    fn kahan(
-        map: &Map,
+    /// The orbit of Kahan's map, or of a composition of it, at its first point; in doubles its
+    /// steps may be projected onto the relations of a lifted field.
+    fn kahan<'a>(
+        study: &'a Study,
+        asked: &Orbit,
         composition: Composition,
-        eps: &Rational,
         start: &[Rational],
-    ) -> Box<dyn Points<Self>>;
-
-    /// The orbit of a lifted field whose steps are projected onto its relations; `None` in numbers
-    /// that have none, and of a field that was not lifted.
-    fn reembedded<'a>(
-        _study: &'a Study,
-        _map: &Map,
-        _composition: Composition,
-        _eps: &Rational,
-        _start: &[Rational],
-    ) -> Option<Box<dyn Points<Self> + 'a>> {
-        None
-    }
+    ) -> Result<Box<dyn Points<Self> + 'a>, StudyError>;
 }
 
 /// The arithmetics whose values are the scalar's, and cells.
 macro_rules! of_float {
-    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr $(, $more:item)?) => {
+    ($arithmetic:ident, $float:ident as $values:ident, [$infinite:expr, $nan:expr], $narrow:expr, $whole:expr, $lifted:expr) => {
         impl Moving for $arithmetic {
             type Cell = $float;
             type Scalar = $float;
@@ -100,44 +89,39 @@ macro_rules! of_float {
                 Some($narrow(number))
             }
 
-            fn kahan(
-                map: &Map,
+            fn kahan<'a>(
+                study: &'a Study,
+                asked: &Orbit,
                 composition: Composition,
-                eps: &Rational,
                 start: &[Rational],
-            ) -> Box<dyn Points<Self>> {
-                Box::new(Floats::new(map, composition, eps, start))
+            ) -> Result<Box<dyn Points<Self> + 'a>, StudyError> {
+                let at = study.map()?.at(round::<$float>(&asked.eps));
+                let at = if composition == Composition::KAHAN { at } else { at.composed(composition) };
+                let lifted = $lifted(study, &at, asked.reembed);
+                let x = start.iter().map(round).collect();
+                Ok(Box::new(Floats { at, composition, lifted, x, points: Vec::new() }))
             }
-
-            $($more)?
         }
     };
 }
 
+of_float!(Float64, f64 as F64, [f64::INFINITY, f64::NAN], Dd::high, |n| n as f64, Study::steps);
 of_float!(
-    Float64,
-    f64 as F64,
-    [f64::INFINITY, f64::NAN],
-    Dd::high,
-    |n| n as f64,
-    fn reembedded<'a>(
-        study: &'a Study,
-        map: &Map,
-        composition: Composition,
-        eps: &Rational,
-        start: &[Rational],
-    ) -> Option<Box<dyn Points<Self> + 'a>> {
-        Some(Box::new(Reembedded::new(study, Floats::new(map, composition, eps, start))?))
-    }
+    Float32,
+    f32 as F32,
+    [f32::INFINITY, f32::NAN],
+    |x: Dd| x.high() as f32,
+    |n| n as f32,
+    |study, at, _| Study::lifted_step(study, at)
 );
-of_float!(Float32, f32 as F32, [f32::INFINITY, f32::NAN], |x: Dd| x.high() as f32, |n| n as f32);
 of_float!(
     DoubleDouble,
     Dd as Dd,
     [Dd::new(f64::INFINITY, 0.0), Dd::new(f64::NAN, 0.0)],
     std::convert::identity,
     // What the nearest double leaves over is a double.
-    |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64)
+    |n: i64| Dd::new(n as f64, (i128::from(n) - n as f64 as i128) as f64),
+    |study, at, _| Study::lifted_step(study, at)
 );
 
 impl Moving for Exact {
@@ -163,29 +147,30 @@ impl Moving for Exact {
         None
     }
 
-    fn kahan(map: &Map, _: Composition, eps: &Rational, start: &[Rational]) -> Box<dyn Points<Self>> {
-        Box::new(map.exact_orbit(eps, start).expect("the point is of the field"))
+    fn kahan<'a>(
+        study: &'a Study,
+        asked: &Orbit,
+        _: Composition,
+        start: &[Rational],
+    ) -> Result<Box<dyn Points<Self> + 'a>, StudyError> {
+        Ok(Box::new(study.map()?.exact_orbit(&asked.eps, start).expect("the point is of the field")))
     }
 }
 
 /// An orbit in floats.
-pub(super) struct Floats<T: RuntimeFloat> {
-    pub(super) at: MapAt<T>,
+struct Floats<'a, T: RuntimeFloat> {
+    at: MapAt<T>,
     composition: Composition,
-    pub(super) x: Vec<T>,
+    /// The steps, where a lifted field ends orbits of its own accord.
+    lifted: Option<LiftedStep<'a, T>>,
+    x: Vec<T>,
     /// The points of the rows that are being made.
     points: Vec<T>,
 }
 
-impl<T: RuntimeFloat> Floats<T> {
-    fn new(map: &Map, composition: Composition, eps: &Rational, start: &[Rational]) -> Self {
-        let at = map.at(round::<T>(eps));
-        let at = if composition == Composition::KAHAN { at } else { at.composed(composition) };
-        Floats { at, composition, x: start.iter().map(round).collect(), points: Vec::new() }
-    }
-
+impl<T: RuntimeFloat> Floats<'_, T> {
     /// Appends a point and its integrals.
-    pub(super) fn append<A: Moving<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
+    fn append<A: Moving<Value = T, Cell = T>>(&self, x: &[T], cells: &mut Vec<T>) {
         cells.extend_from_slice(x);
         let first = cells.len();
         cells.resize(first + self.at.map().field().integrals().len(), T::zero());
@@ -194,10 +179,13 @@ impl<T: RuntimeFloat> Floats<T> {
     }
 
     fn halt<R>(&self, followed: &Followed<R>) -> Result<(), Halt> {
-        Halt::of(followed, || match self.at.divides_by_zero(&self.x) {
-            Ok(false) | Err(_) => Why::Range,
-            Ok(true) if self.composition.stages() > 1 => Why::StagePole,
-            Ok(true) => pole(self.at.map()),
+        Halt::of(followed, || match self.lifted.as_ref().and_then(|lifted| lifted.ends(&self.x)) {
+            Some(ends) => Why::Lift(ends),
+            None => match self.at.divides_by_zero(&self.x) {
+                Ok(false) | Err(_) => Why::Range,
+                Ok(true) if self.composition.stages() > 1 => Why::StagePole,
+                Ok(true) => pole(self.at.map()),
+            },
         })
     }
 }
@@ -207,13 +195,17 @@ fn pole(map: &Map) -> Why {
     Why::Pole { is_reduced: map.field().derived().map.is_some() }
 }
 
-impl<T: RuntimeFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<T> {
+impl<T: RuntimeFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<'_, T> {
     fn row(&mut self, cells: &mut Vec<T>) {
         self.append::<A>(&self.x, cells);
     }
 
     fn advance(&mut self, steps: u64, progress: &Count<'_>) -> Result<(), Halt> {
-        let followed = self.at.follow(&mut self.x, steps, |steps| progress.tell(steps));
+        let tell = |steps| progress.tell(steps);
+        let followed = match &self.lifted {
+            Some(lifted) => lifted.follow(&mut self.x, steps, tell),
+            None => self.at.follow(&mut self.x, steps, tell),
+        };
         self.halt(&followed.expect("the point is of the field"))
     }
 
@@ -226,7 +218,11 @@ impl<T: RuntimeFloat, A: Moving<Value = T, Cell = T>> Points<A> for Floats<T> {
     ) -> Result<(), Halt> {
         let every = NonZeroU64::new(every).expect("rows are some steps apart");
         self.points.resize(count * self.x.len(), T::zero());
-        let followed = self.at.rows(&mut self.x, every, &mut self.points, |steps| progress.tell(steps));
+        let tell = |steps| progress.tell(steps);
+        let followed = match &self.lifted {
+            Some(lifted) => lifted.rows(&mut self.x, every, &mut self.points, tell),
+            None => self.at.rows(&mut self.x, every, &mut self.points, tell),
+        };
         let followed = followed.expect("the points are of the field");
         let points = self.points.chunks_exact(self.x.len()).take(followed.report);
         points.for_each(|x| self.append::<A>(x, cells));

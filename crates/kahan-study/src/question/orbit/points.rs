@@ -11,6 +11,7 @@ use kahan_discover::Watch;
 use kahan_runtime::{End, Followed};
 
 use crate::count::Count;
+use crate::lifted_step::LiftEnds;
 use crate::numbers::{Number, ScalarKind};
 use crate::rows::{Column, Ending, Rows, Values};
 use crate::study::Study;
@@ -41,8 +42,8 @@ pub(super) enum Why {
     TooLarge,
     /// The flow escapes.
     Escapes,
-    /// Symmetric projection does not converge.
-    NotReembedded,
+    /// A lifted field ends there.
+    Lift(LiftEnds),
 }
 
 /// Points that move on.
@@ -221,7 +222,7 @@ impl<A: Moving> Block<A> {
 /// How an orbit ended, after so many steps, at a point.
 pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number]) -> Ending {
     let (name, next, scalar) = (study.name(), n + 1, asked.scalar.name());
-    let place = study.place(at, &asked.eps);
+    let point = study.place(at, &asked.eps);
     let kept = "the rows up to it are kept";
     let why_ended = match why {
         Why::Pole { is_reduced } => {
@@ -233,11 +234,11 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
                 )
             };
             format!(
-                "ends at a pole: at n = {n} det A = 0{by_convention}, so step {next} has no value. The point is {place}; {kept}"
+                "ends at a pole: at n = {n} det A = 0{by_convention}, so step {next} has no value. The point is {point}; {kept}"
             )
         }
         Why::StagePole => format!(
-            "ends at a pole: det A = 0 at a stage of step {next}, so the step has no value. The point before it is {place}; \
+            "ends at a pole: det A = 0 at a stage of step {next}, so the step has no value. The point before it is {point}; \
              {kept}; try order 2, which takes no step back"
         ),
         Why::NoLimit(singular) => {
@@ -246,25 +247,34 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
         }
         Why::Range => format!(
             "leaves the range of {scalar} at step {next}: at n = {n} det A = 0 nearly or the numbers are too large. The point \
-             is {place}; {kept}; try scalar exact"
+             is {point}; {kept}; try scalar exact"
         ),
         Why::TooLarge => format!(
-            "leaves the range of {scalar} at step {next}: at n = {n} the numbers are too large. The point is {place}; {kept}"
+            "leaves the range of {scalar} at step {next}: at n = {n} the numbers are too large. The point is {point}; {kept}"
         ),
-        Why::NotReembedded => format!(
-            "ends at n = {n}: no step {next} near it leads back to the relations of the lift. The point is {place}; \
+        Why::Lift(LiftEnds::Negative(place)) => {
+            let new = study.lift().map(|lift| &lift.new[place]).expect("the field was lifted");
+            format!(
+                "ends at n = {n}: {} = {} is not negative by its definition, and would become so in step {next}, where the \
+                 equations have no solution or eps is too large. The point is {point}; {kept}",
+                new.name,
+                new.expression.as_deref().unwrap_or_default(),
+            )
+        }
+        Why::Lift(LiftEnds::NotReembedded) => format!(
+            "ends at n = {n}: no step {next} near it leads back to the relations of the lift. The point is {point}; \
              {kept}; a smaller eps may lead on"
         ),
         Why::Escapes => format!(
             "ends at n = {n}: the solution escapes to infinity, or leaves the range of {scalar}, before step {next}. The \
-             point is {place}; {kept}"
+             point is {point}; {kept}"
         ),
     };
     // Whether a float is 0 at a pole is a matter of rounding.
     let end = match why {
         Why::Pole { .. } if asked.scalar == ScalarKind::Exact => End::Pole(n),
         Why::NoLimit(_) => End::Pole(n),
-        Why::NotReembedded => End::Reembed(n),
+        Why::Lift(LiftEnds::NotReembedded) => End::Reembed(n),
         _ => End::Range(n),
     };
     Ending { end, step: n, why: Some(format!("the orbit of {name} {why_ended}")) }

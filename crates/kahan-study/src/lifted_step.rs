@@ -1,0 +1,149 @@
+//! Steps of lifted fields that stay where the original equations have a meaning.
+//!
+//! In: a lifted field's map at its ε. Out: a [`Step`] whose points are not numbers where the orbit
+//! ends, so that whoever follows orbits sees that end: where a variable that is positive by its
+//! definition, as a square root, would become negative, and where symmetric projection onto the
+//! relations, if it is asked for, does not converge. A step depends on its point alone.
+
+use kahan_core::{Step, Stopped, Workspace};
+use kahan_lift::{Lift, Reembedding};
+use kahan_runtime::{End, MapAt, RuntimeFloat};
+
+use crate::study::Study;
+
+/// A map of a lifted field that ends where the lift does.
+pub struct LiftedStep<'a, T: RuntimeFloat> {
+    at: MapAt<T>,
+    lift: &'a Lift,
+    /// The new variables that are positive by their definitions.
+    positive: Vec<usize>,
+    projection: Option<Projection<'a, T>>,
+}
+
+/// Replaces a point by the next one on the relations, by steps that it is given; `false` where
+/// there is none.
+type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
+
+/// Why there is no next point of a lifted field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LiftEnds {
+    /// This new variable, which is positive by its definition, would become negative.
+    Negative(usize),
+    /// Symmetric projection does not converge.
+    NotReembedded,
+}
+
+impl Study {
+    /// The steps of a lifted field's map that end where a variable changes a sign that it has by
+    /// its definition; `None` where no variable has one, and steps of the map itself will do.
+    #[must_use]
+    pub fn lifted_step<T: RuntimeFloat>(&self, at: &MapAt<T>) -> Option<LiftedStep<'_, T>> {
+        let lift = self.lift()?;
+        let positive = lift.embedding().positive();
+        (!positive.is_empty()).then(|| LiftedStep { at: at.clone(), lift, positive, projection: None })
+    }
+
+    /// The steps of a lifted field's map in doubles, projected onto the relations where this is
+    /// asked for; `None` where those of the map will do.
+    #[must_use]
+    pub fn steps(&self, at: &MapAt<f64>, reembed: bool) -> Option<LiftedStep<'_, f64>> {
+        if reembed { self.reembedded_step(at) } else { self.lifted_step(at) }
+    }
+
+    /// Those that are projected symmetrically onto the relations, too; `None` of a field that was
+    /// not lifted.
+    fn reembedded_step(&self, at: &MapAt<f64>) -> Option<LiftedStep<'_, f64>> {
+        let lift = self.lift()?;
+        let values = at.map().parameters();
+        let value = |name: &String| {
+            let place = self.parameters().iter().position(|known| known == name);
+            place.map_or(f64::NAN, |place| values[place].to_f64())
+        };
+        let parameters: Vec<f64> = lift.parameters.iter().map(value).collect();
+        let project = move |x: &mut [f64], step: &mut dyn FnMut(&mut [f64])| {
+            let (states, new) = x.split_at_mut(lift.states.len());
+            let embed = |states: &[f64]| lift.embed(states, &parameters);
+            let is_there = Reembedding::default().step(states, embed, step);
+            if is_there {
+                new.copy_from_slice(&lift.embed(states, &parameters));
+            }
+            is_there
+        };
+        let (at, positive) = (at.clone(), lift.embedding().positive());
+        Some(LiftedStep { at, lift, positive, projection: Some(Box::new(project)) })
+    }
+}
+
+impl<T: RuntimeFloat> LiftedStep<'_, T> {
+    /// The new variable that is negative at a point, and must not be.
+    fn negative(&self, x: &[T]) -> Option<usize> {
+        let new = &x[self.lift.states.len()..];
+        self.positive.iter().copied().find(|&place| new[place].approximate() < 0.0)
+    }
+
+    /// Replaces a point by the next one; where there is none, by what is no number.
+    fn next(&self, x: &mut [T], mut step: impl FnMut(&mut [T])) -> bool {
+        let is_there = match &self.projection {
+            None => {
+                step(x);
+                self.negative(x).is_none()
+            }
+            Some(project) => {
+                // The first step begins on the relations.
+                let (mut is_first, mut has_signs) = (true, true);
+                let is_there = project(x, &mut |point| {
+                    step(point);
+                    has_signs &= !std::mem::take(&mut is_first) || self.negative(point).is_none();
+                });
+                is_there && has_signs
+            }
+        };
+        if !is_there {
+            x.fill(f32::NAN.into());
+        }
+        is_there
+    }
+
+    /// Why the orbit ends at a point, if the map itself goes on there.
+    #[must_use]
+    pub fn ends(&self, x: &[T]) -> Option<LiftEnds> {
+        let mut next = x.to_vec();
+        self.at.advance(&mut next, 1).expect("the point is of the field");
+        let negative = self.negative(&next).map(LiftEnds::Negative);
+        negative.or_else(|| self.projection.is_some().then_some(LiftEnds::NotReembedded))
+    }
+
+    /// The end of an orbit that came to a point.
+    #[must_use]
+    pub fn end(&self, end: End, x: &[T]) -> End {
+        match end {
+            End::Range(steps) if self.ends(x) == Some(LiftEnds::NotReembedded) => End::Reembed(steps),
+            end => end,
+        }
+    }
+}
+
+impl<T: RuntimeFloat> Step for LiftedStep<'_, T> {
+    type Scalar = T;
+    type State = Vec<T>;
+
+    fn dimension(&self) -> usize {
+        Step::dimension(&self.at)
+    }
+
+    fn eps(&self) -> &T {
+        Step::eps(&self.at)
+    }
+
+    fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
+        // Floats go on at poles.
+        let mut step = |x: &mut [T]| drop(Step::advance(&self.at, x, 1, workspace));
+        let _ = (0..steps).all(|_| self.next(x, &mut step));
+        Ok(())
+    }
+
+    fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
+        self.next(x, |x| drop(self.at.part(eps, x, workspace)));
+        Ok(())
+    }
+}
