@@ -5,7 +5,7 @@
 //! definition, as a square root, would become negative, and where symmetric projection onto the
 //! relations, if it is asked for, does not converge. A step depends on its point alone.
 
-use kahan_core::{Step, Stopped, Workspace};
+use kahan_core::{EmbedScalar, Step, Stopped, Workspace};
 use kahan_lift::{Lift, Reembedding};
 use kahan_runtime::{End, MapAt, RuntimeFloat};
 
@@ -33,6 +33,27 @@ pub enum LiftEnds {
     NotReembedded,
 }
 
+impl LiftEnds {
+    /// Says why an orbit ends after so many steps.
+    #[must_use]
+    pub fn in_words(self, study: &Study, steps: u64) -> String {
+        let next = steps + 1;
+        match (self, study.lift()) {
+            (LiftEnds::Negative(place), Some(lift)) => {
+                let new = &lift.new[place];
+                let (name, expression) = (&new.name, new.expression.as_deref().unwrap_or_default());
+                format!(
+                    "ends at n = {steps}: {name} = {expression} is never negative, and would be in step {next}, as where the \
+                     solution ends, or eps is too large"
+                )
+            }
+            _ => format!(
+                "ends at n = {steps}: no step {next} near it leads back to the relations of the lift; a smaller eps may lead on"
+            ),
+        }
+    }
+}
+
 impl Study {
     /// The steps of a lifted field's map that end where a variable changes a sign that it has by
     /// its definition; `None` where no variable has one, and steps of the map itself will do.
@@ -43,16 +64,20 @@ impl Study {
         (!positive.is_empty()).then(|| LiftedStep { at: at.clone(), lift, positive, projection: None })
     }
 
-    /// The steps of a lifted field's map in doubles, projected onto the relations where this is
-    /// asked for; `None` where those of the map will do.
+    /// The steps of a lifted field's map, projected onto the relations where this is asked for;
+    /// `None` where those of the map will do.
     #[must_use]
-    pub fn steps(&self, at: &MapAt<f64>, reembed: bool) -> Option<LiftedStep<'_, f64>> {
+    pub fn steps<T: RuntimeFloat + EmbedScalar>(
+        &self,
+        at: &MapAt<T>,
+        reembed: bool,
+    ) -> Option<LiftedStep<'_, T>> {
         if reembed { self.reembedded_step(at) } else { self.lifted_step(at) }
     }
 
     /// Those that are projected symmetrically onto the relations, too; `None` of a field that was
     /// not lifted.
-    fn reembedded_step(&self, at: &MapAt<f64>) -> Option<LiftedStep<'_, f64>> {
+    fn reembedded_step<T: RuntimeFloat + EmbedScalar>(&self, at: &MapAt<T>) -> Option<LiftedStep<'_, T>> {
         let lift = self.lift()?;
         let values = at.map().parameters();
         let value = |name: &String| {
@@ -60,13 +85,16 @@ impl Study {
             place.map_or(f64::NAN, |place| values[place].to_f64())
         };
         let parameters: Vec<f64> = lift.parameters.iter().map(value).collect();
-        let project = move |x: &mut [f64], step: &mut dyn FnMut(&mut [f64])| {
-            let (states, new) = x.split_at_mut(lift.states.len());
+        let project = move |x: &mut [T], step: &mut dyn FnMut(&mut [T])| {
             let embed = |states: &[f64]| lift.embed(states, &parameters);
-            let is_there = Reembedding::default().step(states, embed, step);
-            if is_there {
-                new.copy_from_slice(&lift.embed(states, &parameters));
-            }
+            let mut states: Vec<f64> = x[..lift.states.len()].iter().map(|x| x.widened()).collect();
+            let is_there = Reembedding::default().step(&mut states, embed, |point| {
+                x.iter_mut().zip(&*point).for_each(|(x, value)| *x = T::narrowed(*value));
+                step(x);
+                point.iter_mut().zip(&*x).for_each(|(value, x)| *value = x.widened());
+            });
+            let new = embed(&states);
+            x.iter_mut().zip(states.iter().chain(&new)).for_each(|(x, value)| *x = T::narrowed(*value));
             is_there
         };
         let (at, positive) = (at.clone(), lift.embedding().positive());
@@ -113,6 +141,12 @@ impl<T: RuntimeFloat> LiftedStep<'_, T> {
         negative.or_else(|| self.projection.is_some().then_some(LiftEnds::NotReembedded))
     }
 
+    /// Whether an orbit that was followed without looking at signs has gone too far.
+    #[must_use]
+    pub fn is_beyond(&self, x: &[T]) -> bool {
+        self.projection.is_some() || self.negative(x).is_some()
+    }
+
     /// The end of an orbit that came to a point.
     #[must_use]
     pub fn end(&self, end: End, x: &[T]) -> End {
@@ -137,13 +171,17 @@ impl<T: RuntimeFloat> Step for LiftedStep<'_, T> {
 
     fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         // Floats go on at poles.
-        let mut step = |x: &mut [T]| drop(Step::advance(&self.at, x, 1, workspace));
+        let mut step = |x: &mut [T]| {
+            let _ = Step::advance(&self.at, x, 1, workspace);
+        };
         let _ = (0..steps).all(|_| self.next(x, &mut step));
         Ok(())
     }
 
     fn part(&self, eps: &T, x: &mut [T], workspace: &mut Workspace) -> Result<(), Stopped> {
-        self.next(x, |x| drop(self.at.part(eps, x, workspace)));
+        self.next(x, |x| {
+            let _ = self.at.part(eps, x, workspace);
+        });
         Ok(())
     }
 }

@@ -45,6 +45,8 @@ pub use series::FlowScalar;
 pub struct Flow<T> {
     pieces: Vec<Piece<T>>,
     end: f64,
+    /// The variables that distances and the scale are of.
+    measured: usize,
     scale: f64,
     slope: f64,
     turning: f64,
@@ -99,7 +101,8 @@ impl<T: FlowScalar> Flow<T> {
     {
         let expansion = Expansion::of(field);
         let last = end * (1.0 + beyond);
-        let mut flow = Self { pieces: Vec::new(), end: last, scale: 0.0, slope: 0.0, turning: 0.0 };
+        let mut flow =
+            Self { pieces: Vec::new(), end: last, measured: N, scale: 0.0, slope: 0.0, turning: 0.0 };
         let (mut t, mut x) = (Dd::from(0.0), start);
         let (mut rate, mut first) = (slope(field, &start), None);
         loop {
@@ -141,6 +144,18 @@ impl<T: FlowScalar> Flow<T> {
             flow.scale = 1.0;
         }
         Ok(flow)
+    }
+
+    /// The flow with distances and the scale of its first so many variables alone, up to the `end`
+    /// that was asked for.
+    #[must_use]
+    pub fn of_first(self, variables: usize, end: f64) -> Self {
+        let size = |t: f64| {
+            let sizes = self.at(Dd::from(t)).into_iter().take(variables);
+            sizes.map(|entry| entry.approximate().abs()).fold(0.0, f64::max)
+        };
+        let scale = self.breaks().filter(|t| *t < end).chain([end]).map(size).fold(0.0, f64::max);
+        Self { measured: variables, scale: if scale > 0.0 { scale } else { 1.0 }, ..self }
     }
 
     /// The last time.
@@ -201,7 +216,8 @@ impl<T: FlowScalar> Flow<T> {
     #[inline(always)]
     fn measure(&self, piece: &Piece<T>, t: Dd, x: &[Dd], value: &mut [T]) -> f64 {
         piece.value(t, value);
-        let apart = value.iter().zip(x).map(|(value, x)| f64::from((*x - (*value).into()).abs()));
+        let apart =
+            value.iter().zip(x).take(self.measured).map(|(value, x)| f64::from((*x - (*value).into()).abs()));
         let largest = |far: f64, entry: f64| if entry.is_nan() { f64::INFINITY } else { far.max(entry) };
         apart.fold(0.0, largest) / self.scale
     }

@@ -10,7 +10,7 @@ mod tangent;
 
 use std::ops::ControlFlow;
 
-use kahan_core::EmbedScalar;
+use kahan_core::{EmbedScalar, Step};
 
 use crate::{DimensionError, Followed, MachineFloat, MapAt};
 
@@ -56,6 +56,18 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Followed<Vec<Seen>>, DimensionError>;
 
+    /// The same of the orbit that other steps make; observers take what they need from the map.
+    ///
+    /// # Errors
+    /// [`DimensionError`] if the start has not an entry a variable.
+    fn alone_by(
+        step: &dyn Step<Scalar = Self>,
+        at: &MapAt<Self>,
+        start: &[Self],
+        asked: &Observing<'_>,
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Result<Followed<Vec<Seen>>, DimensionError>;
+
     /// The same of many orbits, side by side where there is code for that: a map an orbit, and
     /// column c has variable c of all first points. An orbit has the same numbers alone. What was
     /// seen when `tell` stopped the work is of no use.
@@ -79,7 +91,17 @@ macro_rules! observed {
                 asked: &Observing<'_>,
                 tell: &dyn Fn(u64) -> ControlFlow<()>,
             ) -> Result<Followed<Vec<Seen>>, DimensionError> {
-                running::alone(at, start, asked, tell)
+                running::alone(at, at, start, asked, tell)
+            }
+
+            fn alone_by(
+                step: &dyn Step<Scalar = Self>,
+                at: &MapAt<Self>,
+                start: &[Self],
+                asked: &Observing<'_>,
+                tell: &dyn Fn(u64) -> ControlFlow<()>,
+            ) -> Result<Followed<Vec<Seen>>, DimensionError> {
+                running::alone(&step, at, start, asked, tell)
             }
 
             fn abreast(

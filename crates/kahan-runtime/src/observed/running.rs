@@ -191,9 +191,11 @@ where
     }
 }
 
-/// What is seen of the orbit of `start`, which goes as far as its points are finite; a second run
-/// counts turns, where they are asked for. `tell` hears of steps, and may stop the orbit.
+/// What is seen of the orbit of `start` by these steps, which goes as far as its points are finite;
+/// a second run counts turns, where they are asked for. `tell` hears of steps, and may stop the
+/// orbit.
 pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
+    step: &impl Follow<Scalar = T>,
     at: &MapAt<T>,
     start: &[T],
     asked: &Observing<'_>,
@@ -201,7 +203,7 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
 ) -> Result<Followed<Vec<Seen>>, DimensionError> {
     let bound = asked.bound();
     let observers = WhileFinite::within(bound, all(at, asked));
-    let Followed { report: own, end } = at.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
+    let Followed { report: own, end } = step.observe(&mut start.to_vec(), asked.steps, observers, tell)?;
     let Followed { report: (mut seen, middles), end: seen_end } = own;
     // A run that its observers end has the end that they saw.
     let end = if seen_end == End::Complete { end } else { seen_end };
@@ -209,7 +211,7 @@ pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(
         // Who stopped the first run wants no second one.
         let steps = end.steps(asked.steps);
         let again = if matches!(end, End::Stopped(_)) { 0 } else { steps };
-        let turns = at.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;
+        let turns = step.observe(&mut start.to_vec(), again, at.rotations(steps, &middles), tell)?;
         put(&mut seen, Seen::Turns(turns.report));
     }
     Ok(Followed { report: seen, end })

@@ -1,6 +1,7 @@
 //! What orbits tend to, over the values of a parameter or of ε: an orbit diagram.
 
 use kahan_algebra::rational::Rational;
+use kahan_core::Step;
 use kahan_core::observe::Visit;
 use kahan_discover::Watch;
 use kahan_runtime::{End, Follow};
@@ -11,6 +12,8 @@ use crate::error::StudyError;
 use crate::numbers::exact;
 use crate::range::Axis;
 use crate::study::Study;
+
+use super::NoOrbit;
 
 /// Asks what one variable does after a transient, at each value of a parameter or of ε, in doubles.
 /// Each orbit begins anew at the same point.
@@ -33,6 +36,10 @@ pub struct Diagram {
     pub transient: u64,
     /// The steps that are shown, after the point that the transient leads to.
     pub steps: u64,
+    /// Whether each step of a lifted field is projected symmetrically onto the relations between
+    /// its variables.
+    #[serde(default)]
+    pub reembed: bool,
 }
 
 fn usual_transient() -> u64 {
@@ -64,7 +71,7 @@ impl Diagram {
     /// The first variable, after a thousand steps.
     #[must_use]
     pub fn new(eps: Option<Rational>, at: Vec<Rational>, over: Axis, steps: u64) -> Self {
-        Diagram { eps, at, over, variable: None, transient: usual_transient(), steps }
+        Diagram { eps, at, over, variable: None, transient: usual_transient(), steps, reembed: false }
     }
 
     /// Follows an orbit at each value. Costs so many orbits, and a number for each point shown.
@@ -74,6 +81,9 @@ impl Diagram {
     /// the field does not have.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<DiagramFound, StudyError> {
         study.proved()?;
+        if self.reembed && study.lift().is_none() {
+            return Err(StudyError::Orbit(NoOrbit::Reembed));
+        }
         let place = study.axis(&self.over)?;
         let shown = match &self.variable {
             None => 0,
@@ -107,6 +117,8 @@ impl Diagram {
             if let Some(at) = at {
                 let values: Vec<f64> = parameters.iter().map(Rational::to_f64).collect();
                 let (mut x, mut take) = (study.embed(&start, &values), |_, x: &[f64]| points.push(x[shown]));
+                let step = study.steps(&at, self.reembed);
+                let at: &dyn Step<Scalar = f64> = step.as_ref().map_or(&at, |step| step);
                 let mut end = at.follow(&mut x, self.transient, tell).expect("the start is of the field").end;
                 if end == End::Complete && x.iter().all(|x| x.is_finite()) {
                     let followed = at.observe(&mut x, self.steps, Visit::by(&mut take), tell);

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
-use kahan_core::Composition;
+use kahan_core::{Composition, EmbedScalar};
 use kahan_discover::Watch;
 use kahan_runtime::{End, Followed, MapAt, ObservedFloat, Observing};
 use serde::de::Error;
@@ -21,7 +21,7 @@ use crate::numbers::exact;
 use crate::rows::Column;
 use crate::study::Study;
 
-use super::usual_order;
+use super::{NoOrbit, usual_order};
 
 pub use kahan_runtime::{Observable, Seen};
 
@@ -50,6 +50,10 @@ pub struct Observe {
     /// Without a bound, [`Observable::Escape`] looks for a million, and the orbit goes on.
     #[serde(default)]
     pub escape: Option<f64>,
+    /// Whether each step of a lifted field is projected symmetrically onto the relations between
+    /// its variables.
+    #[serde(default)]
+    pub reembed: bool,
     /// What is observed, and nothing else is computed; [`USUAL`](Self::USUAL) unless told.
     #[serde(default = "usual", serialize_with = "names_of", deserialize_with = "of_names")]
     pub of: Vec<Observable>,
@@ -111,7 +115,8 @@ impl Observe {
     /// is usual.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64) -> Self {
-        Observe { eps, at, steps, order: usual_order(), every: usual_every(), escape: None, of: usual() }
+        let (order, every, of) = (usual_order(), usual_every(), usual());
+        Observe { eps, at, steps, order, every, escape: None, reembed: false, of }
     }
 
     /// Follows the orbit of a system whose claims hold. Costs a run of the orbit with the tangent
@@ -123,12 +128,11 @@ impl Observe {
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<Observed, StudyError> {
         let system = study.proved()?;
         let (at, start) = study.in_floats(&self.at, &self.eps)?;
-        let at = at.composed(self.composition()?);
+        let at = at.composed(self.composition(study)?);
         let runs = if self.of.contains(&Observable::Rotation) { 2 } else { 1 };
         let count = Count::new("steps", runs * self.steps, watch);
         let of = self.observables();
-        let seen = f64::alone(&at, &start, &self.observing(study, &of), &|steps| count.tell(steps));
-        let Followed { report, end } = seen.expect(FITTING);
+        let Followed { report, end } = self.alone(study, &at, &start, &of, &|steps| count.tell(steps));
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
             system: study.name().to_owned(),
@@ -175,7 +179,7 @@ impl Observe {
     ///
     /// # Panics
     /// Where these do not fit each other.
-    pub fn of_orbits<T: ObservedFloat>(
+    pub fn of_orbits<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
         maps: &[&MapAt<T>],
@@ -187,9 +191,59 @@ impl Observe {
             let found = Followed { report, end: found.end };
             Followed { report: Self::numbers(&found), end: found.end }
         };
-        let seen =
-            T::abreast(maps, starts, &self.observing(study, &self.observables()), tell).expect(FITTING);
-        seen.into_iter().map(numbers).collect()
+        self.abreast(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
+    }
+
+    /// What is seen of one orbit, whose steps end where those of a lifted field do.
+    pub(super) fn alone<T: ObservedFloat + EmbedScalar>(
+        &self,
+        study: &Study,
+        at: &MapAt<T>,
+        start: &[T],
+        of: &[Observable],
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Followed<Vec<Seen>> {
+        let Some(step) = study.steps(at, self.reembed) else {
+            return T::alone(at, start, &self.observing(study, of), tell).expect(FITTING);
+        };
+        let of = with_last(of);
+        let mut found = T::alone_by(&step, at, start, &self.observing(study, &of), tell).expect(FITTING);
+        if let Some(Seen::Point(last)) = found.report.pop() {
+            let last: Vec<T> = last.into_iter().map(T::narrowed).collect();
+            found.end = step.end(found.end, &last);
+        }
+        found
+    }
+
+    /// The same of many orbits, side by side where there is code for that. An orbit of a lifted
+    /// field whose last point is beyond its end is followed once more, to the end.
+    pub(super) fn abreast<T: ObservedFloat + EmbedScalar>(
+        &self,
+        study: &Study,
+        maps: &[&MapAt<T>],
+        starts: &[Vec<T>],
+        of: &[Observable],
+        tell: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Vec<Followed<Vec<Seen>>> {
+        let alone = |orbit: usize| {
+            let start: Vec<T> = starts.iter().map(|column| column[orbit]).collect();
+            self.alone(study, maps[orbit], &start, of, tell)
+        };
+        if self.reembed {
+            return (0..maps.len()).map(alone).collect();
+        }
+        let is_lifted = maps.first().is_some_and(|at| study.lifted_step(at).is_some());
+        let with_last = if is_lifted { with_last(of) } else { of.to_vec() };
+        let mut found = T::abreast(maps, starts, &self.observing(study, &with_last), tell).expect(FITTING);
+        for (orbit, found) in found.iter_mut().enumerate().filter(|_| is_lifted) {
+            if let Some(Seen::Point(last)) = found.report.pop() {
+                let last: Vec<T> = last.into_iter().map(T::narrowed).collect();
+                if study.lifted_step(maps[orbit]).is_some_and(|step| step.is_beyond(&last)) {
+                    *found = alone(orbit);
+                }
+            }
+        }
+        found
     }
 
     /// Returns the observations of an orbit as numbers of a table's columns. Where an orbit ended
@@ -208,7 +262,18 @@ impl Observe {
     }
 
     /// The method of its order, if all else can be observed, too.
-    pub(super) fn composition(&self) -> Result<Composition, StudyError> {
+    ///
+    /// # Errors
+    /// [`StudyError`] where steps are to be projected, and are not those of a lifted field, or
+    /// something is observed that is of the map itself.
+    pub fn composition(&self, study: &Study) -> Result<Composition, StudyError> {
+        use Observable::{Fli, LogDet, Lyapunov, Megno, PassedPoles, Sali, Spectrum};
+        if self.reembed {
+            study.lift().ok_or(StudyError::Orbit(NoOrbit::Reembed))?;
+            let of_the_map = [Lyapunov, Spectrum, LogDet, Fli, Megno, Sali, PassedPoles];
+            let refused = self.of.iter().find(|one| of_the_map.contains(one));
+            refused.map_or(Ok(()), |one| Err(StudyError::Orbit(NoOrbit::OfTheMap(one.name()))))?;
+        }
         if self.every == 0 {
             return Err(StudyError::NotPositive { what: "every", value: Rational::zero() });
         }
@@ -222,6 +287,11 @@ impl Observed {
     pub fn of(&self, observable: Observable) -> Option<&Seen> {
         self.seen.iter().find(|(own, _)| *own == observable).map(|(_, seen)| seen)
     }
+}
+
+/// Observables with the last point behind them.
+fn with_last(of: &[Observable]) -> Vec<Observable> {
+    of.iter().copied().chain([Observable::Last]).collect()
 }
 
 /// Leaves out variables that answers do not show.

@@ -124,6 +124,8 @@ pub enum NoOrbit {
     ExactFlow,
     /// Symmetric projection of what is not lifted, or in other numbers or steps.
     Reembed,
+    /// Something is observed of projected steps, by this name, that is of the map itself.
+    OfTheMap(&'static str),
     /// More variables than a projective orbit can have.
     Projective(UnsupportedDimension),
     /// More variables than the flow can have.
@@ -155,6 +157,11 @@ impl fmt::Display for NoOrbit {
             Self::Reembed => f.write_str(
                 "reembed projects steps of Kahan's map onto the relations of a lifted field, in scalar f64; lift the field, and leave \
                  projective, method and scalar out",
+            ),
+            Self::OfTheMap(name) => write!(
+                f,
+                "reembed projects steps onto the relations of a lifted field, and {name} is of the map without that: of its \
+                 derivative or its poles; leave reembed out, or observe final, drift, extrema, rotation or escape alone"
             ),
             Self::Projective(why) => write!(f, "projective: {why}"),
             Self::Flow(why) => write!(f, "method flow: {why}"),

@@ -5,6 +5,7 @@ use std::ops::Range;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
+use kahan_core::Step;
 use kahan_core::observe::{self, Crossing, Direction, Section as Crossings, Sectioned};
 use kahan_discover::Watch;
 use kahan_runtime::{End, Follow, Followed, MapAt, RuntimePoint};
@@ -17,6 +18,7 @@ use crate::numbers::exact;
 use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
+use super::NoOrbit;
 use super::orbit::columns;
 
 /// Asks where the orbit of a point crosses a section, in doubles.
@@ -40,6 +42,10 @@ pub struct Section {
     /// The most crossings.
     #[serde(default = "usual_points")]
     pub points: usize,
+    /// Whether each step of a lifted field is projected symmetrically onto the relations between
+    /// its variables.
+    #[serde(default)]
+    pub reembed: bool,
 }
 
 fn usual_points() -> usize {
@@ -85,6 +91,8 @@ pub struct SectionFound {
     pub steps: u64,
     /// How the orbit ended; it is stopped where it has so many crossings as were asked for.
     pub end: End,
+    /// Why, where the end is one of the lift.
+    pub why: Option<String>,
     /// Where the orbit crosses, in order.
     pub crossings: Vec<Crossing<Vec<f64>, f64>>,
     /// How often the formula changes its sign in the directions that count, but has no zero: at a
@@ -189,7 +197,8 @@ impl Section {
     /// Rising crossings, a hundred thousand at most.
     #[must_use]
     pub fn new(eps: Rational, at: Vec<Rational>, steps: u64, plane: impl Into<String>) -> Self {
-        Section { eps, at, steps, plane: plane.into(), side: Side::Rising, points: usual_points() }
+        let (plane, points) = (plane.into(), usual_points());
+        Section { eps, at, steps, plane, side: Side::Rising, points, reembed: false }
     }
 
     /// Follows the orbit of a system whose claims hold, and refines each crossing on the curve that
@@ -209,10 +218,19 @@ impl Section {
             Side::Both => Direction::Both,
         };
         let first = First { found: Vec::new(), most: self.points };
-        let crossings = Crossings::new(&at, plane.height(&at), direction, first);
         let count = Count::new("steps", self.steps, watch);
-        let followed = at.observe(&mut x, self.steps, crossings, |steps| count.tell(steps));
+        if self.reembed && study.lift().is_none() {
+            return Err(StudyError::Orbit(NoOrbit::Reembed));
+        }
+        let step = study.steps(&at, self.reembed);
+        // Few look at sections of fields that are not lifted through this.
+        let by: &dyn Step<Scalar = f64> = step.as_ref().map_or(&at, |step| step);
+        let crossings = Crossings::new(by, plane.height(&at), direction, first);
+        let followed = by.observe(&mut x, self.steps, crossings, |steps| count.tell(steps));
         let Followed { report, end } = followed.expect("the start is of the field");
+        let end = step.as_ref().map_or(end, |step| step.end(end, &x));
+        let why = step.as_ref().filter(|_| end.is_early()).and_then(|step| step.ends(&x));
+        let why = why.map(|why| why.in_words(study, end.steps(self.steps)));
         let Sectioned { points: mut crossings, jumps } = report;
         for crossing in &mut crossings {
             crossing.time = study.time_place().map_or(crossing.time, |place| crossing.point[place]);
@@ -223,6 +241,7 @@ impl Section {
             variables: study.shown().to_vec(),
             steps: end.steps(self.steps),
             end,
+            why,
             crossings,
             jumps,
         })

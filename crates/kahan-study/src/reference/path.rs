@@ -20,6 +20,8 @@ pub struct Limits<'a> {
     /// there exactly may go further. Where the solution escapes to infinity first, nothing is
     /// added.
     pub margin: f64,
+    /// The variables that errors and the scale are of, the first so many; all where it is `None`.
+    pub variables: Option<usize>,
     /// Whether the time is over; without it there is no limit.
     pub is_over: Option<&'a dyn Fn() -> bool>,
 }
@@ -48,9 +50,13 @@ where
 {
     let piece = (Dd::TERMS + 1) * N * size_of::<Dd>();
     let go_on = &mut |pieces| pieces < MOST_MEMORY / piece && !limits.is_over();
-    Flow::through(map, start, end, limits.margin, go_on).map_err(|why| match why {
+    let flow = Flow::through(map, start, end, limits.margin, go_on).map_err(|why| match why {
         NoFlow::Escapes { time } => NoReference::Escapes { time },
         NoFlow::Stopped { reached } if limits.is_over() => NoReference::NoTime { reached },
         NoFlow::Stopped { reached } => NoReference::TooLong { reached },
+    })?;
+    Ok(match limits.variables {
+        Some(variables) => flow.of_first(variables, end),
+        None => flow,
     })
 }

@@ -248,7 +248,9 @@ impl<'a> Search<'a> {
                 // A little beyond the horizon: n steps of an ε that was rounded do not end there
                 // exactly.
                 let is_over = || clock() > deadline;
-                let limits = Limits { margin: 1.0 / 256.0, is_over: Some(&is_over) };
+                // Errors are those of the variables that the equations have as they are written.
+                let variables = Some(study.coordinates().len());
+                let limits = Limits { margin: 1.0 / 256.0, variables, is_over: Some(&is_over) };
                 let asked = Trajectory {
                     command: study.catalog_name().unwrap_or_default(),
                     parameters: &exact_parameters,

@@ -252,19 +252,7 @@ pub(super) fn ended(study: &Study, asked: &Orbit, n: u64, why: Why, at: &[Number
         Why::TooLarge => format!(
             "leaves the range of {scalar} at step {next}: at n = {n} the numbers are too large. The point is {point}; {kept}"
         ),
-        Why::Lift(LiftEnds::Negative(place)) => {
-            let new = study.lift().map(|lift| &lift.new[place]).expect("the field was lifted");
-            format!(
-                "ends at n = {n}: {} = {} is not negative by its definition, and would become so in step {next}, where the \
-                 equations have no solution or eps is too large. The point is {point}; {kept}",
-                new.name,
-                new.expression.as_deref().unwrap_or_default(),
-            )
-        }
-        Why::Lift(LiftEnds::NotReembedded) => format!(
-            "ends at n = {n}: no step {next} near it leads back to the relations of the lift. The point is {point}; \
-             {kept}; a smaller eps may lead on"
-        ),
+        Why::Lift(ends) => format!("{}. The point is {point}; {kept}", ends.in_words(study, n)),
         Why::Escapes => format!(
             "ends at n = {n}: the solution escapes to infinity, or leaves the range of {scalar}, before step {next}. The \
              point is {point}; {kept}"

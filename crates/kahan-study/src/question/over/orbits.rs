@@ -5,12 +5,13 @@
 
 use std::ops::ControlFlow;
 
-use kahan_core::Composition;
+use kahan_core::{Composition, EmbedScalar};
 use kahan_runtime::{End, Follow, Followed, MachineFloat, Map, MapAt, ObservedFloat};
 
 use super::at_cell::column;
 use super::cells::{Cells, Entry, Place, Target};
 use crate::error::StudyError;
+use crate::question::NoOrbit;
 use crate::question::observe::{FITTING, Observable, Observe, Seen, shown};
 use crate::rows::{Column, Kept};
 use crate::study::Study;
@@ -20,7 +21,7 @@ const LANES: u64 = 16;
 /// Steps of all orbits that are followed at once.
 const AT_ONCE: u64 = 1 << 24;
 
-const ENDED: &str = "how the orbit ended: complete, range (its next point is not finite) or escaped";
+const ENDED: &str = "how the orbit ended: complete, range (its next point is not finite), escaped or reembed";
 
 /// The orbits of all cells.
 pub(super) struct Orbits<'a> {
@@ -43,7 +44,10 @@ struct Begun {
 impl<'a> Orbits<'a> {
     pub(super) fn of(study: &'a Study, cells: &'a Cells<'a>, asked: &'a Observe) -> Result<Self, StudyError> {
         study.proved()?;
-        asked.composition()?;
+        asked.composition(study)?;
+        if asked.reembed && cells.axes.iter().any(|along| along.target == Target::Bits) {
+            return Err(StudyError::Orbit(NoOrbit::Reembed));
+        }
         let (Place { at, eps, .. }, _) = cells.in_doubles(0);
         study.within_range(&at, eps)?;
         // What is wrong everywhere is told once.
@@ -113,7 +117,7 @@ impl<'a> Orbits<'a> {
     }
 
     /// What is seen of orbits of one order in one scalar.
-    fn found<T: ObservedFloat>(
+    fn found<T: ObservedFloat + EmbedScalar>(
         &self,
         begun: &[Begun],
         known: &mut Known,
@@ -139,17 +143,21 @@ impl<'a> Orbits<'a> {
         let column = |k: usize| points.iter().map(|point| nearest(point[k])).collect();
         let starts: Vec<Vec<T>> = (0..self.study.variables().len()).map(column).collect();
         let of = self.asked.observables();
-        let asked = self.asked.observing(self.study, &of);
+        // Orbits of a lifted field may end where the map goes on.
+        let is_plain = own.first().is_none_or(|map| self.study.steps(map, self.asked.reembed).is_none());
         let found = match own[..] {
             [] => Vec::new(),
-            _ if self.asked.escape.is_none() && self.asked.of.iter().all(|one| *one == Observable::Last) => {
+            _ if is_plain
+                && self.asked.escape.is_none()
+                && self.asked.of.iter().all(|one| *one == Observable::Last) =>
+            {
                 self.ends(&own, starts, tell)
             }
             [one] => {
                 let start: Vec<T> = starts.iter().map(|column| column[0]).collect();
-                vec![T::alone(one, &start, &asked, tell).expect(FITTING)]
+                vec![self.asked.alone(self.study, one, &start, &of, tell)]
             }
-            _ => T::abreast(&own, &starts, &asked, tell).expect(FITTING),
+            _ => self.asked.abreast(self.study, &own, &starts, &of, tell),
         };
         let shown = |found: Followed<Vec<Seen>>| Followed {
             report: found.report.into_iter().map(|seen| shown(self.study, seen)).collect(),
