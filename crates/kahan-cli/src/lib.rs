@@ -161,6 +161,10 @@ fn meant(error: &clap::Error) -> Option<&'static str> {
         (ErrorKind::UnknownArgument, "--dt" | "--h") => {
             Some("--eps is half the time step: for steps of 0.05 write --eps 0.025")
         }
+        (ErrorKind::UnknownArgument, "--reembed") => Some(
+            "it projects the steps of an orbit in f64, for orbit, dynamics, section, chart and picture; what this command \
+             asks is of the map itself or of exact numbers",
+        ),
         (ErrorKind::UnknownArgument, _) if is_number => Some(ONE_WORD),
         _ => None,
     }

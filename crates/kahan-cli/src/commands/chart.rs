@@ -85,6 +85,9 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = radius)]
     escape: Option<f64>,
 
+    #[command(flatten)]
+    stepping: Stepping,
+
     /// The file, F.svg, F.png, F.pdf or F.csv, which appears when it is complete.
     #[arg(long, value_name = "F")]
     out: PathBuf,
@@ -109,8 +112,8 @@ const COLOURS: [Observable; 7] = [
 ];
 
 /// What orbits need, and rows have in themselves.
-const OF_ORBITS: [&str; 9] =
-    ["system", "field", "file", "sites", "parameters", "eps", "at", "steps", "escape"];
+const OF_ORBITS: [&str; 10] =
+    ["system", "field", "file", "sites", "parameters", "eps", "at", "steps", "escape", "reembed"];
 
 /// The most steps of each orbit.
 const MOST_STEPS: u64 = 1 << 40;
@@ -125,7 +128,7 @@ impl Asking for Chart {
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let of = vec![self.color];
-        let observe = Observe { escape: self.escape, of, ..Observe::new(eps, at, self.steps) };
+        let observe = Observe { escape: self.escape, of, reembed: self.stepping.reembed, ..Observe::new(eps, at, self.steps) };
         // The first range of a chart runs fastest, and the last axis of a question.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))

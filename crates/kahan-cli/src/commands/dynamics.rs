@@ -67,6 +67,9 @@ pub(crate) struct Dynamics {
     #[arg(long, value_name = "R", allow_hyphen_values = true, value_parser = radius)]
     escape: Option<f64>,
 
+    #[command(flatten)]
+    stepping: Stepping,
+
     /// What is observed, in this order; nothing else is computed.
     #[arg(long = "observe", value_name = "NAMES", value_delimiter = ',', hide_default_value = true, default_values = Observe::USUAL.iter().map(|of| of.name()), value_parser = observable(Observable::ALL))]
     of: Vec<Observable>,
@@ -86,8 +89,9 @@ impl Asking for Dynamics {
 
     fn asked(&self) -> Result<(Study, Observe), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Dynamics { steps, order, every, escape, ref of, .. } = *self;
-        Ok((study, Observe { eps, at, steps, order, every, escape, of: of.clone() }))
+        let Dynamics { steps, order, every, escape, stepping, ref of, .. } = *self;
+        let (reembed, of) = (stepping.reembed, of.clone());
+        Ok((study, Observe { eps, at, steps, order, every, escape, reembed, of }))
     }
 
     /// The answers; a complaint where the orbit ends early.

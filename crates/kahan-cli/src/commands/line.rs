@@ -172,7 +172,7 @@ mod tests {
         let plain = Observe::new(eps.clone(), at.clone(), 1000);
         let of = vec![Observable::Last, Observable::Fli];
         reads_back::<Dynamics>([
-            Observe { order: 8, every: 3, escape: Some(12.5), of, ..plain.clone() },
+            Observe { order: 8, every: 3, escape: Some(12.5), reembed: true, of, ..plain.clone() },
             plain.clone(),
         ]);
         let of = vec![Observable::Escape];
@@ -183,7 +183,7 @@ mod tests {
         let plain = Observe { of: vec![Observable::Sali], ..plain };
         reads_back::<Chart>([two, study::Over::new(Question::Observe(plain), axes[..1].to_vec())]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
-        reads_back::<Section>([study::Section { side: Side::Both, points: 7, ..plain.clone() }, plain]);
+        reads_back::<Section>([study::Section { side: Side::Both, points: 7, reembed: true, ..plain.clone() }, plain]);
         reads_back::<Verify>([false, true].map(|mutate| study::Verify { mutate }));
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);
         reads_back::<Heights>([study::Heights { max_digits: 99, seconds: 0.5, ..plain.clone() }, plain]);
@@ -209,7 +209,7 @@ mod tests {
         let heights = Shown { what: What::Heights, ..plain.clone() };
         let over = What::Over(through("eps", "1/10:1:+1/40"), 77);
         let over = Shown { what: over, eps: None, ..plain.clone() };
-        let rich = Shown { at: line, spread, axes, windows, lines: true, ..plain.clone() };
+        let rich = Shown { at: line, spread, axes, windows, lines: true, reembed: true, ..plain.clone() };
         for asked in [plain, section, heights, over, rich] {
             let line = Picture::options(&asked, Line::new("", &["lv".to_owned()]));
             let read: Picture = read(&line);

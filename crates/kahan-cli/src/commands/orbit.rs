@@ -17,7 +17,7 @@ use serde_json::json;
 
 use super::line::Asking;
 use crate::printing::{Answer, Npy, Refusal, Sink};
-use crate::reading::{Start, one_of, order, scalar, whole};
+use crate::reading::{Start, Stepping, one_of, order, scalar, whole};
 
 /// Prints an orbit of a system's map as CSV: n, t = 2 eps n, variables, integrals.
 ///
@@ -51,7 +51,7 @@ pub(crate) struct Orbit {
     /// sin, cos, tanh, sech, exp, sqrt and more. A file has a row a site, a column an array. Values
     /// of --param may then be formulas or files, too. Beyond 200 variables the rows show the range
     /// of each array.
-    #[arg(id = "begin", long = "start", value_name = "S", conflicts_with = "at", requires = "sites")]
+    #[arg(id = "begin", long = "start", value_name = "S", conflicts_with_all = ["at", "reembed"], requires = "sites")]
     begin: Option<String>,
 
     /// The number of steps; 0 prints the first point.
@@ -86,16 +86,11 @@ pub(crate) struct Orbit {
     /// infinite has no value of its own there, and is empty or null, as integrals are. Near poles
     /// floats are computed in hundreds of digits, so that the way back loses none. The orbit ends
     /// where the map has no value whatever the direction. Up to 8 variables.
-    #[arg(long, conflicts_with = "begin")]
+    #[arg(long, conflicts_with_all = ["begin", "reembed"])]
     projective: bool,
 
-    /// Project each step of a lifted field onto its relations.
-    ///
-    /// The projection is symmetric: energies do not drift, and the order of --order stays. A step
-    /// costs 2 to 13 steps of the map, in f64. Where its iteration does not converge the orbit
-    /// ends.
-    #[arg(long, conflicts_with_all = ["begin", "projective"])]
-    reembed: bool,
+    #[command(flatten)]
+    stepping: Stepping,
 
     /// Print every K-th point only: n = 0, K, 2K, ….
     #[arg(long, value_name = "K", default_value = "1", allow_hyphen_values = true, value_parser = whole(1, MOST))]
@@ -151,7 +146,8 @@ impl Asking for Orbit {
 
 impl Orbit {
     fn question(&self, eps: Rational, at: Vec<Rational>) -> Question {
-        let Orbit { steps, every, scalar, order, method, projective, reembed, .. } = *self;
+        let Orbit { steps, every, scalar, order, method, projective, stepping, .. } = *self;
+        let reembed = stepping.reembed;
         Question { eps, at, steps, every, scalar, order, method, projective, reembed }
     }
 

@@ -15,7 +15,7 @@ use serde_json::json;
 use super::line::Line;
 use super::look::{OutFile, SheetOptions};
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Source, number, over, point, seconds, whole};
+use crate::reading::{Source, Stepping, number, over, point, seconds, whole};
 use shown::{Drawn, Shown, What};
 use starts::{At, Spread};
 
@@ -97,6 +97,9 @@ pub(crate) struct Picture {
     #[arg(long, value_name = "N", default_value = "1000", value_parser = whole(0, u64::MAX))]
     transient: u64,
 
+    #[command(flatten)]
+    stepping: Stepping,
+
     /// Joins the points of an orbit by lines.
     #[arg(long)]
     lines: bool,
@@ -155,6 +158,11 @@ impl Picture {
                     "--kind heights shows all variables of one orbit; leave --starts and --axes out",
                 ));
             }
+            Kind::Heights if self.stepping.reembed => {
+                return Err(Refusal::new(
+                    "--kind heights is of exact orbits, and --reembed projects steps in f64; leave --reembed out",
+                ));
+            }
             Kind::Heights => What::Heights,
         };
         let radius = number(&self.radius, "--radius")?;
@@ -170,6 +178,7 @@ impl Picture {
             axes: self.axes.iter().map(|name| name.trim().to_owned()).collect(),
             windows: self.window.iter().map(|window| read_window(window)).collect::<Result<_, _>>()?,
             lines: self.lines,
+            reembed: self.stepping.reembed,
             seconds: self.seconds,
             look: self.look.clone(),
             out: self.out.clone(),
@@ -184,7 +193,7 @@ impl Picture {
 
     /// The line with the options that draw this; what is as usual is left out.
     pub(super) fn options(asked: &Shown, line: Line) -> Line {
-        let Shown { what, eps, at, spread, steps, axes, windows, lines, seconds, look, out } = asked;
+        let Shown { what, eps, at, spread, steps, axes, windows, lines, reembed, seconds, look, out } = asked;
         let (kind, plane, over) = match what {
             What::Portrait => (None, None, None),
             What::Heights => (Some("heights"), None, None),
@@ -196,7 +205,7 @@ impl Picture {
             "eps": eps.as_ref().map(Rational::to_string), "at": at.iter().map(At::to_string).collect::<Vec<_>>(),
             "starts": spread.count, "radius": spread.radius.to_string(), "seed": spread.seed, "plane": plane,
             "over": over.map(|over| over.0), "transient": over.map(|over| over.1), "kind": kind, "axes": axes,
-            "steps": steps, "window": windows.collect::<Vec<_>>(), "lines": lines, "seconds": seconds,
+            "steps": steps, "window": windows.collect::<Vec<_>>(), "lines": lines, "reembed": reembed, "seconds": seconds,
         }));
         look.options(line).with("--out", out.display())
     }

@@ -9,7 +9,7 @@ use serde_json::{Map, json};
 
 use super::line::Asking;
 use crate::printing::{Answer, Broken, Format, Prompt, Refusal, Sink, Table, warn};
-use crate::reading::{MOST_OBSERVED, Start, one_of, whole};
+use crate::reading::{MOST_OBSERVED, Start, Stepping, one_of, whole};
 
 /// Prints where an orbit crosses a section, as CSV: step n, time t, variables.
 ///
@@ -43,6 +43,9 @@ pub(crate) struct Section {
     #[arg(long = "direction", value_name = "DIRECTION", value_parser = one_of(&Side::ALL, |side| side.name().into()), default_value = "rising")]
     side: Side,
 
+    #[command(flatten)]
+    stepping: Stepping,
+
     /// Stop after K crossings.
     #[arg(long, value_name = "K", default_value = "100000", allow_hyphen_values = true, value_parser = whole(1, MOST_CROSSINGS))]
     points: usize,
@@ -64,9 +67,9 @@ impl Asking for Section {
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
         let (study, at, eps) = self.start.study()?;
-        let Section { ref plane, steps, side, points, .. } = *self;
-        let plane = plane.clone();
-        Ok((study, Question { eps, at, steps, plane, side, points }))
+        let Section { ref plane, steps, side, points, stepping, .. } = *self;
+        let (plane, reembed) = (plane.clone(), stepping.reembed);
+        Ok((study, Question { eps, at, steps, plane, side, points, reembed }))
     }
 
     /// Writes the crossings; what is left to say is the answer.
@@ -76,6 +79,9 @@ impl Asking for Section {
         let found = asked.ask(&study, &Prompt::of("steps"))?;
         let complaint = found.end.is_early().then(|| {
             let (system, next) = (&found.system, found.steps + 1);
+            if let Some(why) = &found.why {
+                return format!("the orbit of {system} {why}; the crossings up to there are kept");
+            }
             format!(
                 "the orbit of {system} leaves the range of f64 at step {next}: a pole (det A = 0) or too large numbers; the \
                  crossings up to there are kept"

@@ -97,7 +97,10 @@ pub fn convergence(observed: &Observed) -> Option<String> {
 /// Why there are fewer steps than asked.
 #[must_use]
 pub fn out_of_range(observed: &Observed) -> Option<String> {
-    let Observed { system, steps, end, .. } = observed;
+    let Observed { system, steps, end, why, .. } = observed;
+    if let Some(why) = why {
+        return Some(format!("the orbit of {system} {why}; what is said is of the steps up to there"));
+    }
     match end {
         End::Escaped(_) => Some(format!(
             "the orbit of {system} has escaped at step {steps}; what is said is of the steps up to there"

@@ -17,6 +17,7 @@ use serde_json::{Value, json};
 
 use crate::count::Count;
 use crate::error::StudyError;
+use crate::lifted_step::LiftEnds;
 use crate::numbers::exact;
 use crate::rows::Column;
 use crate::study::Study;
@@ -92,6 +93,8 @@ pub struct Observed {
     pub steps: u64,
     /// How the orbit ended.
     pub end: End,
+    /// Why it ended, where that is for the lift.
+    pub why: Option<String>,
     /// What was seen of all that was asked for, in that order.
     pub seen: Vec<(Observable, Seen)>,
 }
@@ -132,7 +135,8 @@ impl Observe {
         let runs = if self.of.contains(&Observable::Rotation) { 2 } else { 1 };
         let count = Count::new("steps", runs * self.steps, watch);
         let of = self.observables();
-        let Followed { report, end } = self.alone(study, &at, &start, &of, &|steps| count.tell(steps));
+        let tell = &|steps| count.tell(steps);
+        let (Followed { report, end }, ends) = self.alone(study, &at, &start, &of, tell);
         let integrals = system.accessors(ClaimKind::Integral).map(|claim| claim.name.text.clone());
         Ok(Observed {
             system: study.name().to_owned(),
@@ -140,6 +144,7 @@ impl Observe {
             integrals: integrals.collect(),
             steps: end.steps(self.steps),
             end,
+            why: ends.map(|ends| ends.in_words(study, end.steps(self.steps))),
             seen: of
                 .into_iter()
                 .zip(report.into_iter().map(|seen| after(end.steps(self.steps), shown(study, seen))))
@@ -194,7 +199,7 @@ impl Observe {
         self.abreast(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// What is seen of one orbit, whose steps end where those of a lifted field do.
+    /// What is seen of one orbit, whose steps end where those of a lifted field do, and why.
     pub(super) fn alone<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -202,17 +207,16 @@ impl Observe {
         start: &[T],
         of: &[Observable],
         tell: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Followed<Vec<Seen>> {
+    ) -> (Followed<Vec<Seen>>, Option<LiftEnds>) {
         let Some(step) = study.steps(at, self.reembed) else {
-            return T::alone(at, start, &self.observing(study, of), tell).expect(FITTING);
+            return (T::alone(at, start, &self.observing(study, of), tell).expect(FITTING), None);
         };
         let of = with_last(of);
         let mut found = T::alone_by(&step, at, start, &self.observing(study, &of), tell).expect(FITTING);
-        if let Some(Seen::Point(last)) = found.report.pop() {
-            let last: Vec<T> = last.into_iter().map(T::narrowed).collect();
-            found.end = step.end(found.end, &last);
-        }
-        found
+        let last = found.report.pop().and_then(last_point::<T>).expect("the last point was asked for");
+        let ends = matches!(found.end, End::Range(_)).then(|| step.ends(&last)).flatten();
+        found.end = step.end(found.end, &last);
+        (found, ends)
     }
 
     /// The same of many orbits, side by side where there is code for that. An orbit of a lifted
@@ -227,7 +231,7 @@ impl Observe {
     ) -> Vec<Followed<Vec<Seen>>> {
         let alone = |orbit: usize| {
             let start: Vec<T> = starts.iter().map(|column| column[orbit]).collect();
-            self.alone(study, maps[orbit], &start, of, tell)
+            self.alone(study, maps[orbit], &start, of, tell).0
         };
         if self.reembed {
             return (0..maps.len()).map(alone).collect();
@@ -236,11 +240,9 @@ impl Observe {
         let with_last = if is_lifted { with_last(of) } else { of.to_vec() };
         let mut found = T::abreast(maps, starts, &self.observing(study, &with_last), tell).expect(FITTING);
         for (orbit, found) in found.iter_mut().enumerate().filter(|_| is_lifted) {
-            if let Some(Seen::Point(last)) = found.report.pop() {
-                let last: Vec<T> = last.into_iter().map(T::narrowed).collect();
-                if study.lifted_step(maps[orbit]).is_some_and(|step| step.is_beyond(&last)) {
-                    *found = alone(orbit);
-                }
+            let last = found.report.pop().and_then(last_point::<T>).expect("the last point was asked for");
+            if study.lifted_step(maps[orbit]).is_some_and(|step| step.is_beyond(&last)) {
+                *found = alone(orbit);
             }
         }
         found
@@ -292,6 +294,11 @@ impl Observed {
 /// Observables with the last point behind them.
 fn with_last(of: &[Observable]) -> Vec<Observable> {
     of.iter().copied().chain([Observable::Last]).collect()
+}
+
+fn last_point<T: EmbedScalar>(seen: Seen) -> Option<Vec<T>> {
+    let Seen::Point(point) = seen else { return None };
+    Some(point.into_iter().map(T::narrowed).collect())
 }
 
 /// Leaves out variables that answers do not show.

@@ -24,6 +24,8 @@ pub(super) struct Search<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,
     pub(super) scene: Scene,
+    /// The variables that errors are of, the first so many.
+    pub(super) originals: usize,
     /// What a measured error may be.
     pub(super) tolerance: f64,
     pub(super) reference: Option<Reference>,
@@ -166,8 +168,9 @@ impl Search<'_> {
             return None;
         }
         let back = ends(-eps, Some(arrived)).pop()?;
-        let norm =
-            |x: &mut dyn Iterator<Item = Dd>| x.map(|entry| f64::from(entry.abs())).fold(0.0, f64::max);
+        let norm = |x: &mut dyn Iterator<Item = Dd>| {
+            x.take(self.originals).map(|entry| f64::from(entry.abs())).fold(0.0, f64::max)
+        };
         let size = norm(&mut start.iter().copied());
         let distance = norm(&mut start.iter().zip(&back).map(|(start, back)| *back - *start));
         Some(if size > 0.0 { distance / size } else { distance }).filter(|error| error.is_finite())

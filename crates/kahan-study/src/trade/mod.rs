@@ -283,6 +283,7 @@ impl<'a> Search<'a> {
             subject: runner,
             prices,
             scene,
+            originals: study.coordinates().len(),
             // What the reference may err by is not there to be used.
             tolerance: scene.tolerance()
                 - reference.as_ref().map_or(0.0, |reference| reference.certificate().difference),

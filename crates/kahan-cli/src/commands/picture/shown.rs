@@ -30,6 +30,8 @@ pub(crate) struct Shown {
     /// Where axes begin and end, by their names.
     pub(crate) windows: Vec<(String, [Rational; 2])>,
     pub(crate) lines: bool,
+    /// Whether steps are projected onto the relations of a lifted field.
+    pub(crate) reembed: bool,
     /// The time that it may take.
     pub(crate) seconds: f64,
     pub(crate) look: SheetOptions,
@@ -73,6 +75,7 @@ impl Shown {
             axes: Vec::new(),
             windows: Vec::new(),
             lines: false,
+            reembed: false,
             seconds: 60.0,
             look: SheetOptions::default(),
             out: PathBuf::from("portrait.svg"),
@@ -81,12 +84,12 @@ impl Shown {
 
     /// An orbit diagram.
     pub(crate) fn of_diagram(asked: &Diagram) -> Self {
-        let Diagram { eps, at, over, variable, transient, steps } = asked.clone();
+        let Diagram { eps, at, over, variable, transient, steps, reembed } = asked.clone();
         let what = What::Over(over, transient);
         let at = vec![At::Point(at)];
         let portrait = Shown::portrait(Rational::zero(), at, steps);
         let (axes, out) = (variable.into_iter().collect(), PathBuf::from("diagram.svg"));
-        Shown { what, eps, axes, out, ..portrait }
+        Shown { what, eps, axes, reembed, out, ..portrait }
     }
 
     /// Draws it.
@@ -230,12 +233,13 @@ impl Shown {
         let (traced, is_over) = self.each(&starts, self.steps, |at, prompt| {
             let Some(plane) = plane else {
                 let mut trace = Trace::new(&axes);
-                let asked = Question::Orbit(Orbit::new(eps.clone(), at, self.steps));
-                let end = study.rows(&asked, 0..u64::MAX, &mut trace, prompt)?;
+                let asked = Orbit { reembed: self.reembed, ..Orbit::new(eps.clone(), at, self.steps) };
+                let end = study.rows(&Question::Orbit(asked), 0..u64::MAX, &mut trace, prompt)?;
                 return Ok((trace, end == End::Complete, 0));
             };
             let asked = Section::new(eps.clone(), at, self.steps, plane);
-            let found = Section { points: usize::MAX, ..asked }.ask(study, prompt)?;
+            let asked = Section { points: usize::MAX, reembed: self.reembed, ..asked };
+            let found = asked.ask(study, prompt)?;
             Ok((Trace::of_section(&axes, &found), found.steps == self.steps, found.jumps))
         })?;
         let ended = traced.iter().filter(|(_, is_complete, _)| !is_complete).count();
@@ -259,7 +263,8 @@ impl Shown {
         let variable = self.names(study)?.pop();
         let (found, _) = self.each(&starts, steps, |at, prompt| {
             let asked = Diagram::new(self.eps.clone(), at, axis.clone(), self.steps);
-            Diagram { transient, variable: variable.clone(), ..asked }.ask(study, prompt)
+            let (variable, reembed) = (variable.clone(), self.reembed);
+            Diagram { transient, variable, reembed, ..asked }.ask(study, prompt)
         })?;
         let is_cut = found.len() < starts.len() || found.iter().any(|found| found.stopped);
         let ended = found.iter().map(|found| found.ended).sum();

@@ -155,7 +155,7 @@ impl<'a> Orbits<'a> {
             }
             [one] => {
                 let start: Vec<T> = starts.iter().map(|column| column[0]).collect();
-                vec![self.asked.alone(self.study, one, &start, &of, tell)]
+                vec![self.asked.alone(self.study, one, &start, &of, tell).0]
             }
             _ => self.asked.abreast(self.study, &own, &starts, &of, tell),
         };
