@@ -23,7 +23,8 @@ __all__ = ["Chart", "Ensemble", "Orbit", "Section"]
 Array = np.ndarray[Any, Any]
 
 _ENDS = {"complete": "", "range": ", no finite point after step {}", "pole": ", a pole after step {}",
-         "escaped": ", escaped at step {}", "time": ", out of time after step {}", "stopped": ", stopped after step {}"}
+         "escaped": ", escaped at step {}", "time": ", out of time after step {}", "stopped": ", stopped after step {}",
+         "reembed": ", no step back to the relations after step {}"}
 
 
 def _end(ended: str, steps: int) -> str:
@@ -87,7 +88,9 @@ class Orbit(Table):
 
     ``ended`` is ``"complete"`` where all steps were made. It is ``"range"`` where the next point is
     beyond the range of floats, as it is at poles in floats too, and ``"pole"`` where exact numbers
-    tell that it has no value (det A = 0). ``ended_step`` is the number of steps to the last point.
+    tell that it has no value (det A = 0). Of a lifted field it is ``"range"`` where a root would be negative, and
+    ``"reembed"`` where symmetric projection does not converge; ``why`` has the words. ``ended_step`` is the number
+    of steps to the last point.
     """
 
     system: System
@@ -104,6 +107,8 @@ class Orbit(Table):
     """The steps that were made; fewer than were asked where the orbit ends."""
     ended: str
     """Why it goes no further."""
+    why: str | None = None
+    """The same in words, where a lifted field ends the orbit."""
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
@@ -147,7 +152,8 @@ class Orbit(Table):
         return self.steps
 
     def __repr__(self) -> str:
-        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{_end(self.ended, self.steps)}>"
+        end = _end(self.ended, self.steps) if self.why is None else f", {self.why}"
+        return f"<Orbit of {self.system.name}: {len(self.x)} points, {self.steps} steps{end}>"
 
     def columns(self) -> dict[str, Array]:
         """n, t, the variables and the integrals, by name; of double-doubles ``x_low`` behind ``x``, too."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -331,6 +332,15 @@ class System(Field):
         out[...] = shown
         return out
 
+    def _judge(self, x: Any, eps: float) -> None:
+        """Warns once where a lift that was chosen without a start is wrong along an orbit of all variables."""
+        if self._lifting is None or self._lifting[1] is not None or "_is_judged" in self.__dict__:
+            return
+        self.__dict__["_is_judged"] = True
+        warning = self._relations_warning(x, eps) if eps else None
+        if warning:
+            warnings.warn(f"{warning} (at=, lift= and reembed=True)", stacklevel=3)
+
     def _point(self, x: Any) -> list[str]:
         return point(self._at(x))
 
@@ -362,6 +372,7 @@ class System(Field):
         compensated: bool = False,
         method: str = "kahan",
         projective: bool = False,
+        reembed: bool = False,
         out: Array | None = None,
         progress: bool = False,
     ) -> Orbit:
@@ -373,10 +384,13 @@ class System(Field):
         doubles, and ``x_low`` what they lack) or exact (fractions in an array of objects); float32
         points are stepped in float32. ``compensated`` carries what rounding takes from a point into the next
         step. ``method`` is kahan, or for comparison euler, rk4 or flow (the solution itself, by
-        certified Taylor series). ``projective`` goes on at poles, through points at infinity.
+        certified Taylor series). ``projective`` goes on at poles, through points at infinity. ``reembed``
+        projects each step of a lifted field, in f64, symmetrically onto the relations between its variables: they
+        hold exactly, and energies do not drift; a step takes 2 to 13 steps of the map.
         ``out`` of shape (1 + steps // every, variables) takes the rows in place of a new array.
 
-        An orbit ends before a point that is not finite or has no value; ``ended`` says so, and
+        An orbit ends before a point that is not finite or has no value, of a lifted field where a root would
+        be negative, and as ``"reembed"`` where the projection does not converge; ``ended`` says so, and
         ``x`` has the rows up to there. Costs the steps, some ten nanoseconds each for three
         variables in f64.
         """
@@ -386,17 +400,22 @@ class System(Field):
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
             half = nearest(eps, "eps")
-            rows, made, ended = self._points(
-                self._in_all(x), half, steps, every=every, order=order, compensated=compensated,
+            begun = self._in_all(x)
+            rows, made, ended, why = self._points(
+                begun, half, steps, every=every, order=order, compensated=compensated, reembed=reembed,
                 out=out if self._lifting is None else None, listener=_listener(progress)
             )
+            if not reembed:
+                self._judge(begun, half)
             in_all = rows[:, : len(self._all_variables)]
             states = self._out_of_all(in_all, None if out is None else out[: len(rows)])
-            return Orbit(self, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
+            orbit = Orbit(self, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
+            orbit.why = why
+            return orbit
         if compensated or out is not None:
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
         question = {"ask": "orbit", "at": self._point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
-                    "scalar": scalar, "order": order, "method": method, "projective": projective}
+                    "scalar": scalar, "order": order, "method": method, "projective": projective, "reembed": reembed}
         columns, ended, last = self._table(json.dumps(question), listener=_listener(progress))
         count = len(self.variables)
         values = [np.array(value, dtype=object) if isinstance(value, list) else value for _, _, value in columns]
@@ -421,6 +440,7 @@ class System(Field):
         order: int = 2,
         every: int = 10,
         escape: float | None = None,
+        reembed: bool = False,
         threads: int | None = None,
         out: Array | None = None,
         progress: bool = False,
@@ -436,7 +456,8 @@ class System(Field):
         ``passed_poles_lower_bound`` is 1); see ``observe``. Tangent vectors are made orthogonal every ``every``
         steps. With observers, an orbit ends as ``"escaped"`` at the step after which a variable is beyond
         ``escape``, if that is given. The column ``escaped`` is that step, or else the first one beyond 1e6, and
-        NaN where there is none.
+        NaN where there is none. ``reembed`` projects the steps of a lifted field, as in ``orbit``; drift, extrema,
+        rotation and escape can be observed of them.
 
         Work is spread over ``threads``, by default all processors; the numbers do not depend on how
         many. ``ended`` says how each trajectory ended, which is how its ``orbit`` ends, and ``steps``
@@ -454,20 +475,23 @@ class System(Field):
         threads = _whole(threads, "threads")
         inputs = {name: np.asarray(value) for name, value in {"eps": eps, **(params or {})}.items()}
         begun = self._in_all(points, given)
-        if not observe:
+        if not observe and not reembed:
             x, ends = self._advance(begun, eps, steps, parameters=given, order=order, threads=threads,
                               out=out if self._lifting is None else None, listener=_listener(progress))
             return Ensemble(self, np.asarray(points), inputs, self._out_of_all(x, out), ends, {})
         if isinstance(observe, str):
             observe = (observe,)
-        if out is not None:
+        if out is not None and observe:
             raise ValueError("out is for ensembles without observers")
         self._has_drift("observe", observe)
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
         seen, values, ends = self._observed(begun, eps, steps, of, parameters=given, order=order,
-                                            every=whole(every, "every"), escape=escape, threads=threads,
-                                            listener=_listener(progress))
+                                            every=whole(every, "every"), escape=escape, reembed=reembed,
+                                            threads=threads, listener=_listener(progress))
         count = len(self.variables)
+        if out is not None:
+            out[...] = values[:, :count]
+            values = out
         columns: dict[str, Array] = {}
         for k, name in enumerate(seen[count:], count):
             if name == "spectrum_1":
@@ -524,7 +548,7 @@ class System(Field):
 
     def observe(
         self, x: Any, eps: Number, steps: int, *, observe: Sequence[str] | None = None, order: int = 2, every: int = 10,
-        escape: float | None = None, progress: bool = False,
+        escape: float | None = None, reembed: bool = False, progress: bool = False,
     ) -> Answer:
         """What the orbit of a point does; ``observe`` names what is seen, as in ``ensemble``, and nothing else is computed.
 
@@ -541,7 +565,8 @@ class System(Field):
         how many steps: ``"complete"``, ``"range"`` where the next point is not finite, or ``"escaped"`` where a
         variable is beyond ``escape``, if that is given; what is observed is then of the steps before.
         ``escaped`` is the step after which a variable is beyond ``escape``, or else beyond 1e6, and ``None``
-        where there is none.
+        where there is none. ``reembed`` projects the steps of a lifted field, as in ``orbit``; of them final, drift,
+        extrema, rotation and escape can be observed.
 
         Unless ``observe`` names them, all are computed but ``final``, the last point, and ``passed_poles``, the number
         of steps over a pole of the map: those whose reduced denominator, at the point where the step begins, has a root
@@ -552,33 +577,34 @@ class System(Field):
             observe = (observe,)
         of = None if observe is None else [choice(name, "observable") for name in observe]
         found = self._ask("observe", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
-                          order=whole(order, "order"), every=whole(every, "every"), escape=escape, of=of)
+                          order=whole(order, "order"), every=whole(every, "every"), escape=escape, reembed=reembed, of=of)
         names = [name for name in ("spectrum", "spectrum_errors") if name in found]
         spectrum = {name: np.array(found[name], dtype=float) for name in names}
         return Answer(found | spectrum)
 
     def section(
         self, x: Any, eps: Number, steps: int, plane: str, *, direction: str = "rising", points: int = 100_000,
-        progress: bool = False,
+        reembed: bool = False, progress: bool = False,
     ) -> Section:
         """Where the orbit of a point crosses ``plane`` = 0, a formula of the variables and integrals.
 
         ``direction`` is rising, falling or both. Each crossing is refined on the curve that the map
         draws as eps grows from 0. A sign change without a zero, as at a pole of the formula or of the
         map, is no crossing; ``jumps`` counts them. The orbit ends after ``points`` crossings, if not
-        before; ``ended`` says which.
+        before; ``ended`` says which. ``reembed`` projects the steps of a lifted field, as in ``orbit``.
         """
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
         found = self._ask("section", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
-                          plane=plane, side=choice(direction, "direction"), points=whole(points, "points"))
+                          plane=plane, side=choice(direction, "direction"), points=whole(points, "points"), reembed=reembed)
         x = np.array(found["points"], dtype=float).reshape(-1, len(self.variables))
         return Section(self, plane, x, np.array(found["times"], dtype=float), int(found["steps"]), found["ended"],
                        int(found["jumps"]), nearest(eps, "eps"))
 
     def chart(
         self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
-        color: str = "sali", order: int = 2, escape: float | None = None, threads: int | None = None, progress: bool = False,
+        color: str = "sali", order: int = 2, escape: float | None = None, reembed: bool = False,
+        threads: int | None = None, progress: bool = False,
     ) -> Chart:
         """What orbits do over parameters, eps or first values: an observable at every value of ``over``.
 
@@ -590,6 +616,8 @@ class System(Field):
         An exponent of an orbit that escapes is large, and no sign of chaos: an orbit ends where a variable
         is beyond ``escape``, if that is given, and its cell is NaN. Some times the size of the region of
         interest is a good bound. ``ended`` and ``ended_step`` say how and after how many steps the orbit of each cell ended.
+        ``reembed`` projects the steps of a lifted field, as in ``orbit``, for the colors drift, escape, and columns of
+        final points, extrema and rotation.
         """
         if not over:
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
@@ -603,7 +631,7 @@ class System(Field):
             raise ValueError(f"color: {unknown('column', color, self._colors())}")
         self._has_drift("color", [observable])
         question = {"ask": "observe", "at": self._point(x), "eps": exact(eps, "eps"), "steps": whole(steps, "steps"),
-                    "order": whole(order, "order"), "escape": escape,
+                    "order": whole(order, "order"), "escape": escape, "reembed": reembed,
                     "of": [observable]}
         columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
                                     threads=_whole(threads, "threads"), listener=_listener(progress))

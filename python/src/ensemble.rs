@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use kahan_algebra::rational::Rational;
-use kahan_runtime::{DimensionError, End, Followed, MapAt, threads};
+use kahan_runtime::{DimensionError, End, Follow, Followed, MapAt, threads};
 use kahan_study::{Observable, Observe, Study, Watch};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -13,9 +13,9 @@ use pyo3::prelude::*;
 
 use crate::arrays::{Floats, doubles, floats, out as writable};
 use crate::beside::{Caller, Listener, beside};
-use crate::errors::of_dimension;
+use crate::errors::{of_dimension, of_study};
 use crate::field::{Field, Float};
-use crate::orbit::{composition, wrong_shape};
+use crate::orbit::composition;
 
 /// Trajectories that a thread takes at once: their columns stay in its cache.
 const TOGETHER: usize = 1024;
@@ -49,7 +49,7 @@ impl Field {
 
     /// What is seen of the orbits of many points: names, numbers with a row an orbit, how each ended,
     /// and after how many steps. `of` are names of observables; arguments as for `advance`.
-    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = None, threads = None, listener = None))]
+    #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
         &self,
@@ -61,6 +61,7 @@ impl Field {
         order: u32,
         every: u64,
         escape: Option<f64>,
+        reembed: bool,
         threads: Option<usize>,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<String>, Bound<'py, PyArray2<f64>>, Ends<'py>)> {
@@ -76,7 +77,9 @@ impl Field {
         let asked = Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
         let points = doubles(points, "points")?;
         let many = self.many::<f64>(py, points.shape(), &asked)?;
-        let observe = Observe { every, escape, of, ..Observe::new(Rational::zero(), Vec::new(), steps) };
+        let observe =
+            Observe { every, escape, reembed, of, ..Observe::new(Rational::zero(), Vec::new(), steps) };
+        observe.composition(self.study()).map_err(|error| of_study(py, &error))?;
         let names: Vec<String> =
             observe.columns(self.study()).into_iter().map(|column| column.name).collect();
         let (count, from) = (points.shape()[0], points.as_slice()?);
@@ -105,7 +108,7 @@ impl Field {
     /// The map and the constants of points of this shape.
     fn many<T: Float>(&self, py: Python<'_>, shape: &[usize], asked: &Asked<'_, '_>) -> PyResult<Many<T>> {
         if shape.len() != 2 || shape[1] != self.dimension() {
-            return Err(wrong_shape("points", &format!("(trajectories, {})", self.dimension()), shape));
+            return Err(self.wrong_points("points", &["trajectories"], shape));
         }
         let eps = constants::<T>(asked.eps, shape[0], "eps")?;
         let values = asked.parameters.iter().enumerate().map(|(k, given)| match given {
@@ -136,8 +139,12 @@ impl Field {
         let from = points.as_slice()?;
         let run = |to: &mut [T]| {
             to.copy_from_slice(from);
-            beside(py, asked.threads, &asked.listener, |caller| many.advance(to, self.dimension(), caller))?
-                .map_err(|error| of_dimension(&error))
+            beside(py, asked.threads, &asked.listener, |caller| {
+                let mut ends = many.advance(to, self.dimension(), caller)?.concat();
+                many.end_lifted(from, to, &mut ends, self.study())?;
+                Ok(ends)
+            })?
+            .map_err(|error: DimensionError| of_dimension(&error))
         };
         let (to, found) = match out {
             Some(out) => {
@@ -150,7 +157,7 @@ impl Field {
                 (PyArray1::from_vec(py, to).reshape(shape)?.into_any(), found)
             }
         };
-        Ok((to, ends(py, asked.steps, shape[0], found.into_iter().flatten())))
+        Ok((to, ends(py, asked.steps, shape[0], found.into_iter())))
     }
 }
 
@@ -187,6 +194,33 @@ impl<T: Float> Many<T> {
             self.piece(&mut rows, width, piece * TOGETHER, caller)
         });
         found.into_iter().collect()
+    }
+
+    /// Follows trajectories of a lifted field once more whose last points are beyond its end, to the
+    /// end: `from` and `to` have their first and last points.
+    fn end_lifted(
+        &self,
+        from: &[T],
+        to: &mut [T],
+        ends: &mut [End],
+        study: &Study,
+    ) -> Result<(), DimensionError> {
+        let Some(step) = study.lifted_step(&self.at) else { return Ok(()) };
+        let width = study.variables().len();
+        let rows = from.chunks_exact(width).zip(to.chunks_exact_mut(width)).zip(ends);
+        for (k, ((from, to), end)) in rows.enumerate().filter(|(_, ((_, to), _))| step.is_beyond(to)) {
+            let own = |values: &[T]| if values.len() > 1 { k..k + 1 } else { 0..values.len() };
+            let parameters: Vec<&[T]> = self.constants.iter().map(|values| &values[own(values)]).collect();
+            let maps = self.at.each(&self.eps[own(&self.eps)], &parameters)?;
+            let step = study.lifted_step(&maps[0]).expect("a field that was lifted");
+            let mut x = from.to_vec();
+            *end = step.follow(&mut x, self.steps, |_| ControlFlow::Continue(()))?.end;
+            to.copy_from_slice(&x);
+            if end.is_early() {
+                to.fill(T::near(f64::NAN));
+            }
+        }
+        Ok(())
     }
 
     /// Those of one thread, the first of which has this number.

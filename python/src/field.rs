@@ -13,7 +13,7 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::doubles;
+use crate::arrays::{Eps, doubles};
 use crate::beside::{Listener, apart};
 use crate::errors::of_study;
 use crate::orbit::wrong_shape;
@@ -35,7 +35,9 @@ pub(crate) struct Last {
 }
 
 /// A float of NumPy's that steps are made in.
-pub(crate) trait Float: kahan_runtime::MachineFloat + kahan_core::Pivot + numpy::Element {
+pub(crate) trait Float:
+    kahan_runtime::MachineFloat + kahan_core::EmbedScalar + kahan_core::Pivot + numpy::Element
+{
     /// The float nearest to one of Python's, which are doubles.
     fn near(number: f64) -> Self;
     /// The map at the ε of the call before.
@@ -105,6 +107,21 @@ impl Field {
     /// How many variables there are.
     pub(crate) fn dimension(&self) -> usize {
         self.study.variables().len()
+    }
+
+    /// What is wrong with points of all variables of this shape; of a lifted field in terms of those
+    /// that arrays have.
+    pub(crate) fn wrong_points(&self, name: &str, wanted: &[&str], found: &[usize]) -> PyErr {
+        let shown = self.study.shown().len();
+        let given = found.iter().enumerate().map(|(axis, size)| {
+            let is_embedded = axis + 1 == found.len() && *size == self.dimension();
+            if is_embedded { shown } else { *size }
+        });
+        let wanted = match wanted {
+            [] => format!("({shown},)"),
+            axes => format!("({}, {shown})", axes.join(", ")),
+        };
+        wrong_shape(name, &wanted, &given.collect::<Vec<_>>())
     }
 
     /// The name of a parameter.
@@ -327,6 +344,14 @@ impl Field {
         }
         sizes.push(self.dimension());
         Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
+    }
+
+    /// What there is to say of a lift that was chosen without a start, along the orbit of this one.
+    #[pyo3(name = "_relations_warning")]
+    fn relations_warning(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
+        let x = doubles(x, "x")?;
+        let at: Option<Vec<Rational>> = x.as_slice()?.iter().map(|x| Rational::from_f64(*x)).collect();
+        Ok(at.and_then(|at| self.study.relations_warning(&at, eps.0)))
     }
 
     /// Notes on what was read in a way that the writer of the text should know of.

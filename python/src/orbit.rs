@@ -4,14 +4,15 @@ use std::num::NonZeroU64;
 
 use kahan_core::num_traits::Zero;
 use kahan_core::{Composition, Increments, SingularStep, Step};
-use kahan_runtime::{DimensionError, End, Follow, Followed};
+use kahan_runtime::{DimensionError, End, Follow, Followed, RuntimeFloat};
+use kahan_study::{LiftedStep, Study};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::arrays::{Eps, Floats, doubles, floats, out as writable};
 use crate::beside::{Listener, beside};
-use crate::errors::{of_dimension, singular_step};
+use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
 
 /// The most numbers that are stepped without a look at signals.
@@ -42,9 +43,9 @@ impl Field {
         self.stepped(x, eps.0, out, true)
     }
 
-    /// The rows of an orbit as far as it goes, how many steps it made, and how it ended: complete,
-    /// or range.
-    #[pyo3(name = "_points", signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, out = None, listener = None))]
+    /// The rows of an orbit as far as it goes, how many steps it made, how it ended: complete, range
+    /// or reembed; and why, where that is for a lift.
+    #[pyo3(name = "_points", signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, reembed = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(
         &self,
@@ -54,10 +55,11 @@ impl Field {
         every: u64,
         order: u32,
         compensated: bool,
+        reembed: bool,
         out: Option<&Bound<'py, PyAny>>,
         listener: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<(Bound<'py, PyAny>, u64, &'static str)> {
-        let asked = Asked { eps, steps, every, order, compensated, listener: Listener(listener) };
+    ) -> PyResult<Rows<'py>> {
+        let asked = Asked { eps, steps, every, order, compensated, reembed, listener: Listener(listener) };
         match floats(x, "x")? {
             Floats::Double(x) => self.rows(&x, &asked, out),
             Floats::Single(x) => self.rows(&x, &asked, out),
@@ -71,7 +73,7 @@ impl Field {
         let (x, at) = (doubles(x, "x")?, self.at::<f64>(py, 0.0)?);
         let n = at.dimension();
         if x.shape().last() != Some(&n) {
-            return Err(wrong_shape("x", &format!("(…, {n})"), x.shape()));
+            return Err(self.wrong_points("x", &["…"], x.shape()));
         }
         let (points, mut sizes) = (x.as_slice()?, x.shape().to_vec());
         let width = if jacobian { n * n } else { n };
@@ -97,7 +99,7 @@ impl Field {
         let (n, names) = (at.dimension().max(1), at.map().field().integrals());
         let mut sizes = x.shape().to_vec();
         if sizes.pop() != Some(at.dimension()) {
-            return Err(wrong_shape("x", &format!("(…, {})", at.dimension()), x.shape()));
+            return Err(self.wrong_points("x", &["…"], x.shape()));
         }
         let points = x.as_slice()?;
         let mut values = vec![0.0; points.len() / n * names.len()];
@@ -123,8 +125,13 @@ struct Asked<'py> {
     every: u64,
     order: u32,
     compensated: bool,
+    reembed: bool,
     listener: Listener<'py>,
 }
+
+/// The rows of an orbit, the steps to the last point, how it ended, and why, where that is for a
+/// lift.
+type Rows<'py> = (Bound<'py, PyAny>, u64, &'static str, Option<String>);
 
 impl Field {
     fn stepped<'py>(
@@ -186,7 +193,7 @@ impl Field {
         let x = x.readonly();
         let (points, n) = (x.as_slice()?, at.dimension());
         if x.shape().last() != Some(&n) {
-            return Err(wrong_shape("x", &format!("(…, {n})"), x.shape()));
+            return Err(self.wrong_points("x", &["…"], x.shape()));
         }
         let step = |next: &mut [T], is_stopped: &dyn Fn() -> bool| {
             for (place, (x, next)) in
@@ -232,13 +239,13 @@ impl Field {
         x: &Bound<'py, PyArrayDyn<T>>,
         asked: &Asked<'py>,
         out: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<(Bound<'py, PyAny>, u64, &'static str)> {
+    ) -> PyResult<Rows<'py>> {
         let py = x.py();
         let composition = composition(asked.order)?;
         let at = self.at::<T>(py, asked.eps)?.composed(composition);
         let n = at.dimension();
         if x.shape() != [n] {
-            return Err(wrong_shape("x", &shown(&[n]), x.shape()));
+            return Err(self.wrong_points("x", &[], x.shape()));
         }
         let mut x = x.readonly().as_slice()?.to_vec();
         let numbers =
@@ -248,23 +255,57 @@ impl Field {
                 return Err(PyValueError::new_err(format!("{name}: {number} is no number to compute with")));
             }
         }
+        let study = self.study();
+        if asked.reembed && (asked.compensated || T::PRECISION != f64::PRECISION) {
+            return Err(PyValueError::new_err("reembed is for points in float64, without compensated"));
+        }
+        study.can_reembed(asked.reembed).map_err(|error| of_study(py, &error))?;
         if asked.compensated {
             let at = at.compensated();
             x.resize(2 * n, T::zero());
-            return follow(py, &at, x, asked, out);
+            return match study.lifted_step(&at) {
+                Some(step) => follow_lifted(py, &step, x, study, asked, out),
+                None => follow(py, &at, x, asked, out).map(of_map),
+            };
         }
-        follow(py, &at, x, asked, out)
+        match study.steps(&at, asked.reembed) {
+            Some(step) => follow_lifted(py, &step, x, study, asked, out),
+            None => follow(py, &at, x, asked, out).map(of_map),
+        }
     }
 }
 
-/// The rows of one orbit.
+fn of_map<'py, T>((rows, _, end, steps): (Bound<'py, PyAny>, Vec<T>, End, u64)) -> Rows<'py> {
+    (rows, end.steps(steps), end.name(), None)
+}
+
+/// The rows of one orbit of a lifted field.
+fn follow_lifted<'py, S>(
+    py: Python<'py>,
+    step: &LiftedStep<'_, S>,
+    x: Vec<S::Scalar>,
+    study: &Study,
+    asked: &Asked<'py>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Rows<'py>>
+where
+    S: Step<Scalar: Float> + Sync,
+{
+    let (rows, last, end, steps) = follow(py, step, x, asked, out)?;
+    let end = step.end(end, &last);
+    let why = end.is_early().then(|| step.ends(&last)).flatten();
+    let why = why.map(|why| why.in_words(study, end.steps(steps)));
+    Ok((rows, end.steps(steps), end.name(), why))
+}
+
+/// The rows of one orbit, its last point, how it ended, and how many steps were asked for.
 fn follow<'py, S>(
     py: Python<'py>,
     at: &S,
     mut x: Vec<S::Scalar>,
     asked: &Asked<'py>,
     out: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(Bound<'py, PyAny>, u64, &'static str)>
+) -> PyResult<(Bound<'py, PyAny>, Vec<S::Scalar>, End, u64)>
 where
     S: Follow<Scalar: Float> + Sync,
 {
@@ -314,7 +355,7 @@ where
     } else {
         array.get_item(pyo3::types::PySlice::new(py, 0, made as isize, 1))?
     };
-    Ok((array, followed.end.steps(steps), followed.end.name()))
+    Ok((array, x, followed.end, steps))
 }
 
 /// The composition of an order.

@@ -1,6 +1,7 @@
 """Fields that are lifted to quadratic ones: arrays are in the original variables."""
 
 import pickle
+import warnings
 from fractions import Fraction
 
 import numpy as np
@@ -122,3 +123,95 @@ def test_expressions_of_sympy_are_lifted():
     assert np.ptp(softened.orbit([1, 0], 0.01, 500).integrals["energy"]) < 1e-12
     morse = kahan.System({x: v, v: -2 * (1 - sympy.exp(-x)) * sympy.exp(-x)}, lift=True)
     assert morse.lifted.energy is not None
+
+
+def test_steps_are_projected_wherever_orbits_are_made(pendulum):
+    x = np.array([[1.0, 0.0], [0.5, 0.25]])
+    for order in (2, 4):
+        orbits = [pendulum.orbit(point, 0.1, 100, order=order, reembed=True) for point in x]
+        for o in orbits:
+            assert o.ended == "complete" and o.x.shape == (101, 2) and np.isfinite(o.x).all()
+        last = np.array([o.x[-1] for o in orbits])
+        assert not np.array_equal(last, [pendulum.orbit(point, 0.1, 100, order=order).x[-1] for point in x])
+        e = pendulum.ensemble(x, 0.1, 100, order=order, reembed=True)
+        assert np.array_equal(e.x, last) and set(e.ended) == {"complete"}
+        seen = pendulum.ensemble(x, 0.1, 100, order=order, observe=("extrema",), reembed=True)
+        assert np.array_equal(seen.x, last) and np.array_equal(seen["greatest_x"], [o.x[:, 0].max() for o in orbits])
+        assert pendulum.observe(x[0], 0.1, 100, observe="final", order=order, reembed=True).final["x"] == last[0, 0]
+    out = np.empty((2, 2))
+    assert pendulum.ensemble(x, 0.1, 100, order=4, reembed=True, out=out).x is out and np.array_equal(out, last)
+    energy = [v * v / 2 - np.cos(q) for q, v in pendulum.orbit([1, 0], 0.05, 20_000, every=100, reembed=True).x]
+    assert np.ptp(energy[-50:]) <= 1.05 * np.ptp(energy[:50])
+    crossings = pendulum.section([1, 0], 0.05, 1000, "v", reembed=True)
+    assert len(crossings.x) > 10 and np.allclose(crossings.x[:, 0], -1, atol=5e-3)
+    chart = pendulum.chart({"x": (0.5, 1, 2)}, [1, 0], 0.1, steps=100, color="final_x", reembed=True)
+    assert chart.values[1] == pendulum.orbit([1, 0], 0.1, 100, reembed=True).x[-1, 0]
+
+
+def test_what_cannot_be_projected_says_why(pendulum):
+    with pytest.raises(ValueError, match="sali is of the map"):
+        pendulum.ensemble([[1, 0]], 0.1, 10, observe="sali", reembed=True)
+    with pytest.raises(ValueError, match="lyapunov is of the map"):
+        pendulum.chart({"x": (0.5, 1, 2)}, [1, 0], 0.1, color="lyapunov", reembed=True)
+    with pytest.raises(ValueError, match="float64"):
+        pendulum.orbit([1, 0], 0.1, 10, scalar="f32", reembed=True)
+    with pytest.raises(ValueError, match="compensated"):
+        pendulum.orbit([1, 0], 0.1, 10, compensated=True, reembed=True)
+    with pytest.raises(ValueError, match="scalar f64"):
+        pendulum.orbit([1, 0], 0.1, 10, scalar="dd", reembed=True)
+    quadratic = kahan.System("xdot = v; vdot = -x;")
+    for asked in (
+        lambda: quadratic.orbit([1, 0], 0.1, 10, reembed=True),
+        lambda: quadratic.ensemble([[1, 0]], 0.1, 10, reembed=True),
+        lambda: quadratic.section([1, 0], 0.1, 10, "v", reembed=True),
+    ):
+        with pytest.raises(ValueError, match="lift the field"):
+            asked()
+
+
+def test_a_projection_without_a_solution_ends_an_orbit():
+    s = kahan.System("x' = 1 + x^2*y - 4*x, y' = 3*x - x^2*y", lift=True)
+    o = s.orbit([1, 3], 1, 1000, reembed=True)
+    assert o.ended == "reembed" and o.ended_step == len(o.x) - 1 < 1000 and "smaller eps" in o.why and o.why in repr(o)
+    e = s.ensemble([[1, 3]], 1, 1000, reembed=True)
+    assert e.ended[0] == "reembed" and e.steps[0] == o.ended_step and np.isnan(e.x).all()
+    assert s.section([1, 3], 1, 1000, "x - 1", reembed=True).ended == "reembed"
+
+
+def test_an_orbit_ends_where_a_root_would_be_negative():
+    s = kahan.System("hdot = -sqrt(h);", lift=True)
+    for more in ({}, {"compensated": True}, {"scalar": "f32"}, {"scalar": "dd"}, {"order": 4}):
+        o = s.orbit([1], "1/60", 500, **more)
+        assert o.ended == "range" and 58 <= o.ended_step <= 61 and len(o.x) == o.ended_step + 1
+        assert 0 <= o.x[-1, 0] < 2e-3
+    assert "sqrt(h)" in s.orbit([1], 1 / 60, 500).why
+    e = s.ensemble([[1.0], [4.0]], 1 / 60, 80)
+    assert list(e.ended) == ["range", "complete"] and np.isnan(e.x[0, 0]) and e.steps[0] == s.orbit([1], 1 / 60, 80).ended_step
+    assert e.x[1, 0] == s.orbit([4], 1 / 60, 80).x[-1, 0]
+
+
+def test_a_lift_without_a_start_is_judged_by_the_first_orbit():
+    field = "v' = v - v^3/3 - w + 1/2, w' = (v + 0.7 - 0.8*w)*0.08"
+    lift = "smallest"
+    s = kahan.System(field, lift=lift)
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        s.orbit([1, 0], 0.01, 10)
+        s.orbit([1, 0], 0.01, 10)
+        kahan.System(PENDULUM, lift=True).orbit([1, 0], 0.01, 10)
+        s(**{}).orbit([1, 0], 0.01, 10, reembed=True)
+    print([str(one.message) for one in found])
+    assert len(found) <= 1
+
+
+def test_shapes_count_the_variables_of_arrays(pendulum):
+    for asked in (
+        lambda: pendulum.orbit([[1, 0], [1, 0]], 0.1, 10),
+        lambda: pendulum.ensemble([1, 0], 0.1, 10),
+        lambda: pendulum.ensemble([[1, 0, 0]], 0.1, 10),
+        lambda: pendulum.step([1, 0, 0], 0.1),
+        lambda: pendulum.integral_values([1, 0, 0], 0.1),
+    ):
+        with pytest.raises(ValueError, match=r"2[,)]") as error:
+            asked()
+        assert "4" not in str(error.value)

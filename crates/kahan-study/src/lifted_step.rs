@@ -5,19 +5,23 @@
 //! definition, as a square root, would become negative, and where symmetric projection onto the
 //! relations, if it is asked for, does not converge. A step depends on its point alone.
 
+use kahan_algebra::rational::Rational;
 use kahan_core::{EmbedScalar, Step, Stopped, Workspace};
 use kahan_lift::{Lift, Reembedding};
 use kahan_runtime::{End, MapAt, RuntimeFloat};
 
+use crate::error::StudyError;
+use crate::question::NoOrbit;
 use crate::study::Study;
 
-/// A map of a lifted field that ends where the lift does.
-pub struct LiftedStep<'a, T: RuntimeFloat> {
-    at: MapAt<T>,
+/// The steps of a lifted field's map, or of what carries more beside its points, that end where the
+/// lift does.
+pub struct LiftedStep<'a, S: Step> {
+    at: S,
     lift: &'a Lift,
     /// The new variables that are positive by their definitions.
     positive: Vec<usize>,
-    projection: Option<Projection<'a, T>>,
+    projection: Option<Projection<'a, S::Scalar>>,
 }
 
 /// Replaces a point by the next one on the relations, by steps that it is given; `false` where
@@ -32,6 +36,9 @@ pub enum LiftEnds {
     /// Symmetric projection does not converge.
     NotReembedded,
 }
+
+/// The growth of a relation's error over an orbit that no power of time explains.
+const GROWTH: f64 = 100.0;
 
 impl LiftEnds {
     /// Says why an orbit ends after so many steps.
@@ -58,10 +65,37 @@ impl Study {
     /// The steps of a lifted field's map that end where a variable changes a sign that it has by
     /// its definition; `None` where no variable has one, and steps of the map itself will do.
     #[must_use]
-    pub fn lifted_step<T: RuntimeFloat>(&self, at: &MapAt<T>) -> Option<LiftedStep<'_, T>> {
+    pub fn lifted_step<S: Step + Clone>(&self, at: &S) -> Option<LiftedStep<'_, S>> {
         let lift = self.lift()?;
         let positive = lift.embedding().positive();
         (!positive.is_empty()).then(|| LiftedStep { at: at.clone(), lift, positive, projection: None })
+    }
+
+    /// That steps can be projected onto relations: those of a lifted field.
+    ///
+    /// # Errors
+    /// [`NoOrbit::Reembed`] where they are to be, and cannot.
+    pub fn can_reembed(&self, reembed: bool) -> Result<(), StudyError> {
+        let has_relations = self.lift().is_some() || !reembed;
+        if has_relations { Ok(()) } else { Err(StudyError::Orbit(NoOrbit::Reembed)) }
+    }
+
+    /// How errors of relations grow along the orbit of a start, in words, where they do so beyond
+    /// all use and the lift was chosen without an orbit. Costs an orbit over 100 units of time.
+    #[must_use]
+    pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
+        let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
+        let drifts = self.relation_drifts(at, Some(eps)).ok()?;
+        let worst = drifts.iter().enumerate().filter_map(|(place, drift)| Some((place, (*drift)?)));
+        let (place, drift) = worst.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, drift)| *drift > GROWTH)?;
+        let new = &lift.new[place];
+        Some(format!(
+            "errors of the relation {} = {} grow {drift:.0e}-fold in 100 units of time along this orbit, so that it is wrong \
+             after some time: the lift was chosen without a start; choose it for this one, or another lift (smallest, stable, \
+             relations), or use reembed",
+            new.name,
+            new.expression.as_deref().unwrap_or_default()
+        ))
     }
 
     /// The steps of a lifted field's map, projected onto the relations where this is asked for;
@@ -71,13 +105,16 @@ impl Study {
         &self,
         at: &MapAt<T>,
         reembed: bool,
-    ) -> Option<LiftedStep<'_, T>> {
+    ) -> Option<LiftedStep<'_, MapAt<T>>> {
         if reembed { self.reembedded_step(at) } else { self.lifted_step(at) }
     }
 
     /// Those that are projected symmetrically onto the relations, too; `None` of a field that was
     /// not lifted.
-    fn reembedded_step<T: RuntimeFloat + EmbedScalar>(&self, at: &MapAt<T>) -> Option<LiftedStep<'_, T>> {
+    fn reembedded_step<T: RuntimeFloat + EmbedScalar>(
+        &self,
+        at: &MapAt<T>,
+    ) -> Option<LiftedStep<'_, MapAt<T>>> {
         let lift = self.lift()?;
         let values = at.map().parameters();
         let value = |name: &String| {
@@ -102,7 +139,7 @@ impl Study {
     }
 }
 
-impl<T: RuntimeFloat> LiftedStep<'_, T> {
+impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
     /// The new variable that is negative at a point, and must not be.
     fn negative(&self, x: &[T]) -> Option<usize> {
         let new = &x[self.lift.states.len()..];
@@ -136,7 +173,7 @@ impl<T: RuntimeFloat> LiftedStep<'_, T> {
     #[must_use]
     pub fn ends(&self, x: &[T]) -> Option<LiftEnds> {
         let mut next = x.to_vec();
-        self.at.advance(&mut next, 1).expect("the point is of the field");
+        let _ = self.at.advance(&mut next, 1, &mut Workspace::new());
         let negative = self.negative(&next).map(LiftEnds::Negative);
         negative.or_else(|| self.projection.is_some().then_some(LiftEnds::NotReembedded))
     }
@@ -144,7 +181,7 @@ impl<T: RuntimeFloat> LiftedStep<'_, T> {
     /// Whether an orbit that was followed without looking at signs has gone too far.
     #[must_use]
     pub fn is_beyond(&self, x: &[T]) -> bool {
-        self.projection.is_some() || self.negative(x).is_some()
+        self.negative(x).is_some()
     }
 
     /// The end of an orbit that came to a point.
@@ -157,22 +194,22 @@ impl<T: RuntimeFloat> LiftedStep<'_, T> {
     }
 }
 
-impl<T: RuntimeFloat> Step for LiftedStep<'_, T> {
+impl<T: RuntimeFloat, S: Step<Scalar = T>> Step for LiftedStep<'_, S> {
     type Scalar = T;
     type State = Vec<T>;
 
     fn dimension(&self) -> usize {
-        Step::dimension(&self.at)
+        self.at.dimension()
     }
 
     fn eps(&self) -> &T {
-        Step::eps(&self.at)
+        self.at.eps()
     }
 
     fn advance(&self, x: &mut [T], steps: u64, workspace: &mut Workspace) -> Result<(), Stopped> {
         // Floats go on at poles.
         let mut step = |x: &mut [T]| {
-            let _ = Step::advance(&self.at, x, 1, workspace);
+            let _ = self.at.advance(x, 1, workspace);
         };
         let _ = (0..steps).all(|_| self.next(x, &mut step));
         Ok(())

@@ -39,17 +39,17 @@ fn a_question_writes_itself_as_it_was_read() {
             "ask": "orbit", "eps": "-1/10", "at": ["1"], "steps": 9, "every": 3, "scalar": "f32", "order": 2, "method": "rk4",
             "projective": false, "reembed": false,
         }),
-        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "of": ["final", "fli"]}),
+        json!({"ask": "observe", "eps": "1/10", "at": ["1"], "steps": 9, "order": 4, "every": 3, "escape": 2.5, "reembed": false, "of": ["final", "fli"]}),
         json!({
             "ask": "diagram", "eps": null, "at": ["1"], "over": {"name": "eps", "range": "1:0:/5"}, "variable": "x",
-            "transient": 7, "steps": 3,
+            "transient": 7, "steps": 3, "reembed": false,
         }),
         json!({
             "ask": "periodic", "eps": null, "at": ["1", "1"], "period": 2,
             "over": {"name": "eps", "range": "1:0:/5"},
         }),
         json!({
-            "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "side": "both", "points": 3,
+            "ask": "section", "eps": "1/10", "at": ["1", "0"], "steps": 9, "plane": "y - 1/2", "side": "both", "points": 3, "reembed": true,
         }),
         json!({
             "ask": "over", "axes": [

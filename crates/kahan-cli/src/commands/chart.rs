@@ -16,7 +16,7 @@ use super::dynamics::radius;
 use super::line::{Asking, Line};
 use super::look::{OutFile, SheetOptions, usual};
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{self, Start, observable, whole};
+use crate::reading::{self, Start, Stepping, observable, whole};
 
 use rows::Rows;
 

@@ -8,7 +8,7 @@ use kahan_study::{Observable, Observe, Observed, Seen, Study};
 use super::line::Asking;
 use crate::printing::layout::{paragraphs, screen_width, table};
 use crate::printing::{Answer, Prompt, Refusal};
-use crate::reading::{MOST_OBSERVED, Start, observable, order, whole};
+use crate::reading::{MOST_OBSERVED, Start, Stepping, observable, order, whole};
 
 /// Says what an orbit does: exponents, chaos indicators, rotation, drift, escape.
 ///

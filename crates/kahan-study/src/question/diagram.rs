@@ -13,8 +13,6 @@ use crate::numbers::exact;
 use crate::range::Axis;
 use crate::study::Study;
 
-use super::NoOrbit;
-
 /// Asks what one variable does after a transient, at each value of a parameter or of ε, in doubles.
 /// Each orbit begins anew at the same point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -81,9 +79,7 @@ impl Diagram {
     /// the field does not have.
     pub fn ask(&self, study: &Study, watch: &dyn Watch) -> Result<DiagramFound, StudyError> {
         study.proved()?;
-        if self.reembed && study.lift().is_none() {
-            return Err(StudyError::Orbit(NoOrbit::Reembed));
-        }
+        study.can_reembed(self.reembed)?;
         let place = study.axis(&self.over)?;
         let shown = match &self.variable {
             None => 0,

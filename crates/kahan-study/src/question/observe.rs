@@ -271,7 +271,7 @@ impl Observe {
     pub fn composition(&self, study: &Study) -> Result<Composition, StudyError> {
         use Observable::{Fli, LogDet, Lyapunov, Megno, PassedPoles, Sali, Spectrum};
         if self.reembed {
-            study.lift().ok_or(StudyError::Orbit(NoOrbit::Reembed))?;
+            study.can_reembed(true)?;
             let of_the_map = [Lyapunov, Spectrum, LogDet, Fli, Megno, Sali, PassedPoles];
             let refused = self.of.iter().find(|one| of_the_map.contains(one));
             refused.map_or(Ok(()), |one| Err(StudyError::Orbit(NoOrbit::OfTheMap(one.name()))))?;

@@ -18,7 +18,6 @@ use crate::numbers::exact;
 use crate::rows::{Column, Rows, Values};
 use crate::study::Study;
 
-use super::NoOrbit;
 use super::orbit::columns;
 
 /// Asks where the orbit of a point crosses a section, in doubles.
@@ -219,9 +218,7 @@ impl Section {
         };
         let first = First { found: Vec::new(), most: self.points };
         let count = Count::new("steps", self.steps, watch);
-        if self.reembed && study.lift().is_none() {
-            return Err(StudyError::Orbit(NoOrbit::Reembed));
-        }
+        study.can_reembed(self.reembed)?;
         let step = study.steps(&at, self.reembed);
         // Few look at sections of fields that are not lifted through this.
         let by: &dyn Step<Scalar = f64> = step.as_ref().map_or(&at, |step| step);

@@ -162,7 +162,7 @@ struct Floats<'a, T: RuntimeFloat> {
     at: MapAt<T>,
     composition: Composition,
     /// The steps, where a lifted field ends orbits of its own accord.
-    lifted: Option<LiftedStep<'a, T>>,
+    lifted: Option<LiftedStep<'a, MapAt<T>>>,
     x: Vec<T>,
     /// The points of the rows that are being made.
     points: Vec<T>,
