@@ -171,11 +171,11 @@ def test_what_cannot_be_projected_says_why(pendulum):
 
 def test_a_projection_without_a_solution_ends_an_orbit():
     s = kahan.System("x' = 1 + x^2*y - 4*x, y' = 3*x - x^2*y", lift=True)
-    o = s.orbit([1, 3], 1, 1000, reembed=True)
+    o = s.orbit([1, 1], 0.1, 1000, reembed=True)
     assert o.ended == "reembed" and o.ended_step == len(o.x) - 1 < 1000 and "smaller eps" in o.why and o.why in repr(o)
-    e = s.ensemble([[1, 3]], 1, 1000, reembed=True)
+    e = s.ensemble([[1, 1]], 0.1, 1000, reembed=True)
     assert e.ended[0] == "reembed" and e.steps[0] == o.ended_step and np.isnan(e.x).all()
-    assert s.section([1, 3], 1, 1000, "x - 1", reembed=True).ended == "reembed"
+    assert s.section([1, 1], 0.1, 1000, "x - 1", reembed=True).ended == "reembed"
 
 
 def test_an_orbit_ends_where_a_root_would_be_negative():
