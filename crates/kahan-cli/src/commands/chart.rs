@@ -128,7 +128,12 @@ impl Asking for Chart {
         let gone_through = axes.iter().find(|axis| axis.name == "eps").map(|axis| axis.range.value(0));
         let eps = eps.or(gone_through).ok_or(StudyError::MissingStep)?;
         let of = vec![self.color];
-        let observe = Observe { escape: self.escape, of, reembed: self.stepping.reembed, ..Observe::new(eps, at, self.steps) };
+        let observe = Observe {
+            escape: self.escape,
+            of,
+            reembed: self.stepping.reembed,
+            ..Observe::new(eps, at, self.steps)
+        };
         // The first range of a chart runs fastest, and the last axis of a question.
         let axes = axes.into_iter().rev().map(Into::into).collect();
         Ok((study, Over::new(Question::Observe(observe), axes)))

@@ -183,7 +183,10 @@ mod tests {
         let plain = Observe { of: vec![Observable::Sali], ..plain };
         reads_back::<Chart>([two, study::Over::new(Question::Observe(plain), axes[..1].to_vec())]);
         let plain = study::Section::new(eps.clone(), at.clone(), 50, "x - 1");
-        reads_back::<Section>([study::Section { side: Side::Both, points: 7, reembed: true, ..plain.clone() }, plain]);
+        reads_back::<Section>([
+            study::Section { side: Side::Both, points: 7, reembed: true, ..plain.clone() },
+            plain,
+        ]);
         reads_back::<Verify>([false, true].map(|mutate| study::Verify { mutate }));
         let plain = study::Heights::new(eps.clone(), at.clone(), 17);
         reads_back::<Heights>([study::Heights { max_digits: 99, seconds: 0.5, ..plain.clone() }, plain]);
