@@ -357,7 +357,7 @@ const ROUNDING: f64 = 1e-11;
 impl RelationErrors {
     /// How much larger the error of a relation is in the last eighth of the orbit than in the first;
     /// `None` where the orbit ends early.
-    fn drift(&self, place: usize) -> Option<f64> {
+    pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
         let (first, last) = (errors.get(..EIGHTH)?, errors.get(7 * EIGHTH..8 * EIGHTH)?);
         let [first, last] = [first, last].map(|part| part.iter().copied().fold(ROUNDING, f64::max));
@@ -367,7 +367,7 @@ impl RelationErrors {
 
 impl Study {
     /// The errors of the relations along an orbit over 100 units of time.
-    fn watched(&self, at: &[Rational], eps: f64) -> Result<RelationErrors, StudyError> {
+    pub(crate) fn watched(&self, at: &[Rational], eps: f64) -> Result<RelationErrors, StudyError> {
         let steps = (HORIZON / (2.0 * eps)).ceil().clamp(8.0, 1e7) as u64;
         self.relation_errors(at, &Rational::from_f64(eps).unwrap_or_default(), steps, 8 * EIGHTH)
     }

@@ -85,16 +85,16 @@ impl Study {
     #[must_use]
     pub fn relations_warning(&self, at: &[Rational], eps: f64) -> Option<String> {
         let lift = self.lift().filter(|lift| lift.relations.iter().all(|one| one.rate.is_none()))?;
-        let drifts = self.relation_drifts(at, Some(eps)).ok()?;
-        let worst = drifts.iter().enumerate().filter_map(|(place, drift)| Some((place, (*drift)?)));
-        let (place, drift) = worst.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, drift)| *drift > GROWTH)?;
-        let new = &lift.new[place];
+        let errors = self.watched(at, eps).ok()?;
+        let drifts = lift.relations.iter().enumerate();
+        let drifts = drifts.filter_map(|(place, relation)| Some((relation, errors.drift(place)?)));
+        let worst = drifts.max_by(|a, b| a.1.total_cmp(&b.1));
+        let (relation, drift) = worst.filter(|(_, drift)| *drift > GROWTH)?;
         Some(format!(
-            "errors of the relation {} = {} grow {drift:.0e}-fold in 100 units of time along this orbit, so that it is wrong \
-             after some time: the lift was chosen without a start; choose it for this one, or another lift (smallest, stable, \
+            "errors of the relation {} grow {drift:.0e}-fold in 100 units of time along this orbit, so that it is wrong after \
+             some time: the lift was chosen without a start; choose it for this one, or another lift (smallest, stable, \
              relations), or use reembed",
-            new.name,
-            new.expression.as_deref().unwrap_or_default()
+            relation.text,
         ))
     }
 
