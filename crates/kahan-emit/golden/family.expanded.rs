@@ -62,34 +62,6 @@ const _: () = {
             }
         }
         #[inline(always)]
-        fn field<L: __kahan::Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L]) {
-            let __s_u_before_2 = &x[0];
-            let __s_u_before_1 = &x[1];
-            let __s_u_after_1 = &x[3];
-            let __s_u_after_2 = &x[4];
-            let __p_constant_1 = &constants[0];
-            let __p_constant_2 = &constants[1];
-            let __c_2 = __kahan::integer::<L>(2);
-            f[0] = __p_constant_1
-                .clone()
-                .multiply_add(
-                    __c_2
-                        .clone()
-                        .multiply_add(
-                            __s_u_after_1.clone(),
-                            __s_u_before_2
-                                .clone()
-                                .subtract_product(__c_2, __s_u_before_1.clone()),
-                        ) - __s_u_after_2.clone(),
-                    __p_constant_2.clone()
-                        * (__s_u_before_1.clone() * __s_u_before_1.clone())
-                            .subtract_product(
-                                __s_u_after_1.clone(),
-                                __s_u_after_1.clone(),
-                            ),
-                );
-        }
-        #[inline(always)]
         fn rows<L: __kahan::Scalar>(
             constants: &[L],
             x: &[L],

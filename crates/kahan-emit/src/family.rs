@@ -4,7 +4,7 @@
 //! pub struct Volterra;
 //! const _: () = {
 //!     use kahan_core::__private as __kahan;
-//!     impl<T: Scalar> Family<T> for Volterra { type Shape = Stencil<…>; fn field …; fn rows … }
+//!     impl<T: Scalar> Family<T> for Volterra { type Shape = Stencil<…>; fn rows … }
 //!     impl<T: Scalar> Sums<T> for Volterra { … }          // what is claimed
 //! };
 //! ```
@@ -103,7 +103,6 @@ impl Context<'_> {
         let constants = self.emit_constants();
         let site_parameter = self.emit_site_parameter();
         let b = family.block();
-        let field = self.emit_line("field", &lines.field, &[("f", (0..b).collect())]);
         let columns = family.stencil() * b;
         let entries = lines.entries.iter().map(|place| place.row * columns + place.column);
         let rows = self.emit_line("rows", &lines.rows, &[("f", (0..b).collect()), ("a", entries.collect())]);
@@ -121,7 +120,6 @@ impl Context<'_> {
                     const BOUNDARY: __kahan::Boundary = __kahan::Boundary::#boundary;
                     #constants
                     #site_parameter
-                    #field
                     #rows
                 }
                 #sums

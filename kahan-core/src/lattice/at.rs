@@ -15,7 +15,7 @@ use super::parts::{Kernels, Parted, Partition};
 use super::promise::{Promise, REFINEMENTS};
 use super::scalar::{Eliminated, Solved};
 use super::sites::Site;
-use super::{Boundary, Family, LatticeError, LatticeScalar, Lines, Sizes};
+use super::{Boundary, LatticeError, LatticeScalar, Lines, Sizes};
 
 /// The map of a family at a fixed ε, half the time step, for chains of one number of sites.
 ///
@@ -330,6 +330,22 @@ impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
         worst
     }
 
+    /// f(x), laid out as the state.
+    ///
+    /// # Panics
+    /// If the state is not of this chain's length.
+    #[track_caller]
+    pub fn field(&self, x: &[T]) -> Vec<T> {
+        self.check(x);
+        let mut site = Site::of(self.map.sizes());
+        let mut field = Vec::with_capacity(x.len());
+        for i in 0..self.sites() {
+            site.rows(&self.map, &self.forward, x, i, T::clone);
+            field.extend((0..self.map.sizes().block).map(|b| site.f(b).clone()));
+        }
+        field
+    }
+
     #[track_caller]
     fn check(&self, state: &[T]) {
         let len = self.sites() * self.map.sizes().block;
@@ -340,20 +356,6 @@ impl<M: Lines<T>, T: LatticeScalar> LatticeAt<M, T> {
             self.sites(),
             self.map.sizes().block
         );
-    }
-}
-
-impl<M: Family<T>, T: LatticeScalar> LatticeAt<M, T> {
-    /// f(x), laid out as the state.
-    ///
-    /// # Panics
-    /// If the state is not of this chain's length.
-    #[track_caller]
-    pub fn field(&self, x: &[T]) -> Vec<T> {
-        self.check(x);
-        let mut site = Site::of(self.map.sizes());
-        let sites = 0..self.sites();
-        sites.flat_map(|i| site.field(&self.map, &self.forward, x, i, T::clone).to_vec()).collect()
     }
 }
 

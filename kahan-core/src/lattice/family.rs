@@ -54,12 +54,9 @@ pub trait Family<T: LatticeScalar>: Clone + Debug + Sync {
     /// The values of one of the [`SITE_PARAMETERS`](Self::SITE_PARAMETERS), one a site.
     fn site_parameter(&self, index: usize) -> &[T];
 
-    /// The field of the site: `f[b]` is the derivative of array b.
-    fn field<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L]);
-
     /// The field of the site, and its rows of A(x,ε) = I − ε f′(x).
     ///
-    /// `a` has, for each array b, the (2R + 1)·B entries in the order of `x`, all of them zero when
+    /// `f[b]` is the derivative of array b. `a` has, for each array b, the (2R + 1)·B entries in the order of `x`, all of them zero when
     /// the line begins; it writes those that are structurally there.
     fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]);
 }

@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use crate::Scalar;
 
-use super::{Boundary, Densities, Family, LatticeScalar, Lines, Sizes};
+use super::{Boundary, Densities, LatticeScalar, Lines, Sizes};
 
 /// The neighbour of site i at this offset, if the chain has one there.
 pub(super) fn neighbour(boundary: Boundary, sites: usize, i: usize, offset: isize) -> Option<usize> {
@@ -83,24 +83,6 @@ impl<L: Scalar> Site<L> {
         M: Densities<T>,
     {
         map.densities(constants, &self.x, &self.c, &mut self.registers, densities);
-    }
-
-    /// f of site i.
-    pub(super) fn field<M, T>(
-        &mut self,
-        map: &M,
-        constants: &[L],
-        state: &[T],
-        i: usize,
-        convert: impl Fn(&T) -> L,
-    ) -> &[L]
-    where
-        T: LatticeScalar,
-        M: Family<T>,
-    {
-        self.gather(map, state, i, &convert, &convert);
-        M::field(constants, &self.x, &self.c, &mut self.f);
-        &self.f
     }
 
     /// f and the rows of A of site i, kept until the next call.

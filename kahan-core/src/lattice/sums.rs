@@ -18,7 +18,7 @@ pub trait Sums<T: LatticeScalar>: Family<T> {
     /// The names of the linear integrals.
     const INTEGRALS: &'static [&'static str];
 
-    /// The densities at a site, from the arguments of [`Family::field`]: those of the integrals,
+    /// The densities at a site, from the arguments of [`Family::rows`]: those of the integrals,
     /// then that of the Hamiltonian.
     fn densities<L: Scalar>(constants: &[L], x: &[L], c: &[L], s: &mut [L]);
 }

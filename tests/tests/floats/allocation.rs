@@ -146,10 +146,6 @@ impl<T: LatticeScalar> Family<T> for Ring {
         &[]
     }
 
-    fn field<L: Scalar>(_constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
-        f[0] = x[1].clone() * (x[2].clone() - x[0].clone());
-    }
-
     #[inline(always)]
     fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
         let (eps, difference) = (constants[0].clone(), x[2].clone() - x[0].clone());

@@ -36,8 +36,6 @@ pub struct Lines {
     pub constants: Plan,
     /// The field, an array a result, then the entries of A at [`entries`](Self::entries).
     pub rows: Plan,
-    /// The field alone.
-    pub field: Plan,
     /// What each claimed sum adds up, integrals first, then the Hamiltonian.
     pub sums: Plan,
     /// The entries of A that are not zero for every state.
@@ -111,7 +109,6 @@ impl Family {
         Lines {
             constants,
             rows: needed(part(0..rows)).fused(),
-            field: needed(part(0..field.len())).fused(),
             sums: needed(part(rows..all.outputs.len())).fused(),
             entries,
             lower,

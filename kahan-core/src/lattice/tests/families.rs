@@ -29,11 +29,6 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Volterra<OPEN> {
     }
 
     #[inline(always)]
-    fn field<L: Scalar>(_constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
-        f[0] = x[1].clone() * (x[2].clone() - x[0].clone());
-    }
-
-    #[inline(always)]
     fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
         let eps = constants[0].clone();
         let difference = x[2].clone() - x[0].clone();
@@ -64,16 +59,11 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Toda<OPEN> {
     }
 
     #[inline(always)]
-    fn field<L: Scalar>(_constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
+    fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
+        let (eps, four_eps) = (constants[0].clone(), constants[1].clone());
         let two = L::constant(&Constant::integer(2));
         f[0] = x[2].clone() * (x[5].clone() - x[3].clone());
         f[1] = two * (x[2].clone() * x[2].clone() - x[0].clone() * x[0].clone());
-    }
-
-    #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
-        let (eps, four_eps) = (constants[0].clone(), constants[1].clone());
-        <Self as Family<T>>::field(constants, x, c, f);
         let scaled = eps.clone() * x[2].clone();
         a[2] = L::one().subtract_product(eps, x[5].clone() - x[3].clone());
         a[3] = scaled.clone();
@@ -113,18 +103,12 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Kdv<T, OPEN> {
     }
 
     #[inline(always)]
-    fn field<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L]) {
+    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
         let slope = x[3].clone() - x[1].clone();
         let two = L::constant(&Constant::integer(2));
         let third = (x[4].clone() - x[0].clone()).subtract_product(two, slope.clone());
-        let advection = constants[0].clone() * x[2].clone() * slope;
+        let advection = constants[0].clone() * x[2].clone() * slope.clone();
         f[0] = -(constants[1].clone() * c[2].clone()).multiply_add(third, advection);
-    }
-
-    #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
-        <Self as Family<T>>::field(constants, x, c, f);
-        let slope = x[3].clone() - x[1].clone();
         let dispersion = constants[3].clone() * c[2].clone();
         let both = dispersion.clone() + dispersion.clone();
         let advection = constants[2].clone() * x[2].clone();
@@ -162,7 +146,7 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
     }
 
     #[inline(always)]
-    fn field<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L]) {
+    fn rows<L: Scalar>(constants: &[L], x: &[L], _c: &[L], f: &mut [L], a: &mut [L]) {
         for (b, f) in f.iter_mut().enumerate() {
             *f = L::one();
             for term in 0..8 {
@@ -170,11 +154,6 @@ impl<T: LatticeScalar, const OPEN: bool> Family<T> for Tangled<T, OPEN> {
                 *f += constants[1 + term].clone() * (x[p].clone() * x[q].clone());
             }
         }
-    }
-
-    #[inline(always)]
-    fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
-        <Self as Family<T>>::field(constants, x, c, f);
         for b in 0..3 {
             a[33 * b + 15 + b] = L::one();
             for term in 0..8 {
