@@ -22,6 +22,9 @@ pub use std::vec::{self, Vec};
 pub mod dense {
     pub use crate::dense::{Float, Workspace, assemble, coefficients, pack, points, velocities, velocity};
 }
+/// Several numbers as one scalar: `kahan-runtime` interprets columns over it.
+#[cfg(feature = "std")]
+pub use crate::ensemble::{lanes::Register, twice::Twice};
 pub use crate::field::couplings::{CouplingRow, Couplings, LARGEST_FACTOR};
 pub use crate::field::linear::{components, vector};
 #[cfg(feature = "std")]

@@ -4,7 +4,7 @@
 //! of a level and run there. One float is the register of processors that have no other.
 
 use super::level::Level;
-pub(crate) use super::sweep::Register;
+pub use super::sweep::Register;
 use crate::Scalar;
 
 /// A register whose lanes are compared and chosen from, each for itself.

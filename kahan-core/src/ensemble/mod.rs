@@ -14,8 +14,7 @@ pub(crate) mod lanes;
 mod level;
 mod scalar;
 mod sweep;
-#[cfg(target_arch = "x86_64")]
-mod twice;
+pub(crate) mod twice;
 #[cfg(target_arch = "x86_64")]
 mod x86_64;
 

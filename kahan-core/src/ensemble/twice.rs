@@ -15,7 +15,7 @@ use super::sweep::Register;
 
 /// The lanes of the first register, then those of the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Twice<L>(L, L);
+pub struct Twice<L>(L, L);
 
 operators!([L: Scalar + Copy] Twice<L>: Self::sum, Self::difference, Self::product, Self::ratio);
 
@@ -73,6 +73,16 @@ impl<L: Scalar + Copy> Scalar for Twice<L> {
     #[inline(always)]
     fn constant(c: &Constant<'_>) -> Self {
         Self(L::constant(c), L::constant(c))
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self) -> Option<Self> {
+        Some(Self(self.0.reciprocal()?, self.1.reciprocal()?))
+    }
+
+    #[inline(always)]
+    fn quotient(self, divisor: Self) -> Option<Self> {
+        Some(Self(self.0.quotient(divisor.0)?, self.1.quotient(divisor.1)?))
     }
 
     #[inline(always)]

@@ -6,13 +6,13 @@
 
 use core::ops::Range;
 
-use kahan_core::{Composition, Scalar};
+use kahan_core::__private::Register;
+use kahan_core::Composition;
 
 use crate::machine::StepKind;
 
 use super::couplings::Tables;
 use super::floats::MachineFloat;
-use super::lanes::{EightLanes, LANES};
 use super::scratch::{Local, Scratch, with_scratch};
 use super::step::{Step, Steps};
 use super::{Engine, distinct, in_turn};
@@ -33,42 +33,25 @@ pub(crate) fn given<'a, T>(values: &'a [T], trajectories: &Range<usize>) -> &'a 
     if values.len() > 1 { &values[trajectories.clone()] } else { values }
 }
 
-/// Numbers of as many trajectories as go side by side.
-pub(super) trait Lanes<T>: Scalar + Copy {
-    /// How many.
-    const WIDTH: usize;
+/// The most trajectories that go side by side.
+const LANES: usize = 8;
 
-    /// One of each trajectory.
-    fn gather(value: impl Fn(usize) -> T) -> Self;
-
-    /// That of a trajectory.
-    fn of(&self, place: usize) -> T;
+/// One number of each trajectory of a register.
+#[inline(always)]
+fn gathered<T: MachineFloat, V: Register<T>>(number: impl Fn(usize) -> T) -> V {
+    let mut numbers = [T::zero(); LANES];
+    for (place, own) in numbers[..V::WIDTH].iter_mut().enumerate() {
+        *own = number(place);
+    }
+    V::load(&numbers, 0)
 }
 
-impl<T: MachineFloat> Lanes<T> for T {
-    const WIDTH: usize = 1;
-
-    fn gather(value: impl Fn(usize) -> T) -> Self {
-        value(0)
-    }
-
-    fn of(&self, _place: usize) -> T {
-        *self
-    }
-}
-
-impl<T: MachineFloat> Lanes<T> for EightLanes<T> {
-    const WIDTH: usize = LANES;
-
-    #[inline(always)]
-    fn gather(value: impl Fn(usize) -> T) -> Self {
-        EightLanes(core::array::from_fn(value))
-    }
-
-    #[inline(always)]
-    fn of(&self, place: usize) -> T {
-        self.0[place]
-    }
+/// The number of each trajectory of a register, in its place.
+#[inline(always)]
+fn scattered<T: MachineFloat, V: Register<T>>(register: V) -> [T; LANES] {
+    let mut numbers = [T::zero(); LANES];
+    register.store(&mut numbers, 0);
+    numbers
 }
 
 impl Engine {
@@ -117,7 +100,7 @@ pub(super) fn advance<T, V>(
     steps: u64,
 ) where
     T: MachineFloat,
-    V: Lanes<T>,
+    V: Register<T>,
 {
     let trajectories = columns.first().map_or(0, |column| column.len());
     let (stages, size) = (distinct(&composition).len(), step.registers());
@@ -125,15 +108,15 @@ pub(super) fn advance<T, V>(
         for first in (0..trajectories).step_by(V::WIDTH) {
             let last = trajectories.min(first + V::WIDTH) - 1;
             let gather = |values: &[T]| {
-                V::gather(|place| if values.len() == 1 { values[0] } else { values[last.min(first + place)] })
+                gathered(|place| if values.len() == 1 { values[0] } else { values[last.min(first + place)] })
             };
             [&mut *constants, given, state].into_iter().for_each(Vec::clear);
             state.extend(columns.iter().map(|column| gather(column)));
             constants.extend(parameters.iter().map(|values| gather(values)));
             constants.push(V::zero());
-            let eps = gather(eps);
+            let eps = scattered::<T, V>(gather(eps));
             for gamma in distinct(&composition) {
-                constants[parameters.len()] = V::gather(|place| kind.stage_eps(gamma, eps.of(place)));
+                constants[parameters.len()] = gathered(|place| kind.stage_eps(gamma, eps[place]));
                 step.prepare(constants, registers, given);
             }
             registers.clear();
@@ -141,14 +124,16 @@ pub(super) fn advance<T, V>(
             for _ in 0..steps {
                 in_turn(stages, |k| {
                     let registers = &mut registers[k * size..][..size];
-                    let stored = |x: V| V::gather(|place| kind.stored(x.of(place)));
+                    let stored = |x: V| {
+                        let x = scattered(x);
+                        gathered(|place| kind.stored(x[place]))
+                    };
                     step.advance_as(kind, [state, &mut []], registers, workspace, stored, Tables::factor);
                 });
             }
             for (column, x) in columns.iter_mut().zip(&*state) {
-                for (place, entry) in column[first..=last].iter_mut().enumerate() {
-                    *entry = x.of(place);
-                }
+                let x = scattered(*x);
+                column[first..=last].copy_from_slice(&x[..=last - first]);
             }
         }
     });

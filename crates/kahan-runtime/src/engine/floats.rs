@@ -2,13 +2,12 @@
 
 use core::cell::Cell;
 
-use kahan_core::__private::dense;
+use kahan_core::__private::{Register, Twice, dense};
 use kahan_core::{Dd, Dual, EnsembleScalar, FloatScalar, Precision};
 
 use crate::machine::Coded;
 
 use super::couplings::{Factors, Tables};
-use super::lanes::EightLanes;
 use super::scratch::{Kept, Local};
 use super::{Engine, Object};
 
@@ -61,11 +60,19 @@ pub trait RuntimeFloat: FloatScalar + EnsembleScalar + From<f32> + Default + Sen
     fn duals() -> Local<Dual<Self, 1>>;
 }
 
+/// Eight numbers as one scalar.
+type EightLanes<T> = Twice<Twice<Twice<T>>>;
+
 /// A float of the machine: `f64` or `f32`.
 pub trait MachineFloat: RuntimeFloat<Word = Self> + Coded + dense::Float {
+    /// The numbers of several states side by side: an instruction of a line is decoded once for
+    /// all of them.
+    #[doc(hidden)]
+    type Abreast: Register<Self>;
+
     /// The scratch for several states side by side.
     #[doc(hidden)]
-    fn lanes() -> Local<EightLanes<Self>>;
+    fn lanes() -> Local<Self::Abreast>;
 }
 
 /// A function that lends the scratch of this thread over a scalar.
@@ -118,6 +125,8 @@ macro_rules! implement_for_float {
         }
 
         impl MachineFloat for $float {
+            type Abreast = EightLanes<$float>;
+
             scratch!(lanes, EightLanes<$float>);
         }
     };

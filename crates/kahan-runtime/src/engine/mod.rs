@@ -12,7 +12,6 @@ mod couplings;
 mod dense;
 mod elimination;
 mod floats;
-mod lanes;
 mod scratch;
 mod step;
 
