@@ -108,7 +108,7 @@ class Orbit(Table):
     ended: str
     """Why it goes no further."""
     why: str | None = None
-    """The same in words, where a lifted field ends the orbit."""
+    """The end in words, where a lifted field ends the orbit."""
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,

@@ -109,7 +109,7 @@ impl Field {
         self.study.variables().len()
     }
 
-    /// What is wrong with points of all variables of this shape; of a lifted field in terms of those
+    /// The error for points of all variables of this shape; of a lifted field in terms of those
     /// that arrays have.
     pub(crate) fn wrong_points(&self, name: &str, wanted: &[&str], found: &[usize]) -> PyErr {
         let shown = self.study.shown().len();
@@ -346,7 +346,7 @@ impl Field {
         Ok(PyArray1::from_vec(py, all).reshape(sizes)?.into_any())
     }
 
-    /// What there is to say of a lift that was chosen without a start, along the orbit of this one.
+    /// A warning about a lift that was chosen without a start, along the orbit of this one.
     #[pyo3(name = "_relations_warning")]
     fn relations_warning(&self, x: &Bound<'_, PyAny>, eps: Eps) -> PyResult<Option<String>> {
         let x = doubles(x, "x")?;

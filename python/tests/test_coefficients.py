@@ -16,7 +16,7 @@ def quadratic(n, rng, size=0.1):
 
 
 def triangle(Q, order):
-    """The same field with each product once."""
+    """The coefficients of a field with each product once."""
     n = len(Q)
     whole = Q + Q.transpose(0, 2, 1) - Q * np.eye(n)
     j, k = np.tril_indices(n) if order == "tril" else np.triu_indices(n)

@@ -412,7 +412,7 @@ function show(drawn) {
   drift($('drift'), own[0].columns[1], measured, relationErrors, 2 * valueOf(own[0].eps) * state.steps)
 }
 
-// What the drift plot shows, and by which lines.
+// The lines of the drift plot.
 function drifting(integrals) {
   const said = integrals ? [`Largest relative change of ${integrals} along the first orbit${relationErrors.length ? ', and' : ''}`] : []
   if (!relationErrors.length) return said

@@ -1,4 +1,4 @@
-// What the page shows, which its address holds: field or system, which lift, params, eps, at, steps,
+// The state of the page, which its address holds: field or system, which lift, params, eps, at, steps,
 // axes, beside.
 const START = { system: '', field: '', lift: '', params: {}, eps: '', at: [], steps: 4000, axes: [], beside: [] }
 

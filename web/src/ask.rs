@@ -46,7 +46,7 @@ struct Reply {
     columns: Vec<f64>,
 }
 
-/// What was wrong, in words.
+/// The mistake in words.
 struct Mistake {
     said: String,
     /// Whether the equations are not quadratic, and a lift reads them.
@@ -159,7 +159,7 @@ fn shown_formulas(study: &Study, asked: &Show, watch: &dyn Watch) -> Result<Repl
     Ok(Reply { answer, html, parameters, values, lifted: lifted(study)?, ..Reply::default() })
 }
 
-/// What there is to say of a lift; null of a field that is quadratic as it was written.
+/// The lift of the field; null of a field that is quadratic as it was written.
 fn lifted(study: &Study) -> Result<Value, StudyError> {
     let is_quadratic = study.lift().is_none_or(|lift| lift.order() == 0 && !lift.has_time);
     let Some(found) = study.lift_found(None)?.filter(|_| !is_quadratic) else { return Ok(Value::Null) };

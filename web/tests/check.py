@@ -209,7 +209,7 @@ def lifts_are_chosen_along_an_orbit_searched_and_refused(browser, kahan):
         assert "decays at the rate -1." in tab.text("#lift-shown") and tab.page.is_hidden("#growing")
         tab.waits(DRAWN)
         assert tab.page.evaluate("Math.max(...relationErrors[0])") < 0.1
-        # What is found of a lift is measured along orbits in the original variables.
+        # Relations are measured along orbits in the original variables.
         tab.page.fill("#field", "x'' = -x^5")
         tab.waits(f"{LIFTED} && document.querySelector('#lift-shown').textContent.includes('energy')")
         found(tab)
@@ -224,7 +224,7 @@ def lifts_are_chosen_along_an_orbit_searched_and_refused(browser, kahan):
         tab.waits(f"document.querySelector('#mistake').hidden && {LIFTED}")
         tab.page.fill("#field", E6)
         tab.waits("document.querySelector('#lifted').hidden && document.querySelector('#lifting').hidden")
-        # What no lift reads is refused with the reason, and without the button.
+        # A text that no lift reads is refused with the reason, and without the button.
         for text, why in [("xdot = abs(x);", "corner"), ("xdot = sin(x", "")]:
             tab.page.fill("#field", text)
             tab.waits(f"document.querySelector('#mistake').textContent.includes({json.dumps(why)}) && !document.querySelector('#mistake').hidden")

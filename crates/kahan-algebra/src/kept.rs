@@ -269,8 +269,8 @@ impl Kept {
         Kept { values, components }
     }
 
-    /// What stands for the field with a vector of derivatives for each entry of `by`, whose symbols
-    /// are `tangent`.
+    /// The field with a vector of derivatives for each entry of `by`, over values. Its symbols are
+    /// `tangent`.
     pub(crate) fn with_derivatives(&self, symbols: &Symbols, tangent: &Symbols, by: &[By]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =

@@ -10,7 +10,7 @@ use crate::poly::{Polynomial, gcd};
 use crate::symbols::Symbols;
 use crate::system::System;
 
-/// What a point of an orbit is differentiated by.
+/// A number by which points of an orbit are differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum By {
     /// A coordinate of the first point.
@@ -90,7 +90,7 @@ impl System {
 }
 
 impl Symbols {
-    /// These names, and names of a vector for each entry of `by`; one more parameter where one is by ε.
+    /// Adds names of a vector for each entry of `by`, and a parameter where one is by ε.
     fn with_tangents(&self, by: &[By]) -> Symbols {
         let (mut states, mut parameters) = (self.states.clone(), self.parameters.clone());
         for state in by.iter().flat_map(|_| &self.states) {

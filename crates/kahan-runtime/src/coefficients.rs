@@ -27,13 +27,13 @@ pub struct Coefficients {
     coefficients: Vec<Coefficient>,
 }
 
-/// Why coefficients are those of no field.
+/// The reason for which coefficients make no field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CoefficientError {
     /// A component, a state or a parameter is none of the field's.
     OutOfRange {
-        /// What it is: `component`, `state` or `parameter`.
+        /// One of `component`, `state` and `parameter`.
         what: &'static str,
         /// Its index, from 0 on.
         index: usize,

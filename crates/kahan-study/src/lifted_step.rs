@@ -28,7 +28,7 @@ pub struct LiftedStep<'a, S: Step> {
 /// there is none.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
-/// Why there is no next point of a lifted field.
+/// The reason for which a point of a lifted field has no next one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiftEnds {
     /// This new variable, which is positive by its definition, would become negative.
@@ -41,7 +41,7 @@ pub enum LiftEnds {
 const GROWTH: f64 = 100.0;
 
 impl LiftEnds {
-    /// Says why an orbit ends after so many steps.
+    /// Says why an orbit ends after this number of steps.
     #[must_use]
     pub fn in_words(self, study: &Study, steps: u64) -> String {
         let next = steps + 1;
@@ -109,8 +109,8 @@ impl Study {
         if reembed { self.reembedded_step(at) } else { self.lifted_step(at) }
     }
 
-    /// Those that are projected symmetrically onto the relations, too; `None` of a field that was
-    /// not lifted.
+    /// The steps that are projected symmetrically onto the relations; `None` of a field that was not
+    /// lifted.
     fn reembedded_step<T: RuntimeFloat + EmbedScalar>(
         &self,
         at: &MapAt<T>,
@@ -169,7 +169,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         is_there
     }
 
-    /// Why the orbit ends at a point, if the map itself goes on there.
+    /// Returns the reason for which the orbit ends at a point where the map itself goes on.
     #[must_use]
     pub fn ends(&self, x: &[T]) -> Option<LiftEnds> {
         let mut next = x.to_vec();

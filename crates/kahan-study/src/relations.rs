@@ -46,7 +46,7 @@ impl Error {
 }
 
 impl Study {
-    /// The errors of the relations of a lift along an orbit of Kahan's map, in so many equal parts
+    /// The errors of the relations of a lift along an orbit of Kahan's map, in `parts` equal parts
     /// of it; of a field that was not lifted, none. Costs the steps and, at each, the functions of
     /// the new variables.
     ///
@@ -105,7 +105,7 @@ impl Subject {
     /// along an orbit to see ([`Study::shown_orbit`]), where all parameters have values.
     ///
     /// # Errors
-    /// Those of [`study`](Subject::study).
+    /// As [`study`](Subject::study).
     pub fn study_to_show(&self, catalog: &dyn Catalog) -> Result<Study, StudyError> {
         let study = self.study(catalog)?;
         let Some(lifting) = self.lifting.as_ref().filter(|_| study.lift_start().is_none()) else {

@@ -146,7 +146,7 @@ impl<T: FlowScalar> Flow<T> {
         Ok(flow)
     }
 
-    /// The flow with distances and the scale of its first so many variables alone, up to the `end`
+    /// The flow with distances and the scale of its first `variables` alone, up to the `end`
     /// that was asked for.
     #[must_use]
     pub fn of_first(self, variables: usize, end: f64) -> Self {

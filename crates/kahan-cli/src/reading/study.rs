@@ -38,7 +38,7 @@ impl Source {
         Ok(self.subject_of_block(block, at)?.study(&Systems)?)
     }
 
-    /// The same, a lift without a first point chosen along an orbit to see.
+    /// Reads the field; a lift without a first point is chosen along an orbit to see.
     pub(crate) fn study_to_show(&self, block: &Block, at: Option<&str>) -> Result<Study, Refusal> {
         Ok(self.subject_of_block(block, at)?.study_to_show(&Systems)?)
     }

@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 use crate::document::{LINE, Table, display};
 
-/// What there is to say of the lift of a field.
+/// The lift of a field, in words and formulas.
 #[must_use]
 pub fn lift(found: &LiftFound) -> Markup {
     html! {

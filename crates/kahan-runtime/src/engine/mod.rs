@@ -100,7 +100,7 @@ pub struct Engine {
     lines: Vec<OnceLock<Option<Line>>>,
     /// The integrals, each by itself.
     single_integrals: OnceLock<Vec<Line>>,
-    /// Those of the fields with derivatives that were asked for.
+    /// The engines of the fields with derivatives, once they are asked for.
     with_derivatives: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
     /// From the parameters to the coefficients of a dense field.
     coefficients: OnceLock<Option<Line>>,

@@ -56,7 +56,7 @@ pub trait ObservedFloat: MachineFloat + EmbedScalar + PartialOrd {
         tell: &dyn Fn(u64) -> ControlFlow<()>,
     ) -> Result<Followed<Vec<Seen>>, DimensionError>;
 
-    /// The same of the orbit that other steps make; observers take what they need from the map.
+    /// Observes the orbit that other steps make; observers take what they need from the map.
     ///
     /// # Errors
     /// [`DimensionError`] if the start has not an entry a variable.

@@ -134,7 +134,7 @@ impl<T: MachineFloat> Observer<T> for Last<T> {
 
 /// All that is asked of an orbit. Its report is what was seen, and what a second run turns about.
 struct All<'a, T: MachineFloat + EmbedScalar, M, B> {
-    /// What carries the tangent vectors of all observers.
+    /// The carrier of the tangent vectors of all observers.
     carrier: Carrier<'a, T>,
     running: Vec<(Observable, Running<'a, T, M, B>)>,
 }
@@ -191,7 +191,7 @@ where
     }
 }
 
-/// What is seen of the orbit of `start` by these steps, which goes as far as its points are finite;
+/// Observes the orbit of `start` by these steps, which goes as far as its points are finite;
 /// a second run counts turns, where they are asked for. `tell` hears of steps, and may stop the
 /// orbit.
 pub(super) fn alone<T: MachineFloat + EmbedScalar + PartialOrd>(

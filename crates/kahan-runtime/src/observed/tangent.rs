@@ -36,7 +36,7 @@ pub trait Relations: fmt::Debug + Sync {
 /// order ε².
 const FARTHEST: f64 = 1.0 / 64.0;
 
-/// What carries tangent vectors.
+/// The map along which tangent vectors are carried.
 #[derive(Clone, Debug)]
 pub(super) enum Carrier<'a, T: MachineFloat> {
     /// All variables by the map.

@@ -93,7 +93,7 @@ pub struct Observed {
     pub steps: u64,
     /// How the orbit ended.
     pub end: End,
-    /// Why it ended, where that is for the lift.
+    /// The reason of the end, where the lift has one.
     pub why: Option<String>,
     /// What was seen of all that was asked for, in that order.
     pub seen: Vec<(Observable, Seen)>,
@@ -199,7 +199,7 @@ impl Observe {
         self.abreast(study, maps, starts, &self.observables(), tell).into_iter().map(numbers).collect()
     }
 
-    /// What is seen of one orbit, whose steps end where those of a lifted field do, and why.
+    /// Observes one orbit, whose steps end where those of a lifted field do; with the reason.
     pub(super) fn alone<T: ObservedFloat + EmbedScalar>(
         &self,
         study: &Study,
@@ -219,7 +219,7 @@ impl Observe {
         (found, ends)
     }
 
-    /// The same of many orbits, side by side where there is code for that. An orbit of a lifted
+    /// Observes many orbits, side by side where there is code for that. An orbit of a lifted
     /// field whose last point is beyond its end is followed once more, to the end.
     pub(super) fn abreast<T: ObservedFloat + EmbedScalar>(
         &self,

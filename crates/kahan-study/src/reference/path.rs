@@ -20,7 +20,7 @@ pub struct Limits<'a> {
     /// there exactly may go further. Where the solution escapes to infinity first, nothing is
     /// added.
     pub margin: f64,
-    /// The variables that errors and the scale are of, the first so many; all where it is `None`.
+    /// The number of variables, from the first on, that errors and the scale are of; `None` for all.
     pub variables: Option<usize>,
     /// Whether the time is over; without it there is no limit.
     pub is_over: Option<&'a dyn Fn() -> bool>,

@@ -24,7 +24,7 @@ pub(super) struct Search<'a> {
     pub(super) subject: &'a Runner<'a>,
     pub(super) prices: Prices,
     pub(super) scene: Scene,
-    /// The variables that errors are of, the first so many.
+    /// The number of variables, from the first on, that errors are of.
     pub(super) originals: usize,
     /// What a measured error may be.
     pub(super) tolerance: f64,

@@ -226,7 +226,7 @@ impl Shown {
 
     /// Orbits, or where they cross a section.
     fn orbits(&self, study: &Study, plane: Option<&str>, look: &Look) -> Result<Drawn, Refusal> {
-        // What axes name may be a new variable of a lift.
+        // Axes may name new variables of a lift.
         let study = &if self.axes.is_empty() { study.clone() } else { study.showing_all() };
         let (axes, eps, starts) = (self.axes(study)?, self.eps()?, self.spread.starts(&self.at));
         self.check_points(starts.len())?;
