@@ -43,8 +43,11 @@ pub enum Function {
     Atanh,
 }
 
+/// A function of floats.
+type Value = fn(f64) -> f64;
+
 /// Names and values of the functions, in the order of [`Function`].
-const FUNCTIONS: [(&str, fn(f64) -> f64); 13] = [
+const FUNCTIONS: [(&str, Value); 13] = [
     ("exp", libm::exp),
     ("log", libm::log),
     ("sin", libm::sin),

@@ -273,7 +273,7 @@ fn what_cannot_be_lifted_is_refused_with_its_reason() {
         ("x' = sign(y); y' = -x", "has a corner or a jump"),
         ("x' = f(x)", "no function that can be lifted"),
         ("x' = erf(x)", "`erf(…)` is not lifted"),
-        ("x' = log10(x)", "irrational factor"),
+        ("x' = log10(x)", "write `c*log(u)`, with a parameter c = 0.434"),
         ("x' = x^100", "too large"),
         ("x' = 1/(x - x)", "divides by zero"),
         ("x' = sin(x); x' = y; y' = 1", "two equations"),
