@@ -298,14 +298,17 @@ where
     Ok((rows, end.steps(steps), end.name(), why))
 }
 
-/// The rows of one orbit, its last point, how it ended, and how many steps were asked for.
+/// The rows of an orbit, its last point, how it ended, and how many steps were asked for.
+type Orbit<'py, T> = (Bound<'py, PyAny>, Vec<T>, End, u64);
+
+/// Follows an orbit and stores its rows.
 fn follow<'py, S>(
     py: Python<'py>,
     at: &S,
     mut x: Vec<S::Scalar>,
     asked: &Asked<'py>,
     out: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(Bound<'py, PyAny>, Vec<S::Scalar>, End, u64)>
+) -> PyResult<Orbit<'py, S::Scalar>>
 where
     S: Follow<Scalar: Float> + Sync,
 {

@@ -129,7 +129,8 @@ impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
             let errors = row.iter().zip(&self.basis).map(|(slope, vector)| vector[k].approximate() - slope);
             let error = errors.fold(0.0, squares);
             // A variable without a function has no slopes, and no equation has it.
-            is_far |= *largest > 0.0 && !(error <= FARTHEST * FARTHEST * *largest);
+            let is_near = error <= FARTHEST * FARTHEST * *largest;
+            is_far |= *largest > 0.0 && !is_near;
         }
         if is_far {
             for (k, row) in (n..).zip(slopes.chunks_exact(n)) {
