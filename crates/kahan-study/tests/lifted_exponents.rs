@@ -96,7 +96,7 @@ fn reference(case: &Case, step: f64, steps: usize) -> Vec<f64> {
             *x += step / 6.0 * (one[i] + 2.0 * two[i] + 2.0 * three[i] + four[i]);
         }
         let mut vectors: Vec<Vec<f64>> = all[n..].chunks(n).map(<[f64]>::to_vec).collect();
-        for i in 0..n {
+        for (i, log) in logs.iter_mut().enumerate() {
             let (before, rest) = vectors.split_at_mut(i);
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
             for axis in before {
@@ -104,7 +104,7 @@ fn reference(case: &Case, step: f64, steps: usize) -> Vec<f64> {
                 rest[0].iter_mut().zip(axis).for_each(|(entry, axis)| *entry -= part * *axis);
             }
             let length = dot(&rest[0], &rest[0]).sqrt();
-            logs[i] += length.ln();
+            *log += length.ln();
             rest[0].iter_mut().for_each(|entry| *entry /= length);
         }
         all.truncate(n);
