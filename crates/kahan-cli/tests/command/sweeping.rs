@@ -7,11 +7,15 @@ use std::process::{Command, Output};
 
 use crate::running::text;
 
-/// A run of a copy of the command in this folder, which finds programs there only: where cargo puts
-/// the command, it may have put kahan-sweep.
+/// A run of the command in this folder, which finds programs there only: where cargo puts the
+/// command, it may have put kahan-sweep. A link needs no file that is written, which could not run
+/// while another test starts a process.
 fn sweep(programs: &Path, arguments: &[&str]) -> Output {
     let copy = programs.join("kahan");
-    fs::copy(env!("CARGO_BIN_EXE_kahan"), &copy).expect("a copy of the command");
+    let command = env!("CARGO_BIN_EXE_kahan");
+    fs::hard_link(command, &copy)
+        .or_else(|_| fs::copy(command, &copy).map(drop))
+        .expect("the command in the folder");
     Command::new(copy).arg("sweep").args(arguments).env("PATH", programs).output().expect("the command runs")
 }
 
