@@ -68,6 +68,7 @@ const ALGEBRA: Layered = Layered {
         "relations",
         "modified_integrals",
         "system",
+        "coefficients",
         "variational",
         "elimination",
         "render",

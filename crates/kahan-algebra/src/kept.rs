@@ -15,7 +15,17 @@ use crate::kahan::SparseRows;
 use crate::numbered::Numbered;
 use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::Symbols;
-use crate::variational::By;
+
+/// A number by which points of an orbit are differentiated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum By {
+    /// A coordinate of the first point.
+    Start,
+    /// The parameter with this index.
+    Parameter(usize),
+    /// ε, half the time step.
+    Epsilon,
+}
 
 /// What a value is, in states, parameters and values before it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

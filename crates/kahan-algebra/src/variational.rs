@@ -6,20 +6,10 @@
 use std::sync::Arc;
 
 use crate::field::{Component, Field};
+pub use crate::kept::By;
 use crate::poly::{Polynomial, gcd};
 use crate::symbols::Symbols;
 use crate::system::System;
-
-/// A number by which points of an orbit are differentiated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum By {
-    /// A coordinate of the first point.
-    Start,
-    /// The parameter with this index.
-    Parameter(usize),
-    /// ε, half the time step.
-    Epsilon,
-}
 
 impl System {
     /// The system of x and a tangent vector v, whose names are those of x with a `d` before them;
