@@ -111,7 +111,7 @@ class System(Field):
         >>> import kahan
         >>> s = kahan.System.from_arrays(B=[[0, 1], [0, 0]], Q=[[0, 0, 0], [-1, 0, 0]], names=["x", "v"])
         >>> s.text
-        'xdot = v;\nvdot = -x^2;'
+        'xdot = v;\\nvdot = -x^2;'
         >>> kahan.System.from_arrays(parameters={"r": {"B": [[1]], "Q": [[-1]]}}, names=["x"], r=2).text
         'xdot = r*x - r*x^2;'
         """
@@ -386,7 +386,7 @@ class System(Field):
         step. ``method`` is kahan, or for comparison euler, rk4 or flow (the solution itself, by
         certified Taylor series). ``projective`` goes on at poles, through points at infinity. ``reembed``
         projects each step of a lifted field, in f64, symmetrically onto the relations between its variables: they
-        hold exactly, and energies do not drift; a step takes 2 to 13 steps of the map.
+        hold exactly, and energies do not drift; a step takes 2 to 16 steps of the map.
         ``out`` of shape (1 + steps // every, variables) takes the rows in place of a new array.
 
         An orbit ends before a point that is not finite or has no value, of a lifted field where a root would

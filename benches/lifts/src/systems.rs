@@ -2,7 +2,7 @@
 //!
 //! A line of the file is a name, equations, values of parameters, a start, a time before which no
 //! solution loses its predictability, the energy of a conservative system, and words: `chaotic`,
-//! and `extra` for what is none of the thirty systems.
+//! and `extra` for systems beyond the thirty.
 
 use kahan_algebra::diagnostics::Diagnostics;
 use kahan_algebra::lenient;

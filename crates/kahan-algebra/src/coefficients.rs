@@ -28,7 +28,7 @@ impl System {
     /// The system without claims whose components are the sums of these coefficients.
     ///
     /// # Panics
-    /// If a component, a state or a parameter is none of the symbols.
+    /// If a component, a state or a parameter has an index beyond those of the symbols.
     #[must_use]
     pub fn of_coefficients(symbols: Symbols, coefficients: impl IntoIterator<Item = Coefficient>) -> System {
         let mut terms = vec![Vec::new(); symbols.dimension()];

@@ -24,7 +24,7 @@ pub struct Reembedding {
 impl Reembedding {
     /// Advances the states by one step of `step`, which takes all variables to their image; `embed`
     /// gives the new variables at states. Whether the iteration converged: the states stay as they
-    /// are if it did not. It takes 2 to 13 steps of the map, most often.
+    /// are if it did not. It takes 2 to 16 steps of the map, most often.
     pub fn step(
         &mut self,
         states: &mut [f64],

@@ -31,7 +31,7 @@ pub struct Coefficients {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CoefficientError {
-    /// A component, a state or a parameter is none of the field's.
+    /// The field has no component, state or parameter with this index.
     OutOfRange {
         /// One of `component`, `state` and `parameter`.
         what: &'static str,
@@ -99,7 +99,7 @@ impl Coefficients {
     /// Adds a coefficient: the entry of c with no state, of B with one, of Q with two.
     ///
     /// # Errors
-    /// [`CoefficientError`] where it is not finite, or multiplies what is none of the field's.
+    /// [`CoefficientError`] where the value is not finite, or an index is out of range.
     pub fn add(
         &mut self,
         component: usize,
@@ -159,7 +159,7 @@ impl<R: Dim, C: Dim, S: RawStorage<f64, R, C>> From<&Matrix<f64, R, C, S>> for E
 
 impl Field {
     /// The field ẋᵢ = cᵢ + Σⱼ Bᵢⱼxⱼ + Σⱼₖ Qᵢⱼₖxⱼxₖ in x1, …, xn, from slices row by row or matrices of
-    /// nalgebra. An array without numbers is 0. Q has n³ numbers, or n²(n + 1)/2: then each row has
+    /// nalgebra. An array without numbers is 0, and one of them has some. Q has n³ numbers, or n²(n + 1)/2: then each row has
     /// the coefficients of xⱼxₖ with k ≤ j, as operator inference has them. Each float is taken
     /// exactly.
     ///
@@ -180,7 +180,12 @@ impl Field {
         q: impl Into<Entries>,
     ) -> Result<Self, CoefficientError> {
         let [Entries(c), Entries(b), Entries(q)] = [c.into(), b.into(), q.into()];
-        let n = if c.is_empty() { b.len().isqrt() } else { c.len() };
+        let fits_q =
+            |n: &usize| [n * n * n, n * n * (n + 1) / 2].contains(&q.len()) || n * n * n > 2 * q.len();
+        let n = match (c.len(), b.len().isqrt()) {
+            (0, 0) => (0..).find(fits_q).unwrap_or_default(),
+            (0, n) | (n, _) => n,
+        };
         let half = n * (n + 1) / 2;
         let fits = |array, numbers: &[f64], wanted: &[usize]| {
             let found = numbers.len();

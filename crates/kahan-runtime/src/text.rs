@@ -28,10 +28,8 @@ pub struct FieldText {
 struct Shared {
     /// Written when it is first asked for, where the field is made of a system.
     text: OnceLock<String>,
-    /// Where in the text the block stands; `None` for all of it.
+    /// Where in the text the block stands; `None` where the field is made of a system.
     body: Option<Range<usize>>,
-    /// Whether the field is made of a system.
-    is_made: bool,
     /// What the text is called in reports.
     origin: String,
     said: OnceLock<Said>,
@@ -73,7 +71,7 @@ impl FieldText {
         body.start += if text[body.clone()].starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let (said, unproved) = (OnceLock::new(), OnceLock::new());
         let (text, body) = (OnceLock::from(text), Some(body));
-        FieldText { shared: Arc::new(Shared { text, body, is_made: false, origin, said, unproved }) }
+        FieldText { shared: Arc::new(Shared { text, body, origin, said, unproved }) }
     }
 
     /// A field without a text, whose claims are taken as they are: its text is written when it is
@@ -83,7 +81,12 @@ impl FieldText {
         let said = Said { canonical: None, reading: Reading::default() };
         let (said, unproved) = (OnceLock::from(said), OnceLock::from(Checked::System(system)));
         let text = OnceLock::new();
-        FieldText { shared: Arc::new(Shared { text, body: None, is_made: true, origin, said, unproved }) }
+        FieldText { shared: Arc::new(Shared { text, body: None, origin, said, unproved }) }
+    }
+
+    /// Whether the field is made of a system, and not of a text.
+    fn is_made(&self) -> bool {
+        self.shared.body.is_none()
     }
 
     /// The text in which the block stands.
@@ -125,7 +128,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn system(&self) -> Result<System, Diagnostics> {
-        if self.shared.is_made { self.unproved_system() } else { self.accept(read(&self.tokens()).system()) }
+        if self.is_made() { self.unproved_system() } else { self.accept(read(&self.tokens()).system()) }
     }
 
     /// The family, with its claims proved for every number of sites; `None` where the block has
@@ -134,7 +137,7 @@ impl FieldText {
     /// # Errors
     /// The mistakes of the text.
     pub fn family(&self) -> Result<Option<Family>, Diagnostics> {
-        if self.shared.is_made { Ok(None) } else { self.accept(read(&self.tokens()).family()) }
+        if self.is_made() { Ok(None) } else { self.accept(read(&self.tokens()).family()) }
     }
 
     /// The system, its claims read but not proved.
@@ -161,7 +164,7 @@ impl FieldText {
     /// # Errors
     /// The claims that do not hold.
     pub fn prove(&self, system: &System) -> Result<(), Diagnostics> {
-        if system.claims.is_empty() || self.shared.is_made {
+        if system.claims.is_empty() || self.is_made() {
             return Ok(());
         }
         let mut mistakes = kahan_algebra::diagnostics::Diagnostics::default();

@@ -24,8 +24,8 @@ pub struct LiftedStep<'a, S: Step> {
     projection: Option<Projection<'a, S::Scalar>>,
 }
 
-/// Replaces a point by the next one on the relations, by steps that it is given; `false` where
-/// there is none.
+/// Replaces a point by the next one on the relations, by steps that it is given; `false` where the
+/// projection does not converge.
 type Projection<'a, T> = Box<dyn Fn(&mut [T], &mut dyn FnMut(&mut [T])) -> bool + Send + Sync + 'a>;
 
 /// The reason for which a point of a lifted field has no next one.
@@ -146,7 +146,7 @@ impl<T: RuntimeFloat, S: Step<Scalar = T>> LiftedStep<'_, S> {
         self.positive.iter().copied().find(|&place| new[place].approximate() < 0.0)
     }
 
-    /// Replaces a point by the next one; where there is none, by what is no number.
+    /// Replaces a point by the next one, or by NaN where the orbit ends.
     fn next(&self, x: &mut [T], mut step: impl FnMut(&mut [T])) -> bool {
         let is_there = match &self.projection {
             None => {

@@ -33,7 +33,8 @@ pub struct ShownOrbit {
 const STEPS: u64 = 4000;
 /// The size, seen from the first point, beyond which an orbit is lost to a picture.
 const REACH: f64 = 1e3;
-/// The error of a relation of a lift beyond which an orbit is none of the original equations.
+/// The error of a relation of a lift beyond which an orbit is not shown as one of the original
+/// equations.
 const LARGEST_ERROR: f64 = 0.1;
 /// Numbers that first points are made of: of small height, so that exact orbits can be followed,
 /// and different, so that no symmetry holds them.
@@ -221,7 +222,7 @@ impl Followed {
         let is_within = |x: &[f64]| x[..original].iter().all(|x| x.abs() <= REACH * size);
         let mut extremes: Vec<[f64; 2]> = x.iter().map(|&x| [x, x]).collect();
         let (mut late, mut steepest, mut error, mut steps) = (extremes.clone(), 0.0f64, 0.0f64, 0);
-        // A point that is lost is none of them.
+        // A point that is lost does not widen the extremes.
         while steps < STEPS && is_within(&x) {
             widen(&mut extremes, &x);
             if steps == STEPS / 2 {

@@ -77,7 +77,7 @@ pub(crate) struct Chart {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(1, MOST_STEPS), default_value = "1000")]
     steps: u64,
 
-    /// The quantity shown; chaos has small sali, or large fli, megno, lyapunov.
+    /// The color: chaos has small sali, large fli, megno, lyapunov.
     #[arg(long, default_value = "sali", value_parser = observable(&COLOURS))]
     color: Observable,
 

@@ -101,7 +101,7 @@ pub(crate) struct Stepping {
     /// Project each step of a lifted field onto its relations.
     ///
     /// The projection is symmetric: energies do not drift, and a composition keeps its order. A
-    /// step costs 2 to 13 steps of the map, in f64. Where its iteration does not converge the orbit
+    /// step costs 2 to 16 steps of the map, in f64. Where its iteration does not converge the orbit
     /// ends.
     #[arg(long)]
     pub(crate) reembed: bool,

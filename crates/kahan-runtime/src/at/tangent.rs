@@ -56,8 +56,7 @@ impl<T: RuntimeFloat> MapAt<T> {
         }
         constants.push(eps);
         let map = crate::Map::new(field, parameters);
-        MapAt { kind: self.kind, ..MapAt::new(map, constants.into(), self.kind.precision) }
-            .composed(self.composition)
+        MapAt::new(map, constants.into(), self.kind.precision).composed(self.composition)
     }
 }
 

@@ -59,7 +59,7 @@ impl<T: RuntimeFloat> CodedStages<T> {
     }
 
     /// The code for `steps` more steps; with `carries` the one that carries what a state lacks.
-    /// `None` where there is none, or compiling it does not pay yet.
+    /// `None` where it cannot be compiled, or compiling it does not pay yet.
     pub(crate) fn code(&self, engine: &Engine, carries: bool, steps: u64) -> Option<&OrbitCode<T::Word>> {
         let once = &self.codes[usize::from(carries)];
         if once.get().is_none() && !engine.codes.pay_after(steps, engine) {

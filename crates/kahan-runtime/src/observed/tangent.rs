@@ -142,7 +142,8 @@ impl<T: MachineFloat + EmbedScalar> Plane<'_, T> {
     }
 }
 
-/// Brings rows to reduced row echelon form, a unit matrix first; `false` where there is none.
+/// Brings rows to reduced row echelon form, a unit matrix first; `false` where their first
+/// columns are singular.
 fn has_reduced<T: Scalar + Copy>(rows: &mut [Vec<T>]) -> bool {
     for k in 0..rows.len() {
         let better =

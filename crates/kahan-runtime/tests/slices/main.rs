@@ -1,6 +1,7 @@
 //! Fields that are read and stepped as slices.
 
 mod catalog;
+mod coefficients;
 mod columns;
 mod couplings;
 mod derivatives;
