@@ -276,6 +276,6 @@ fn steps_follow_like_those_of_any_map() {
     assert_eq!(followed.end, End::Range(64));
     assert_eq!((step.dimension(), x[1]), (2, 0.0));
     // The map itself goes on.
-    let end = at.follow(&mut vec![1.0, 1.0], 1000, |_| ControlFlow::Continue(())).unwrap().end;
+    let end = at.follow(&mut [1.0, 1.0], 1000, |_| ControlFlow::Continue(())).unwrap().end;
     assert_eq!(end, End::Complete);
 }
