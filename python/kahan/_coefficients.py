@@ -38,7 +38,8 @@ def _part(given: Any, name: str, n: int, order: str) -> tuple[np.ndarray[Any, An
     """Of each entry the component, two states, -1 for none, and the value."""
     shape, (component, *columns), values = _sparse(given, name)
     half = n * (n + 1) // 2
-    shapes = {"c": [(n,)], "B": [(n, n)], "Q": [(n, n, n), (n, n * n), (n, half)]}[name[0]]
+    fitting: dict[str, list[tuple[int, ...]]] = {"c": [(n,)], "B": [(n, n)], "Q": [(n, n, n), (n, n * n), (n, half)]}
+    shapes = fitting[name[0]]
     if shape not in shapes:
         wanted = ", ".join(map(str, shapes[:-1])) + " or " * (len(shapes) > 1) + str(shapes[-1])
         raise ValueError(f"{name} has the shape {shape}; with {n} variables it must be {wanted}")

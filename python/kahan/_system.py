@@ -489,16 +489,17 @@ class System(Field):
                                             every=whole(every, "every"), escape=escape, reembed=reembed,
                                             threads=threads, listener=_listener(progress))
         count = len(self.variables)
+        x = values[:, :count]
         if out is not None:
-            out[...] = values[:, :count]
-            values = out
+            out[...], x = x, out
         columns: dict[str, Array] = {}
+        exponents = sum(name.startswith("spectrum_") for name in seen)
         for k, name in enumerate(seen[count:], count):
             if name == "spectrum_1":
-                columns["spectrum"] = values[:, k:k + len(self._all_variables)]
+                columns["spectrum"] = values[:, k:k + exponents]
             elif not name.startswith("spectrum_"):
                 columns[name] = values[:, k]
-        return Ensemble(self, np.asarray(points), inputs, values[:, :count], ends, columns)
+        return Ensemble(self, np.asarray(points), inputs, x, ends, columns)
 
     def _has_drift(self, name: str, of: Sequence[str]) -> None:
         if "drift" in of and not self.integrals:

@@ -81,7 +81,7 @@ pub(crate) struct Picture {
     #[arg(long, value_enum, hide_possible_values = true)]
     kind: Option<Kind>,
 
-    /// Two or three variables, t, integrals or formulas of these: x,y or t,H or t,x^2+y^2.
+    /// Two or three variables, integrals, formulas or t: x,y or t,H or t,x^2+y^2.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     axes: Vec<String>,
 
