@@ -33,11 +33,6 @@ impl Family<f64> for Newton {
     }
 
     #[inline(always)]
-    fn field<L: Scalar>(_constants: &[L], _x: &[L], c: &[L], f: &mut [L]) {
-        f[0] = c[2].clone();
-    }
-
-    #[inline(always)]
     fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], a: &mut [L]) {
         <Kdv<f64> as Family<f64>>::rows(constants, x, &[], f, a);
         f[0] = c[2].clone();

@@ -105,7 +105,7 @@ impl Check {
                 allowed: 1e-3 * tolerance,
             };
             // So many steps of an ε that was rounded end near the horizon, not at it.
-            let limits = Limits { margin: 1.0 / 256.0, is_over: None };
+            let limits = Limits { margin: 1.0 / 256.0, is_over: None, variables: None };
             let reference = Reference::of(&map.extend_scalars::<Dd>(to), &asked, &limits)?;
             let scene = Scene { map: map.clone(), start: SVector::from(point.clone()), horizon, reference };
             let name = format!("{map:?}, {tolerance:e}");

@@ -162,7 +162,7 @@ impl Context<'_> {
         }
     }
 
-    /// Expands to `fn field<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L]) { … }`: the
+    /// Expands to `fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], …) { … }`: the
     /// results of a plan, written to these places of these slices.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);
