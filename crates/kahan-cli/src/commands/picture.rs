@@ -38,7 +38,8 @@ use starts::{At, Spread};
 Examples:
   kahan picture lv --eps 1/7 --at 1/4,1..1,1 --starts 6 --steps 2000 --out lv.svg
   kahan picture volterra --eps 1/50 --at 1,2,3 --plane x-y --steps 9999 --out section.svg
-  kahan picture lv --over eps=1/10:1:+1/400 --at 1/2,1 --axes x --steps 100 --out over.svg")]
+  kahan picture lv --over eps=1/10:1:+1/400 --at 1/2,1 --axes x --steps 100 --out over.svg
+  kahan picture e3 --eps 1/2 --at 3/7,1,1/2 --steps 60 --kind heights --out heights.svg")]
 pub(crate) struct Picture {
     #[command(flatten)]
     source: Source,
@@ -121,7 +122,7 @@ pub(crate) struct Picture {
 
 /// Arguments and options in one list, so that the help fits a screen.
 const TEMPLATE: &str =
-    "{about-with-newline}\n{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
+    "{about-with-newline}{usage-heading} {usage}\nOptions:\n{positionals}\n{options}{after-help}";
 
 /// The kinds of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
