@@ -88,7 +88,7 @@ def choice(value: str, kind: str) -> str:
     return value
 
 
-_STEPS = ("h", "dt", "tau", "step_size", "stepsize", "time_step")
+_STEPS = ("h", "tau", "step_size", "stepsize", "time_step")
 """What others call a time step."""
 
 Class = TypeVar("Class", bound=type)
@@ -119,11 +119,8 @@ def _spelled(function: Callable[..., Any], shown: str) -> Callable[..., Any]:
                 if name not in parameters:
                     known = [known for known in parameters if known != "self"]
                     if name in _STEPS and "eps" in known:
-                        raise TypeError(f"{shown}: there is no argument `{name}`; write eps, half the time step") from None
+                        raise TypeError(f"{shown}: there is no argument `{name}`; write dt, the time step, or eps, half of it") from None
                     raise TypeError(f"{shown}: {unknown('argument', name, known)}") from None
-            given = signature.bind_partial(*args, **named).arguments
-            if "eps" not in given and "eps" in parameters and parameters["eps"].default is inspect.Parameter.empty:
-                raise TypeError(f"{shown} needs eps, half the time step") from None
             raise
 
     return call

@@ -14,7 +14,7 @@ from typing import Any, Union
 
 import numpy as np
 
-__all__ = ["Number", "answer", "exact", "nearest", "point", "whole"]
+__all__ = ["Number", "answer", "exact", "half_step", "nearest", "point", "whole"]
 
 Number = Union[int, float, Fraction, str]
 """A number as it is given: a float means the decimal that Python prints, 0.1 is 1/10."""
@@ -69,6 +69,27 @@ def nearest(value: Any, name: str) -> float:
         raise ValueError(f"{name}: {text} divides by zero") from None
     except ValueError:
         raise ValueError(f"{name}: `{text}` is not a number; write it as 3/7, -2, 0.25 or 1e-3") from None
+
+
+def half_step(eps: Any, dt: Any, *, is_needed: bool = True) -> Any:
+    """eps, half the time step, where it or the time step ``dt`` is given: a number, or an array with one a trajectory.
+
+    >>> half_step(0.1, None), half_step(None, 0.1), half_step(None, None, is_needed=False)
+    (0.1, Fraction(1, 20), None)
+    """
+    if dt is None:
+        if eps is None and is_needed:
+            raise TypeError("give eps, half the time step, or dt, the time step")
+        return eps
+    if eps is not None:
+        raise TypeError("eps and dt are both given; dt = 2 eps, and one of them says it")
+    if np.ndim(dt):
+        return np.asarray(dt) / 2
+    text = exact(dt, "dt")
+    try:
+        return Fraction(text) / 2
+    except (ValueError, ZeroDivisionError):
+        raise ValueError(f"dt: `{text}` is not a number; write it as 3/7, -2, 0.25 or 1e-3") from None
 
 
 def point(values: Any, name: str = "x") -> list[str]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ._errors import spelled
-from ._exact import Number
+from ._exact import Number, half_step
 from ._kahan import Chain
 from ._orbit import Array
 
@@ -17,7 +17,7 @@ __all__ = ["Lattice"]
 
 @spelled
 class Lattice(Chain):
-    """A chain of a family ``for i in periodic { … }`` at one eps, half the time step.
+    """A chain of a family ``for i in periodic { … }`` at one eps, half the time step, or ``dt`` = 2 eps.
 
     ``family`` is its text, or its name in the catalog, as ``"kdv"``. ``values`` are the family's
     parameters: a number each, or one a site. A state has a row a site, with a column for each of
@@ -32,8 +32,8 @@ class Lattice(Chain):
 
     _call: tuple[Any, ...]
 
-    def __new__(cls, family: str, sites: int, eps: Number, **values: float | Array) -> Lattice:
-        return cls._of(family, sites, eps, values)
+    def __new__(cls, family: str, sites: int, eps: Number | None = None, *, dt: Number | None = None, **values: float | Array) -> Lattice:
+        return cls._of(family, sites, half_step(eps, dt), values)
 
     @classmethod
     def _of(cls, family: str, sites: int, eps: Number, values: Mapping[str, Any]) -> Lattice:

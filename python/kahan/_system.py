@@ -18,7 +18,7 @@ from ._arrays import named
 from ._basis import Basis
 from ._coefficients import Entries, coefficients, dense
 from ._errors import CHOICES, FieldError, choice, spelled, unknown
-from ._exact import Number, _number, answer, exact, nearest, point, whole
+from ._exact import Number, _number, answer, exact, half_step, nearest, point, whole
 from ._kahan import Field, is_family
 from ._formula import Formula, Symbols
 from ._lattice import Lattice
@@ -55,6 +55,7 @@ class System(Field):
     Raises ``FieldError`` with the place of each mistake, and ``TypeError`` for a value of what is
     no parameter. Costs some milliseconds; the first orbit costs some more.
 
+    A step is given by ``eps``, half the time step, or by ``dt`` = 2 eps, in each method that takes one.
     ``progress=True`` of the methods that take long shows a bar of tqdm, which must be installed.
     """
 
@@ -136,13 +137,13 @@ class System(Field):
     def __reduce__(self) -> tuple[Callable[..., System], tuple[Any, ...]]:
         return (type(self)._of, (*self._call, self._lifting))
 
-    def lattice(self, sites: int, eps: Number, **values: float | Array) -> Lattice:
+    def lattice(self, sites: int, eps: Number | None = None, *, dt: Number | None = None, **values: float | Array) -> Lattice:
         """The chain of so many sites of a family, stepped as an array; see ``Lattice``.
 
         The text of a family is enough: ``kahan.System("for i in periodic { … }").lattice(1000, 0.01)``.
         """
         text, _, _, own = self._call
-        return Lattice(text if isinstance(text, str) else self.text, sites, eps, **({name: float(Fraction(value)) for name, value in own.items()} | values))
+        return Lattice(text if isinstance(text, str) else self.text, sites, eps, dt=dt, **({name: float(Fraction(value)) for name, value in own.items()} | values))
 
     def __eq__(self, other: object) -> bool:
         return self._key() == other._key() if isinstance(other, System) else NotImplemented
@@ -348,13 +349,13 @@ class System(Field):
         """The columns of points by the names of the variables."""
         return dict(zip(self.variables, x.T))
 
-    def integral_values(self, x: Any, eps: Number) -> dict[str, Array]:
+    def integral_values(self, x: Any, eps: Number | None = None, *, dt: Number | None = None) -> dict[str, Array]:
         """The claimed integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
 
         Those of the map depend on eps, and some are claimed ``when`` eps and the parameters have
         certain values.
         """
-        return self._integrals_in_all(self._in_all(self._at(x)), eps)
+        return self._integrals_in_all(self._in_all(self._at(x)), half_step(eps, dt))
 
     def _integrals_in_all(self, x: Any, eps: Number) -> dict[str, Array]:
         names, values = self._integrals_at(x, eps)
@@ -363,9 +364,10 @@ class System(Field):
     def orbit(
         self,
         x: Any,
-        eps: Number,
-        steps: int,
+        eps: Number | None = None,
+        steps: int | None = None,
         *,
+        dt: Number | None = None,
         every: int = 1,
         order: int = 2,
         scalar: str = "f64",
@@ -378,7 +380,7 @@ class System(Field):
     ) -> Orbit:
         """The orbit of a point: its start, and every ``every``-th point after it.
 
-        ``x`` has shape (variables,). A step takes the time 2 eps. ``order`` 4, 6 and 8 compose steps
+        ``x`` has shape (variables,). A step takes the time ``dt`` = 2 eps; one of both is given. ``order`` 4, 6 and 8 compose steps
         of Kahan's map; a composition follows the flow more closely, but gives up the map's integrals
         (see ``Orbit.integrals``). ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading
         doubles, and ``x_low`` what they lack) or exact (fractions in an array of objects); float32
@@ -394,6 +396,7 @@ class System(Field):
         ``x`` has the rows up to there. Costs the steps, some ten nanoseconds each for three
         variables in f64.
         """
+        eps = half_step(eps, dt)
         steps, every, order = whole(steps, "steps"), whole(every, "every"), whole(order, "order")
         x = self._at(x)
         scalar, method = choice(scalar, "scalar"), choice(method, "method")
@@ -432,9 +435,10 @@ class System(Field):
     def ensemble(
         self,
         points: Any,
-        eps: Number | Array,
-        steps: int,
+        eps: Number | Array | None = None,
+        steps: int | None = None,
         *,
+        dt: Number | Array | None = None,
         params: Mapping[str, Number | Array] | None = None,
         observe: Sequence[str] = (),
         order: int = 2,
@@ -463,6 +467,7 @@ class System(Field):
         many. ``ended`` says how each trajectory ended, which is how its ``orbit`` ends, and ``steps``
         after how many steps. Where one ended early its numbers are NaN.
         """
+        eps = half_step(eps, dt)
         names = list(self.parameters)
         points = self._at(points)
         given: list[Any] = []
@@ -530,7 +535,7 @@ class System(Field):
     def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
         return answer(self._answer(_question(ask, **fields), listener=_listener(progress)))
 
-    def evaluate(self, x: Any, eps: Number, *, exact: bool = False) -> Answer:
+    def evaluate(self, x: Any, eps: Number | None = None, *, dt: Number | None = None, exact: bool = False) -> Answer:
         """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
 
         ``field``, ``field_jacobian``, ``A``, ``b``, ``det_A``, ``x_next``, ``jacobian``,
@@ -538,7 +543,7 @@ class System(Field):
         ``brackets``: numbers and arrays of float64, or with ``exact`` of fractions. What is undefined
         at the point is ``None``. Formulas are functions of many points: ``s.densities["rho"](x, eps)``.
         """
-        found = self._ask("evaluate", at=self._point(x), eps=_exact(eps, "eps"), scalar="exact" if exact else "f64")
+        found = self._ask("evaluate", at=self._point(x), eps=_exact(half_step(eps, dt), "eps"), scalar="exact" if exact else "f64")
 
         def arrays(value: Any) -> Any:
             if isinstance(value, dict):
@@ -548,8 +553,8 @@ class System(Field):
         return Answer({name: value if name == "variables" else arrays(value) for name, value in found.items()})
 
     def observe(
-        self, x: Any, eps: Number, steps: int, *, observe: Sequence[str] | None = None, order: int = 2, every: int = 10,
-        escape: float | None = None, reembed: bool = False, progress: bool = False,
+        self, x: Any, eps: Number | None = None, steps: int | None = None, *, dt: Number | None = None,
+        observe: Sequence[str] | None = None, order: int = 2, every: int = 10, escape: float | None = None, reembed: bool = False, progress: bool = False,
     ) -> Answer:
         """What the orbit of a point does; ``observe`` names what is seen, as in ``ensemble``, and nothing else is computed.
 
@@ -577,14 +582,15 @@ class System(Field):
         if isinstance(observe, str):
             observe = (observe,)
         of = None if observe is None else [choice(name, "observable") for name in observe]
-        found = self._ask("observe", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+        found = self._ask("observe", progress, at=self._point(x), eps=exact(half_step(eps, dt), "eps"), steps=whole(steps, "steps"),
                           order=whole(order, "order"), every=whole(every, "every"), escape=escape, reembed=reembed, of=of)
         names = [name for name in ("spectrum", "spectrum_errors") if name in found]
         spectrum = {name: np.array(found[name], dtype=float) for name in names}
         return Answer(found | spectrum)
 
     def section(
-        self, x: Any, eps: Number, steps: int, plane: str, *, direction: str = "rising", points: int = 100_000,
+        self, x: Any, eps: Number | None = None, steps: int | None = None, plane: str | None = None, *,
+        dt: Number | None = None, direction: str = "rising", points: int = 100_000,
         reembed: bool = False, progress: bool = False,
     ) -> Section:
         """Where the orbit of a point crosses ``plane`` = 0, a formula of the variables and integrals.
@@ -594,6 +600,7 @@ class System(Field):
         map, is no crossing; ``jumps`` counts them. The orbit ends after ``points`` crossings, if not
         before; ``ended`` says which. ``reembed`` projects the steps of a lifted field, as in ``orbit``.
         """
+        eps = half_step(eps, dt)
         if not isinstance(plane, str):
             raise TypeError(f"plane: text is needed, as \"x - z\" for x = z, not {type(plane).__name__}")
         found = self._ask("section", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
@@ -603,7 +610,8 @@ class System(Field):
                        int(found["jumps"]), nearest(eps, "eps"))
 
     def chart(
-        self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *, steps: int = 1000,
+        self, over: Mapping[str, Range | Array], x: Any, eps: Number | None = None, *,
+        dt: Number | None = None, steps: int = 1000,
         color: str = "sali", order: int = 2, escape: float | None = None, reembed: bool = False,
         threads: int | None = None, progress: bool = False,
     ) -> Chart:
@@ -623,10 +631,9 @@ class System(Field):
         if not over:
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
         axes = _axes(over)
-        if eps is None and "eps" in over:
-            eps = axes[list(over).index("eps")].get("values", [1])[0]
+        eps = half_step(eps, dt, is_needed="eps" not in over)
         if eps is None:
-            raise TypeError("chart needs eps, half the time step, or goes through it")
+            eps = axes[list(over).index("eps")].get("values", [1])[0]
         observable, column = _observable(color)
         if observable not in CHOICES["observable"]:
             raise ValueError(f"color: {unknown('column', color, self._colors())}")
@@ -664,40 +671,41 @@ class System(Field):
         the catalog as it stands those of the paper about it."""
         return Answer(self._ask("verify", progress, mutate=False))
 
-    def periodic(self, x: Any, eps: Number | None = None, *, period: int = 1, over: Mapping[str, Range] | None = None) -> Answer:
+    def periodic(self, x: Any, eps: Number | None = None, *, dt: Number | None = None, period: int = 1,
+                 over: Mapping[str, Range] | None = None) -> Answer:
         """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps."""
         axes = _axes(over, has_lists=False)
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
-        return Answer(self._ask("periodic", at=self._point(x), eps=_exact(eps, "eps"), period=whole(period, "period"),
+        return Answer(self._ask("periodic", at=self._point(x), eps=_exact(half_step(eps, dt, is_needed=False), "eps"), period=whole(period, "period"),
                                 over=axes[0] if axes else None))
 
-    def heights(self, x: Any, eps: Number, steps: int, *, max_digits: int | None = None, seconds: float | None = None,
-                progress: bool = False) -> Answer:
+    def heights(self, x: Any, eps: Number | None = None, steps: int | None = None, *, dt: Number | None = None,
+                max_digits: int | None = None, seconds: float | None = None, progress: bool = False) -> Answer:
         """How the heights of an exact orbit grow: exponentially where the map is not integrable."""
-        return Answer(self._ask("heights", progress, at=self._point(x), eps=_exact(eps, "eps"), steps=whole(steps, "steps"),
+        return Answer(self._ask("heights", progress, at=self._point(x), eps=exact(half_step(eps, dt), "eps"), steps=whole(steps, "steps"),
                                 max_digits=_whole(max_digits, "max_digits"), seconds=seconds))
 
-    def poles(self, eps: Number | None = None, *, steps: int | None = None, seconds: float | None = None,
+    def poles(self, eps: Number | None = None, *, dt: Number | None = None, steps: int | None = None, seconds: float | None = None,
               progress: bool = False) -> Answer:
         """What becomes of curves that the map sends to infinity or blows down: whether they come back."""
-        return Answer(self._ask("poles", progress, eps=_exact(eps, "eps"), steps=_whole(steps, "steps"), seconds=seconds))
+        return Answer(self._ask("poles", progress, eps=_exact(half_step(eps, dt, is_needed=False), "eps"), steps=_whole(steps, "steps"), seconds=seconds))
 
-    def discover(self, *, eps: Number | None = None, degree: int | None = None, seconds: float | None = None,
+    def discover(self, *, eps: Number | None = None, dt: Number | None = None, degree: int | None = None, seconds: float | None = None,
                  progress: bool = False) -> Discovery:
         """What the map preserves, found from the equations alone and proved: integrals, densities, brackets.
 
         Parameters without a value and ``eps`` are generic. Where integrals may be missing, the
         search goes on to higher degrees until ``seconds`` are over, 60 by default.
         """
-        asked = _question("discover", eps=_exact(eps, "eps"), degree=_whole(degree, "degree"), seconds=seconds)
+        asked = _question("discover", eps=_exact(half_step(eps, dt, is_needed=False), "eps"), degree=_whole(degree, "degree"), seconds=seconds)
         text, relations = self._discovered(asked, listener=_listener(progress))
         bases = [Basis(one, relation) for one, relation in zip(json.loads(text)["bases"], relations)]
         discovery = Discovery(answer(text) | {"bases": bases}, self)
         self.__dict__["_found"] = discovery
         return discovery
 
-    def scan(self, over: Mapping[str, Range], *, eps: Number | None = None, degree: int | None = None,
+    def scan(self, over: Mapping[str, Range], *, eps: Number | None = None, dt: Number | None = None, degree: int | None = None,
              seconds: float | None = None, progress: bool = False) -> Answer:
         """Which values of parameters and of eps are special: where the map keeps more than it does elsewhere,
         or the degrees of its iterates grow more slowly, as they do where it is less chaotic.
@@ -705,7 +713,7 @@ class System(Field):
         ``special`` has these values, and ``points`` for each value that was tried what was seen there, its
         ``sight``: how many integrals are independent, and the degrees. ``generic`` is the sight elsewhere.
         """
-        return Answer(self._ask("scan", progress, axes=_axes(over, has_lists=False), eps=_exact(eps, "eps"),
+        return Answer(self._ask("scan", progress, axes=_axes(over, has_lists=False), eps=_exact(half_step(eps, dt, is_needed=False), "eps"),
                                 degree=_whole(degree, "degree"), seconds=seconds))
 
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,
@@ -743,9 +751,9 @@ class Family:
     def __call__(self, *, sites: int, **parameters: Number) -> System:
         return System._of(self.name, self._is_name, sites, {name: exact(value, name) for name, value in parameters.items()})
 
-    def lattice(self, sites: int, eps: Number, **values: float | Array) -> Lattice:
+    def lattice(self, sites: int, eps: Number | None = None, *, dt: Number | None = None, **values: float | Array) -> Lattice:
         """The chain of so many sites, stepped as an array."""
-        return Lattice(self.name, sites, eps, **values)
+        return Lattice(self.name, sites, eps, dt=dt, **values)
 
     def __repr__(self) -> str:
         return f"<Family {self.name}>"

@@ -18,15 +18,32 @@ impl FromPyObject<'_, '_> for Eps {
     type Error = PyErr;
 
     fn extract(given: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        if let Ok(number) = given.extract() {
-            return Ok(Eps(number));
+        nearest(&given, "eps").map(Eps)
+    }
+}
+
+/// The float nearest to a number, or to the number that a text says.
+fn nearest(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
+    if let Ok(number) = given.extract() {
+        return Ok(number);
+    }
+    let Ok(text) = given.extract::<&str>() else {
+        let message = format!("{name}: a number is needed, and not {}", given.get_type().name()?);
+        return Err(PyTypeError::new_err(message));
+    };
+    let number = number(text).map_err(|why| PyValueError::new_err(format!("{name}: {why}")))?;
+    Ok(number.to_f64())
+}
+
+/// The value of ε, half the time step, where it or the time step is given.
+pub(crate) fn half_step(eps: Option<&Bound<'_, PyAny>>, dt: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
+    match (eps, dt) {
+        (Some(eps), None) => nearest(eps, "eps"),
+        (None, Some(dt)) => Ok(0.5 * nearest(dt, "dt")?),
+        (None, None) => Err(PyTypeError::new_err("give eps, half the time step, or dt, the time step")),
+        (Some(_), Some(_)) => {
+            Err(PyTypeError::new_err("eps and dt are both given; dt = 2 eps, and one of them says it"))
         }
-        let Ok(text) = given.extract::<&str>() else {
-            let message = format!("eps: a number is needed, and not {}", given.get_type().name()?);
-            return Err(PyTypeError::new_err(message));
-        };
-        let number = number(text).map_err(|why| PyValueError::new_err(format!("eps: {why}")))?;
-        Ok(Eps(number.to_f64()))
     }
 }
 

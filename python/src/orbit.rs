@@ -10,7 +10,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntyp
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
-use crate::arrays::{Eps, Floats, doubles, floats, out as writable};
+use crate::arrays::{Eps, Floats, doubles, floats, half_step, out as writable};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
@@ -21,26 +21,28 @@ const MOMENT: usize = 1 << 14;
 #[pymethods]
 impl Field {
     /// The points one time step of 2 eps later.
-    #[pyo3(signature = (x, eps, *, out = None))]
+    #[pyo3(signature = (x, eps = None, *, dt = None, out = None))]
     fn step<'py>(
         &self,
         x: &Bound<'py, PyAny>,
-        eps: Eps,
+        eps: Option<&Bound<'py, PyAny>>,
+        dt: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.stepped(x, eps.0, out, false)
+        self.stepped(x, half_step(eps, dt)?, out, false)
     }
 
     /// The same with a promise: an error of at most 64 units in the last place of the largest
     /// component, or `SingularStep`, which says why there is no such point.
-    #[pyo3(signature = (x, eps, *, out = None))]
+    #[pyo3(signature = (x, eps = None, *, dt = None, out = None))]
     fn try_step<'py>(
         &self,
         x: &Bound<'py, PyAny>,
-        eps: Eps,
+        eps: Option<&Bound<'py, PyAny>>,
+        dt: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.stepped(x, eps.0, out, true)
+        self.stepped(x, half_step(eps, dt)?, out, true)
     }
 
     /// The rows of an orbit as far as it goes, how many steps it made, how it ended: complete, range

@@ -241,3 +241,25 @@ def test_the_catalog_knows_its_names():
     assert "e6" in dir(kahan.catalog) and kahan.catalog.e6.name == "e6"
     with pytest.raises(AttributeError, match="did you mean `euler`"):
         kahan.catalog.eulr
+
+
+def test_a_time_step_is_twice_eps():
+    s, x = kahan.catalog.e6, [0.4, -0.3, 0.2]
+    assert np.array_equal(s.step(x, dt=0.1), s.step(x, 0.05))
+    assert np.array_equal(s.try_step(x, dt="1/10"), s.try_step(x, "1/20"))
+    # Half of a decimal is taken exactly: 0.3 / 2 is 3/20.
+    assert s.orbit([1, 2, 3], dt=0.3, steps=2, scalar="exact").eps == Fraction(3, 20)
+    assert np.array_equal(s.orbit(x, dt=0.1, steps=9).x, s.orbit(x, 0.05, 9).x)
+    points, steps = np.array([x, x]), np.array([0.1, 0.2])
+    assert np.array_equal(s.ensemble(points, dt=steps, steps=9).x, s.ensemble(points, steps / 2, 9).x)
+    for ask in ("evaluate", "integral_values", "periodic"):
+        assert repr(getattr(s, ask)(x, dt="1/5")) == repr(getattr(s, ask)(x, "1/10"))
+    assert repr(s.observe(x, dt=0.1, steps=50)) == repr(s.observe(x, 0.05, 50))
+    assert np.array_equal(s.section(x, dt=0.1, steps=500, plane="x").x, s.section(x, 0.05, 500, "x").x)
+    over = {"x": (0.1, 0.4, 3)}
+    assert np.array_equal(s.chart(over, x, dt=0.1, steps=20).values, s.chart(over, x, 0.05, steps=20).values)
+    assert s.heights([1, 2, 3], dt=1, steps=5).log_heights == s.heights([1, 2, 3], "1/2", 5).log_heights
+    assert s.poles(dt=2, steps=3).patterns == s.poles(1, steps=3).patterns
+    ring = kahan.System("for i in periodic { x[i]dot = x[i]*(x[i+1] - x[i-1]); }")
+    state = 1 + 0.5 * np.cos(np.arange(9))
+    assert np.array_equal(ring.lattice(9, dt=0.02).step(state), ring.lattice(9, 0.01).step(state))

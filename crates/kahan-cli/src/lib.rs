@@ -129,7 +129,7 @@ fn command() -> clap::Command {
     names.fold(on_a_screen(cli.help_template(template)), |command, name| {
         command.mut_subcommand(name, |one| {
             let examples = one.get_after_help().map(ToString::to_string).unwrap_or_default();
-            let more = format!("{examples}\n\n`kahan help {name}` says more.");
+            let more = format!("{examples}\n`kahan help {name}` says more.");
             found(one).after_help(more).after_long_help(examples)
         })
     })
@@ -158,9 +158,7 @@ fn meant(error: &clap::Error) -> Option<&'static str> {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return None };
     let is_number = argument.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit() || c == '.');
     match (error.kind(), &**argument) {
-        (ErrorKind::UnknownArgument, "--dt" | "--h") => {
-            Some("--eps is half the time step: for steps of 0.05 write --eps 0.025")
-        }
+        (ErrorKind::UnknownArgument, "--h" | "--step") => Some("--dt is the time step, and --eps half of it"),
         (ErrorKind::UnknownArgument, "--reembed") => Some(
             "it projects the steps of an orbit in f64, for orbit, dynamics, section, chart and picture; what this command \
              asks is of the map itself or of exact numbers",

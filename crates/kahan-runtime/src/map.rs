@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use kahan_algebra::rational::Rational;
 use kahan_core::nalgebra::SVector;
-use kahan_core::{KahanMap, Pivot, Precision, Scalar, SingularStep};
+use kahan_core::{KahanMap, Pivot, Precision, Scalar, SingularStep, eps_from_dt};
 
 use crate::dimension::Argument;
 use crate::interpreted::{Interpreted, round};
@@ -44,6 +44,12 @@ impl Map {
     #[must_use]
     pub fn at<T: RuntimeFloat>(&self, eps: T) -> MapAt<T> {
         MapAt::new(self.clone(), self.constants(eps).collect(), T::PRECISION)
+    }
+
+    /// The map of the time step Δt = 2ε: [`at`](Self::at) half of it.
+    #[must_use]
+    pub fn at_dt<T: RuntimeFloat>(&self, dt: T) -> MapAt<T> {
+        self.at(eps_from_dt(dt))
     }
 
     /// The map of [`ThroughF64`](kahan_core::ThroughF64): states, ε and parameters are numbers of

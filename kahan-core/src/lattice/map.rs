@@ -1,6 +1,7 @@
 //! A family as a map of chains.
 
 use super::{Family, LatticeAt, LatticeError, LatticeScalar, Shape};
+use crate::eps_from_dt;
 
 /// The Kahan map of a family: x ↦ x̃ for chains of any number of sites.
 ///
@@ -25,6 +26,14 @@ pub trait LatticeMap<T: LatticeScalar>: Family<T> {
     /// Where only products of constants and parameters are beyond the range of T there is a map,
     /// whose plain steps are not finite, and whose steps with a promise are as good as ever.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError>;
+
+    /// The map of the time step Δt = 2ε: [`at`](Self::at) half of it.
+    ///
+    /// # Errors
+    /// Those of [`at`](Self::at).
+    fn at_dt(&self, dt: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
+        self.at(eps_from_dt(dt), sites)
+    }
 }
 
 impl<T: LatticeScalar, M: Family<T>> LatticeMap<T> for M {

@@ -250,6 +250,19 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         KahanAt::new(self.clone(), eps)
     }
 
+    /// The map of the time step Δt = 2ε: [`at`](Self::at) half of it.
+    ///
+    /// ```
+    /// # use kahan_core::prelude::*;
+    /// # use kahan_systems::LotkaVolterra;
+    /// let x = Vector2::new(0.9, 1.1);
+    /// assert_eq!(LotkaVolterra.at_dt(0.2).step(&x), LotkaVolterra.at(0.1).step(&x));
+    /// ```
+    #[inline]
+    fn at_dt(&self, dt: T) -> KahanAt<Self, T, N> {
+        self.at(eps_from_dt(dt))
+    }
+
     /// The orbit x₀, x₁, …, beginning with x₀ = `x`; it owns all that it needs.
     #[inline]
     fn orbit(&self, x: SVector<T, N>, eps: T) -> Orbit<KahanAt<Self, T, N>> {

@@ -50,7 +50,7 @@ Examples:
   kahan chart lv --at 1,1 --over x=0:2:/9 --over eps=0:1:/9 --steps 99 --color fli --out lv.csv
   kahan chart --from lv.csv --over x --over eps --color fli --out lv.svg")]
 // Rows have ε in themselves, and ε may be gone through.
-#[command(mut_arg("eps", |eps| eps.required(false)))]
+#[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Chart {
     #[command(flatten)]
     start: Start,
@@ -112,8 +112,8 @@ const COLOURS: [Observable; 7] = [
 ];
 
 /// What orbits need, and rows have in themselves.
-const OF_ORBITS: [&str; 10] =
-    ["system", "field", "file", "sites", "parameters", "eps", "at", "steps", "escape", "reembed"];
+const OF_ORBITS: [&str; 11] =
+    ["system", "field", "file", "sites", "parameters", "eps", "dt", "at", "steps", "escape", "reembed"];
 
 /// The most steps of each orbit.
 const MOST_STEPS: u64 = 1 << 40;

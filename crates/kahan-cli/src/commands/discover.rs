@@ -16,7 +16,7 @@ use super::line::Asking;
 use crate::printing::layout::{labelled, matrix, paragraphs, screen_width};
 use crate::printing::page::{Page, aligned};
 use crate::printing::{Answer, Prompt, Refusal, Sink};
-use crate::reading::{Source, number, seconds, whole};
+use crate::reading::{Source, StepLength, seconds, whole};
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
 /// densities and Poisson brackets, structure, growth.
@@ -62,13 +62,13 @@ pub(crate) struct Discover {
 
 /// A field, and the bounds of a search.
 #[derive(Args, Debug)]
+#[command(mut_arg("eps", |eps| eps.help("Half the time step, where it is fixed; generic otherwise. `scan` takes a range, too")))]
 pub(crate) struct Search {
     #[command(flatten)]
     pub(crate) source: Source,
 
-    /// Half the time step, where it is fixed; generic otherwise. `scan` takes a range, too.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    pub(crate) eps: Option<String>,
+    #[command(flatten)]
+    pub(crate) step: StepLength,
 
     /// The degree up to which relations on orbits are looked for.
     ///
@@ -95,8 +95,8 @@ impl Asking for Discover {
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
-        let Search { source, eps, degree, seconds, .. } = &self.search;
-        let eps = eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        let Search { source, step, degree, seconds, .. } = &self.search;
+        let eps = step.half()?;
         Ok((source.study()?, Question { eps, degree: *degree, seconds: *seconds }))
     }
 

@@ -30,7 +30,7 @@ pub(crate) struct Eval {
     #[command(flatten)]
     start: Start,
 
-    /// The numbers to compute with.
+    /// The kind of number.
     #[arg(long, value_parser = scalar(), default_value = "exact")]
     scalar: ScalarKind,
 

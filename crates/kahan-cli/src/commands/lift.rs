@@ -13,7 +13,7 @@ use kahan_study::{ClaimShown, Fate, LiftFound, RelationFound, Study};
 use super::look::{OutFile, SheetOptions, usual};
 use crate::printing::page::{Page, aligned, paragraph};
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Source, number};
+use crate::reading::{Source, StepLength};
 
 /// Lifts a field to a quadratic one: functions, quotients and powers become new variables.
 ///
@@ -33,6 +33,7 @@ Examples:
   kahan lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --out relations.svg
   kahan lift --field 'struct Pendulum { g } xdot = v; vdot = -g*sin(x);' --macro
   kahan orbit --lift --field 'xdot = v; vdot = -sin(x);' --at 1,0 --eps 0.05 --steps 100")]
+#[command(mut_arg("eps", |eps| eps.help("Half the time step of that orbit; 0.01 if it is not given")))]
 pub(crate) struct Lift {
     #[command(flatten)]
     source: Source,
@@ -41,9 +42,8 @@ pub(crate) struct Lift {
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     at: Option<String>,
 
-    /// Half the time step of that orbit; 0.01 if it is not given.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: Option<String>,
+    #[command(flatten)]
+    step: StepLength,
 
     /// Print the quadratic block of `kahan!`, ready to paste, with what its map keeps as claims.
     #[arg(long = "macro")]
@@ -68,7 +68,7 @@ pub(crate) struct Lift {
 impl Lift {
     /// The lift.
     pub(crate) fn run(&self) -> Result<Answer, Refusal> {
-        let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        let eps = self.step.half()?;
         let study = self.source.clone().lifted().proved(self.at.as_deref())?;
         if let Some(at) = &self.at {
             crate::reading::point(Some(at), &study)?;

@@ -37,8 +37,7 @@ Examples:
   kahan orbit e6 --eps 0.05 --at 1,2,3 --steps 1000 --order 8 --scalar dd
   kahan orbit e3 --eps 1/2 --at 3/7,11/13,23/47 --steps 8 --scalar exact
   kahan orbit e7 --param xi=19/17 --eps 1/2 --at 3/7,1,.5 --steps 1e5 --every 100 --out e7.csv
-  kahan orbit lv --eps 1/7 --at starts.csv --steps 100 --every 10
-  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --eps 1e-2 --at 0,1 --steps 100
+  kahan orbit --field 'xdot = y; ydot = 6*x^2 - a;' --param a=2 --dt 0.02 --at 0,1 --steps 100
   kahan orbit --field 'for i in open { x[i]dot = x[i+1]; }' --sites 9 --start x=i --eps 1 --steps 9")]
 pub(crate) struct Orbit {
     #[command(flatten)]
@@ -58,7 +57,7 @@ pub(crate) struct Orbit {
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = whole(0, MOST))]
     steps: u64,
 
-    /// The numbers to compute with.
+    /// The kind of number.
     #[arg(long, value_parser = scalar(), default_value = "f64")]
     scalar: ScalarKind,
 

@@ -20,7 +20,7 @@ use maud::{Markup, html};
 use super::atlas::Index;
 use super::line::Line;
 use crate::printing::{Answer, Prompt, Refusal, joined};
-use crate::reading::{Block, Source, number, point, seconds};
+use crate::reading::{Block, Source, StepLength, point, seconds};
 use figures::{Asked, Field, Subject, command};
 
 /// Writes one page on one field: formulas, findings with proofs, figures, settings.
@@ -46,13 +46,13 @@ Examples:
   kahan page --field 'xdot = y; ydot = 6*x^2 - a;' --param a=1 --seconds 5 --out weierstrass
   kahan page --lift --field 'xdot = v; vdot = -sin(x);' --seconds 5 --out pendulum
   kahan page lorenz --eps 1/500 --at 1,1,1 --seconds 5 --out lorenz")]
+#[command(mut_arg("eps", |eps| eps.help("Half the time step of the figures")))]
 pub(crate) struct Page {
     #[command(flatten)]
     source: Source,
 
-    /// Half the time step of the figures.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: Option<String>,
+    #[command(flatten)]
+    step: StepLength,
 
     /// The first point of the figures, its coordinates separated by commas.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
@@ -91,7 +91,7 @@ impl Page {
     }
 
     fn shown(&self, study: &Study) -> Result<ShownOrbit, Refusal> {
-        let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        let eps = self.step.half()?;
         let at = self.at.as_deref().map(|at| point(Some(at), study)).transpose()?;
         Ok(study.shown_orbit(eps.as_ref(), at.as_deref())?)
     }
@@ -99,7 +99,8 @@ impl Page {
     /// The call that writes the page.
     fn line(&self, block: &Block) -> Line {
         let line = Line::new("page", &self.source.words(block));
-        let line = line.with_some("--eps", self.eps.as_ref()).with_some("--at", self.at.as_ref());
+        let line = self.step.given().into_iter().fold(line, |line, (option, text)| line.with(option, text));
+        let line = line.with_some("--at", self.at.as_ref());
         line.with("--seconds", self.seconds).with("--out", self.out.display())
     }
 }

@@ -35,7 +35,7 @@ Examples:
   kahan periodic --field 'xdot = x^2 + x + 1;' --eps 1 --at 0.2 --period 3
   kahan periodic --field 'xdot = a - x^2;' --eps 0.1 --at 1 --over a=1:-1:41 --out a.svg")]
 // ε may be what changes.
-#[command(mut_arg("eps", |eps| eps.required(false)))]
+#[command(mut_group("step", |step| step.required(false)))]
 pub(crate) struct Periodic {
     #[command(flatten)]
     start: Start,

@@ -15,7 +15,7 @@ use serde_json::json;
 use super::line::Line;
 use super::look::{OutFile, SheetOptions};
 use crate::printing::{Answer, Refusal};
-use crate::reading::{Source, Stepping, number, over, point, seconds, whole};
+use crate::reading::{Source, StepLength, Stepping, number, over, point, seconds, whole};
 use shown::{Drawn, Shown, What};
 use starts::{At, Spread};
 
@@ -44,9 +44,8 @@ pub(crate) struct Picture {
     #[command(flatten)]
     source: Source,
 
-    /// Half the time step: 1/2, -0.25, 1e-3.
-    #[arg(long, value_name = "E", allow_hyphen_values = true, required_unless_present = "over")]
-    eps: Option<String>,
+    #[command(flatten)]
+    step: StepLength,
 
     /// A first point, or the ends of a line, A..B, with --starts; once for each.
     ///
@@ -150,7 +149,7 @@ impl Picture {
             Kind::Section => What::Section(self.plane.clone().unwrap_or_default()),
             Kind::OrbitsOver => {
                 let axis = over(self.over.as_deref().unwrap_or_default())?;
-                self.source.leaves_free(std::slice::from_ref(&axis), self.eps.as_ref())?;
+                self.source.leaves_free(std::slice::from_ref(&axis), &self.step)?;
                 What::Over(axis, self.transient)
             }
             Kind::Heights if self.starts.is_some() || !self.axes.is_empty() => {
@@ -171,7 +170,7 @@ impl Picture {
         let own = self.at.is_empty().then(|| Ok(vec![At::Point(point(None, &study)?)]));
         let shown = Shown {
             what,
-            eps: self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?,
+            eps: self.step.half()?,
             at: at.chain(own).collect::<Result<Vec<_>, Refusal>>()?.concat(),
             spread,
             steps: self.steps,

@@ -7,7 +7,7 @@ use kahan_study::{Poles as Question, PolesFound, Study};
 use super::line::Asking;
 use crate::printing::layout::{paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, joined};
-use crate::reading::{Source, number, seconds, whole};
+use crate::reading::{Source, StepLength, seconds, whole};
 
 /// Follows what a map sends to infinity or blows down: whether it comes back, and when.
 ///
@@ -29,13 +29,13 @@ Examples:
   kahan poles lv --eps 1
   kahan poles e9 --param xi=-1 --steps 6 --json
   kahan poles --field 'xdot = y; ydot = 6*x^2 - a;'")]
+#[command(mut_arg("eps", |eps| eps.help("Half the time step, where it is fixed; generic otherwise")))]
 pub(crate) struct Poles {
     #[command(flatten)]
     source: Source,
 
-    /// Half the time step, where it is fixed; generic otherwise.
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: Option<String>,
+    #[command(flatten)]
+    step: StepLength,
 
     /// How many steps each curve is followed.
     #[arg(long, value_name = "K", default_value = "12", allow_hyphen_values = true, value_parser = whole(1, LONGEST))]
@@ -57,7 +57,7 @@ impl Asking for Poles {
     type Question = Question;
 
     fn asked(&self) -> Result<(Study, Question), Refusal> {
-        let eps = self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()?;
+        let eps = self.step.half()?;
         Ok((self.source.study()?, Question { eps, steps: self.steps, seconds: self.seconds }))
     }
 

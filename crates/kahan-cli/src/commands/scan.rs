@@ -8,7 +8,7 @@ use super::discover::Search;
 use super::line::{Asking, Line};
 use crate::printing::layout::{paragraphs, table};
 use crate::printing::{Answer, Prompt, Refusal, joined};
-use crate::reading::{axis, number};
+use crate::reading::axis;
 
 /// Finds special values of parameters and of eps, on a grid.
 ///
@@ -46,12 +46,9 @@ impl Asking for Scan {
         let of_parameter =
             |&(name, range): &(&str, &str)| axis(name.trim(), range, &format!("--param {}", name.trim()));
         let mut axes = ranges.iter().map(of_parameter).collect::<Result<Vec<Axis>, Refusal>>()?;
-        let mut eps = None;
-        match self.search.eps.as_deref() {
-            Some(range) if range.contains(':') => axes.push(axis("eps", range, "--eps")?),
-            Some(value) => eps = Some(number(value, "--eps")?),
-            None => {}
-        }
+        let range = self.search.step.range().map(|range| axis("eps", range, "--eps")).transpose()?;
+        let eps = if range.is_some() { None } else { self.search.step.half()? };
+        axes.extend(range);
         let Search { degree, seconds, .. } = self.search;
         Ok((study, Question { eps, axes, degree, seconds }))
     }

@@ -28,9 +28,9 @@ impl Start {
         if sites.saturating_mul(family.block()) > MOST_SITES {
             return Err(Refusal::new(format!("--sites {sites}: at most {MOST_SITES} numbers are stepped")));
         }
-        let eps = self.half_step()?.ok_or(StudyError::MissingStep)?.to_f64();
+        let eps = self.step.half()?.ok_or(StudyError::MissingStep)?.to_f64();
         if !eps.is_finite() {
-            return Err(Refusal::new("--eps is beyond the range of f64"));
+            return Err(Refusal::new("the step is beyond the range of f64"));
         }
         let size = ("n".to_owned(), sites as f64);
         let given = self.source.parameters.iter();

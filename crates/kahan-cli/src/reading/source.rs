@@ -76,15 +76,48 @@ fn which() -> impl TypedValueParser<Value = Which> {
     one_of(&Which::ALL, |which| PossibleValue::new(which.name()).help(which.meaning()))
 }
 
+/// The length of a step, by one of two options.
+#[derive(Args, Clone, Debug, Default)]
+#[group(id = "step", multiple = false)]
+pub(crate) struct StepLength {
+    /// Half the time step: 1/2, -0.25, 1e-3.
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    eps: Option<String>,
+
+    /// The time step, 2 eps, in place of --eps.
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    dt: Option<String>,
+}
+
+impl StepLength {
+    /// The value of ε, half the time step, if one of the options gives it.
+    pub(crate) fn half(&self) -> Result<Option<Rational>, Refusal> {
+        let Some((option, text)) = self.given() else { return Ok(None) };
+        let value = number(text, option)?;
+        Ok(Some(if option == "--dt" { &value * &Rational::new(1, 2) } else { value }))
+    }
+
+    /// The text of --eps, which is a range in some commands.
+    pub(crate) fn range(&self) -> Option<&str> {
+        self.eps.as_deref().filter(|text| text.contains(':'))
+    }
+
+    /// The option that was given, with its text.
+    pub(crate) fn given(&self) -> Option<(&'static str, &str)> {
+        let eps = self.eps.as_deref().map(|eps| ("--eps", eps));
+        eps.or_else(|| self.dt.as_deref().map(|dt| ("--dt", dt)))
+    }
+}
+
 /// A system, a step and a point: what an evaluation or an orbit begins with.
 #[derive(Args, Clone, Debug)]
+#[command(mut_group("step", |step| step.required(true)))]
 pub(crate) struct Start {
     #[command(flatten)]
     pub(super) source: Source,
 
-    /// Half the time step: 1/2, -0.25, 1e-3.
-    #[arg(long, value_name = "E", allow_hyphen_values = true, required = true)]
-    pub(super) eps: Option<String>,
+    #[command(flatten)]
+    pub(super) step: StepLength,
 
     /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
     ///
@@ -184,10 +217,11 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses a value of what `axes` take through values; `eps` is that of --eps.
-    pub(crate) fn leaves_free(&self, axes: &[Axis], eps: Option<&String>) -> Result<(), Refusal> {
+    /// Refuses a value of what `axes` take through values, `step` among it.
+    pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), Refusal> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
-        let mut given = parameters.chain(eps.map(|_| ("--eps".to_owned(), "eps".to_owned())));
+        let mut given =
+            parameters.chain(step.given().map(|(option, _)| (option.to_owned(), "eps".to_owned())));
         let Some((option, name)) = given.find(|(_, name)| axes.iter().any(|axis| axis.name == *name)) else {
             return Ok(());
         };

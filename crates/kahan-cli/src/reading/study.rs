@@ -7,7 +7,7 @@ use kahan_study::{Axis, Lift, MOST_VARIABLES, Study, StudyError, Subject, System
 use super::block::Block;
 use super::points::{first_point, only, point, points};
 use super::source::{Source, Start};
-use super::values::{number, refused};
+use super::values::refused;
 use crate::printing::{Refusal, warn};
 
 impl Source {
@@ -75,7 +75,7 @@ impl Start {
         let study = self.source.proved(self.at.as_deref())?;
         let starts = points(self.at.as_deref(), &study)?;
         study.values()?;
-        Ok((study, starts, self.half_step()?.ok_or(StudyError::MissingStep)?))
+        Ok((study, starts, self.step.half()?.ok_or(StudyError::MissingStep)?))
     }
 
     /// The field, the first point, and ε, where parameters and ε may have their values from
@@ -85,14 +85,9 @@ impl Start {
         axes: &[Axis],
     ) -> Result<(Study, Vec<Rational>, Option<Rational>), Refusal> {
         let study = self.source.proved_over(self.at.as_deref(), axes)?;
-        self.source.leaves_free(axes, self.eps.as_ref())?;
+        self.source.leaves_free(axes, &self.step)?;
         let at = point(self.at.as_deref(), &study)?;
-        Ok((study, at, self.half_step()?))
-    }
-
-    /// The value of --eps.
-    pub(super) fn half_step(&self) -> Result<Option<Rational>, Refusal> {
-        self.eps.as_deref().map(|eps| number(eps, "--eps")).transpose()
+        Ok((study, at, self.step.half()?))
     }
 }
 
@@ -127,7 +122,7 @@ impl From<StudyError> for Refusal {
                 "--plane {text}: the formula is one number everywhere; a section is where a formula of the variables vanishes, as in \
                  --plane 'x - 1/2'"
             ),
-            StudyError::MissingStep => format!("{error}: add --eps E, as in --eps 0.1"),
+            StudyError::MissingStep => format!("{error}: add --eps E, as in --eps 0.1, or --dt T, the time step, 2 eps"),
             StudyError::NoAxis => "which values? give a range to a parameter or to eps, FROM:TO:+STEP, as in --param xi=-2:2:+1/12 \
                  or --eps 1/4:2:+1/4"
                 .to_owned(),

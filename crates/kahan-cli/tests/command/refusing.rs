@@ -9,7 +9,7 @@ use kahan_algebra::render::report;
 #[test]
 fn bad_input_says_what_to_write_instead() {
     let at = |rest: &[&'static str]| [&["eval"], rest].concat();
-    let cases: [(Vec<&str>, &[&str]); 24] = [
+    let cases: [(Vec<&str>, &[&str]); 26] = [
         (at(&["eulr", "--eps", "1", "--at", "1,2,3"]), &["`eulr`", "`euler`", "e9"]),
         (at(&["e1", "--eps", "one", "--at", "1,2,3"]), &["--eps", "`one`", "3/7"]),
         (at(&["e1", "--eps", "1/0", "--at", "1,2,3"]), &["--eps", "divides by zero"]),
@@ -32,7 +32,15 @@ fn bad_input_says_what_to_write_instead() {
             &["'0.5'", "--at 1,0.5,0.3", "`kahan eval --help`"],
         ),
         (at(&["e1", "--eps", "1", "--at", "1", "-0.5"]), &["--at 1,0.5,0.3"]),
-        (at(&["e1", "--dt", "0.05", "--at", "1,2,3"]), &["'--dt'", "half the time step", "--eps 0.025"]),
+        (
+            at(&["e1", "--h", "0.05", "--at", "1,2,3"]),
+            &["'--h'", "--dt is the time step", "--eps half of it"],
+        ),
+        (
+            at(&["e1", "--dt", "0.05", "--eps", "1", "--at", "1,2,3"]),
+            &["'--dt <T>' cannot be used with '--eps <E>'"],
+        ),
+        (at(&["e1", "--dt", "a", "--at", "1,2,3"]), &["--dt: `a` is not an exact number"]),
         (at(&["--field", "dx = y; ydot = -x;", "--eps", "1", "--at", "1,2"]), &["write `xdot = …`"]),
         (at(&["e1", "--eps", "1"]), &["from which point", "--at x,y,z"]),
         (at(&["--file", "no/such/file", "--eps", "1", "--at", "1"]), &["no/such/file"]),

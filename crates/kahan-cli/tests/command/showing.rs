@@ -228,3 +228,21 @@ fn a_reader_that_goes_away_is_no_error() {
     assert_eq!(complaint, "");
     assert_eq!(child.wait().expect("the command ends").code(), Some(0));
 }
+
+#[test]
+fn a_time_step_is_twice_eps() {
+    for (command, more) in [
+        ("eval", &["--at", "1,2,1/3"][..]),
+        ("orbit", &["--at", "1,2,1/3", "--steps", "3", "--scalar", "exact"]),
+        ("section", &["--at", "1,2,1/3", "--plane", "x-y", "--steps", "50"]),
+        ("dynamics", &["--at", "1,2,1/3", "--steps", "50"]),
+        ("heights", &["--at", "1,2,1/3", "--steps", "5"]),
+    ] {
+        let of = |option: &[&str]| answer(&[&[command, "e6"], option, more].concat());
+        assert_eq!(of(&["--dt", "0.3"]), of(&["--eps", "3/20"]), "{command}");
+    }
+    assert_eq!(
+        answer(&["poles", "lv", "--dt", "2", "--steps", "3"]),
+        answer(&["poles", "lv", "--eps", "1", "--steps", "3"])
+    );
+}

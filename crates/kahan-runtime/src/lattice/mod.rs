@@ -17,6 +17,7 @@ use kahan_algebra::family::Family;
 use kahan_algebra::syntax::Boundary;
 use kahan_core::__private as core;
 use kahan_core::__private::chain::{Menu, Sizes};
+use kahan_core::eps_from_dt;
 
 use crate::line::Line;
 use crate::literal::Literal;
@@ -161,5 +162,18 @@ impl Lattice {
         values: impl IntoIterator<Item = (N, V)>,
     ) -> Result<ChainAt, LatticeError> {
         ChainAt::new(Arc::clone(&self.code), eps, sites, values)
+    }
+
+    /// The chain of the time step Δt = 2ε: [`at`](Self::at) half of it.
+    ///
+    /// # Errors
+    /// Those of [`at`](Self::at).
+    pub fn at_dt<N: AsRef<str>, V: AsRef<[f64]>>(
+        &self,
+        dt: f64,
+        sites: usize,
+        values: impl IntoIterator<Item = (N, V)>,
+    ) -> Result<ChainAt, LatticeError> {
+        self.at(eps_from_dt(dt), sites, values)
     }
 }
