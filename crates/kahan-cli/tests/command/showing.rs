@@ -236,7 +236,7 @@ fn a_time_step_is_twice_eps() {
         ("orbit", &["--at", "1,2,1/3", "--steps", "3", "--scalar", "exact"]),
         ("section", &["--at", "1,2,1/3", "--plane", "x-y", "--steps", "50"]),
         ("dynamics", &["--at", "1,2,1/3", "--steps", "50"]),
-        ("heights", &["--at", "1,2,1/3", "--steps", "5"]),
+        ("periodic", &["--at", "1,2,1/3"]),
     ] {
         let of = |option: &[&str]| answer(&[&[command, "e6"], option, more].concat());
         assert_eq!(of(&["--dt", "0.3"]), of(&["--eps", "3/20"]), "{command}");
