@@ -36,8 +36,8 @@ class System(Field):
     """A quadratic vector field x' = f(x) with its Kahan map.
 
     ``field`` is the text of the equations in the language of ``kahan!`` or as one writes them, such as
-    ``x' = y, y' = -x``, or a mapping of SymPy's symbols to expressions. ``notes`` says what was read
-    in an unusual way. Free names are parameters; their values are given by name, exactly
+    ``x' = y, y' = -x``, or equations of SymPy: a mapping of symbols to expressions, a pair (symbols, expressions),
+    or a list of ``Eq(x(t).diff(t), …)``. ``notes`` says what was read in an unusual way. Free names are parameters; their values are given by name, exactly
     where they are integers, fractions or text. A float means the decimal that Python prints.
     ``sites`` writes out a chain of a family ``for i in … { … }``.
 
@@ -63,18 +63,18 @@ class System(Field):
     _lifting: tuple[str, list[str] | None, str, bool] | None
 
     def __new__(
-        cls, field: str | Mapping[Any, Any], /, *, sites: int | None = None, lift: bool | str | None = None,
+        cls, field: str | Mapping[Any, Any] | Sequence[Any], /, *, sites: int | None = None, lift: bool | str | None = None,
         at: Any = None, t0: Number | None = None, all: Any = None, **parameters: Number
     ) -> System:
         if not lift:
             # Without a lift these are names of parameters like others.
             parameters |= {name: value for name, value in {"at": at, "t0": t0, "all": all}.items() if value is not None}
-        if isinstance(field, Mapping):
+        if isinstance(field, (Mapping, list, tuple)):
             from ._sympy import field_text
 
             field = field_text(field, expands=not lift)
         if not isinstance(field, str):
-            raise TypeError(f"a field is text or a mapping of SymPy's symbols, not {type(field).__name__}")
+            raise TypeError(f"a field is text or equations of SymPy, not {type(field).__name__}")
         try:
             given = {name: exact(value, name) for name, value in parameters.items()}
             return cls._of(field, False, sites, given, lifting(lift, at, t0, all))

@@ -273,7 +273,7 @@ impl Kept {
         let mut values = Values::of(&field.symbols);
         let components = field.components.iter().map(|component| {
             let reciprocal = values.reciprocal(&component.denominator).expect("a state has one divisor");
-            &component.numerator * &reciprocal
+            if reciprocal.is_one() { component.numerator.clone() } else { &component.numerator * &reciprocal }
         });
         let components = components.collect();
         Kept { values, components }

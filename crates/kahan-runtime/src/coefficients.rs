@@ -24,7 +24,27 @@ use crate::{Diagnostics, Field, FieldText};
 #[derive(Clone, Debug)]
 pub struct Coefficients {
     symbols: Symbols,
-    coefficients: Vec<Coefficient>,
+    /// Of each component the numbers, with the places of what they multiply.
+    components: Vec<Vec<(Place, f64)>>,
+}
+
+/// Two states, the first one first, and a parameter, in some bits each; a single state stands
+/// second. Places increase in the order of a polynomial's terms.
+type Place = u64;
+
+/// The bits of a state or a parameter in a place: names of a field have numbers of 16 bits.
+const BITS: u32 = 20;
+/// Neither a state nor a parameter.
+const NONE: Place = (1 << BITS) - 1;
+
+fn place(states: [Option<usize>; 2], parameter: Option<usize>) -> Place {
+    let [first, second, parameter] =
+        [states[0], states[1], parameter].map(|index| index.map_or(NONE, |index| index as Place));
+    let (first, second) = match (first.min(second), first.max(second)) {
+        (state, NONE) => (NONE, state),
+        both => both,
+    };
+    (first << BITS | second) << BITS | parameter
 }
 
 /// The reason for which coefficients make no field.
@@ -93,7 +113,12 @@ impl Coefficients {
         let sum = if symbols.parameters.is_empty() { "0".to_owned() } else { symbols.parameters.join(" + ") };
         let equations: String = symbols.states.iter().map(|state| format!("{state}dot = {sum};\n")).collect();
         FieldText::new(equations, "names".to_owned()).unproved_system()?;
-        Ok(Coefficients { symbols, coefficients: Vec::new() })
+        Ok(Coefficients::of(symbols))
+    }
+
+    fn of(symbols: Symbols) -> Self {
+        let components = vec![Vec::new(); symbols.dimension()];
+        Coefficients { symbols, components }
     }
 
     /// Adds a coefficient: the entry of c with no state, of B with one, of Q with two.
@@ -114,9 +139,11 @@ impl Coefficients {
                 return Err(CoefficientError::OutOfRange { what, index, count });
             }
         }
-        let value = Rational::from_f64(value).ok_or(CoefficientError::NotFinite { component })?;
-        if !value.is_zero() {
-            self.coefficients.push(Coefficient { component, states, parameter, value });
+        if !value.is_finite() {
+            return Err(CoefficientError::NotFinite { component });
+        }
+        if value != 0.0 {
+            self.components[component].push((place(states, parameter), value));
         }
         Ok(())
     }
@@ -124,8 +151,28 @@ impl Coefficients {
     /// The field, with the text that says the same.
     #[must_use]
     pub fn text(self) -> FieldText {
-        let system = System::of_coefficients(self.symbols, self.coefficients);
-        FieldText::of_system(system, "field".to_owned())
+        FieldText::of_system(self.system(), "field".to_owned())
+    }
+
+    fn system(self) -> System {
+        let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
+            terms.sort_by_key(|(place, _)| *place);
+            // Both halves of a symmetric array: a float, for which no fraction is needed.
+            terms.dedup_by(|(place, value), (kept, half)| {
+                let is_half = place == kept && value == half && (*half + *half).is_finite();
+                *half += if is_half { *half } else { 0.0 };
+                is_half
+            });
+            terms.into_iter().map(move |(place, value)| {
+                let [first, second, parameter] = [2 * BITS, BITS, 0].map(|shift| {
+                    let index = place >> shift & NONE;
+                    (index != NONE).then_some(index as usize)
+                });
+                let value = Rational::from_f64(value).expect("only finite numbers were added");
+                Coefficient { component, states: [first, second], parameter, value }
+            })
+        });
+        System::of_coefficients(self.symbols, terms)
     }
 }
 
@@ -198,10 +245,7 @@ impl Field {
         fits("B", &b, &[n * n])?;
         fits("Q", &q, &[n * n * n, n * half])?;
         let names = (1..=n).map(|i| format!("x{i}"));
-        let mut field = Coefficients {
-            symbols: Symbols { states: names.collect(), parameters: Vec::new() },
-            coefficients: Vec::with_capacity(c.len() + b.len() + q.len()),
-        };
+        let mut field = Coefficients::of(Symbols { states: names.collect(), parameters: Vec::new() });
         let columns = if q.len() == n * half { half } else { n * n };
         let triangle: Vec<[usize; 2]> = (0..n).flat_map(|j| (0..=j).map(move |k| [j, k])).collect();
         for (i, value) in c.into_iter().enumerate() {
@@ -215,6 +259,6 @@ impl Field {
             let [j, k] = if columns == half { triangle[at] } else { [at / n, at % n] };
             field.add(i, [Some(j), Some(k)], None, value)?;
         }
-        Ok(Field::of(&System::of_coefficients(field.symbols, field.coefficients)))
+        Ok(Field::of(&field.system()))
     }
 }

@@ -2,6 +2,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_core::{Constant, Scalar};
+use smallvec::{SmallVec, smallvec};
 
 /// A number of a field's text, in the form that generated code writes for it.
 #[derive(Clone, Debug)]
@@ -10,8 +11,8 @@ pub(crate) enum Literal {
     /// Its limbs of 64 bits in little-endian order, its nearest floats, and what `double` leaves.
     Long {
         negative: bool,
-        numerator: Vec<u64>,
-        denominator: Vec<u64>,
+        numerator: SmallVec<[u64; 2]>,
+        denominator: SmallVec<[u64; 2]>,
         single: f32,
         double: f64,
         low: f64,
@@ -27,10 +28,17 @@ impl From<&Rational> for Literal {
             return Self::Short(Constant::ratio(p, q));
         }
         let (double, low) = value.to_double_double();
+        let (numerator, denominator) = match value.as_small_ratio() {
+            Some((p, q)) => (smallvec![p.unsigned_abs()], smallvec![q.unsigned_abs()]),
+            None => (
+                value.numerator().iter_u64_digits().collect(),
+                value.denominator().iter_u64_digits().collect(),
+            ),
+        };
         Self::Long {
             negative: value.is_negative(),
-            numerator: value.numerator().iter_u64_digits().collect(),
-            denominator: value.denominator().iter_u64_digits().collect(),
+            numerator,
+            denominator,
             single: value.to_f32(),
             double,
             low,

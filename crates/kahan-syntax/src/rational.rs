@@ -210,6 +210,10 @@ impl Rational {
 
 /// Greatest common divisor by Euclid; gcd(0, b) = b.
 pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
+    // Exact floats have powers of two as denominators.
+    if a != 0 && b.is_power_of_two() {
+        return b.min(1 << a.trailing_zeros());
+    }
     while b != 0 {
         (a, b) = (b, a % b);
     }

@@ -18,6 +18,7 @@ pub use listing::StepListing;
 pub use names::{ValueName, ValueNames, constant_names};
 pub(crate) use scheme::Scheme;
 
+use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::ClaimKind;
 
 use crate::arithmetic::Arithmetic;
@@ -167,6 +168,16 @@ impl Derived {
     pub fn coefficients(&self) -> Option<&Plan> {
         let coefficients = || Some(self.dense()?.coefficients());
         self.coefficients.get_or_init(coefficients).as_ref()
+    }
+
+    /// Whether the field has [coefficients](Self::coefficients).
+    pub fn is_dense(&self) -> bool {
+        self.dense().is_some()
+    }
+
+    /// The [coefficients](Self::coefficients), if all of them are numbers.
+    pub fn numbers(&self) -> Option<Vec<&Rational>> {
+        self.dense()?.numbers()
     }
 
     fn dense(&self) -> Option<&DenseField> {

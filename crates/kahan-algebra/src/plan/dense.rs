@@ -4,7 +4,7 @@
 use kahan_syntax::rational::Rational;
 
 use crate::kept::Kept;
-use crate::poly::{Polynomial, Variable};
+use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::Symbols;
 
 use super::{Node, Plan, PlanBuilder};
@@ -16,13 +16,37 @@ const FEWEST_PRODUCTS: usize = 300;
 /// In a dense field at least one product in this many has a coefficient other than 0.
 const SPARSEST: usize = 10;
 
+/// A coefficient of a dense field.
+#[derive(Clone, Debug)]
+enum Coefficient {
+    Number(Rational),
+    /// A sum in the parameters.
+    Sum(Polynomial),
+}
+
+impl Coefficient {
+    fn is_zero(&self) -> bool {
+        match self {
+            Coefficient::Number(number) => number.is_zero(),
+            Coefficient::Sum(sum) => sum.is_zero(),
+        }
+    }
+
+    fn node(&self, builder: &mut PlanBuilder) -> Node {
+        match self {
+            Coefficient::Number(number) => builder.constant(number),
+            Coefficient::Sum(sum) => builder.polynomial(sum),
+        }
+    }
+}
+
 /// The coefficients of a dense field.
 #[derive(Clone, Debug)]
 pub(crate) struct DenseField {
     states: Vec<Variable>,
     /// For each component its coefficients: the constant, those of the variables, and those of
     /// their products xⱼxₖ with j ≤ k, row after row of that triangle.
-    components: Vec<Vec<Polynomial>>,
+    components: Vec<Vec<Coefficient>>,
 }
 
 impl DenseField {
@@ -38,21 +62,27 @@ impl DenseField {
             DenseField { states: (0..n).map(|i| symbols.state(i)).collect(), components: Vec::new() };
         let mut found = 0;
         for component in &kept.components {
-            let mut coefficients = vec![Polynomial::zero(); 1 + n + n * (n + 1) / 2];
-            for (monomial, coefficient) in component.group(|variable| symbols.is_state(variable)) {
-                let factors = monomial.powers().iter().flat_map(|&(variable, power)| {
-                    std::iter::repeat_n(usize::from(variable.0), power as usize)
-                });
-                let place = match factors.collect::<Vec<_>>()[..] {
+            let mut coefficients = vec![Coefficient::Number(Rational::ZERO); 1 + n + n * (n + 1) / 2];
+            let mut put = |monomial: &Monomial, coefficient| {
+                let place = match *monomial.powers() {
                     [] => 0,
-                    [j] => 1 + j,
-                    [j, k] => {
-                        found += 1;
-                        field.place(j.min(k), j.max(k))
-                    }
+                    [(j, 1)] => 1 + usize::from(j.0),
+                    [(j, 2)] => field.place(j.0.into(), j.0.into()),
+                    [(j, 1), (k, 1)] => field.place(j.0.into(), k.0.into()),
                     _ => return None,
                 };
+                found += usize::from(monomial.degree() == 2);
                 coefficients[place] = coefficient;
+                Some(())
+            };
+            if symbols.parameters.is_empty() {
+                for (monomial, value) in component.terms() {
+                    put(monomial, Coefficient::Number(value.clone()))?;
+                }
+            } else {
+                for (monomial, sum) in component.group(|variable| symbols.is_state(variable)) {
+                    put(&monomial, sum.as_constant().map_or(Coefficient::Sum(sum), Coefficient::Number))?;
+                }
             }
             field.components.push(coefficients);
         }
@@ -85,16 +115,28 @@ impl DenseField {
 
     /// All coefficients, one component after the other.
     pub(crate) fn coefficients(&self) -> Plan {
-        Plan::of(self.components.iter().flatten())
+        let mut builder = PlanBuilder::default();
+        let outputs: Vec<Node> =
+            self.components.iter().flatten().map(|coefficient| coefficient.node(&mut builder)).collect();
+        builder.into_plan(&outputs)
+    }
+
+    /// The coefficients, if all of them are numbers.
+    pub(crate) fn numbers(&self) -> Option<Vec<&Rational>> {
+        let coefficients = self.components.iter().flatten().map(|coefficient| match coefficient {
+            Coefficient::Number(number) => Some(number),
+            Coefficient::Sum(_) => None,
+        });
+        coefficients.collect()
     }
 
     /// f(x): cᵢ + Σⱼ xⱼ·(bᵢⱼ + Σₖ qᵢⱼₖxₖ), k ≥ j, in this order.
     pub(crate) fn field(&self) -> Plan {
         let mut builder = PlanBuilder::default();
-        let component = |coefficients: &Vec<Polynomial>| {
-            let constant = builder.polynomial(&coefficients[0]);
+        let component = |coefficients: &Vec<Coefficient>| {
+            let constant = coefficients[0].node(&mut builder);
             (0..self.states.len()).fold(constant, |sum, j| {
-                let linear = builder.polynomial(&coefficients[1 + j]);
+                let linear = coefficients[1 + j].node(&mut builder);
                 let cofactor = (j..self.states.len()).fold(linear, |sum, k| {
                     let term = self.term(&mut builder, coefficients, [j, k], k);
                     builder.add(sum, term)
@@ -113,7 +155,7 @@ impl DenseField {
         let mut builder = PlanBuilder::default();
         let slope = |(i, j): (usize, usize)| {
             let coefficients = &self.components[i];
-            let linear = builder.polynomial(&coefficients[1 + j]);
+            let linear = coefficients[1 + j].node(&mut builder);
             (0..self.states.len()).fold(linear, |sum, k| {
                 let term = self.term(&mut builder, coefficients, [j.min(k), j.max(k)], k);
                 let term = if j == k { builder.add(term, term) } else { term };
@@ -125,12 +167,12 @@ impl DenseField {
     }
 
     /// The coefficient of a product, times the variable with index `k`.
-    fn term(&self, builder: &mut PlanBuilder, of: &[Polynomial], [i, j]: [usize; 2], k: usize) -> Node {
+    fn term(&self, builder: &mut PlanBuilder, of: &[Coefficient], [i, j]: [usize; 2], k: usize) -> Node {
         let coefficient = &of[self.place(i, j)];
         if coefficient.is_zero() {
             return builder.constant(&Rational::zero());
         }
-        let coefficient = builder.polynomial(coefficient);
+        let coefficient = coefficient.node(builder);
         let state = builder.input(self.states[k]);
         builder.multiply(coefficient, state)
     }

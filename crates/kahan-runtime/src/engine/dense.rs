@@ -11,6 +11,7 @@ use smallvec::SmallVec;
 
 use crate::follow::is_finite;
 use crate::line::Line;
+use crate::literal::round;
 use crate::machine::StepKind;
 
 use super::elimination::solve;
@@ -35,14 +36,16 @@ impl Engine {
     pub(super) fn has_loops(&self, kind: StepKind) -> bool {
         kind.precision != Precision::DoubleDouble
             && kind.fuses == cfg!(target_feature = "fma")
-            && self.coefficients().is_some()
+            && self.derived.is_dense()
     }
 
     /// The packed coefficients of a dense field, and ε behind them; `constants` are the parameters
     /// and ε.
     pub(super) fn packed<T: MachineFloat>(&self, constants: &[T]) -> Option<Vec<T>> {
-        let mut registers = Vec::new();
-        let field: Vec<T> = self.coefficients()?.values(constants, &mut registers, &[]).iter().collect();
+        let field: Vec<T> = match self.derived.numbers() {
+            Some(numbers) => numbers.into_iter().map(round).collect(),
+            None => self.coefficients()?.values(constants, &mut Vec::new(), &[]).iter().collect(),
+        };
         let mut packed = Vec::with_capacity(field.len() + field.len() / 4);
         pack(self.dimension(), &field, &mut packed);
         packed.extend(constants.last());
