@@ -19,6 +19,7 @@ from ._kahan import __version__
 from ._lattice import Lattice
 from ._lifted import Lifted
 from ._orbit import Chart, Ensemble, Orbit, Section, Table
+from ._sindy import from_sindy
 from ._system import Discovery, System
 
 __all__ = [
@@ -39,4 +40,5 @@ __all__ = [
     "Table",
     "__version__",
     "catalog",
+    "from_sindy",
 ]
