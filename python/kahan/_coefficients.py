@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arrays import floats
 
-__all__ = ["Entries", "coefficients", "dense"]
+__all__ = ["Entries", "coefficients", "dense", "loaded"]
 
 Entries = tuple[tuple[str, ...], tuple[str, ...], tuple[np.ndarray[Any, Any], ...]]
 """The states, the parameters, and of each coefficient the component, two states, and the parameter, -1 for
@@ -109,3 +109,30 @@ def dense(n: int, entries: Sequence[Any], sparse: bool) -> tuple[Any, Any, Any]:
     B[component[is_b], j[is_b]] = values[is_b]
     np.add.at(Q, (rows, ours, others), halves)
     return c, B, Q
+
+
+def loaded(path: Any) -> dict[str, Any]:
+    """The arguments of ``System.from_arrays`` in a file of ``np.savez``: its arrays c, B, Q, names and order. B and Q may be
+    the arrays of a sparse one of SciPy's by rows, as ``Q_data``, ``Q_indices`` and ``Q_indptr``."""
+    file = np.load(path)
+    if isinstance(file, np.ndarray):
+        raise ValueError(f"{path} has one array; write c, B and Q with np.savez")
+    with file:
+        arrays = {name: file[name] for name in file.files}
+    given: dict[str, Any] = {name: arrays.pop(name) for name in _PARTS if name in arrays}
+    for name in ("B", "Q"):
+        parts = [arrays.pop(f"{name}_{part}", None) for part in ("data", "indices", "indptr")]
+        if any(part is not None for part in parts):
+            if any(part is None for part in parts) or name in given:
+                raise ValueError(f"{path}: a sparse {name} is {name}_data, {name}_indices and {name}_indptr, without {name} itself")
+            from scipy.sparse import csr_array
+
+            n = len(parts[2]) - 1
+            given[name] = csr_array(tuple(parts), shape=(n, n if name == "B" else n * n))
+    if "names" in arrays:
+        given["names"] = [str(name) for name in arrays.pop("names").tolist()]
+    if "order" in arrays:
+        given["order"] = str(arrays.pop("order"))
+    if arrays:
+        raise ValueError(f"{path}: there is no place for an array `{next(iter(arrays))}`; a field has c, B, Q, names and order")
+    return given

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import kahan
+from kahan._coefficients import loaded
 
 
 def quadratic(n, rng, size=0.1):
@@ -133,3 +134,58 @@ def test_ten_thousand_sparse_variables():
 
     step = x + 2 * eps * spsolve(matrix.tocsc(), B @ x - x**2)
     np.testing.assert_allclose(s.step(x, eps), step, rtol=1e-12, atol=1e-14)
+
+
+def test_arrays_in_a_file_are_a_field(tmp_path):
+    c, B, Q = quadratic(3, np.random.default_rng(3))
+    s = kahan.System.from_arrays(c, B, Q, names=["u", "v", "w"])
+    path = tmp_path / "model.npz"
+    np.savez(path, c=c, B=B, Q=Q, names=s.variables)
+    assert kahan.System.from_arrays(**loaded(path)) == s
+    np.savez_compressed(path, Q=triangle(Q, "triu"), order="triu")
+    assert kahan.System.from_arrays(**loaded(path)).text == kahan.System.from_arrays(Q=triangle(Q, "triu"), order="triu").text
+    scipy = pytest.importorskip("scipy.sparse")
+    sparse = scipy.csr_array(Q.reshape(3, 9))
+    np.savez(path, c=c, B=B, Q_data=sparse.data, Q_indices=sparse.indices, Q_indptr=sparse.indptr, names=s.variables)
+    assert kahan.System.from_arrays(**loaded(path)) == s
+
+
+@pytest.mark.parametrize(("arrays", "message"), [
+    ({"c": [1.0], "D": [1.0]}, "no place for an array `D`"),
+    ({"B_data": [1.0]}, "a sparse B is B_data, B_indices and B_indptr"),
+    ({"B": [[1.0]], "B_data": [1.0], "B_indices": [0], "B_indptr": [0, 1]}, "without B itself"),
+])
+def test_a_file_of_other_arrays_is_an_error(tmp_path, arrays, message):
+    np.savez(tmp_path / "model.npz", **arrays)
+    with pytest.raises(ValueError, match=message):
+        loaded(tmp_path / "model.npz")
+    np.save(tmp_path / "one.npy", [1.0])
+    with pytest.raises(ValueError, match="has one array"):
+        loaded(tmp_path / "one.npy")
+
+
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_operators_of_opinf_are_arrays(n):
+    operators = pytest.importorskip("opinf").operators
+    rng = np.random.default_rng(n)
+    c, A, H = rng.normal(size=n), rng.normal(size=(n, n)), rng.normal(size=(n, n * (n + 1) // 2))
+    s = kahan.System.from_arrays(c, A, H)
+    model = [operators.ConstantOperator(c), operators.LinearOperator(A), operators.QuadraticOperator(H)]
+    assert kahan.System.from_arrays(*(operator.entries for operator in model)) == s
+    rate = s.rhs()
+    for x in rng.normal(size=(20, n)):
+        np.testing.assert_allclose(rate(0.0, x), sum(operator.apply(x) for operator in model), rtol=1e-13, atol=1e-13)
+
+
+def test_an_inferred_model_is_a_field():
+    opinf = pytest.importorskip("opinf")
+    truth = kahan.System("udot = 1/10 - u + u*v/2; vdot = -v/5 - u^2/2;")
+    t = np.linspace(0, 10, 2001)
+    states = truth.orbit([1, 1], t[1] / 2, 2000, order=6).x.T
+    model = opinf.models.ContinuousModel("cAH")
+    model.fit(states, truth.field(states.T).T)
+    c, A, H = (operator.entries for operator in model.operators)
+    s = kahan.System.from_arrays(c, A, H, names=["u", "v"])
+    np.testing.assert_allclose(s.rhs()(0.0, states[:, 7]), model.rhs(0.0, states[:, 7]), rtol=1e-13)
+    for found, wanted in zip(s.arrays(), truth.arrays()):
+        np.testing.assert_allclose(found, wanted, atol=1e-9)
