@@ -34,9 +34,24 @@ def _sparse(given: Any, name: str) -> tuple[tuple[int, ...], tuple[np.ndarray[An
     return array.shape, indices, array[indices]
 
 
+def _halves(given: Any, name: str, n: int) -> Any:
+    """A dense Q that is symmetric with each product once, j <= k; any other one as it is."""
+    if hasattr(given, "tocoo") or np.size(given) != n**3:
+        return given
+    Q = floats(given, name)
+    cube = Q.reshape(n, n, n) if Q.shape in ((n, n, n), (n, n * n)) else None
+    if cube is None or not np.array_equal(cube, cube.transpose(0, 2, 1)):
+        return given
+    j, k = _triangle(n, "triu")
+    halves = cube[:, j, k] * np.where(j == k, 1, 2)
+    return halves if np.isfinite(halves).all() else given
+
+
 def _part(given: Any, name: str, n: int, order: str) -> tuple[np.ndarray[Any, Any], ...]:
     """Of each entry the component, two states, -1 for none, and the value."""
-    shape, (component, *columns), values = _sparse(given, name)
+    halves = _halves(given, name, n) if name[0] == "Q" else given
+    order = order if halves is given else "triu"
+    shape, (component, *columns), values = _sparse(halves, name)
     half = n * (n + 1) // 2
     fitting: dict[str, list[tuple[int, ...]]] = {"c": [(n,)], "B": [(n, n)], "Q": [(n, n, n), (n, n * n), (n, half)]}
     shapes = fitting[name[0]]
@@ -64,7 +79,8 @@ def coefficients(
     """The coefficients of ẋ = c + Bx + Q(x, x), each part an array or ``None``, and of what parameters multiply."""
     if order not in ("tril", "triu"):
         raise ValueError(f'order: columns of Q stand as "tril" (j <= i) or "triu" (j >= i), not "{order}"')
-    groups: list[tuple[int, str, Any]] = [(-1, part, given) for part, given in zip(_PARTS, parts) if given is not None]
+    # Products first, as in the terms of a polynomial.
+    groups: list[tuple[int, str, Any]] = [(-1, part, given) for part, given in zip("QBc", parts[::-1]) if given is not None]
     for k, (name, own) in enumerate((parameters or {}).items()):
         if not isinstance(own, Mapping):
             own = dict(zip(_PARTS, own, strict=True))
