@@ -1,6 +1,9 @@
 """Fields from arrays, and the arrays of fields."""
 
+import os
 import pickle
+import subprocess
+import sys
 from fractions import Fraction
 
 import numpy as np
@@ -136,18 +139,26 @@ def test_ten_thousand_sparse_variables():
     np.testing.assert_allclose(s.step(x, eps), step, rtol=1e-12, atol=1e-14)
 
 
+def shown(path):
+    """The field of a file, as the command shows it."""
+    command = [os.environ["KAHAN"]] if "KAHAN" in os.environ else [sys.executable, "-m", "kahan_command"]
+    done = subprocess.run([*command, "show", "--file", path, "--macro"], check=True, capture_output=True, encoding="utf-8")
+    return "\n".join(line.strip() for line in done.stdout.splitlines() if "dot = " in line)
+
+
 def test_arrays_in_a_file_are_a_field(tmp_path):
     c, B, Q = quadratic(3, np.random.default_rng(3))
     s = kahan.System.from_arrays(c, B, Q, names=["u", "v", "w"])
     path = tmp_path / "model.npz"
     np.savez(path, c=c, B=B, Q=Q, names=s.variables)
-    assert kahan.System.from_arrays(**loaded(path)) == s
+    assert kahan.System.from_arrays(**loaded(path)) == s and shown(path) == s.text
     np.savez_compressed(path, Q=triangle(Q, "triu"), order="triu")
     assert kahan.System.from_arrays(**loaded(path)).text == kahan.System.from_arrays(Q=triangle(Q, "triu"), order="triu").text
+    assert shown(path) == kahan.System.from_arrays(**loaded(path)).text
     scipy = pytest.importorskip("scipy.sparse")
     sparse = scipy.csr_array(Q.reshape(3, 9))
     np.savez(path, c=c, B=B, Q_data=sparse.data, Q_indices=sparse.indices, Q_indptr=sparse.indptr, names=s.variables)
-    assert kahan.System.from_arrays(**loaded(path)) == s
+    assert kahan.System.from_arrays(**loaded(path)) == s and shown(path) == s.text
 
 
 @pytest.mark.parametrize(("arrays", "message"), [

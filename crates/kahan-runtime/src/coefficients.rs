@@ -154,7 +154,9 @@ impl Coefficients {
         FieldText::of_system(self.system(), "field".to_owned())
     }
 
-    fn system(self) -> System {
+    /// The field.
+    #[must_use]
+    pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
             // Both halves of a symmetric array: a float, for which no fraction is needed.

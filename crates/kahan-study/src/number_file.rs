@@ -176,31 +176,91 @@ fn line(text: &[u8], row: &StringRecord) -> usize {
     1 + text[..behind + skipped].iter().filter(|byte| **byte == b'\n').count()
 }
 
-/// An array of NumPy's, in the order in which rows lie one behind the other.
-fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
-    let broken = || "it is no array of NumPy's, or not a whole one".to_owned();
-    let (header, data) = header(bytes).ok_or_else(broken)?;
-    let value = |key: &str| {
-        let rest = header.split_once(&format!("'{key}':"))?.1.trim_start();
-        Some(rest.split_once([',', '}']).map_or(rest, |(value, _)| value).trim())
-    };
-    let shape = header.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or_else(broken)?.0;
-    let sizes = shape.split(',').map(str::trim).filter(|size| !size.is_empty());
-    let sizes: Vec<usize> = sizes.map(str::parse).collect::<Result<_, _>>().map_err(|_| broken())?;
-    if value("fortran_order") != Some("False") && sizes.iter().filter(|size| **size > 1).count() > 1 {
-        return Err("its columns lie one behind the other; save it with np.ascontiguousarray".to_owned());
+/// An array of NumPy's.
+struct Array<'a> {
+    /// The type of its entries, in quotes.
+    descr: &'a str,
+    /// Whether columns lie one behind the other, and not rows.
+    is_fortran: bool,
+    sizes: Vec<usize>,
+    count: usize,
+    data: &'a [u8],
+}
+
+const BROKEN: &str = "it is no array of NumPy's, or not a whole one";
+
+impl<'a> Array<'a> {
+    fn of(bytes: &'a [u8]) -> Option<Self> {
+        let (header, data) = header(bytes)?;
+        let value = |key: &str| {
+            let rest = header.split_once(&format!("'{key}':"))?.1.trim_start();
+            Some(rest.split_once([',', '}']).map_or(rest, |(value, _)| value).trim())
+        };
+        let shape = header.split_once('(')?.1.split_once(')')?.0;
+        let sizes = shape.split(',').map(str::trim).filter(|size| !size.is_empty());
+        let sizes: Vec<usize> = sizes.map(str::parse).collect::<Result<_, _>>().ok()?;
+        let count = sizes.iter().try_fold(1, |product: usize, size| product.checked_mul(*size))?;
+        let (descr, is_fortran) = (value("descr")?, value("fortran_order") != Some("False"));
+        Some(Array { descr, is_fortran, sizes, count, data })
     }
-    let values: Vec<V> = match value("descr") {
-        Some("'<f8'") => {
-            data.as_chunks().0.iter().map(|bytes| V::of_float(f64::from_le_bytes(*bytes))).collect()
+
+    /// Its entries of so many bytes, row by row.
+    fn entries<const WIDTH: usize, V>(&self, read: impl Fn([u8; WIDTH]) -> V) -> Result<Vec<V>, String> {
+        let (entries, rest) = self.data.as_chunks();
+        if entries.len() != self.count || !rest.is_empty() {
+            return Err(BROKEN.to_owned());
         }
-        Some("'<f4'") => {
-            data.as_chunks().0.iter().map(|bytes| V::of_float(f32::from_le_bytes(*bytes).into())).collect()
+        Ok((0..self.count).map(|index| read(entries[self.place(index)])).collect())
+    }
+
+    /// The place of the entry with this index, counted row by row.
+    fn place(&self, mut index: usize) -> usize {
+        if !self.is_fortran {
+            return index;
         }
-        _ => return Err("its numbers are no floats; save it with .astype(float)".to_owned()),
+        let (mut place, mut stride) = (0, self.count);
+        for size in self.sizes.iter().rev() {
+            stride /= size;
+            place += index % size * stride;
+            index /= size;
+        }
+        place
+    }
+}
+
+/// An array of numbers, row by row.
+fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
+    let array = Array::of(bytes).ok_or(BROKEN)?;
+    let values = match array.descr {
+        "'<f8'" => array.entries(|bytes| V::of_float(f64::from_le_bytes(bytes))),
+        "'<f4'" => array.entries(|bytes| V::of_float(f32::from_le_bytes(bytes).into())),
+        "'<i4'" => array.entries(|bytes| V::of_float(i32::from_le_bytes(bytes).into())),
+        // Those beyond 53 bits as NumPy makes floats of them.
+        "'<i8'" => array.entries(|bytes| V::of_float(i64::from_le_bytes(bytes) as f64)),
+        _ => Err("its numbers are no floats; save it with .astype(float)".to_owned()),
     };
-    let count = sizes.iter().try_fold(1, |product: usize, size| product.checked_mul(*size));
-    if count == Some(values.len()) { Ok(Numbers { names: None, sizes, values }) } else { Err(broken()) }
+    values.map(|values| Numbers { names: None, sizes: array.sizes, values })
+}
+
+/// The words of an array of NumPy's, `.npy`.
+///
+/// # Errors
+/// Why they cannot be read.
+pub fn words(bytes: &[u8]) -> Result<Vec<String>, String> {
+    let array = Array::of(bytes).ok_or(BROKEN)?;
+    let length = array.descr.strip_prefix("'<U").and_then(|rest| rest.strip_suffix('\'')?.parse().ok());
+    let length: usize = length.ok_or("its entries are no words")?;
+    let (letters, rest) = array.data.as_chunks();
+    if Some(letters.len()) != length.checked_mul(array.count) || !rest.is_empty() {
+        return Err(BROKEN.to_owned());
+    }
+    let letter = |bytes: &[u8; 4]| char::from_u32(u32::from_le_bytes(*bytes)).ok_or(BROKEN);
+    let word = |index: usize| {
+        let letters = &letters[index * length..(index + 1) * length];
+        let word: String = letters.iter().map(letter).collect::<Result<_, _>>()?;
+        Ok(word.trim_end_matches('\0').to_owned())
+    };
+    (0..array.count).map(word).collect()
 }
 
 /// The header of an array, as text, and what follows.
@@ -218,7 +278,7 @@ fn header(bytes: &[u8]) -> Option<(&str, &[u8])> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Numbers, array, table};
+    use super::{Numbers, array, table, words};
 
     #[test]
     fn tables_have_names_or_not() {
@@ -267,9 +327,35 @@ mod tests {
         assert_eq!(array(&file(2, "<f8", "False", "(2, 2)", &doubles)), numbers(&[2, 2], &four));
         assert_eq!(array(&file(3, "<f8", "True", "(1, 4)", &doubles)), numbers(&[1, 4], &four));
         assert_eq!(array(&file(1, "<f4", "False", "(2,)", &singles)), numbers(&[2], &[0.5, 8.0]));
+        assert_eq!(
+            array(&file(1, "<f8", "True", "(2, 2)", &doubles)),
+            numbers(&[2, 2], &[1.0, 3.0, -2.5, 4.0])
+        );
+        let six: Vec<u8> = (0..6_i32).flat_map(i32::to_le_bytes).collect();
+        let turned = numbers(&[1, 3, 2], &[0.0, 3.0, 1.0, 4.0, 2.0, 5.0]);
+        assert_eq!(array(&file(1, "<i4", "True", "(1, 3, 2)", &six)), turned);
+        let wide: Vec<u8> = [-7_i64, 1 << 40].iter().flat_map(|x| x.to_le_bytes()).collect();
+        assert_eq!(
+            array(&file(1, "<i8", "False", "(2,)", &wide)),
+            numbers(&[2], &[-7.0, 1_099_511_627_776.0])
+        );
+        assert_eq!(array(&file(1, "<f8", "True", "(0, 2)", &[])), numbers(&[0, 2], &[]));
+        let letters: Vec<u8> = "xαu\0".chars().flat_map(|letter| u32::from(letter).to_le_bytes()).collect();
+        assert_eq!(
+            words(&file(1, "<U2", "False", "(2,)", &letters)),
+            Ok(vec!["xα".to_owned(), "u".to_owned()])
+        );
         for wrong in [
-            file(1, "<f8", "True", "(2, 2)", &doubles),
-            file(1, "<i8", "False", "(4,)", &doubles),
+            file(1, "<U2", "False", "(3,)", &letters),
+            file(1, "<U9999999999999999999", "False", "(2,)", &letters),
+            file(1, "<f8", "False", "(2,)", &letters),
+            file(1, "<U1", "False", "(1,)", &[255; 4]),
+        ] {
+            assert!(words(&wrong).is_err(), "{}", String::from_utf8_lossy(&wrong));
+        }
+        for wrong in [
+            file(1, "<c16", "False", "(2,)", &doubles),
+            file(1, "|O", "False", "(4,)", &doubles),
             file(1, "<f8", "False", "(5,)", &doubles),
             file(1, "<f8", "False", "(4,)", &doubles[..31]),
             file(1, "<f8", "False", "(18446744073709551615, 2)", &doubles),

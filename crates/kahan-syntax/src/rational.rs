@@ -14,6 +14,7 @@ mod tests;
 pub(crate) mod text;
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -33,7 +34,7 @@ pub struct Rational(Repr);
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Repr {
     Small { num: i64, den: i64 },
-    Big(Box<BigRational>),
+    Big(Arc<BigRational>),
 }
 
 impl Rational {
@@ -86,8 +87,8 @@ impl Rational {
         Some(match exponent {
             0..10 => Self(Repr::Small { num: odd << exponent, den: 1 }),
             -62..0 => Self(Repr::Small { num: odd, den: 1 << -exponent }),
-            10.. => Self::from(BigRational::from(BigInt::from(odd) << exponent)),
-            _ => Self::from(BigRational::new_raw(odd.into(), BigInt::one() << -exponent)),
+            10.. => Self::from(BigInt::from(odd) << exponent),
+            _ => Self::from_normal(BigRational::new_raw(odd.into(), BigInt::one() << -exponent)),
         })
     }
 
@@ -194,7 +195,7 @@ impl Rational {
     fn from_normal(value: BigRational) -> Self {
         match (value.numer().to_i64(), value.denom().to_i64()) {
             (Some(num), Some(den)) if num != i64::MIN => Self(Repr::Small { num, den }),
-            _ => Self(Repr::Big(Box::new(value))),
+            _ => Self(Repr::Big(Arc::new(value))),
         }
     }
 
@@ -204,7 +205,7 @@ impl Rational {
         if num.unsigned_abs() <= LIMIT && den.unsigned_abs() <= LIMIT {
             return Self(Repr::Small { num: num as i64, den: den as i64 });
         }
-        Self(Repr::Big(Box::new(BigRational::new_raw(BigInt::from(num), BigInt::from(den)))))
+        Self(Repr::Big(Arc::new(BigRational::new_raw(BigInt::from(num), BigInt::from(den)))))
     }
 }
 
@@ -236,7 +237,7 @@ impl From<BigInt> for Rational {
     fn from(value: BigInt) -> Self {
         match value.to_i64() {
             Some(small) => Self::from(small),
-            None => Self(Repr::Big(Box::new(BigRational::new_raw(value, BigInt::one())))),
+            None => Self(Repr::Big(Arc::new(BigRational::new_raw(value, BigInt::one())))),
         }
     }
 }

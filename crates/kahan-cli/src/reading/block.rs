@@ -14,6 +14,7 @@ use kahan_systems::entry::Entry;
 use kahan_systems::lattices;
 use kahan_systems::registry::find;
 
+use super::npz::coefficients;
 use super::rust_file::{RustBlock, blocks};
 use crate::printing::{Refusal, joined};
 
@@ -50,6 +51,16 @@ impl Block {
     fn new(entry: Option<&'static Entry>, text: String, origin: String) -> Self {
         let body = blocks(&text).into_iter().next().map_or(0..text.len(), |block| block.range);
         Block { entry, ..Block::within(text, body, origin) }
+    }
+
+    /// The field in a file of `np.savez`.
+    pub(super) fn of_arrays(path: &Path) -> Result<Self, Refusal> {
+        let origin = path.display();
+        let bytes = fs::read(path)
+            .map_err(|error| Refusal::new(format!("cannot read the file {origin}: {error}")))?;
+        let field = coefficients(&bytes).map_err(|why| Refusal::new(format!("{origin} {why}")))?;
+        let text = FieldText::of_system(field.system(), origin.to_string());
+        Ok(Block { entry: None, text, is_rust: false })
     }
 
     /// A part of a text.

@@ -5,6 +5,7 @@
 
 mod block;
 mod chain;
+mod npz;
 mod points;
 mod results;
 mod rust_file;

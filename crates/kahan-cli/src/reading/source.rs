@@ -32,7 +32,8 @@ pub(crate) struct Source {
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     field: Option<String>,
 
-    /// A file with such a field, or with calls of `kahan!`; `-` is standard input.
+    /// A file with such a field, with calls of `kahan!`, or with arrays (FILE.npz); `-` is standard
+    /// input.
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
@@ -245,6 +246,9 @@ impl Source {
                 block => Ok(block),
             },
             (None, Some(text), None) => Ok(Some(Block::of_text(text.clone(), "--field".to_owned()))),
+            (None, None, Some(path)) if path.extension().is_some_and(|ending| ending == "npz") => {
+                Block::of_arrays(path).map(Some)
+            }
             (None, None, Some(path)) => {
                 let (text, origin) = read_file(path)?;
                 let body = chosen(&text, &origin, self.block.as_deref())?;

@@ -1,6 +1,7 @@
 //! The `kahan` command from outside: what it prints, and with which exit status. A module for each
 //! subcommand, and for what is common to all.
 
+mod arrays;
 mod atlas_folders;
 #[cfg(unix)]
 mod beginning;

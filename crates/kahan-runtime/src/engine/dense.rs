@@ -4,14 +4,14 @@
 //! the numbers some steps later, and behind them a guard: it is infinite where the interpreter has
 //! to make the steps, since a number is not finite or a state is −0.
 
+use kahan_algebra::rational::Rational;
 use kahan_core::__private::LARGEST_FACTOR;
 use kahan_core::__private::dense::{assemble, pack, points, velocities, velocity};
-use kahan_core::Precision;
+use kahan_core::{Constant, Precision};
 use smallvec::SmallVec;
 
 use crate::follow::is_finite;
 use crate::line::Line;
-use crate::literal::round;
 use crate::machine::StepKind;
 
 use super::elimination::solve;
@@ -42,15 +42,36 @@ impl Engine {
     /// The packed coefficients of a dense field, and ε behind them; `constants` are the parameters
     /// and ε.
     pub(super) fn packed<T: MachineFloat>(&self, constants: &[T]) -> Option<Vec<T>> {
-        let field: Vec<T> = match self.derived.numbers() {
-            Some(numbers) => numbers.into_iter().map(round).collect(),
-            None => self.coefficients()?.values(constants, &mut Vec::new(), &[]).iter().collect(),
+        let pack = |field: &[T]| {
+            let mut packed = Vec::with_capacity(field.len() + field.len() / 4);
+            pack(self.dimension(), field, &mut packed);
+            packed
         };
-        let mut packed = Vec::with_capacity(field.len() + field.len() / 4);
-        pack(self.dimension(), &field, &mut packed);
+        let mut packed = if self.derived.system.field.symbols.parameters.is_empty() {
+            let slot = &self.packed[usize::from(T::PRECISION == Precision::Double)];
+            if slot.get().is_none() {
+                let field: Vec<T> = self.derived.numbers()?.into_iter().map(nearest).collect();
+                slot.get_or_init(|| Box::new(pack(&field)));
+            }
+            slot.get()?.downcast_ref::<Vec<T>>()?.clone()
+        } else {
+            let values =
+                self.coefficients()?.values(constants, &mut Vec::new(), &[]).iter().collect::<Vec<T>>();
+            pack(&values)
+        };
         packed.extend(constants.last());
         Some(packed)
     }
+}
+
+/// The float nearest to a number.
+fn nearest<T: MachineFloat>(number: &Rational) -> T {
+    let (single, double) = match T::PRECISION {
+        Precision::Single => (number.to_f32(), 0.0),
+        _ => (0.0, number.to_f64()),
+    };
+    // A float has no digits but these.
+    T::constant(&Constant::exact(number.is_negative(), &[], &[], single, double, 0.0))
 }
 
 /// Advances the numbers of a state, with a guard behind them, by steps of a dense field. Of each

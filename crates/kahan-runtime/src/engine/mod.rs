@@ -15,6 +15,7 @@ mod floats;
 mod scratch;
 mod step;
 
+use std::any::Any;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use kahan_algebra::derived::{Derived, derive};
@@ -104,6 +105,8 @@ pub struct Engine {
     with_derivatives: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
     /// From the parameters to the coefficients of a dense field.
     coefficients: OnceLock<Option<Line>>,
+    /// The packed coefficients of a dense field without parameters, in `f32` and in `f64`.
+    packed: [OnceLock<Box<dyn Any + Send + Sync>>; 2],
     pub(crate) codes: Codes,
 }
 
@@ -140,6 +143,7 @@ impl Engine {
             single_integrals: OnceLock::new(),
             with_derivatives: Mutex::default(),
             coefficients: OnceLock::new(),
+            packed: Default::default(),
         }
     }
 

@@ -74,6 +74,13 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
     if b == 1 && d == 1 {
         return Rational::from_reduced(i128::from(a) + i128::from(c), 1);
     }
+    if (b as u64).is_power_of_two() && (d as u64).is_power_of_two() {
+        // Exact floats, for which shifts do.
+        let (den, (a, c)) = (b.max(d), (i128::from(a), i128::from(c)));
+        let num = (a << (den / b).trailing_zeros()) + (c << (den / d).trailing_zeros());
+        let cancels = num.trailing_zeros().min(den.trailing_zeros());
+        return Rational::from_reduced(num >> cancels, i128::from(den >> cancels));
+    }
     let common = gcd(b as u64, d as u64) as i64;
     if common == 1 {
         let num = i128::from(a) * i128::from(d) + i128::from(c) * i128::from(b);

@@ -18,7 +18,7 @@ pub(super) struct Format {
     min_exponent: i64,
 }
 
-const BINARY32: Format = Format { precision: 24, min_exponent: -126 };
+pub(super) const BINARY32: Format = Format { precision: 24, min_exponent: -126 };
 pub(super) const BINARY64: Format = Format { precision: 53, min_exponent: -1022 };
 
 impl Rational {

@@ -21,6 +21,8 @@ fn samples() -> Vec<Rational> {
     }
     samples.push(q("123456789012345678901234567890/7"));
     samples.push(q("-1e-40"));
+    let floats = [0.1, -0.3, 1e-3, -1e-5, 7e-12, 2.5, -3e20, 5e-324];
+    samples.extend(floats.iter().filter_map(|float| Rational::from_f64(*float)));
     samples
 }
 
@@ -251,6 +253,9 @@ fn dyadic_numbers_are_floats_exactly_and_round_as_all_others() {
                 let exact = Rational::from(BigRational::new(odd.into(), BigInt::one() << shift));
                 let divided = f64::from_bits(rounding::round_bits(&exact.magnitude(), rounding::BINARY64));
                 assert_eq!(exact.to_f64(), divided, "{odd}/2^{shift}");
+                let single =
+                    f32::from_bits(rounding::round_bits(&exact.magnitude(), rounding::BINARY32) as u32);
+                assert_eq!(exact.to_f32(), single, "{odd}/2^{shift}");
             }
         }
     }
