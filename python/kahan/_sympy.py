@@ -70,7 +70,7 @@ def _rates(equations: Any) -> list[tuple[Any, int, Any]]:
     orders = {derivative: derivative.derivative_count for derivative in derivatives}
     highest = {derivative.expr: max(orders[of] for of in derivatives if of.expr == derivative.expr) for derivative in derivatives}
     wanted = [derivative for derivative in derivatives if orders[derivative] == highest[derivative.expr]]
-    lefts, rights = zip(*sides)
+    lefts, rights = [left for left, _ in sides], [right for _, right in sides]
     if set(lefts) != set(wanted) or len(lefts) != len(wanted) or any(right.has(*wanted) for right in rights):
         # With a float in it SymPy would solve all in floats.
         zeros = [left - right for left, right in sides]
@@ -78,7 +78,7 @@ def _rates(equations: Any) -> list[tuple[Any, int, Any]]:
         solved = sympy.solve(exact, wanted, dict=True)
         if len(solved) != 1 or len(solved[0]) != len(wanted):
             raise ValueError(f"the equations do not say in one way what {', '.join(map(str, wanted))} are")
-        lefts, rights = zip(*solved[0].items())
+        lefts, rights = wanted, [solved[0][derivative] for derivative in wanted]
     # Derivatives that are variables themselves are written as texts write them; functions stand in them, so they come first.
     names = {of: sympy.Symbol(f"{of.expr.func}" + "'" * orders[of]) for of in derivatives if of not in wanted}
     symbols = {function: sympy.Symbol(str(function.func)) for function in highest}
