@@ -281,14 +281,15 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
 }
 
 /// A field of n variables. Each product of two variables occurs with this probability, in percent.
-/// The equation of x1 is x1' = x0·x1, so that a zero in x1 remains one.
-fn dense(n: usize, percent: u64, random: &mut SplitMix64) -> Field {
-    let coefficient = |random: &mut SplitMix64| format!("{}/64", below(255, random) as i64 - 127);
+/// The equation of x1 is x1' = x0·x1, so that a zero in x1 remains one. Coefficients are multiples
+/// of `unit`, and p is a parameter or a number.
+fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {
+    let coefficient = |random: &mut SplitMix64| format!("{}*{unit}", below(255, random) as i64 - 127);
     let component = |i: usize| {
         if i == 1 {
             return "x1dot = x0*x1;".to_owned();
         }
-        let mut terms = vec![format!("{}*p", coefficient(random))];
+        let mut terms = vec![format!("{}*{p}", coefficient(random))];
         for j in 0..n {
             terms.push(format!("{}*x{j}", coefficient(random)));
             for k in j..n {
@@ -324,8 +325,17 @@ fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
         assert!(same(&words(&x), &words(&y)) && same(&words(&carry), &words(&other)), "{x:?} {y:?}");
     }
     let mut random = SplitMix64::new(55);
-    for (n, percent) in [(10, 100), (11, 60), (17, 25)] {
-        let map = dense(n, percent, &mut random).with([("p", 0.75)]).expect("its parameter");
+    let long = ["0.0156250000000000017", "0.7312345678901234567"];
+    for (n, percent, numbers) in [
+        (10, 100, ["1/64", "p"]),
+        (11, 60, ["1/64", "p"]),
+        (17, 25, ["1/64", "p"]),
+        (10, 70, long),
+        (10, 70, ["1/64", "1"]),
+    ] {
+        let field = dense(n, percent, numbers, &mut random);
+        let map = if numbers[1] == "p" { field.with([("p", 0.75)]) } else { field.map() };
+        let map = map.expect("its parameter");
         let number = |random: &mut SplitMix64| (below(2001, random) as f64 - 1000.0) / 1024.0;
         for eps in [1e-3, 0.05, 0.7, 30.0] {
             let mut start: Vec<f64> = (0..n).map(|_| number(&mut random)).collect();
@@ -352,7 +362,7 @@ fn loops_of_dense_fields_have_the_bits_of_the_interpreter() {
 fn columns_of_eliminated_fields_are_their_orbits() {
     let mut random = SplitMix64::new(6);
     for (n, percent) in [(6, 100), (9, 60), (12, 4), (10, 100), (15, 40)] {
-        let field = dense(n, percent, &mut random);
+        let field = dense(n, percent, ["1/64", "p"], &mut random);
         let map = field.with([("p", 0.75)]).expect("its parameter");
         let number = |random: &mut SplitMix64| (below(2001, random) as f64 - 1000.0) / 1024.0;
         for eps in [0.01, 0.7, 30.0] {
