@@ -248,8 +248,9 @@ fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
 /// Why they cannot be read.
 pub fn words(bytes: &[u8]) -> Result<Vec<String>, String> {
     let array = Array::of(bytes).ok_or(BROKEN)?;
-    let length = array.descr.strip_prefix("'<U").and_then(|rest| rest.strip_suffix('\'')?.parse().ok());
-    let length: usize = length.ok_or("its entries are no words")?;
+    let length: Option<usize> =
+        array.descr.strip_prefix("'<U").and_then(|rest| rest.strip_suffix('\'')?.parse().ok());
+    let length: usize = length.filter(|length| *length > 0).ok_or("its entries are no words")?;
     let (letters, rest) = array.data.as_chunks();
     if Some(letters.len()) != length.checked_mul(array.count) || !rest.is_empty() {
         return Err(BROKEN.to_owned());
@@ -348,6 +349,7 @@ mod tests {
         for wrong in [
             file(1, "<U2", "False", "(3,)", &letters),
             file(1, "<U9999999999999999999", "False", "(2,)", &letters),
+            file(1, "<U0", "False", "(9999999999999999999,)", &[]),
             file(1, "<f8", "False", "(2,)", &letters),
             file(1, "<U1", "False", "(1,)", &[255; 4]),
         ] {

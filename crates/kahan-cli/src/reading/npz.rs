@@ -39,7 +39,7 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     let n = n.ok_or("has none of the arrays c, B and Q, or an empty one")?;
     let [names, order] = ["names", "order"].map(|name| {
         let file = files.remove(name);
-        file.map(|file| words(&file).map_err(|why| format!("{name}: {why}"))).transpose()
+        file.map(|file| words(&file).map_err(|why| format!("has an array {name}, and {why}"))).transpose()
     });
     let names = names?.unwrap_or_else(|| (1..=n).map(|i| format!("x{i}")).collect());
     if names.len() != n {
@@ -83,7 +83,9 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
             }
         };
         for (row, column, value) in entries {
-            field.add(row, states(column), None, value).map_err(|error| format!("{name}: {error}"))?;
+            field
+                .add(row, states(column), None, value)
+                .map_err(|error| format!("has an array {name}, and {error}"))?;
         }
     }
     Ok(field)
@@ -97,7 +99,9 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
 /// The array of this name, or of its sparse form by rows.
 fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
     let mut numbers = |name: &str| {
-        let read = |file: Vec<u8>| Numbers::of(".npy", &file).map_err(|why| format!("{name}: {why}"));
+        let read = |file: Vec<u8>| {
+            Numbers::of(".npy", &file).map_err(|why| format!("has an array {name}, and {why}"))
+        };
         files.remove(name).map(read).transpose()
     };
     if let Some(Numbers { sizes, values, .. }) = numbers(name)? {

@@ -32,8 +32,7 @@ pub(crate) struct Source {
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     field: Option<String>,
 
-    /// A file with such a field, with calls of `kahan!`, or with arrays (FILE.npz); `-` is standard
-    /// input.
+    /// A file with such a field, calls of `kahan!`, or arrays (.npz); `-` is standard input.
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 

@@ -137,12 +137,15 @@ fn what_is_no_field_is_refused_with_its_reason() {
             pair().numbers("Q", "(2, 2)", &ROTATED),
             "has an array Q of 2 x 2, and with 2 variables it is (2, 2, 2), (2, 4) or (2, 3)",
         ),
-        (Npz::new().numbers("c", "(1,)", &[f64::NAN]), "c: a coefficient of component 0 is not finite"),
+        (
+            Npz::new().numbers("c", "(1,)", &[f64::NAN]),
+            "has an array c, and a coefficient of component 0 is not finite",
+        ),
         (pair().words("names", "(1,)", &["x"]), "has 1 names and 2 variables"),
         (pair().words("names", "(2,)", &["x", "eps"]), "eps"),
         (pair().words("order", "()", &["F"]), "has the order `F`"),
-        (pair().numbers("names", "(2,)", &[1.0, 2.0]), "names: its entries are no words"),
-        (pair().with("B", "<c16", "(2, 2)", vec![0; 64]), "B: its numbers are no floats"),
+        (pair().numbers("names", "(2,)", &[1.0, 2.0]), "has an array names, and its entries are no words"),
+        (pair().with("B", "<c16", "(2, 2)", vec![0; 64]), "has an array B, and its numbers are no floats"),
         (pair().numbers("B_data", "(1,)", &[1.0]), "has a sparse B without one of"),
         (
             pair().numbers("B_data", "(1,)", &[1.0]).numbers("B_indices", "(1,)", &[2.0]).numbers(
