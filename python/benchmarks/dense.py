@@ -116,3 +116,31 @@ def dense_fields(limit: Callable[..., None], skipped: Callable[[str, str], None]
         limit(f"a step of a dense field of {n} variables / {name}", at_most, ratios[1:])
         if n == 40:
             limit("a step of a dense field of 40 variables / a bare `dgesv`", 1.0, bare[1:])
+
+
+def from_arrays(limit: Callable[..., None]) -> None:
+    """Fields from arrays: the first step, and steps and ensembles beside the field read as text."""
+    n, rng = 40, np.random.default_rng(40)
+    x, starts, begins = rng.uniform(-SMALL, SMALL, n), rng.uniform(-SMALL, SMALL, (1000, n)), []
+    for _ in range(ROUNDS):
+        s = None
+        c, B, Q = (rng.normal(size=shape) / n**len(shape) for shape in ((n,), (n, n), (n, n, n)))
+        begun = time.perf_counter()
+        s = kahan.System.from_arrays(c, B, Q + Q.transpose(0, 2, 1))
+        s.step(x, EPS)
+        begins.append(1e3 * (time.perf_counter() - begun))
+    limit("a field of 40 variables from arrays, to its first step", 10, begins, " ms")
+    text = kahan.System(s.text)
+    for name, call in {
+        "1e5 steps": lambda field: field.orbit(x, EPS, 100_000, every=1000),
+        "1e3 trajectories of 100 steps": lambda field: field.ensemble(starts, EPS, 100),
+    }.items():
+        ratios = []
+        for _ in range(5):
+            times = []
+            for field in (s, text):
+                begun = time.perf_counter()
+                call(field)
+                times.append(time.perf_counter() - begun)
+            ratios.append(times[0] / times[1])
+        limit(f"{name} of 40 variables from arrays / from text", 1.05, ratios)

@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 
 import kahan
-from dense import dense_fields
+from dense import dense_fields, from_arrays
 from lifts import lifting, racing
 from peers import lorenz_grid, scenes
 from sparse import sparse_fields
@@ -126,6 +126,7 @@ def main() -> None:
     calls(s)
     start_up()
     dense_fields(limit, skipped)
+    from_arrays(limit)
     sparse_fields(limit, skipped)
     lifts = lifting(limit, skipped) + racing(limit, skipped)
     lorenz_grid(limit)
