@@ -37,8 +37,9 @@ class System(Field):
 
     ``field`` is the text of the equations in the language of ``kahan!`` or as one writes them, such as
     ``x' = y, y' = -x``, or equations of SymPy: a mapping of symbols to expressions, a pair (symbols, expressions),
-    or a list of ``Eq(x(t).diff(t), …)``. ``notes`` says what was read in an unusual way. Free names are parameters; their values are given by name, exactly
-    where they are integers, fractions or text. A float means the decimal that Python prints.
+    or a list of ``Eq(x(t).diff(t), …)``. ``notes`` says what was read in an unusual way.
+    Free names are parameters; their values are given by name, exactly where they are integers, fractions or text. A float
+    means the decimal that Python prints.
     ``sites`` writes out a chain of a family ``for i in … { … }``.
 
     With ``lift=True`` the equations may have functions, quotients, powers and ``t``: the field is lifted to
