@@ -61,7 +61,9 @@ pub(crate) fn examples_run(command: &str, folder: &Path) -> usize {
     let help = answer(&[command, "--help"]);
     let (_, examples) = help.split_once("Examples:\n").expect("the help has examples");
     let mut run = 0;
-    for example in examples.lines().map(str::trim).take_while(|line| !line.is_empty() && !line.starts_with('`')) {
+    for example in
+        examples.lines().map(str::trim).take_while(|line| !line.is_empty() && !line.starts_with('`'))
+    {
         let output = shell(example, folder);
         assert_eq!(output.status.code(), Some(0), "{example}: {}", text(&output.stderr));
         run += 1;

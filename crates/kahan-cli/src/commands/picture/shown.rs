@@ -107,7 +107,9 @@ impl Shown {
 
     fn eps(&self) -> Result<Rational, Refusal> {
         let eps = self.eps.clone();
-        eps.ok_or_else(|| Refusal::new("which step? add --eps E, half the time step, as in --eps 1/10, or --dt T"))
+        eps.ok_or_else(|| {
+            Refusal::new("which step? add --eps E, half the time step, as in --eps 1/10, or --dt T")
+        })
     }
 
     /// What the axes show: of a portrait the first three variables, of a section the first two
