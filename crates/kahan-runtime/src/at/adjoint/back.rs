@@ -35,7 +35,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
             (kahan.at_constants(at.map.clone(), constants.into_iter(), eps), T::constant(gamma))
         });
         let solver = at.engine().transposed();
-        let terms = Terms::of(&at.map, solver.places());
+        let terms = Terms::of(&at.map, solver.entries().len(), solver.places());
         let slopes = [(); 2].map(|()| vec![T::zero(); solver.entries().len()]);
         Back { distinct: distinct.collect(), terms, solver, slopes, room: Vec::new() }
     }

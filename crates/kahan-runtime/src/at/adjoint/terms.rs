@@ -17,9 +17,10 @@ type States = [Option<usize>; 2];
 /// The terms of a field.
 #[derive(Debug)]
 pub(super) struct Terms<T> {
-    /// The terms of f′, sorted by entry: the entry, the state that it multiplies, if any, and the
-    /// coefficient.
-    slopes: Vec<(usize, Option<usize>, T)>,
+    /// Of each entry of f′ the term without states, and where those with one end.
+    entries: Vec<(T, usize)>,
+    /// The terms of f′ with a state, entry after entry: the state and the coefficient.
+    slopes: Vec<(usize, T)>,
     /// The terms of f without products of states: component, state and coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
     /// The terms whose coefficients depend on parameters: the component and the states, and where
@@ -88,10 +89,12 @@ fn coefficients(
 }
 
 impl<T: RuntimeFloat> Terms<T> {
-    /// The terms of a map's field; `entry` says where ∂fᵢ/∂xⱼ stands among the entries of f′.
-    pub(super) fn of(map: &Map, entry: impl Fn(usize, usize) -> usize) -> Self {
+    /// The terms of a map's field; `place` says where ∂fᵢ/∂xⱼ stands among the `count` entries of
+    /// f′.
+    pub(super) fn of(map: &Map, count: usize, place: impl Fn(usize, usize) -> usize) -> Self {
         let (field, values) = (&map.field().system().field, map.parameters());
-        let (mut slopes, mut linear) = (Vec::new(), Vec::new());
+        let (mut entries, mut slopes) = (vec![(T::zero(), 0); count], Vec::new());
+        let mut linear = Vec::new();
         let (mut varying, mut by_parameters) = (Vec::new(), Vec::new());
         for (i, component) in field.components.iter().enumerate() {
             let divisor = coefficients(&component.denominator, &field.symbols, values);
@@ -99,8 +102,10 @@ impl<T: RuntimeFloat> Terms<T> {
             for (states, mut coefficient) in coefficients(&component.numerator, &field.symbols, values) {
                 coefficient.divide_by(divisor);
                 let value: T = round(&coefficient.value);
-                for (state, other) in [(states[0], states[1]), (states[1], states[0])] {
-                    slopes.extend(state.map(|state| (entry(i, state), other, value)));
+                match states {
+                    [Some(j), Some(k)] => slopes.extend([(place(i, j), k, value), (place(i, k), j, value)]),
+                    [Some(j), None] => entries[place(i, j)].0 = value,
+                    _ => {}
                 }
                 if states[1].is_none() {
                     linear.push((i, states[0], value));
@@ -111,15 +116,32 @@ impl<T: RuntimeFloat> Terms<T> {
                 }
             }
         }
-        slopes.sort_by_key(|(entry, _, _)| *entry);
-        Terms { slopes, linear, varying, by_parameters }
+        slopes.sort_by_key(|(place, _, _)| *place);
+        let mut end = 0;
+        for (place, (_, own)) in entries.iter_mut().enumerate() {
+            end += slopes[end..].iter().take_while(|slope| slope.0 == place).count();
+            *own = end;
+        }
+        let slopes = slopes.into_iter().map(|(_, state, coefficient)| (state, coefficient)).collect();
+        Terms { entries, slopes, linear, varying, by_parameters }
     }
 
     /// Writes the entries of f′(x).
-    pub(super) fn slopes(&self, x: &[T], entries: &mut [T]) {
-        entries.fill(T::zero());
-        for (entry, state, coefficient) in &self.slopes {
-            entries[*entry] += state.map_or(*coefficient, |state| *coefficient * x[state]);
+    pub(super) fn slopes(&self, x: &[T], slopes: &mut [T]) {
+        // Several sums at a time: each waits for its own last addition only.
+        const SUMS: usize = 4;
+        let mut first = 0;
+        for (slope, (constant, end)) in slopes.iter_mut().zip(&self.entries) {
+            let (many, few) = self.slopes[first..*end].as_chunks::<SUMS>();
+            let mut sums = [T::zero(); SUMS];
+            for terms in many {
+                for (sum, (state, coefficient)) in sums.iter_mut().zip(terms) {
+                    *sum += *coefficient * x[*state];
+                }
+            }
+            let few = few.iter().map(|(state, coefficient)| *coefficient * x[*state]);
+            *slope = sums.into_iter().chain(few).fold(*constant, |sum, term| sum + term);
+            first = *end;
         }
     }
 
