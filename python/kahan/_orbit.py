@@ -166,7 +166,7 @@ class Orbit(Table):
         >>> weights = 0*o.x
         >>> weights[-1, 0] = 1                                  # L is the last x
         >>> {name: round(slope, 3) for name, slope in o.gradient(weights, ["a", "b", "x"]).items()}
-        {'a': 1.0, 'b': -1.0, 'x': 1.0}
+        {'a': 0.447, 'b': 0.304, 'x': -0.526}
         """
         system = self.system
         if self._order is None:

@@ -3,7 +3,7 @@
 use std::num::NonZeroU64;
 
 use kahan_runtime::End;
-use numpy::{PyArrayMethods, PyUntypedArrayMethods};
+use numpy::PyUntypedArrayMethods;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 

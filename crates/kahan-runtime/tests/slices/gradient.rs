@@ -133,7 +133,7 @@ fn gradients_of_sparse_fields_are_those_of_differences() {
             let mut sum = Dd::from(0.0);
             for (k, weights) in weights.chunks_exact(n).enumerate() {
                 at.advance(&mut x, if k == 0 { 0 } else { 2 }).unwrap();
-                x.iter().zip(weights).for_each(|(x, weight)| sum = sum + *x * Dd::from(*weight));
+                x.iter().zip(weights).for_each(|(x, weight)| sum += *x * Dd::from(*weight));
             }
             sum
         };
