@@ -100,7 +100,7 @@ impl<T: RuntimeFloat> MapAt<T> {
     ) -> Result<Followed<Option<Gradient<T>>>, DimensionError> {
         let n = start.len().max(1);
         let mut x = start.to_vec();
-        let mut end = self.follow(&mut x, 0, |_| ControlFlow::Continue(()))?.end;
+        let end = self.follow(&mut x, 0, &mut watch)?.end;
         if !weights.len().is_multiple_of(n) {
             return Err(DimensionError::new(Argument::Weights, weights.len(), n));
         }
@@ -108,22 +108,10 @@ impl<T: RuntimeFloat> MapAt<T> {
         let steps = rows.saturating_sub(1).saturating_mul(every.get());
         let mut back = Back::of(self);
         let length = (steps / back.stages() as u64).isqrt().max(1);
-        let (mut made, mut checkpoints, mut is_stopped) = (0, Vec::new(), false);
-        while made < steps && end == End::Complete {
-            checkpoints.extend_from_slice(&x);
-            let now = length.min(steps - made);
-            let watch = |made| {
-                let flow = watch(made);
-                is_stopped = flow.is_break();
-                flow
-            };
-            end = self.follow(&mut x, now, watch)?.end.after(made);
-            made += now;
-            // Nobody but the sweep knows that there is more to do behind the steps of a part.
-            if is_stopped && end == End::Complete {
-                end = End::Stopped(made);
-            }
-        }
+        let (checkpoints, end) = match end {
+            End::Complete => self.checkpoints(&mut x, [steps, length], &mut watch)?,
+            end => (Vec::new(), end),
+        };
         if end != End::Complete {
             return Ok(Followed { report: None, end });
         }
@@ -134,23 +122,28 @@ impl<T: RuntimeFloat> MapAt<T> {
         };
         total.start.iter_mut().zip(row(steps)).for_each(|(slope, weight)| *slope = *weight);
         back.begin(&x);
-        let (pause, mut points, mut unseen) = (pause(x.len()), Vec::new(), 0);
+        let (pause, mut points, mut left) = (pause(x.len()), Vec::new(), steps);
         for checkpoint in checkpoints.chunks_exact(n).rev() {
-            let first = (made - 1) / length * length;
+            let first = (left - 1) / length * length;
+            points.clear();
+            points.extend_from_slice(checkpoint);
+            for step in first..left {
+                back.make_step(&mut points);
+                if step.is_multiple_of(pause) && watch(0).is_break() {
+                    return Ok(Followed { report: None, end: End::Stopped(left) });
+                }
+            }
             // Sums of a part are added to the total at once: long sums lose fewer digits so.
             let mut part = Gradient::zero(0, total.parameters.len());
             std::mem::swap(&mut part.start, &mut total.start);
-            points.clear();
-            points.extend_from_slice(checkpoint);
-            (first..made).for_each(|_| back.make_step(&mut points));
-            while made > first {
-                made -= 1;
+            let mut told = left;
+            while left > first {
+                left -= 1;
                 back.take_step(&mut points, &mut part);
-                part.start.iter_mut().zip(row(made)).for_each(|(slope, weight)| *slope += *weight);
-                unseen += 1;
-                if (unseen == pause || made == 0) && watch(std::mem::take(&mut unseen)).is_break() && made > 0
-                {
-                    return Ok(Followed { report: None, end: End::Stopped(made) });
+                part.start.iter_mut().zip(row(left)).for_each(|(slope, weight)| *slope += *weight);
+                let is_time = left == first || told - left >= pause;
+                if is_time && watch(std::mem::replace(&mut told, left) - left).is_break() && left > 0 {
+                    return Ok(Followed { report: None, end: End::Stopped(left) });
                 }
             }
             std::mem::swap(&mut part.start, &mut total.start);
@@ -158,5 +151,33 @@ impl<T: RuntimeFloat> MapAt<T> {
             total.eps += part.eps;
         }
         Ok(Followed { report: Some(total), end })
+    }
+
+    /// The states after 0, `length`, 2·`length`, … steps, but for the last state, which replaces
+    /// `x`; and how the orbit ended.
+    fn checkpoints(
+        &self,
+        x: &mut [T],
+        [steps, length]: [u64; 2],
+        mut watch: impl FnMut(u64) -> ControlFlow<()>,
+    ) -> Result<(Vec<T>, End), DimensionError> {
+        let (mut made, mut checkpoints, mut is_stopped) = (0, Vec::new(), false);
+        while made < steps {
+            checkpoints.extend_from_slice(x);
+            let now = length.min(steps - made);
+            let watch = |made| {
+                let flow = watch(made);
+                is_stopped = flow.is_break();
+                flow
+            };
+            let end = self.follow(x, now, watch)?.end.after(made);
+            made += now;
+            // The last steps of a part are not the last ones of the work.
+            let end = if is_stopped && end == End::Complete { End::Stopped(made) } else { end };
+            if end != End::Complete {
+                return Ok((checkpoints, end));
+            }
+        }
+        Ok((checkpoints, End::Complete))
     }
 }

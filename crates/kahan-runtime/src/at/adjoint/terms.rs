@@ -56,6 +56,9 @@ impl Coefficient {
 
     /// Divides by a number that depends on parameters, too, and is not 0.
     fn divide_by(&mut self, divisor: &Coefficient) {
+        if divisor.value.is_one() && divisor.slopes.is_empty() {
+            return;
+        }
         let reciprocal = divisor.value.recip().expect("the field is defined at its parameters");
         self.value = &self.value * &reciprocal;
         for (k, slope) in &divisor.slopes {
