@@ -156,7 +156,7 @@ class Orbit(Table):
         the sum of squares of ``o.x - data``. ``by`` names parameters, variables (the derivative by that coordinate of the
         start) and ``"eps"``; the result has a number for each of these, by default for all.
 
-        One sweep back over the orbit has them all, and costs some tens of steps for each step, however many
+        One sweep back over the orbit has them all, and costs about ten steps of the map for each step, however many
         parameters there are: it is for many parameters and one number.
         Steps are computed again, in float64, from checkpoints; memory is that of a square root of the number of steps.
 
