@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -12,6 +12,7 @@ import numpy as np
 
 from ._errors import spelled, unknown
 from ._kahan import arrow
+from ._progress import listener
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -109,6 +110,8 @@ class Orbit(Table):
     """Why it goes no further."""
     why: str | None = None
     """The end in words, where a lifted field ends the orbit."""
+    _order: int | None = None
+    # The order of its steps, where these are those of Kahan's map in floats.
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
@@ -145,6 +148,45 @@ class Orbit(Table):
         given = self._integrals
         in_all = self.x if self._in_all is None else self._in_all
         return given if isinstance(given, dict) else self.system._integrals_in_all(in_all, given)
+
+    def gradient(self, weights: Any, by: str | Sequence[str] | None = None, *, progress: bool = False) -> dict[str, float]:
+        """The gradient of a scalar L of the orbit: its derivatives by the start, the parameters and eps.
+
+        ``weights``, of the shape of ``x``, are the derivatives of L by ``x``: ``2*(o.x - data)`` where L is
+        the sum of squares of ``o.x - data``. ``by`` names parameters, variables (the derivative by that coordinate of the
+        start) and ``"eps"``; the result has a number for each of these, by default for all.
+
+        One sweep back over the orbit has them all, and costs about ten steps of the map for each step, however many
+        parameters there are: it is for many parameters and one number.
+        Steps are computed again, in float64, from checkpoints; memory is that of a square root of the number of steps.
+
+        >>> import kahan
+        >>> pond = kahan.System("xdot = a*x - b*x*y; ydot = c*x*y - d*y;", a=1, b=1, c=1, d=1)
+        >>> o = pond.orbit([1.5, 1], eps=0.05, steps=100)
+        >>> weights = 0*o.x
+        >>> weights[-1, 0] = 1                                  # L is the last x
+        >>> {name: round(slope, 3) for name, slope in o.gradient(weights, ["a", "b", "x"]).items()}
+        {'a': 0.447, 'b': 0.304, 'x': -0.526}
+        """
+        system = self.system
+        if self._order is None:
+            raise ValueError("gradient is of orbits of Kahan's map in f64 or f32, without reembed and projective")
+        if system._lifting is not None:
+            raise ValueError("gradient is of fields that are not lifted: make the orbit of kahan.System(s.text), "
+                             "which has all variables, from all of their first values")
+        known = [*system.variables, *system.parameters, "eps"]
+        by = known if by is None else [by] if isinstance(by, str) else list(by)
+        for name in by:
+            if name not in known:
+                raise ValueError(f"by: {unknown('parameter or variable', str(name), known)}")
+        given = np.asarray(weights, dtype=float)
+        if given.shape != self.x.shape:
+            early = "" if self.ended == "complete" else (f"; the orbit ended early{_end(self.ended, self.steps)}: give weights "
+                                                         f"for its {len(self.x)} rows, or choose fewer steps or a smaller eps")
+            raise ValueError(f"weights: the shape {self.x.shape} of the orbit's x is needed, and this is {given.shape}{early}")
+        found = dict(system._gradient(self.x[0], float(self.eps), given, every=self.every, order=self._order,
+                                      listener=listener() if progress else None))
+        return {name: found[name] for name in by}
 
     @property
     def ended_step(self) -> int:

@@ -415,6 +415,7 @@ class System(Field):
             states = self._out_of_all(in_all, None if out is None else out[: len(rows)])
             orbit = Orbit(self, half, states, every, made, ended, half if order == 2 else 0.0, in_all)
             orbit.why = why
+            orbit._order = None if reembed else order
             return orbit
         if compensated or out is not None:
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")

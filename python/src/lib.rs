@@ -13,6 +13,7 @@ mod beside;
 mod ensemble;
 mod errors;
 mod field;
+mod gradient;
 mod lattice;
 mod orbit;
 mod table;

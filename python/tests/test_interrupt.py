@@ -14,6 +14,9 @@ LONG = [
     "s.orbit([1, 2, 3], 0.01, 10**12, every=10**12)",
     "s.orbit([1, 2, 3], 0.01, 10**12, every=10**12, compensated=True)",
     *(f"s.orbit([1, 2, 3], 0.01, 10**12, every=10**11, {how})" for how in ["scalar='dd'", "method='flow'", "projective=True"]),
+    # Forward 10^6 rows apart; and back over a long orbit that is made in a moment.
+    "o = s.orbit([1, 2, 3], 0.01, 10, every=10); o.every = 10**11; o.gradient(o.x)",
+    "o = s.orbit([1, 2, 3], 0.01, 2*10**8, every=10**8); o.gradient(o.x)",
     # Steps of these numbers take seconds each.
     "lorenz.orbit([1, 2, 3], '1/70', 30, scalar='exact')",
     "lorenz.heights([1, 2, 3], '1/70', 30, max_digits=10**9, seconds=1000)",

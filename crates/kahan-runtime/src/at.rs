@@ -1,5 +1,6 @@
 //! A map at one ε, over slices.
 
+mod adjoint;
 mod columns;
 mod drift;
 mod group;
@@ -11,6 +12,7 @@ mod tangent;
 #[cfg(test)]
 mod tests;
 
+pub use adjoint::Gradient;
 pub use drift::IntegralDrift;
 pub use observe::WhileFinite;
 pub use passed_poles::{Passed, PassedPoles};

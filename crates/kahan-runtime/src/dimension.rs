@@ -19,6 +19,8 @@ pub(crate) enum Argument {
     Carry,
     /// Where points are to be written, one after the other.
     Rows,
+    /// The derivatives of a scalar by rows of points.
+    Weights,
     Columns,
     Maps,
     /// The column of a variable.
@@ -75,6 +77,12 @@ impl fmt::Display for DimensionError {
                 write!(
                     f,
                     "the rows have {found} {entries}; give a multiple of {expected}, one a variable in each row"
+                )
+            }
+            Argument::Weights => {
+                write!(
+                    f,
+                    "the weights have {found} {entries}; give a multiple of {expected}, one a variable for each row"
                 )
             }
             Argument::Columns => write!(f, "the columns are {found}; give {expected}, one a variable"),

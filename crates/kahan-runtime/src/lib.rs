@@ -60,7 +60,8 @@ mod text;
 pub mod threads;
 
 pub use at::{
-    IntegralDrift, MachineFloat, MapAt, Passed, PassedPoles, RuntimeFloat, RuntimePoint, WhileFinite,
+    Gradient, IntegralDrift, MachineFloat, MapAt, Passed, PassedPoles, RuntimeFloat, RuntimePoint,
+    WhileFinite,
 };
 pub use claim::ClaimError;
 pub use coefficients::{CoefficientError, Coefficients, Entries};

@@ -5,6 +5,8 @@
 //! Rows are not exchanged, so a pivot may be too small to divide by: [`factor`](Couplings::factor)
 //! says so, and whoever calls pivots instead.
 
+use core::ops::Range;
+
 use crate::{Constant, Scalar};
 
 /// A pivot that is smaller, by more than this factor, than an entry of its row and an entry of its
@@ -48,20 +50,20 @@ impl CouplingRow {
         CouplingRow { start, own, diagonal, end }
     }
 
-    pub(crate) fn left(&self) -> core::ops::Range<usize> {
+    pub(crate) fn left(&self) -> Range<usize> {
         self.own as usize..self.diagonal as usize
     }
 
-    pub(crate) fn right(&self) -> core::ops::Range<usize> {
+    pub(crate) fn right(&self) -> Range<usize> {
         self.diagonal as usize + 1..self.end as usize
     }
 
-    pub(crate) fn own(&self) -> core::ops::Range<usize> {
+    pub(crate) fn own(&self) -> Range<usize> {
         self.own as usize..self.end as usize
     }
 
     /// The entries that are multiplied by what is solved already.
-    fn solved(&self) -> core::ops::Range<usize> {
+    fn solved(&self) -> Range<usize> {
         self.start as usize..self.diagonal as usize
     }
 }
@@ -154,6 +156,28 @@ impl Couplings<'_> {
                 b[i] = self.reduced(row.right().rev(), i, values, b) * values[row.diagonal as usize].clone();
             }
             first = *end as usize;
+        }
+    }
+
+    /// Replaces b by the solution of Aᵀ·x = b, as [`solve`](Self::solve) does of A.
+    pub fn solve_transposed<T: Scalar>(&self, values: &[T], b: &mut [T]) {
+        let subtract = |i: usize, places: Range<usize>, b: &mut [T]| {
+            for place in places {
+                let column = self.columns[place] as usize;
+                b[column] = b[column].clone().subtract_product(values[place].clone(), b[i].clone());
+            }
+        };
+        for (k, end) in self.blocks.iter().enumerate().rev() {
+            let first = k.checked_sub(1).map_or(0, |before| self.blocks[before]);
+            let block = first as usize..*end as usize;
+            for i in block.clone() {
+                let row = &self.rows[i];
+                b[i] = b[i].clone() * values[row.diagonal as usize].clone();
+                subtract(i, row.right(), b);
+            }
+            for i in block.rev() {
+                subtract(i, self.rows[i].solved(), b);
+            }
         }
     }
 

@@ -164,15 +164,52 @@ impl Tables {
         }
     }
 
+    /// Replaces b by A⁻ᵀb.
+    pub(super) fn solve_transposed<V: Scalar>(&self, factors: &mut Factors<V>, b: &mut [V]) {
+        let Factors { values, row, .. } = factors;
+        for (own, turn) in row.iter_mut().zip(&self.order) {
+            own.clone_from(&b[*turn as usize]);
+        }
+        self.couplings().solve_transposed(values, row);
+        for (own, turn) in row.iter().zip(&self.order) {
+            b[*turn as usize].clone_from(own);
+        }
+    }
+
+    /// The rows and columns of the entries of f′, in their order.
+    pub(super) fn entries(&self) -> Vec<(usize, usize)> {
+        self.couplings().pairs().collect()
+    }
+
     /// Replaces b by A⁻¹b, with pivots that are chosen in each column, in the order of elimination;
     /// whether A is singular.
     pub(super) fn solve_by_pivoting<V: Scalar + Copy>(&self, slopes: &[V], eps: V, b: &mut [V]) -> bool {
+        self.solve_entries_by_pivoting(self.entries(), slopes, eps, b)
+    }
+
+    /// Like [`solve_by_pivoting`](Self::solve_by_pivoting), of the transposed matrix.
+    pub(super) fn solve_transposed_by_pivoting<V: Scalar + Copy>(
+        &self,
+        slopes: &[V],
+        eps: V,
+        b: &mut [V],
+    ) -> bool {
+        self.solve_entries_by_pivoting(self.entries().into_iter().map(|(i, j)| (j, i)), slopes, eps, b)
+    }
+
+    fn solve_entries_by_pivoting<V: Scalar + Copy>(
+        &self,
+        entries: impl IntoIterator<Item = (usize, usize)>,
+        slopes: &[V],
+        eps: V,
+        b: &mut [V],
+    ) -> bool {
         let mut turns = vec![0; self.order.len()];
         for (turn, variable) in self.order.iter().enumerate() {
             turns[*variable as usize] = turn;
         }
         let mut rows: Vec<Vec<(usize, V)>> = (0..turns.len()).map(|turn| vec![(turn, V::one())]).collect();
-        for ((i, j), slope) in self.couplings().pairs().zip(slopes) {
+        for ((i, j), slope) in entries.into_iter().zip(slopes) {
             let scaled = -(eps * *slope);
             if i == j {
                 rows[turns[i]][0].1 += scaled;

@@ -14,6 +14,7 @@ mod elimination;
 mod floats;
 mod scratch;
 mod step;
+mod transposed;
 
 use std::any::Any;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -41,6 +42,7 @@ pub use floats::{MachineFloat, RuntimeFloat};
 use scratch::Workspace;
 pub(crate) use scratch::{Scratch, with_scratch};
 pub(crate) use step::{Step, into_matrix};
+pub(crate) use transposed::Transposed;
 
 /// A function of the state, or of two states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -4,10 +4,10 @@ use kahan_core::Dd;
 use kahan_runtime::{By, Composition, Field, Map, MapAt, Rational};
 
 /// A field with the values of its parameters and a first point.
-type Case = (String, Vec<(&'static str, f64)>, Vec<f64>);
+pub(crate) type Case = (String, Vec<(&'static str, f64)>, Vec<f64>);
 
 /// Fields with straight lines, eliminations, divisors, and sums as factors.
-fn fields() -> Vec<Case> {
+pub(crate) fn fields() -> Vec<Case> {
     let network: String = (0..7)
         .map(|i| {
             let (left, right) = ((i + 6) % 7, (i + 1) % 7);

@@ -7,6 +7,7 @@ mod couplings;
 mod derivatives;
 mod errors;
 mod follow;
+mod gradient;
 mod large;
 mod passed_poles;
 mod random;

@@ -1,0 +1,126 @@
+//! Steps taken back, one stage after the other.
+
+use kahan_core::{Composition, Scalar};
+
+use crate::engine::{Object, Transposed, stage_constants};
+use crate::follow::is_within;
+use crate::{MapAt, RuntimeFloat};
+
+use super::Gradient;
+use super::terms::Terms;
+
+/// The largest growth of a cotangent by a transposed solve after which no digits are missed: beyond
+/// it the step is near a zero of det A, which may be a pole of the map or a removable one.
+const LARGEST_GROWTH: f64 = 1024.0;
+
+/// What takes steps of a map back.
+pub(super) struct Back<'a, T: RuntimeFloat> {
+    /// Kahan's map at the ε of each stage that differs, and its γ.
+    distinct: Vec<(MapAt<T>, T)>,
+    terms: Terms<T>,
+    solver: Transposed<'a, T>,
+    /// The entries of f′ at the point before a step, and behind it.
+    slopes: [Vec<T>; 2],
+    /// A state or a cotangent at work.
+    room: Vec<T>,
+}
+
+impl<'a, T: RuntimeFloat> Back<'a, T> {
+    pub(super) fn of(at: &'a MapAt<T>) -> Self {
+        let kahan = at.composed(Composition::KAHAN);
+        let composition = at.composition;
+        let stages = stage_constants(at.kind, &at.constants, composition).into_iter();
+        let distinct = stages.zip(composition.coefficients()).map(|(mut constants, gamma)| {
+            let eps = constants.pop().unwrap_or_else(|| unreachable!("there is an eps"));
+            (kahan.at_constants(at.map.clone(), constants.into_iter(), eps), T::constant(gamma))
+        });
+        let solver = at.engine().transposed();
+        let terms = Terms::of(&at.map, solver.entries().len(), solver.places());
+        let slopes = [(); 2].map(|()| vec![T::zero(); solver.entries().len()]);
+        Back { distinct: distinct.collect(), terms, solver, slopes, room: Vec::new() }
+    }
+
+    /// The number of stages of a step.
+    pub(super) fn stages(&self) -> usize {
+        2 * self.distinct.len() - 1
+    }
+
+    fn stage(&self, k: usize) -> usize {
+        k.min(self.stages() - 1 - k)
+    }
+
+    /// Begins at the last state.
+    pub(super) fn begin(&mut self, x: &[T]) {
+        self.terms.slopes(x, &mut self.slopes[1]);
+    }
+
+    /// Appends the states that the stages of a step lead to.
+    pub(super) fn make_step(&mut self, points: &mut Vec<T>) {
+        let n = self.distinct[0].0.dimension();
+        for k in 0..self.stages() {
+            let first = points.len() - n;
+            points.extend_from_within(first..);
+            self.distinct[self.stage(k)].0.advance_checked(&mut points[first + n..], 1);
+        }
+    }
+
+    /// Takes the last step of these states back, and removes it from them; `gradient` has the
+    /// cotangent as derivative by the start.
+    pub(super) fn take_step(&mut self, points: &mut Vec<T>, gradient: &mut Gradient<T>) {
+        let n = gradient.start.len();
+        for k in (0..self.stages()).rev() {
+            let (before, next) = points.split_at(points.len() - n);
+            self.take_stage(self.stage(k), [&before[before.len() - n..], next], gradient);
+            points.truncate(points.len() - n);
+        }
+    }
+
+    fn take_stage(&mut self, stage: usize, [x, next]: [&[T]; 2], gradient: &mut Gradient<T>) {
+        let Back { distinct, terms, solver, slopes: [before, behind], room: mu } = self;
+        let (map, gamma) = &distinct[stage];
+        let eps = map.eps();
+        terms.slopes(x, before);
+        mu.clear();
+        mu.extend_from_slice(&gradient.start);
+        solver.solve(before, eps, mu);
+        if !is_within(mu, LARGEST_GROWTH * largest(&gradient.start)) {
+            self.take_by_duals(stage, x, gradient);
+        } else {
+            let half = T::one() / (T::one() + T::one());
+            // q(x,x̃) = c + ½Bx + ½f′(x)x̃
+            let mut along = terms.along_linear(x, mu);
+            gradient.start.copy_from_slice(mu);
+            for (((i, j), before), behind) in solver.entries().iter().zip(&*before).zip(&*behind) {
+                along += half * mu[*i] * *before * next[*j];
+                gradient.start[*j] += eps * *behind * mu[*i];
+            }
+            terms.add_by_parameters(eps, [x, next], mu, &mut gradient.parameters);
+            gradient.eps += *gamma * (along + along);
+        }
+        self.slopes.swap(0, 1);
+    }
+
+    /// Takes a stage back near a zero of det A, by derivatives of the reduced map.
+    fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
+        let (map, gamma) = &self.distinct[stage];
+        let n = x.len();
+        let mut jacobian = vec![T::zero(); n * n];
+        map.engine().evaluate(Object::Jacobian, &map.constants, x, &mut jacobian);
+        let by = |k: usize| {
+            let slopes = map.engine().by_constant(&map.constants, k, x);
+            slopes.iter().zip(&gradient.start).fold(T::zero(), |sum, (slope, weight)| sum + *slope * *weight)
+        };
+        let parameters = gradient.parameters.len();
+        let own: Vec<T> = (0..=parameters).map(by).collect();
+        gradient.parameters.iter_mut().zip(&own).for_each(|(sum, more)| *sum += *more);
+        gradient.eps += *gamma * own[parameters];
+        let column =
+            |j: usize| (0..n).fold(T::zero(), |sum, i| sum + jacobian[i * n + j] * gradient.start[i]);
+        gradient.start = (0..n).map(column).collect();
+    }
+}
+
+/// The largest magnitude.
+fn largest<T: Scalar>(numbers: &[T]) -> f64 {
+    numbers.iter().fold(0.0, |most: f64, number| most.max(number.approximate().abs()))
+}

@@ -1,0 +1,175 @@
+//! The coefficients of a field at the values of its parameters, and their derivatives by these.
+//!
+//! In: a field and exact values. Out: lists of terms, whose coefficients are rounded once.
+
+use std::collections::BTreeMap;
+
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::rational::Rational;
+use kahan_algebra::symbols::{Symbol, Symbols};
+
+use crate::interpreted::round;
+use crate::{Map, RuntimeFloat};
+
+/// The states that a term multiplies: none for an entry of c, one for an entry of B.
+type States = [Option<usize>; 2];
+
+/// The terms of a field.
+#[derive(Debug)]
+pub(super) struct Terms<T> {
+    /// Of each entry of f′ the term without states, and where those with one end.
+    entries: Vec<(T, usize)>,
+    /// The terms of f′ with a state, entry after entry: the state and the coefficient.
+    slopes: Vec<(usize, T)>,
+    /// The terms of f without products of states: component, state and coefficient.
+    linear: Vec<(usize, Option<usize>, T)>,
+    /// The terms whose coefficients depend on parameters: the component and the states, and where
+    /// their derivatives end.
+    varying: Vec<(usize, States, usize)>,
+    /// Of each varying term the parameters, and the derivatives of its coefficient by them.
+    by_parameters: Vec<(usize, T)>,
+}
+
+/// A coefficient, and its derivatives by parameters that it depends on.
+#[derive(Default)]
+struct Coefficient {
+    value: Rational,
+    slopes: BTreeMap<usize, Rational>,
+}
+
+impl Coefficient {
+    /// Adds `number` times a product of powers of parameters.
+    fn add(&mut self, number: &Rational, powers: &[(usize, u32)], values: &[Rational]) {
+        // The product with the exponent of one factor, if any, lowered by 1.
+        let product = |lowered: Option<usize>| {
+            powers.iter().enumerate().fold(number.clone(), |product, (place, (k, power))| {
+                let power = power - u32::from(lowered == Some(place));
+                &product * &values[*k].pow(power.cast_signed()).expect("no exponent is negative")
+            })
+        };
+        self.value = &self.value + &product(None);
+        for (place, (k, power)) in powers.iter().enumerate() {
+            let slope = self.slopes.entry(*k).or_default();
+            *slope = &*slope + &(&product(Some(place)) * &Rational::from(i64::from(*power)));
+        }
+    }
+
+    /// Divides by a number that depends on parameters, too, and is not 0.
+    fn divide_by(&mut self, divisor: &Coefficient) {
+        if divisor.value.is_one() && divisor.slopes.is_empty() {
+            return;
+        }
+        let reciprocal = divisor.value.recip().expect("the field is defined at its parameters");
+        self.value = &self.value * &reciprocal;
+        for (k, slope) in &divisor.slopes {
+            let own = self.slopes.entry(*k).or_default();
+            *own = &*own - &(&self.value * slope);
+        }
+        self.slopes.values_mut().for_each(|slope| *slope = &*slope * &reciprocal);
+    }
+}
+
+/// The coefficients of a polynomial as one in the states.
+fn coefficients(
+    polynomial: &Polynomial,
+    symbols: &Symbols,
+    values: &[Rational],
+) -> BTreeMap<States, Coefficient> {
+    let mut all = BTreeMap::<States, Coefficient>::new();
+    for (monomial, number) in polynomial.terms() {
+        let (mut states, mut powers) = (Vec::new(), Vec::new());
+        for (variable, power) in monomial.powers() {
+            match symbols.symbol(*variable) {
+                Symbol::Parameter(k) => powers.push((k, *power)),
+                Symbol::State(i) => states.extend((0..*power).map(|_| i)),
+                Symbol::Epsilon | Symbol::SecondState(_) => unreachable!("a field depends on neither"),
+            }
+        }
+        let states = [states.first().copied(), states.get(1).copied()];
+        all.entry(states).or_default().add(number, &powers, values);
+    }
+    all
+}
+
+impl<T: RuntimeFloat> Terms<T> {
+    /// The terms of a map's field; `place` says where ∂fᵢ/∂xⱼ stands among the `count` entries of
+    /// f′.
+    pub(super) fn of(map: &Map, count: usize, place: impl Fn(usize, usize) -> usize) -> Self {
+        let (field, values) = (&map.field().system().field, map.parameters());
+        let (mut entries, mut slopes) = (vec![(T::zero(), 0); count], Vec::new());
+        let mut linear = Vec::new();
+        let (mut varying, mut by_parameters) = (Vec::new(), Vec::new());
+        for (i, component) in field.components.iter().enumerate() {
+            let divisor = coefficients(&component.denominator, &field.symbols, values);
+            let divisor = divisor.get(&[None, None]).expect("a divisor is not 0");
+            for (states, mut coefficient) in coefficients(&component.numerator, &field.symbols, values) {
+                coefficient.divide_by(divisor);
+                let value: T = round(&coefficient.value);
+                match states {
+                    [Some(j), Some(k)] => slopes.extend([(place(i, j), k, value), (place(i, k), j, value)]),
+                    [Some(j), None] => entries[place(i, j)].0 = value,
+                    _ => {}
+                }
+                if states[1].is_none() {
+                    linear.push((i, states[0], value));
+                }
+                if !coefficient.slopes.is_empty() {
+                    by_parameters.extend(coefficient.slopes.iter().map(|(k, slope)| (*k, round(slope))));
+                    varying.push((i, states, by_parameters.len()));
+                }
+            }
+        }
+        slopes.sort_by_key(|(place, _, _)| *place);
+        let mut end = 0;
+        for (place, (_, own)) in entries.iter_mut().enumerate() {
+            end += slopes[end..].iter().take_while(|slope| slope.0 == place).count();
+            *own = end;
+        }
+        let slopes = slopes.into_iter().map(|(_, state, coefficient)| (state, coefficient)).collect();
+        Terms { entries, slopes, linear, varying, by_parameters }
+    }
+
+    /// Writes the entries of f′(x).
+    pub(super) fn slopes(&self, x: &[T], slopes: &mut [T]) {
+        // Several sums at a time: each waits for its own last addition only.
+        const SUMS: usize = 4;
+        let mut first = 0;
+        for (slope, (constant, end)) in slopes.iter_mut().zip(&self.entries) {
+            let (many, few) = self.slopes[first..*end].as_chunks::<SUMS>();
+            let mut sums = [T::zero(); SUMS];
+            for terms in many {
+                for (sum, (state, coefficient)) in sums.iter_mut().zip(terms) {
+                    *sum += *coefficient * x[*state];
+                }
+            }
+            let few = few.iter().map(|(state, coefficient)| *coefficient * x[*state]);
+            *slope = sums.into_iter().chain(few).fold(*constant, |sum, term| sum + term);
+            first = *end;
+        }
+    }
+
+    /// μ·(c + ½Bx)
+    pub(super) fn along_linear(&self, x: &[T], mu: &[T]) -> T {
+        let half = T::one() / (T::one() + T::one());
+        self.linear.iter().fold(T::zero(), |sum, (i, state, coefficient)| {
+            sum + mu[*i] * *coefficient * state.map_or(T::one(), |state| half * x[state])
+        })
+    }
+
+    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to the entry of each parameter a, q being the polarised field.
+    pub(super) fn add_by_parameters(&self, scale: T, [x, y]: [&[T]; 2], mu: &[T], sums: &mut [T]) {
+        let mut first = 0;
+        for (i, states, end) in &self.varying {
+            let twice = match *states {
+                [Some(j), Some(k)] => x[j] * y[k] + x[k] * y[j],
+                [Some(j), None] => x[j] + y[j],
+                _ => T::one() + T::one(),
+            };
+            let factor = scale * mu[*i] * twice;
+            for (parameter, slope) in &self.by_parameters[first..*end] {
+                sums[*parameter] += factor * *slope;
+            }
+            first = *end;
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Solutions of A(x,ε)ᵀy = b, from the entries of f′(x).
+
+use std::collections::HashMap;
+
+use super::Engine;
+use super::couplings::{Factors, Tables};
+use super::elimination::solve;
+use super::floats::RuntimeFloat;
+
+/// What solves transposed systems of a field.
+#[derive(Debug)]
+pub(crate) struct Transposed<'a, T> {
+    variables: usize,
+    /// `None` in the few variables of fields whose step is a straight line.
+    tables: Option<&'a Tables>,
+    entries: Vec<(usize, usize)>,
+    factors: Factors<T>,
+    matrix: Vec<T>,
+}
+
+impl Engine {
+    /// What solves transposed systems.
+    pub(crate) fn transposed<T>(&self) -> Transposed<'_, T> {
+        let variables = self.dimension();
+        let tables = self.steps().form(false).couplings().map(|(_, tables)| tables);
+        let entries = match tables {
+            Some(tables) => tables.entries(),
+            None => (0..variables).flat_map(|i| (0..variables).map(move |j| (i, j))).collect(),
+        };
+        Transposed { variables, tables, entries, factors: Factors::default(), matrix: Vec::new() }
+    }
+}
+
+impl<T: RuntimeFloat> Transposed<'_, T> {
+    /// The rows and columns of the entries of f′.
+    pub(crate) fn entries(&self) -> &[(usize, usize)] {
+        &self.entries
+    }
+
+    /// Where ∂fᵢ/∂xⱼ stands among the entries.
+    pub(crate) fn places(&self) -> impl Fn(usize, usize) -> usize + use<T> {
+        let places: HashMap<_, _> = self.entries.iter().copied().zip(0..).collect();
+        move |i, j| places[&(i, j)]
+    }
+
+    /// Replaces b by A⁻ᵀb, where A = I − εf′; not finite where A is singular.
+    pub(crate) fn solve(&mut self, slopes: &[T], eps: T, b: &mut [T]) {
+        let n = self.variables;
+        if let Some(tables) = self.tables {
+            if T::factor(tables, slopes, &eps, &mut self.factors) {
+                return tables.solve_transposed(&mut self.factors, b);
+            }
+            if tables.are_sparse() {
+                tables.solve_transposed_by_pivoting(slopes, eps, b);
+                return;
+            }
+        }
+        let matrix = &mut self.matrix;
+        matrix.clear();
+        matrix.resize(n * n, T::zero());
+        for ((i, j), slope) in self.entries.iter().zip(slopes) {
+            matrix[j * n + i] = -(eps * *slope);
+        }
+        (0..n).for_each(|i| matrix[i * n + i] += T::one());
+        solve(matrix, b, n);
+    }
+}

@@ -1,0 +1,57 @@
+//! Gradients of a scalar of an orbit.
+
+use std::num::NonZeroU64;
+
+use kahan_runtime::End;
+use numpy::PyUntypedArrayMethods;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::arrays::doubles;
+use crate::beside::{Listener, beside};
+use crate::errors::of_dimension;
+use crate::field::Field;
+use crate::orbit::composition;
+
+#[pymethods]
+impl Field {
+    /// The derivatives of a scalar by the start, the parameters and eps, each with its name.
+    /// `weights` are its derivatives by the rows of the orbit.
+    #[pyo3(name = "_gradient", signature = (x, eps, weights, *, every = 1, order = 2, listener = None))]
+    #[expect(clippy::too_many_arguments, reason = "Python names them")]
+    fn gradient(
+        &self,
+        py: Python<'_>,
+        x: &Bound<'_, PyAny>,
+        eps: f64,
+        weights: &Bound<'_, PyAny>,
+        every: u64,
+        order: u32,
+        listener: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Vec<(String, f64)>> {
+        let (x, weights) = (doubles(x, "x")?, doubles(weights, "weights")?);
+        let at = self.at::<f64>(py, eps)?.composed(composition(order)?);
+        let every = NonZeroU64::new(every).ok_or_else(|| PyValueError::new_err("every must be 1 or more"))?;
+        let steps = every.get().saturating_mul((weights.shape()[0] as u64).saturating_sub(1));
+        let (start, weights) = (x.as_slice()?, weights.as_slice()?);
+        let found = beside(py, Some(1), &Listener(listener), |caller| {
+            at.gradient(start, every, weights, |made| caller.made(made, steps.saturating_mul(2)))
+        })?
+        .map_err(|error| of_dimension(&error))?;
+        let Some(gradient) = found.report else {
+            return Err(ended(found.end, steps));
+        };
+        let field = at.map().field();
+        let names = field.variables().iter().chain(field.parameters()).cloned().chain(["eps".to_owned()]);
+        let slopes = gradient.start.into_iter().chain(gradient.parameters).chain([gradient.eps]);
+        Ok(names.zip(slopes).collect())
+    }
+}
+
+/// The orbit in float64 ends before the last of `steps`, unlike the one that is asked about.
+fn ended(end: End, steps: u64) -> PyErr {
+    PyValueError::new_err(format!(
+        "in float64 and without compensation the orbit ends after step {} of {steps}; choose fewer steps",
+        end.steps(steps)
+    ))
+}
