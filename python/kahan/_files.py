@@ -25,11 +25,12 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
     """The field in a file, with the values of its parameters and its start.
 
     The ending of the name says what the file is: ``.kahan`` or ``.txt`` a text as ``System`` takes it, ``.ode`` one of
-    XPP, ``.xml`` or ``.sbml`` a model in SBML, ``.ant`` one in Antimony, ``.npz`` arrays c, B, Q as
-    ``np.savez`` writes them. SBML needs the package python-libsbml, and Antimony antimony, too. ``parameters`` are other values than those of the file.
+    XPP, ``.xml`` or ``.sbml`` a model in SBML, ``.ant`` one in Antimony, ``.npz`` arrays c, B, Q as ``np.savez`` writes
+    them. SBML needs the package python-libsbml, and Antimony antimony, too. ``parameters`` are other values than those
+    of the file.
 
-    Equations that are not quadratic are lifted; ``lift`` asks for one kind of lift, as in ``System``. ``source`` is the text that was made of a model, with comments
-    on what was read and how; it may be saved as a ``.kahan`` file.
+    Equations that are not quadratic are lifted; ``lift`` asks for one kind of lift, as in ``System``. ``source`` is the
+    text that was made of a model, with comments on what was read and how; it may be saved as a ``.kahan`` file.
 
     Raises ``ValueError`` with the place of a part that no field has, such as an event.
 
@@ -42,7 +43,8 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
     """
     path = Path(path)
     if path.suffix == ".npz":
-        return System.from_arrays(**loaded(path), **parameters)
+        arrays: dict[str, Any] = {**loaded(path), **parameters}
+        return System.from_arrays(**arrays)
     if path.suffix not in _ENDINGS:
         raise ValueError(f"{path}: the ending is none of {', '.join(_ENDINGS)} and .npz, which say what is in a file")
     if path.suffix in (".xml", ".sbml"):

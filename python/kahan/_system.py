@@ -327,7 +327,7 @@ class System(Field):
             start = self.start
             if start is None:
                 raise TypeError("x is missing: the text gives no start, as `init x=1` for every variable")
-            return [float(value) for value in start]
+            return list(start)
         return named(x, self.variables, [*self.parameters, "eps"])
 
     def _in_all(self, x: Any, parameters: Sequence[Any] = ()) -> Any:
