@@ -21,6 +21,7 @@ import numpy as np
 import kahan
 from dense import dense_fields, from_arrays
 from lifts import lifting, racing
+from models import MODELS, table
 from peers import lorenz_grid, scenes
 from sparse import sparse_fields
 
@@ -132,6 +133,9 @@ def main() -> None:
     lorenz_grid(limit)
     scenes()
     print(lifts)
+    if python := os.environ.get("ROADRUNNER_PYTHON"):
+        print("\n## Models in files, beside libroadrunner\n")
+        table(MODELS, python)
     for line in missed:
         print(f"limit not met: {line}", file=sys.stderr)
     sys.exit(1 if missed else 0)

@@ -14,6 +14,7 @@ from . import catalog
 from ._answer import Answer
 from ._basis import Basis
 from ._errors import FieldError, Mistake, SingularStep
+from ._files import read
 from ._formula import Formula
 from ._kahan import __version__
 from ._lattice import Lattice
@@ -41,4 +42,5 @@ __all__ = [
     "__version__",
     "catalog",
     "from_sindy",
+    "read",
 ]

@@ -201,6 +201,11 @@ class System(Field):
         """The first point that the text gives, ``x(0) = 1`` or ``init x=1``; ``None`` where it gives none."""
         return None if self._start is None else tuple(Fraction(value) for value in self._start)
 
+    @property
+    def source(self) -> str:
+        """The text as it was given or made of a model's file, with values, starts and comments: it may be saved, and read again."""
+        return self._call[0] if isinstance(self._call[0], str) else self.text
+
     # Formulas.
 
     def _sheet(self, form: str) -> dict[str, Any]:
@@ -316,7 +321,13 @@ class System(Field):
     # What is called in loops: arrays in, arrays out.
 
     def _at(self, x: Any) -> Any:
-        """A point, or points, in the order of the variables, whose names decide where columns have some."""
+        """A point, or points, in the order of the variables, whose names decide where columns have some; ``None`` is the
+        start of the text."""
+        if x is None:
+            start = self.start
+            if start is None:
+                raise TypeError("x is missing: the text gives no start, as `init x=1` for every variable")
+            return list(start)
         return named(x, self.variables, [*self.parameters, "eps"])
 
     def _in_all(self, x: Any, parameters: Sequence[Any] = ()) -> Any:
@@ -364,7 +375,7 @@ class System(Field):
 
     def orbit(
         self,
-        x: Any,
+        x: Any = None,
         eps: Number | None = None,
         steps: int | None = None,
         *,
@@ -381,7 +392,8 @@ class System(Field):
     ) -> Orbit:
         """The orbit of a point: its start, and every ``every``-th point after it.
 
-        ``x`` has shape (variables,). A step takes the time ``dt`` = 2 eps; one of both is given. ``order`` 4, 6 and 8 compose steps
+        ``x`` has shape (variables,); without it the orbit begins at the ``start`` of the text. A step takes the time
+        ``dt`` = 2 eps; one of both is given. ``order`` 4, 6 and 8 compose steps
         of Kahan's map; a composition follows the flow more closely, but gives up the map's integrals
         (see ``Orbit.integrals``). ``scalar`` is f64, f32, dd (32 digits: ``x`` has the leading
         doubles, and ``x_low`` what they lack) or exact (fractions in an array of objects); float32

@@ -9,6 +9,7 @@ mod items;
 mod left;
 mod quantities;
 mod right;
+mod xpp;
 
 use std::cell::OnceCell;
 use std::collections::{HashMap, HashSet};
@@ -21,6 +22,7 @@ use crate::spelling::ON_TEXTS;
 use crate::token::{Token, TokenKind};
 
 use items::Item;
+use xpp::Function;
 
 /// A text in the tokens of the language, and what it says besides.
 #[derive(Clone, Debug, Default)]
@@ -66,7 +68,7 @@ impl Reading {
 /// ```
 #[must_use]
 pub fn read(text: &str) -> Reading {
-    let Lexed { tokens, ranges, has_hash_comments } = lex(text);
+    let Lexed { tokens, ranges, is_of_others } = lex(text);
     let count = tokens.len();
     let mut reader = Reader { text, given: tokens.into_iter().zip(ranges).collect(), ..Reader::default() };
     // A list of equations, as SymPy prints it and Mathematica takes it.
@@ -79,7 +81,7 @@ pub fn read(text: &str) -> Reading {
     }
     let Reader { out, mut read, .. } = reader;
     let is_there = |(token, range): &Placed| text.get(range.clone()) == Some(&token.text);
-    read.is_canonical = count == out.len() && !has_hash_comments && out.iter().all(is_there);
+    read.is_canonical = count == out.len() && !is_of_others && out.iter().all(is_there);
     (read.lexed.tokens, read.lexed.ranges) = out.into_iter().unzip();
     read
 }
@@ -111,6 +113,14 @@ struct Reader<'a> {
     has_derivatives: bool,
     /// The tokens of quantities that are no states, by name.
     quantities: HashMap<String, Vec<Placed>>,
+    /// The functions that the text defines, by name.
+    functions: HashMap<String, Function>,
+    /// The arguments of the function that is put in, by name.
+    arguments: HashMap<String, Vec<Placed>>,
+    /// The functions that are put in just now.
+    calls: Vec<String>,
+    /// How many calls stand around the place that is written.
+    depth: usize,
     /// How many tokens the quantities have added.
     added: usize,
     out: Vec<Placed>,
@@ -201,6 +211,7 @@ impl Reader<'_> {
             (Some(instead), _) if instead.is_empty() => return,
             (Some(instead), _) => instead,
             (None, Some(left)) if !left.is_value() => self.equation(tokens, left),
+            (None, None) if let Some(refused) = self.refused(tokens) => vec![refused],
             _ => self.written(tokens.clone(), false),
         };
         self.out.extend(written);

@@ -1,5 +1,5 @@
 //! Text to tokens, with Rust's rules where Rust has any (comments, raw identifiers, `1.` is a
-//! number, `.5` is not).
+//! number). `.5` is one, too, which Rust does not have.
 //!
 //! The macro never comes here: rustc has lexed its input already. So signs that stop rustc's lexer
 //! are read here: `**`, `x²`, `−`, `# comments`. Others, such as `x'`, become a token that
@@ -18,8 +18,8 @@ pub struct Lexed {
     pub tokens: Vec<Token>,
     /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
-    /// Whether there are comments that Rust does not have: `# …`.
-    pub has_hash_comments: bool,
+    /// Whether there are comments that Rust does not have: `# …`, or lines that a `\` joins.
+    pub is_of_others: bool,
 }
 
 /// Splits `text` into tokens. Never fails: what is no token becomes [`TokenKind::Unreadable`].
@@ -88,13 +88,26 @@ impl Lexer<'_> {
                 self.docs.push(line.trim_end().to_owned());
             }
         } else if c == '#' && !["#[", "#!["].iter().any(|sign| self.text[self.at..].starts_with(sign)) {
-            self.out.has_hash_comments = true;
+            self.out.is_of_others = true;
             self.at += self.run(self.at, |c| c != '\n');
+        } else if c == '"' && self.begins_line() {
+            self.out.is_of_others = true;
+            self.at += self.run(self.at, |c| c != '\n');
+        } else if c == '\\'
+            && self.text[self.at + 1..].trim_start_matches([' ', '\t', '\r']).starts_with('\n')
+        {
+            self.out.is_of_others = true;
+            self.at += 1;
         } else if self.text[self.at..].starts_with("/*") {
             self.block_comment();
         } else if c.is_ascii_digit() {
             let length = self.number_length();
             self.push(TokenKind::Literal, length);
+        } else if c == '.' && self.begins_fraction() {
+            let length = 1 + Numeral::length_in(&self.text[self.at + 1..]);
+            let number = format!("0{}", &self.text[self.at..self.at + length]);
+            self.put(TokenKind::Literal, Cow::Owned(number), length);
+            self.at += length;
         } else if starts_identifier(c) {
             let raw = self.text[self.at..].starts_with("r#") && self.peek(2).is_some_and(starts_identifier);
             let prefix = if raw { 2 } else { 0 };
@@ -123,6 +136,19 @@ impl Lexer<'_> {
             self.push(TokenKind::unreadable(format!("`{sign}`: {what}"), help), length);
         }
         true
+    }
+
+    /// Whether only white space stands before this place in its line.
+    fn begins_line(&self) -> bool {
+        let before = self.text[..self.at].trim_end_matches([' ', '\t']);
+        before.is_empty() || before.ends_with('\n')
+    }
+
+    /// Whether the point here begins a number, as in `.5`.
+    fn begins_fraction(&self) -> bool {
+        let before = self.text[..self.at].chars().next_back();
+        self.peek(1).is_some_and(|c| c.is_ascii_digit())
+            && !before.is_some_and(|c| c == '.' || c.is_ascii_digit() || continues_identifier(c))
     }
 
     /// The signs of the language that stand here in the spelling of others, and their length here.
@@ -166,8 +192,7 @@ impl Lexer<'_> {
 
     /// A number and whatever letters touch it: `1`, `1.`, `1.5e-3`, `0x1F`, `2x`, `3eps`.
     fn number_length(&self) -> usize {
-        let text = &self.text[self.at..];
-        let length = text.len() - Numeral::scan(text).rest.len();
+        let length = Numeral::length_in(&self.text[self.at..]);
         length + self.run(self.at + length, continues_identifier)
     }
 

@@ -25,6 +25,13 @@ impl Reader<'_> {
         let mut items = Vec::new();
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
+            if let Some(end) = self.line_of_directive(at) {
+                // Options of the program; other directives are refused where they stand.
+                let left = None;
+                items.extend((self.at(at) != "@").then_some(Item { tokens: at..end, left, is_ended: false }));
+                at = end;
+                continue;
+            }
             let left = self.left(at);
             let brackets = usize::from(left.as_ref().is_some_and(|left| left.is_in_call));
             let end = self.end_of(at, left.as_ref());
@@ -45,6 +52,7 @@ impl Reader<'_> {
             at == self.given.len()
                 || self.left(at).is_some_and(is_left)
                 || self.is_keyword(at)
+                || self.line_of_directive(at).is_some()
                 || self.is_done(at)
         };
         // Values may stand side by side: `a=1 b=2`.
@@ -77,7 +85,10 @@ impl Reader<'_> {
     }
 
     /// Whether a line ends before a token.
-    fn begins_line(&self, place: usize) -> bool {
+    pub(super) fn begins_line(&self, place: usize) -> bool {
+        if place == 0 || place == self.given.len() {
+            return true;
+        }
         let between = self.given[place - 1].1.end..self.given[place].1.start;
         self.text.get(between).is_some_and(|between| between.contains('\n'))
     }
@@ -89,8 +100,10 @@ impl Reader<'_> {
         self.is_name(at + 1) && is_word(self.at(at))
     }
 
-    /// Whether the text ends here, by a word.
+    /// Whether the text ends here, by a word alone on its line or at the end.
     fn is_done(&self, at: usize) -> bool {
-        at + 1 == self.given.len() && self.at(at) == "done"
+        self.at(at) == "done"
+            && self.begins_line(at + 1)
+            && (at + 1 == self.given.len() || self.begins_line(at))
     }
 }

@@ -20,6 +20,8 @@ const HIGHEST_ORDER: usize = 8;
 
 /// Words before values.
 const DECLARING: [&str; 6] = ["par", "param", "params", "parameter", "parameters", "init"];
+/// Those that are names elsewhere, and stand at the beginning of a line.
+const AT_BEGINNINGS: [&str; 5] = ["p", "i", "number", "aux", "!"];
 
 /// A state or a derivative of it.
 pub(super) struct Derivative {
@@ -33,6 +35,8 @@ pub(super) struct Derivative {
 /// A left side with its sign of equality.
 pub(super) struct Left {
     pub(super) of: Derivative,
+    /// The arguments of a function; none of other quantities.
+    pub(super) arguments: Vec<String>,
     /// Whether it is the value at the time 0: `x(0) =`.
     pub(super) is_first: bool,
     /// Whether it stands in `Eq(…, …)`.
@@ -53,18 +57,21 @@ impl Left {
 impl Reader<'_> {
     /// The left side that begins here.
     pub(super) fn left(&self, at: usize) -> Option<Left> {
-        let is_declared = DECLARING.contains(&self.at(at)) && self.is_name(at + 1);
+        let begins =
+            || AT_BEGINNINGS.contains(&self.at(at)) && self.begins_line(at) && !self.begins_line(at + 1);
+        let is_declared = (DECLARING.contains(&self.at(at)) || begins()) && self.is_name(at + 1);
         let is_in_call = self.at(at) == "Eq" && self.at(at + 1) == "(";
         let of = self.derivative(at + usize::from(is_declared) + 2 * usize::from(is_in_call))?;
         let is_first = self.is_group(of.end, "0");
-        let end = of.end + if is_first { 3 } else { 0 };
+        let named = self.argument_names(of.end).filter(|_| of.order == 0 && !is_in_call);
+        let (arguments, end) = named.unwrap_or((Vec::new(), of.end + if is_first { 3 } else { 0 }));
         let length = match self.at(end) {
             "=" if !is_in_call => 1 + usize::from(self.at(end + 1) == "=" && self.given[end].0.touches_next),
             "~" if !is_in_call => 1,
             "," if is_in_call => 1,
             _ => return None,
         };
-        Some(Left { of, is_first, is_in_call, is_declared, right: end + length })
+        Some(Left { of, arguments, is_first, is_in_call, is_declared, right: end + length })
     }
 
     /// The derivative that begins here, or the name.

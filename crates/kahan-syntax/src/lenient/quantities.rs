@@ -8,6 +8,7 @@ use crate::spelling::fresh;
 
 use super::items::Item;
 use super::left::Left;
+use super::xpp::Function;
 use super::{Placed, Reader, mistake};
 
 /// How far quantities may refer to each other, as deep as parentheses nest.
@@ -58,12 +59,24 @@ impl Reader<'_> {
         for (place, item) in items.iter().enumerate() {
             let Some(left) = item.left.as_ref().filter(|left| left.is_value()) else { continue };
             let (name, right) = (left.of.name.as_str(), right(item));
+            if !left.arguments.is_empty() {
+                // A second formula is left to the parser.
+                instead[place] = known.insert(name.to_owned()).then(Vec::new);
+                let function = Function { arguments: left.arguments.clone(), right };
+                self.functions.entry(name.to_owned()).or_insert(function);
+                continue;
+            }
             let is_start = left.is_first || self.is_state(name);
             let is_number = self.names_in(right.clone()).next().is_none();
             match (is_start, used.contains(name)) {
                 (false, true) if !is_number => {
                     // A second formula is left to the parser.
                     quantities.extend(known.insert(name.to_owned()).then_some((place, name, right)));
+                    continue;
+                }
+                (false, false) if matches!(self.at(item.tokens.start), "aux" | "!") => {
+                    self.note(&format!("`{name}` is not read: no equation needs it"));
+                    instead[place] = Some(Vec::new());
                     continue;
                 }
                 (false, false) if !left.is_declared => continue,
@@ -90,7 +103,7 @@ impl Reader<'_> {
         // Known quantities are put into those that use them; a circle is left to the parser.
         for _ in 0..DEEPEST {
             let names: HashSet<&str> = quantities.iter().map(|(_, name, _)| *name).collect();
-            let waits = |right: &Range<usize>| self.names_in(right.clone()).any(|name| names.contains(name));
+            let waits = |right: &Range<usize>| self.needs(right).iter().any(|name| names.contains(name));
             let (waiting, ready): (Vec<_>, Vec<_>) =
                 quantities.into_iter().partition(|(_, _, right)| waits(right));
             quantities = waiting;

@@ -12,7 +12,7 @@ use super::left::{Derivative, Left};
 use super::{Placed, Reader, mistake, placed};
 
 /// The most tokens that quantities add to a text.
-const MOST_TOKENS: usize = 200_000;
+pub(super) const MOST_TOKENS: usize = 200_000;
 
 impl Reader<'_> {
     /// An equation, or the chain of equations that one of a higher order is.
@@ -69,10 +69,14 @@ impl Reader<'_> {
     /// Writes a name, or what stands for it: `x` for `x(t)`, the formula of a quantity, the value
     /// of a root. Returns the token behind it.
     fn write_name(&mut self, at: usize, in_equation: bool, out: &mut Vec<Placed>) -> usize {
+        if let Some(end) = self.write_call(at, in_equation, out) {
+            return end;
+        }
         let is_of_time = self.is_group(at + 1, "t") && !is_function(self.at(at));
         let end = at + if is_of_time { 4 } else { 1 };
         let range = self.bytes(at..end);
-        if let Some(quantity) = self.quantities.get(self.at(at)) {
+        let name = &*self.given[at].0.text;
+        if let Some(quantity) = self.arguments.get(name).or_else(|| self.quantities.get(name)) {
             self.added += quantity.len();
             if self.added > MOST_TOKENS {
                 let message = "with the formula of this name the field is too large";

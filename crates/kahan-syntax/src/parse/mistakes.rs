@@ -122,7 +122,7 @@ const SMOOTH: &str = "sin cos tan cot sec csc asin acos atan atan2 sinh cosh tan
 /// Those that are lifted.
 const LIFTED: &str = "sin cos tan asin acos atan sinh cosh tanh exp log ln sqrt cbrt pow";
 /// Functions with kinks or jumps.
-const ROUGH: &str = "abs sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
+const ROUGH: &str = "abs heav flr sign sgn max min floor ceil round mod heaviside Heaviside piecewise";
 
 /// Whether a name is that of a function elsewhere.
 pub(crate) fn is_function(name: &str) -> bool {

@@ -15,6 +15,11 @@ pub(crate) struct Numeral<'a> {
 }
 
 impl<'a> Numeral<'a> {
+    /// The number of bytes of the numeral that begins a text.
+    pub(crate) fn length_in(text: &'a str) -> usize {
+        text.len() - Self::scan(text).rest.len()
+    }
+
     /// Splits `1_2.5e-3f64` into `1_2`, `5`, `-3`, `f64`. Parts that are not there are empty.
     pub(crate) fn scan(text: &'a str) -> Self {
         let is_digit = |c: char| c.is_ascii_digit() || c == '_';

@@ -1,0 +1,96 @@
+"""Models in files."""
+
+from __future__ import annotations
+
+import os
+import re
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from ._coefficients import loaded
+from ._errors import FieldError
+from ._exact import Number
+from ._model import Place, Refused
+from ._sbml import sbml_model
+from ._system import System
+from ._xpp import xpp_text
+
+__all__ = ["read"]
+
+_ENDINGS = (".kahan", ".txt", ".ode", ".xml", ".sbml", ".ant")
+
+
+def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters: Number) -> System:
+    """The field in a file, with the values of its parameters and its start.
+
+    The ending of the name says what the file is: ``.kahan`` or ``.txt`` a text as ``System`` takes it, ``.ode`` one of
+    XPP, ``.xml`` or ``.sbml`` a model in SBML, ``.ant`` one in Antimony, ``.npz`` arrays c, B, Q as ``np.savez`` writes
+    them. SBML needs the package python-libsbml, and Antimony antimony, too. ``parameters`` are other values than those
+    of the file.
+
+    Equations that are not quadratic are lifted; ``lift`` asks for one kind of lift, as in ``System``. ``source`` is the
+    text that was made of a model, with comments on what was read and how; it may be saved as a ``.kahan`` file.
+
+    Raises ``ValueError`` with the place of a part that no field has, such as an event.
+
+    >>> import kahan, pathlib, tempfile
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "oscillator.ode"
+    >>> _ = file.write_text("par a=2\\ninit x=1,y=0\\nx'=y\\ny'=-a*x\\ndone\\n")
+    >>> s = kahan.read(file)
+    >>> s.orbit(eps=0.05, steps=100).x.shape
+    (101, 2)
+    """
+    path = Path(path)
+    if path.suffix == ".npz":
+        arrays: dict[str, Any] = {**loaded(path), **parameters}
+        return System.from_arrays(**arrays)
+    if path.suffix not in _ENDINGS:
+        raise ValueError(f"{path}: the ending is none of {', '.join(_ENDINGS)} and .npz, which say what is in a file")
+    if path.suffix in (".xml", ".sbml"):
+        lib = _package("libsbml", "python-libsbml")
+        path.stat()
+        return _system(sbml_model(lib, lib.readSBMLFromFile(str(path)), Place(str(path))).text(), lift, parameters)
+    text = path.read_text(encoding="utf-8", errors="replace")
+    if path.suffix == ".ode":
+        text = xpp_text(text)
+    elif path.suffix == ".ant":
+        lib = _package("libsbml", "python-libsbml")
+        text = sbml_model(lib, lib.readSBMLFromString(_from_antimony(path)), Place(str(path), text)).text()
+    return _system(text, lift, parameters)
+
+
+def _package(name: str, project: str) -> Any:
+    try:
+        return import_module(name)
+    except ImportError:
+        how = f"pip install {project}, or pip install 'kahan[sbml]'"
+        raise ImportError(f"the package {project} is needed for this file: {how}") from None
+
+
+def _from_antimony(path: Path) -> str:
+    """The model of a file in Antimony as SBML, without submodels."""
+    antimony = _package("antimony", "antimony")
+    antimony.clearPreviousLoads()
+    if antimony.loadAntimonyFile(str(path)) < 0:
+        raise ValueError(f"{path}: {antimony.getLastError().strip()}")
+    found: str = antimony.getSBMLString(antimony.getMainModuleName())
+    return found
+
+
+def _system(text: str, wanted: str | None, parameters: dict[str, Any]) -> System:
+    """The field of a text, lifted where it is not quadratic."""
+    try:
+        return System(text, **parameters)
+    except FieldError as error:
+        plain = error
+    without = re.sub(r"^integral total\d+ = ", "# constant along solutions: ", text, flags=re.MULTILINE)
+    failed: Exception = plain
+    # Forms of the equations of a lift may keep a total on the relations alone, which no claim says.
+    kinds = [wanted] if wanted else ["automatic", "stable", "smallest"]
+    for lift, of in ((kinds[0], text), *((kind, without) for kind in kinds)):
+        try:
+            return System(of, lift=lift, **parameters)
+        except ValueError as error:
+            failed = error if failed is plain else failed
+    raise failed
