@@ -5,8 +5,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
 use crate::candidates::{Candidate, field_of, modified};
-use crate::laurent::Laurent;
-use crate::numeric::Numeric;
+use crate::laurent::{Laurent, Monomial};
 use crate::quadratic::Quadratic;
 use crate::ring::{Function, Meaning};
 use crate::stability::{Growth, Orbit};
@@ -74,7 +73,7 @@ pub(crate) struct Judged<'a> {
 pub(crate) fn choose<'a>(
     candidates: &'a [Candidate],
     which: Which,
-    orbit: Option<&(Orbit, &Vec<f64>)>,
+    orbit: Option<&Orbit>,
     parameters: usize,
 ) -> Option<(Judged<'a>, String)> {
     let mut judged: Vec<Judged<'_>> = Vec::new();
@@ -92,7 +91,7 @@ pub(crate) fn choose<'a>(
     let exponent = |one: &Judged<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
     // x² before x·p: functions of fewer variables.
     let spread = |one: &Judged<'_>| {
-        let new = one.candidate.new.iter().flatten().flat_map(Laurent::terms);
+        let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
     };
     let best = |judged: Vec<Judged<'a>>| {
@@ -158,7 +157,7 @@ impl<'a> Judged<'a> {
     pub(crate) fn new(
         candidate: &'a Candidate,
         form: Vec<Quadratic>,
-        orbit: Option<&(Orbit, &Vec<f64>)>,
+        orbit: Option<&Orbit>,
         parameters: usize,
     ) -> Self {
         let field = field_of(&form, parameters);
@@ -167,34 +166,31 @@ impl<'a> Judged<'a> {
             .iter()
             .filter_map(|relation| Some((relation.clone(), modified(&field, relation)?)))
             .collect();
-        let growth = orbit.map(|(orbit, parameters)| {
-            let numeric = Numeric::new(&candidate.ring, parameters);
-            let known: Vec<Laurent> = candidate.new.iter().map_while(Clone::clone).collect();
-            orbit.growth(&numeric, &known, &form[..candidate.ring.field.len() + known.len()], parameters)
-        });
+        // The work done since the start has no relation.
+        let known = candidate.new.iter().filter(|value| !value.is_zero()).count();
+        let known = &candidate.new[..known];
+        let growth = orbit.map(|orbit| orbit.growth(&candidate.ring, known, &form));
         Judged { candidate, form, kept, growth }
     }
 
     /// Forms with multiples of the relations that let errors decay: w′ −= κ R, where the relation R
     /// holds w linearly. κ exceeds the rate at which errors grow.
-    fn damped(&self, orbit: Option<&(Orbit, &Vec<f64>)>, parameters: usize) -> Vec<Judged<'a>> {
+    fn damped(&self, orbit: Option<&Orbit>, parameters: usize) -> Vec<Judged<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
         let damped = |factor: f64| {
             let damping = Rational::from_f64((factor * rate).log2().ceil().exp2())?;
             let mut form = self.form.clone();
             for (variable, equation) in form.iter_mut().enumerate().skip(states) {
-                let own = (None, Some(variable));
+                let own = Monomial::power(variable, 1);
                 let others = |relation: &Quadratic| {
-                    let new = |index: &Option<usize>| {
-                        index.is_some_and(|index| index >= states && index != variable)
-                    };
-                    relation.0.keys().filter(|(left, right)| new(left) || new(right)).count()
+                    let new = |(index, _): (usize, i16)| index >= states && index != variable;
+                    relation.terms().filter(|(monomial, _)| monomial.powers().any(new)).count()
                 };
-                let relations = self.candidate.relations.iter().filter(|one| one.0.contains_key(&own));
+                let relations = self.candidate.relations.iter().filter(|one| one.contains(&own));
                 // Functions without an algebraic relation stay as they are.
                 let Some(relation) = relations.min_by_key(|relation| others(relation)) else { continue };
-                let scale = RationalFunction::constant(-&damping).checked_div(&relation.0[&own])?;
+                let scale = RationalFunction::constant(-&damping).checked_div(&relation.coefficient(&own))?;
                 equation.add_scaled(relation, &scale);
             }
             Some(Judged::new(self.candidate, form, orbit, parameters))
@@ -206,9 +202,8 @@ impl<'a> Judged<'a> {
     /// and a cosine.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
-        let is_cosine = |value: &Option<Laurent>| {
-            let monomial = value.as_ref().and_then(Laurent::as_monomial);
-            monomial.is_some_and(|one| {
+        let is_cosine = |value: &Laurent| {
+            value.as_monomial().is_some_and(|one| {
                 one.size() == 1
                     && one.powers().all(|(index, _)| {
                         matches!(

@@ -130,11 +130,21 @@ fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
 }
 
 /// The ring with the field that moves one state at unit speed.
-pub(crate) fn along(ring: &Ring, state: usize) -> Ring {
+fn along(ring: &Ring, state: usize) -> Ring {
     let mut ring = ring.clone();
     let unit = |other| if other == state { Laurent::number(Rational::one()) } else { Laurent::zero() };
     ring.set_field((0..ring.field.len()).map(unit).collect());
     ring
+}
+
+/// The derivatives of polynomials by the first states: those of a polynomial follow one another.
+pub(crate) fn slopes<'a>(
+    ring: &Ring,
+    states: usize,
+    polynomials: impl Iterator<Item = &'a Laurent>,
+) -> Vec<Laurent> {
+    let partials: Vec<Ring> = (0..states).map(|state| along(ring, state)).collect();
+    polynomials.flat_map(|one| partials.iter().map(move |along| along.derivative(one))).collect()
 }
 
 /// A symmetric matrix S for which −A⁻ᵀSG is a gradient: A itself if it is symmetric, else a

@@ -131,6 +131,11 @@ impl Laurent {
         self.0.is_empty()
     }
 
+    /// Whether a monomial occurs.
+    pub(crate) fn contains(&self, monomial: &Monomial) -> bool {
+        self.0.contains_key(monomial)
+    }
+
     /// The coefficient of a monomial.
     pub(crate) fn coefficient(&self, monomial: &Monomial) -> RationalFunction {
         self.0.get(monomial).cloned().unwrap_or_else(RationalFunction::zero)
@@ -190,6 +195,17 @@ impl Laurent {
     pub(crate) fn filtered(&self, keep: impl Fn(&Monomial) -> bool) -> Self {
         let kept = self.0.iter().filter(|(monomial, _)| keep(monomial));
         Laurent(kept.map(|(monomial, value)| (monomial.clone(), value.clone())).collect())
+    }
+
+    /// The partial derivative by a coordinate of which no other depends.
+    pub(crate) fn partial(&self, coordinate: usize) -> Self {
+        let one = Monomial::power(coordinate, 1);
+        let mut derivative = Self::zero();
+        for (monomial, value) in self.terms() {
+            let exponent = Rational::from(i64::from(monomial.exponent(coordinate)));
+            derivative.add_term(monomial.over(&one), &(value * &RationalFunction::constant(exponent)));
+        }
+        derivative
     }
 
     /// The greatest monomial that divides every term.

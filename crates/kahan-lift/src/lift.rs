@@ -16,13 +16,11 @@ use kahan_algebra::token::{Span, Token};
 use crate::candidates::{Effort, energy_candidates, field_of, modified, ordinary_candidates};
 use crate::choice::{Judged, Which, choose};
 use crate::embedding::{Builder, Embedding};
-use crate::energy::{Mechanical, along};
+use crate::energy::{Mechanical, slopes};
 use crate::equations::Equations;
-use crate::exact;
 use crate::laurent::{Laurent, Monomial};
 use crate::names::Writer;
-use crate::numeric::Numeric;
-use crate::quadratic::Quadratic;
+use crate::quadratic::component;
 use crate::ring::{Function, Meaning, Ring};
 use crate::stability::{LARGEST_EXPONENT, Orbit};
 
@@ -49,7 +47,8 @@ pub struct NewVariable {
     /// The function of the states that it stands for, as text; none for the work done since the
     /// start, which is 0 there.
     pub expression: Option<String>,
-    value: Option<Laurent>,
+    /// The function; 0 for the work done.
+    value: Laurent,
 }
 
 /// The fate of a relation along an orbit of the map.
@@ -149,19 +148,19 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         let surplus = options.which != Which::Smallest;
         candidates = ordinary_candidates(&equations, Effort { nodes, surplus });
     }
-    let numeric = followed(&equations, options);
+    let orbit = followed(&equations, options);
     let count = equations.parameters.len();
-    let Some((judged, chosen)) = choose(&candidates, options.which, numeric.as_ref(), count) else {
+    let Some((judged, chosen)) = choose(&candidates, options.which, orbit.as_ref(), count) else {
         let help = "write a part of the equations as a state of its own, or approximate it by a polynomial";
         return nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help);
     };
     Ok(described(&equations, &judged, chosen))
 }
 
-/// The orbit along which lifts are judged, and the values of parameters.
-fn followed<'a>(equations: &Equations, options: &'a Options) -> Option<(Orbit, &'a Vec<f64>)> {
+/// The orbit along which lifts are judged.
+fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
     let (start, parameters) = options.orbit.as_ref()?;
-    Some((Orbit::new(&Numeric::new(&equations.ring, parameters), start), parameters))
+    Some(Orbit::new(&equations.ring, start, parameters))
 }
 
 /// Returns all lifts and forms between which [`lift`] chooses, with no reason for a choice.
@@ -170,7 +169,7 @@ fn followed<'a>(equations: &Equations, options: &'a Options) -> Option<(Orbit, &
 /// Mistakes in the text, and what cannot be lifted, with its reason.
 pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
-    let numeric = followed(&equations, options);
+    let orbit = followed(&equations, options);
     let effort = Effort { nodes: NODES, surplus: true };
     let candidates =
         [energy_candidates(&equations, effort), ordinary_candidates(&equations, effort)].concat();
@@ -178,7 +177,7 @@ pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagn
         candidate
             .forms
             .iter()
-            .map(|form| Judged::new(candidate, form.clone(), numeric.as_ref(), equations.parameters.len()))
+            .map(|form| Judged::new(candidate, form.clone(), orbit.as_ref(), equations.parameters.len()))
     });
     Ok(judged.map(|judged| described(&equations, &judged, String::new())).collect())
 }
@@ -192,21 +191,17 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         equations.states.iter().chain(&equations.parameters).cloned().chain(["eps".to_owned()]).collect();
     let mut new = Vec::new();
     for value in &judged.candidate.new {
-        let mut name = match value.as_ref().map(Laurent::as_monomial) {
-            Some(Some(monomial)) => writer.name(monomial),
-            Some(None)
-                if judged.candidate.energy.is_some() && new.len() + 1 == judged.candidate.new.len() =>
-            {
-                "W".to_owned()
-            }
-            Some(None) => format!("F{}", new.len() + 1),
-            None => "W".to_owned(),
+        let is_last = new.len() + 1 == judged.candidate.new.len();
+        let mut name = match value.as_monomial() {
+            Some(monomial) => writer.name(monomial),
+            None if is_last && judged.candidate.energy.is_some() => "W".to_owned(),
+            None => format!("F{}", new.len() + 1),
         };
         while taken.contains(&name) {
             name.push('_');
         }
         taken.push(name.clone());
-        let expression = value.as_ref().map(|value| writer.polynomial(value, &Text));
+        let expression = (!value.is_zero()).then(|| writer.polynomial(value, &Text));
         new.push(NewVariable { name, expression, value: value.clone() });
     }
     let variables: Vec<String> =
@@ -225,7 +220,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         .kept
         .iter()
         .map(|(relation, kept)| Relation {
-            text: text(relation.component(field.dimension()).numerator()),
+            text: text(component(relation, field.dimension()).numerator()),
             along: Some(Along::Kept),
             formula: Some(fraction(&kept.of_map)),
             rate: None,
@@ -235,11 +230,10 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     let states = equations.states.len();
     for (index, variable) in new.iter().enumerate() {
         let Some(expression) = &variable.expression else { continue };
-        let is_monomial = variable.value.as_ref().is_some_and(|value| {
-            value.as_monomial().is_some_and(|one| one.powers().all(|(i, power)| i < states && power > 0))
-        });
-        let occurs = |relation: &Quadratic| relation.0.contains_key(&(None, Some(states + index)));
-        if is_monomial && judged.kept.iter().any(|(relation, _)| occurs(relation)) {
+        let monomial = variable.value.as_monomial();
+        let is_monomial = monomial.is_some_and(|one| one.powers().all(|(i, power)| i < states && power > 0));
+        let own = Monomial::power(states + index, 1);
+        if is_monomial && judged.kept.iter().any(|(relation, _)| relation.contains(&own)) {
             continue;
         }
         let along = judged.growth.map(|growth| match growth {
@@ -258,7 +252,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     }
     let energy = judged.candidate.energy.as_ref().and_then(|energy| modified(&field, energy));
     let energy = energy.map(|energy| fraction(&energy.of_map));
-    let embedding = Builder::embedding(ring, new.iter().map(|new| new.value.as_ref()));
+    let embedding = Builder::embedding(ring, &judged.candidate.new);
     Lift {
         header: equations.header.clone(),
         states: equations.states.clone(),
@@ -270,7 +264,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         relations,
         energy,
         notes: notes(ring, &judged.candidate.new, &writer),
-        ring: ring.clone(),
+        ring: Ring::clone(ring),
         embedding,
         field,
     }
@@ -287,9 +281,9 @@ fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
 }
 
 /// Returns the warnings on the new variables.
-fn notes(ring: &Ring, new: &[Option<Laurent>], writer: &Writer<'_>) -> Vec<String> {
+fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     let occurs = |index: usize, sign: i16| {
-        let mut monomials = new.iter().flatten().flat_map(Laurent::terms);
+        let mut monomials = new.iter().flat_map(Laurent::terms);
         monomials.any(|(monomial, _)| monomial.exponent(index) * sign > 0)
     };
     let mut notes = Vec::new();
@@ -374,8 +368,8 @@ impl Lift {
     pub fn expressions(&self, notation: &dyn Notation) -> Vec<Option<String>> {
         let parameters = Symbols { states: Vec::new(), parameters: self.parameters.clone() };
         let writer = Writer { ring: &self.ring, states: &self.states, parameters: &parameters };
-        let written = |value: &Laurent| writer.polynomial(value, notation);
-        self.new.iter().map(|one| one.value.as_ref().map(written)).collect()
+        let written = |value: &Laurent| (!value.is_zero()).then(|| writer.polynomial(value, notation));
+        self.new.iter().map(|one| written(&one.value)).collect()
     }
 
     /// The values of the new variables at these states, with these values of the parameters.
@@ -397,14 +391,8 @@ impl Lift {
     /// variable follow one another. Those of the work done since the start are 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
-        let states = 0..self.states.len() - usize::from(self.has_time);
-        let partials: Vec<Ring> = states.map(|state| along(&self.ring, state)).collect();
-        let of = |new: &NewVariable| -> Vec<Option<Laurent>> {
-            let derivative = |ring: &Ring| new.value.as_ref().map(|value| ring.derivative(value));
-            partials.iter().map(derivative).collect()
-        };
-        let slopes: Vec<Option<Laurent>> = self.new.iter().flat_map(of).collect();
-        Builder::embedding(&self.ring, slopes.iter().map(Option::as_ref))
+        let states = self.states.len() - usize::from(self.has_time);
+        Builder::embedding(&self.ring, &slopes(&self.ring, states, self.new.iter().map(|one| &one.value)))
     }
 
     /// The values of the new variables at these states, with these values of the parameters: exact
@@ -415,11 +403,6 @@ impl Lift {
     /// If there are fewer states or parameters than the lift has.
     #[must_use]
     pub fn embed_exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
-        let coordinates = exact::coordinates(&self.ring, states, parameters)?;
-        let value = |new: &NewVariable| match &new.value {
-            Some(value) => exact::value(value, &coordinates, parameters),
-            None => Some(Rational::zero()),
-        };
-        self.new.iter().map(value).collect()
+        self.embedding.exact(states, parameters)
     }
 }

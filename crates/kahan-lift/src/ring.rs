@@ -190,7 +190,7 @@ impl Ring {
     /// Sets the derivatives of the states.
     pub(crate) fn set_field(&mut self, field: Vec<Laurent>) {
         self.field = field;
-        self.forget();
+        self.derivatives.known().clear();
     }
 
     /// The ring with sums that occur in derivatives as coordinates: for the base P of each root,
