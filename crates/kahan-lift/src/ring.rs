@@ -136,7 +136,8 @@ pub(crate) struct Ring {
     normal: Memory,
 }
 
-/// Polynomials of monomials that were computed before; rings are shared between threads.
+/// Polynomials of monomials that were computed before. Rings are shared between threads; a clone
+/// begins with none, as most need few.
 #[derive(Debug, Default)]
 struct Memory(Mutex<FxHashMap<Monomial, Laurent>>);
 
@@ -148,7 +149,7 @@ impl Memory {
 
 impl Clone for Memory {
     fn clone(&self) -> Self {
-        Memory(Mutex::new(self.known().clone()))
+        Memory::default()
     }
 }
 
