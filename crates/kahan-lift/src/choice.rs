@@ -1,5 +1,7 @@
 //! Which of the candidates is taken, and in which form.
 
+use std::collections::BTreeSet;
+
 use kahan_algebra::modified_integrals::ModifiedIntegral;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
@@ -35,25 +37,19 @@ impl Which {
     /// Its name, as `--lift=NAME` has it.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Which::Automatic => "automatic",
-            Which::Energy => "energy",
-            Which::Relations => "relations",
-            Which::Stable => "stable",
-            Which::Smallest => "smallest",
-        }
+        ["automatic", "energy", "relations", "stable", "smallest"][self as usize]
     }
 
     /// The lift that it asks for.
     #[must_use]
     pub fn meaning(self) -> &'static str {
-        match self {
-            Which::Automatic => "The first of the others that there is",
-            Which::Energy => "The energy lift of a mechanical system",
-            Which::Relations => "As many relations kept exactly as can be",
-            Which::Stable => "Relations that do not grow along the orbit",
-            Which::Smallest => "As few new variables as can be",
-        }
+        [
+            "The first of the others that there is",
+            "The energy lift of a mechanical system",
+            "As many relations kept exactly as can be",
+            "Relations that do not grow along the orbit",
+            "As few new variables as can be",
+        ][self as usize]
     }
 }
 
@@ -83,11 +79,10 @@ pub(crate) fn choose<'a>(
         for candidate in candidates {
             let Some(form) = candidate.forms.get(place) else { continue };
             if judged.len() < MOST_FOLLOWED {
-                judged.push(Judged::new(candidate, form.clone(), orbit, parameters));
+                judged.push(Judged::new(candidate, form.clone(), parameters));
             }
         }
     }
-    let order = |one: &Judged<'_>| one.candidate.new.len();
     let exponent = |one: &Judged<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
     // x² before x·p: functions of fewer variables.
     let spread = |one: &Judged<'_>| {
@@ -96,7 +91,7 @@ pub(crate) fn choose<'a>(
     };
     let best = |judged: Vec<Judged<'a>>| {
         judged.into_iter().reduce(|best, next| {
-            let key = |one: &Judged<'_>| (order(one), usize::MAX - one.kept.len());
+            let key = |one: &Judged<'_>| (one.order(), usize::MAX - one.kept.len());
             let better = key(&next)
                 .cmp(&key(&best))
                 .then(exponent(&next).total_cmp(&exponent(&best)))
@@ -105,6 +100,7 @@ pub(crate) fn choose<'a>(
         })
     };
     if candidates[0].energy.is_some() {
+        judged = followed(judged, orbit);
         let class = |one: &Judged<'_>| match one.growth {
             Some(growth) if !growth.is_stable() => 1 + usize::from(!growth.is_polynomial()),
             _ => 0,
@@ -117,31 +113,30 @@ pub(crate) fn choose<'a>(
         let (kept, others): (Vec<_>, Vec<_>) = judged.into_iter().partition(Judged::keeps_all);
         if !kept.is_empty() {
             let chosen = "its map keeps every relation between its variables exactly".to_owned();
-            return Some((best(kept)?, chosen));
+            return Some((best(followed(kept, orbit))?, chosen));
         }
         judged = others;
         if which == Which::Relations {
             let most = judged.iter().map(|one| one.kept.len()).max()?;
             judged.retain(|one| one.kept.len() == most);
             let chosen = format!("its map keeps {most} of the relations exactly, and no other one more");
-            return Some((best(judged)?, chosen));
+            return Some((best(followed(judged, orbit))?, chosen));
         }
     }
     if which == Which::Smallest || orbit.is_none() {
-        let least = judged.iter().map(order).min()?;
-        judged.retain(|one| order(one) == least);
+        let least = judged.iter().map(Judged::order).min()?;
+        judged.retain(|one| one.order() == least);
         let why = if which == Which::Smallest { "" } else { "; without a start, no orbit was followed" };
-        return Some((best(judged)?, format!("no other lift has fewer new variables{why}")));
+        return Some((best(followed(judged, orbit))?, format!("no other lift has fewer new variables{why}")));
     }
-    let (stable, others): (Vec<_>, Vec<_>) =
-        judged.into_iter().partition(|one| one.growth.is_some_and(|growth| growth.is_stable()));
+    let (stable, others): (Vec<_>, Vec<_>) = followed(judged, orbit).into_iter().partition(Judged::is_stable);
     if !stable.is_empty() {
         let chosen = "errors of its relations do not grow along the orbit";
         return Some((best(stable)?, chosen.to_owned()));
     }
     for one in &others {
         for damped in one.damped(orbit, parameters) {
-            if damped.growth.is_some_and(|growth| growth.is_stable()) {
+            if damped.is_stable() {
                 let chosen = "multiples of its relations in its equations make their errors decay";
                 return Some((damped, chosen.to_owned()));
             }
@@ -153,24 +148,47 @@ pub(crate) fn choose<'a>(
     Some((least, chosen))
 }
 
+/// Follows lifts along the orbit, those with the fewest new variables first: if one is stable, none
+/// with more of them is better, and these are left out.
+fn followed<'a>(judged: Vec<Judged<'a>>, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
+    let Some(orbit) = orbit else { return judged };
+    let orders: BTreeSet<usize> = judged.iter().map(Judged::order).collect();
+    let mut judged = judged;
+    for order in orders {
+        judged.iter_mut().filter(|one| one.order() == order).for_each(|one| one.follow(orbit));
+        if judged.iter().any(Judged::is_stable) {
+            break;
+        }
+    }
+    judged.retain(|one| one.growth.is_some());
+    judged
+}
+
 impl<'a> Judged<'a> {
-    pub(crate) fn new(
-        candidate: &'a Candidate,
-        form: Vec<Quadratic>,
-        orbit: Option<&Orbit>,
-        parameters: usize,
-    ) -> Self {
+    pub(crate) fn new(candidate: &'a Candidate, form: Vec<Quadratic>, parameters: usize) -> Self {
         let field = field_of(&form, parameters);
         let kept = candidate
             .relations
             .iter()
             .filter_map(|relation| Some((relation.clone(), modified(&field, relation)?)))
             .collect();
-        // The work done since the start has no relation.
-        let known = candidate.new.iter().filter(|value| !value.is_zero()).count();
-        let known = &candidate.new[..known];
-        let growth = orbit.map(|orbit| orbit.growth(&candidate.ring, known, &form));
-        Judged { candidate, form, kept, growth }
+        Judged { candidate, form, kept, growth: None }
+    }
+
+    /// Finds out how errors of the relations grow along an orbit.
+    pub(crate) fn follow(&mut self, orbit: &Orbit) {
+        let Candidate { ring, new, .. } = self.candidate;
+        // The work done since the start, which is last, has no relation.
+        let known = new.iter().filter(|value| !value.is_zero()).count();
+        self.growth = Some(orbit.growth(ring, &new[..known], &self.form));
+    }
+
+    fn order(&self) -> usize {
+        self.candidate.new.len()
+    }
+
+    fn is_stable(&self) -> bool {
+        self.growth.is_some_and(|growth| growth.is_stable())
     }
 
     /// Forms with multiples of the relations that let errors decay: w′ −= κ R, where the relation R
@@ -193,7 +211,9 @@ impl<'a> Judged<'a> {
                 let scale = RationalFunction::constant(-&damping).checked_div(&relation.coefficient(&own))?;
                 equation.add_scaled(relation, &scale);
             }
-            Some(Judged::new(self.candidate, form, orbit, parameters))
+            let mut damped = Judged::new(self.candidate, form, parameters);
+            orbit.into_iter().for_each(|orbit| damped.follow(orbit));
+            Some(damped)
         };
         [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
     }

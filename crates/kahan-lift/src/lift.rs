@@ -173,20 +173,21 @@ pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagn
     let effort = Effort { nodes: NODES, surplus: true };
     let candidates =
         [energy_candidates(&equations, effort), ordinary_candidates(&equations, effort)].concat();
-    let judged = candidates.iter().flat_map(|candidate| {
-        candidate
-            .forms
-            .iter()
-            .map(|form| Judged::new(candidate, form.clone(), orbit.as_ref(), equations.parameters.len()))
-    });
-    Ok(judged.map(|judged| described(&equations, &judged, String::new())).collect())
+    let mut lifts = Vec::new();
+    for candidate in &candidates {
+        for form in &candidate.forms {
+            let mut judged = Judged::new(candidate, form.clone(), equations.parameters.len());
+            orbit.iter().for_each(|orbit| judged.follow(orbit));
+            lifts.push(described(&equations, &judged, String::new()));
+        }
+    }
+    Ok(lifts)
 }
 
 /// The answer: names, texts and the field.
 fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift {
     let ring = &judged.candidate.ring;
-    let parameters = Symbols { states: Vec::new(), parameters: equations.parameters.clone() };
-    let writer = Writer { ring, states: &equations.states, parameters: &parameters };
+    let writer = Writer::new(ring, &equations.states, &equations.parameters);
     let mut taken: Vec<String> =
         equations.states.iter().chain(&equations.parameters).cloned().chain(["eps".to_owned()]).collect();
     let mut new = Vec::new();
@@ -290,22 +291,14 @@ fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     for (index, coordinate) in ring.coordinates.iter().enumerate() {
         match &coordinate.meaning {
             // 1 − exp u vanishes where u does, and the equations may hold u/(1 − exp u).
-            Meaning::Root(base, 1) if occurs(index, -1) => {
-                let exponent = base.terms().find_map(|(monomial, _)| {
-                    let (inner, power) =
-                        monomial.powers().next().filter(|_| monomial.powers().count() == 1)?;
-                    match &ring.coordinates[inner].meaning {
-                        Meaning::Function(Function::Exp, argument) => Some((inner, power, argument)),
-                        _ => None,
-                    }
-                });
-                let Some((inner, power, argument)) = exponent else { continue };
-                let value_at_one =
-                    base.terms().try_fold(RationalFunction::zero(), |sum, (monomial, value)| {
-                        (monomial.is_one() || *monomial == Monomial::power(inner, power))
-                            .then(|| &sum + value)
-                    });
-                if value_at_one.is_some_and(|value| value.is_zero()) {
+            Meaning::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
+                let slope = base.terms().find(|(monomial, _)| !monomial.is_one());
+                let Some((monomial, value)) = slope else { continue };
+                let is_zero = (value + &base.coefficient(&Monomial::one())).is_zero();
+                let mut powers = monomial.powers().filter(|_| is_zero).map(|(index, _)| index);
+                if let (Some(inner), None) = (powers.next(), powers.next())
+                    && let Meaning::Function(Function::Exp, argument) = &ring.coordinates[inner].meaning
+                {
                     let place = zero(argument, writer)
                         .unwrap_or_else(|| format!("{} = 0", writer.polynomial(argument, &Text)));
                     notes.push(format!(
@@ -366,8 +359,7 @@ impl Lift {
     /// The expressions of the new variables in a notation; none for the work done since the start.
     #[must_use]
     pub fn expressions(&self, notation: &dyn Notation) -> Vec<Option<String>> {
-        let parameters = Symbols { states: Vec::new(), parameters: self.parameters.clone() };
-        let writer = Writer { ring: &self.ring, states: &self.states, parameters: &parameters };
+        let writer = Writer::new(&self.ring, &self.states, &self.parameters);
         let written = |value: &Laurent| (!value.is_zero()).then(|| writer.polynomial(value, notation));
         self.new.iter().map(|one| written(&one.value)).collect()
     }
