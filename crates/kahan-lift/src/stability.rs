@@ -70,6 +70,17 @@ fn runge_kutta(field: impl Fn(&[f64]) -> Vec<f64>, x: &[f64], h: f64) -> Vec<f64
     (0..x.len()).map(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])).collect()
 }
 
+/// The product of two square matrices, row by row. Most entries of the left one are 0.
+fn multiply(left: &[f64], right: &[f64], product: &mut [f64], count: usize) {
+    product.fill(0.0);
+    for (place, &factor) in left.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
+        let (row, of) = (place / count * count, place % count * count);
+        for k in 0..count {
+            product[row + k] += factor * right[of + k];
+        }
+    }
+}
+
 impl Orbit {
     /// The orbit over the horizon, or as far as it is finite.
     pub(crate) fn new(ring: &Ring, start: &[f64], parameters: &[f64]) -> Self {
@@ -149,25 +160,15 @@ impl Orbit {
                     row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
             }
-            let times = |matrix: &[f64], product: &mut [f64]| {
-                product.fill(0.0);
-                for (row, factors) in product.chunks_exact_mut(count).zip(lambda.chunks_exact(count)) {
-                    for (factor, other) in factors.iter().zip(matrix.chunks_exact(count)) {
-                        if *factor != 0.0 {
-                            row.iter_mut().zip(other).for_each(|(sum, entry)| *sum += factor * entry);
-                        }
-                    }
-                }
-            };
             // exp(hΛ) as a power of (1 + sΛ + (sΛ)²/2) with s ‖Λ‖ ≤ 1/2.
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;
             for _ in 0..parts as usize {
-                times(&matrix, &mut first);
-                times(&first, &mut second);
-                for ((entry, first), second) in matrix.iter_mut().zip(&first).zip(&second) {
-                    *entry += part * first + part * part / 2.0 * second;
+                multiply(&lambda, &matrix, &mut first, count);
+                multiply(&lambda, &first, &mut second, count);
+                for place in 0..matrix.len() {
+                    matrix[place] += part * first[place] + part * part / 2.0 * second[place];
                 }
             }
             let norm = largest(&matrix);
