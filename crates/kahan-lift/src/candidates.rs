@@ -80,15 +80,9 @@ pub(crate) fn ordinary_candidates(equations: &Equations, effort: Effort) -> Vec<
     candidates
 }
 
-/// All variables: states, then new ones.
-fn variables(ring: &Ring, new: &[Laurent]) -> Vec<Laurent> {
-    (0..ring.field.len()).map(Laurent::coordinate).chain(new.iter().cloned()).collect()
-}
-
 fn ordinary(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Candidate> {
-    let variables = variables(ring, &new);
-    let products = Products::new(ring, &variables);
-    let forms = products.forms(ring.field.len(), &BTreeMap::new())?;
+    let products = Products::new(ring, &new);
+    let forms = products.forms(&BTreeMap::new())?;
     let relations = products.relations;
     Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: None })
 }
@@ -159,15 +153,14 @@ fn energy_lifts(
         let mut index = 0;
         while index < new.len() {
             let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
-            let variables = variables(ring, &others);
-            if new[index].len() > 1 && Products::new(ring, &variables).affine(&new[index]).is_some() {
+            if new[index].len() > 1 && Products::new(ring, &others).affine(&new[index]).is_some() {
                 new.remove(index);
             } else {
                 index += 1;
             }
         }
         let is_optimal = found.is_optimal && set.len() == least;
-        with_potential(ring, mechanical, new, is_optimal, equations.parameters.len())
+        with_potential(ring, mechanical, new, is_optimal)
     };
     let of_size = |size: usize| found.sets.iter().filter(move |set| set.len() == size).take(MOST_SETS / 2);
     let founded = effort.surplus.then(|| founded(ring, &problem)).flatten();
@@ -180,14 +173,12 @@ fn with_potential(
     mechanical: &Mechanical,
     mut new: Vec<Laurent>,
     is_optimal: bool,
-    parameters: usize,
 ) -> Option<Candidate> {
     let states = ring.field.len();
     let is_quadratic = |monomial: &Monomial| {
         monomial.size() <= 2 && monomial.powers().all(|(i, exponent)| i < states && exponent > 0)
     };
-    let variables = variables(ring, &new);
-    let products = Products::new(ring, &variables);
+    let products = Products::new(ring, &new);
     let mut fixed = BTreeMap::new();
     for &momentum in &mechanical.momenta {
         let force = &ring.field[momentum];
@@ -233,12 +224,12 @@ fn with_potential(
             }
         }
     }
-    let mut forms = products.forms(states, &fixed)?;
+    let mut forms = products.forms(&fixed)?;
     let one = RationalFunction::one();
     let with_curved = curved.as_ref().and_then(|curved| products.affine(curved)).map(|affine| {
         let mut energy = energy.clone();
         energy.add_scaled(&affine, &one);
-        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(form, parameters), &energy).is_some();
+        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(ring, form), &energy).is_some();
         let kept: Vec<Vec<Quadratic>> = forms.iter().filter(keeps).cloned().collect();
         (energy, kept)
     });
@@ -261,9 +252,9 @@ pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIn
 }
 
 /// The field of a form, with numbers for names.
-pub(crate) fn field_of(form: &[Quadratic], parameters: usize) -> Field {
+pub(crate) fn field_of(ring: &Ring, form: &[Quadratic]) -> Field {
     let numbered = |prefix: &str, count: usize| (0..count).map(|i| format!("{prefix}{i}")).collect();
-    let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", parameters) };
+    let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", ring.parameters) };
     let component = |equation: &Quadratic| {
         let value = component(equation, form.len());
         Component { numerator: value.numerator().clone(), denominator: value.denominator().clone() }

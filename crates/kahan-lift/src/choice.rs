@@ -70,7 +70,6 @@ pub(crate) fn choose<'a>(
     candidates: &'a [Candidate],
     which: Which,
     orbit: Option<&Orbit>,
-    parameters: usize,
 ) -> Option<(Judged<'a>, String)> {
     let mut judged: Vec<Judged<'_>> = Vec::new();
     // Preferred forms come before others, so that a limit leaves out the others.
@@ -79,7 +78,7 @@ pub(crate) fn choose<'a>(
         for candidate in candidates {
             let Some(form) = candidate.forms.get(place) else { continue };
             if judged.len() < MOST_FOLLOWED {
-                judged.push(Judged::new(candidate, form.clone(), parameters));
+                judged.push(Judged::new(candidate, form.clone()));
             }
         }
     }
@@ -135,7 +134,7 @@ pub(crate) fn choose<'a>(
         return Some((best(stable)?, chosen.to_owned()));
     }
     for one in &others {
-        for damped in one.damped(orbit, parameters) {
+        for damped in one.damped(orbit) {
             if damped.is_stable() {
                 let chosen = "multiples of its relations in its equations make their errors decay";
                 return Some((damped, chosen.to_owned()));
@@ -165,8 +164,8 @@ fn followed<'a>(judged: Vec<Judged<'a>>, orbit: Option<&Orbit>) -> Vec<Judged<'a
 }
 
 impl<'a> Judged<'a> {
-    pub(crate) fn new(candidate: &'a Candidate, form: Vec<Quadratic>, parameters: usize) -> Self {
-        let field = field_of(&form, parameters);
+    pub(crate) fn new(candidate: &'a Candidate, form: Vec<Quadratic>) -> Self {
+        let field = field_of(&candidate.ring, &form);
         let kept = candidate
             .relations
             .iter()
@@ -193,7 +192,7 @@ impl<'a> Judged<'a> {
 
     /// Forms with multiples of the relations that let errors decay: w′ −= κ R, where the relation R
     /// holds w linearly. κ exceeds the rate at which errors grow.
-    fn damped(&self, orbit: Option<&Orbit>, parameters: usize) -> Vec<Judged<'a>> {
+    fn damped(&self, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
         let damped = |factor: f64| {
@@ -211,7 +210,7 @@ impl<'a> Judged<'a> {
                 let scale = RationalFunction::constant(-&damping).checked_div(&relation.coefficient(&own))?;
                 equation.add_scaled(relation, &scale);
             }
-            let mut damped = Judged::new(self.candidate, form, parameters);
+            let mut damped = Judged::new(self.candidate, form);
             orbit.into_iter().for_each(|orbit| damped.follow(orbit));
             Some(damped)
         };
@@ -222,17 +221,9 @@ impl<'a> Judged<'a> {
     /// and a cosine.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
-        let is_cosine = |value: &Laurent| {
-            value.as_monomial().is_some_and(|one| {
-                one.size() == 1
-                    && one.powers().all(|(index, _)| {
-                        matches!(
-                            ring.coordinates[index].meaning,
-                            Meaning::Function(Function::Cos | Function::Cosh, _)
-                        )
-                    })
-            })
-        };
-        self.kept.len() + new.iter().filter(|value| is_cosine(value)).count() >= new.len()
+        let single = new.iter().filter_map(Laurent::as_monomial).filter(|one| one.size() == 1);
+        let meanings = single.flat_map(Monomial::powers).map(|(index, _)| &ring.coordinates[index].meaning);
+        let is_cosine = |one: &&Meaning| matches!(one, Meaning::Function(Function::Cos | Function::Cosh, _));
+        self.kept.len() + meanings.filter(is_cosine).count() >= new.len()
     }
 }

@@ -8,7 +8,7 @@ use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::render::{Formulas, Notation, Text};
+use kahan_algebra::render::{Notation, Text, equation_lines};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::token::{Span, Token};
@@ -17,7 +17,7 @@ use crate::candidates::{Effort, energy_candidates, field_of, modified, ordinary_
 use crate::choice::{Judged, Which, choose};
 use crate::embedding::{Builder, Embedding};
 use crate::energy::{Mechanical, slopes};
-use crate::equations::Equations;
+use crate::equations::{Equations, Stated};
 use crate::laurent::{Laurent, Monomial};
 use crate::names::Writer;
 use crate::quadratic::component;
@@ -127,7 +127,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         Err(vec![Diagnostic::new(kind, Span::token(0), message.to_owned(), help.to_owned())])
     };
     let mut candidates = Vec::new();
-    if matches!(options.which, Which::Automatic | Which::Energy) && !equations.has_time {
+    if matches!(options.which, Which::Automatic | Which::Energy) && !equations.stated.has_time {
         candidates = energy_candidates(&equations, Effort { nodes, surplus: options.orbit.is_some() });
     }
     if candidates.is_empty() && options.which == Which::Energy {
@@ -149,8 +149,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         candidates = ordinary_candidates(&equations, Effort { nodes, surplus });
     }
     let orbit = followed(&equations, options);
-    let count = equations.parameters.len();
-    let Some((judged, chosen)) = choose(&candidates, options.which, orbit.as_ref(), count) else {
+    let Some((judged, chosen)) = choose(&candidates, options.which, orbit.as_ref()) else {
         let help = "write a part of the equations as a state of its own, or approximate it by a polynomial";
         return nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help);
     };
@@ -176,7 +175,7 @@ pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagn
     let mut lifts = Vec::new();
     for candidate in &candidates {
         for form in &candidate.forms {
-            let mut judged = Judged::new(candidate, form.clone(), equations.parameters.len());
+            let mut judged = Judged::new(candidate, form.clone());
             orbit.iter().for_each(|orbit| judged.follow(orbit));
             lifts.push(described(&equations, &judged, String::new()));
         }
@@ -186,10 +185,11 @@ pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagn
 
 /// The answer: names, texts and the field.
 fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift {
+    let Stated { states, parameters, has_time } = equations.stated.clone();
     let ring = &judged.candidate.ring;
-    let writer = Writer::new(ring, &equations.states, &equations.parameters);
+    let writer = Writer::new(ring, &states, &parameters);
     let mut taken: Vec<String> =
-        equations.states.iter().chain(&equations.parameters).cloned().chain(["eps".to_owned()]).collect();
+        states.iter().chain(&parameters).cloned().chain(["eps".to_owned()]).collect();
     let mut new = Vec::new();
     for value in &judged.candidate.new {
         let is_last = new.len() + 1 == judged.candidate.new.len();
@@ -206,9 +206,9 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         new.push(NewVariable { name, expression, value: value.clone() });
     }
     let variables: Vec<String> =
-        equations.states.iter().cloned().chain(new.iter().map(|one| one.name.clone())).collect();
-    let symbols = Symbols { states: variables, parameters: equations.parameters.clone() };
-    let field = Field { symbols, ..field_of(&judged.form, equations.parameters.len()) };
+        states.iter().cloned().chain(new.iter().map(|one| one.name.clone())).collect();
+    let symbols = Symbols { states: variables, parameters: parameters.clone() };
+    let field = Field { symbols, ..field_of(ring, &judged.form) };
     let text = |polynomial: &Polynomial| Text.polynomial(&field.symbols, polynomial);
     let fraction = |value: &RationalFunction| {
         if value.denominator().is_one() {
@@ -228,12 +228,12 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
             defines: None,
         })
         .collect();
-    let states = equations.states.len();
     for (index, variable) in new.iter().enumerate() {
         let Some(expression) = &variable.expression else { continue };
         let monomial = variable.value.as_monomial();
-        let is_monomial = monomial.is_some_and(|one| one.powers().all(|(i, power)| i < states && power > 0));
-        let own = Monomial::power(states + index, 1);
+        let is_monomial =
+            monomial.is_some_and(|one| one.powers().all(|(i, power)| i < states.len() && power > 0));
+        let own = Monomial::power(states.len() + index, 1);
         if is_monomial && judged.kept.iter().any(|(relation, _)| relation.contains(&own)) {
             continue;
         }
@@ -256,15 +256,15 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     let embedding = Builder::embedding(ring, &judged.candidate.new);
     Lift {
         header: equations.header.clone(),
-        states: equations.states.clone(),
-        has_time: equations.has_time,
-        parameters: equations.parameters.clone(),
+        has_time,
         new,
         is_optimal: judged.candidate.is_optimal,
         chosen,
         relations,
         energy,
         notes: notes(ring, &judged.candidate.new, &writer),
+        states,
+        parameters,
         ring: Ring::clone(ring),
         embedding,
         field,
@@ -351,9 +351,7 @@ impl Lift {
     /// The equations of the quadratic field, one a line, in the language of `kahan!`.
     #[must_use]
     pub fn text(&self) -> String {
-        let sides = Formulas { field: &self.field, map: None, notation: &Text }.field();
-        let lines = self.variables().iter().zip(sides).map(|(name, side)| format!("{name}dot = {side};"));
-        lines.collect::<Vec<_>>().join("\n")
+        equation_lines(&self.field).collect::<Vec<_>>().join("\n")
     }
 
     /// The expressions of the new variables in a notation; none for the work done since the start.

@@ -43,7 +43,8 @@ pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFun
 #[derive(Debug)]
 pub(crate) struct Products<'a> {
     ring: &'a Ring,
-    variables: &'a [Laurent],
+    /// The values of the states, then of the new variables.
+    variables: Vec<Laurent>,
     /// In order, as relations are numbered in answers.
     direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
@@ -52,15 +53,11 @@ pub(crate) struct Products<'a> {
 }
 
 impl<'a> Products<'a> {
-    /// All products of at most two variables.
-    pub(crate) fn new(ring: &'a Ring, variables: &'a [Laurent]) -> Self {
-        let mut products = Products {
-            ring,
-            variables,
-            direct: BTreeMap::new(),
-            derived: BTreeMap::new(),
-            relations: Vec::new(),
-        };
+    /// All products of at most two variables: of states and new ones.
+    pub(crate) fn new(ring: &'a Ring, new: &[Laurent]) -> Self {
+        let states = (0..ring.field.len()).map(Laurent::coordinate);
+        let variables: Vec<Laurent> = states.chain(new.iter().cloned()).collect();
+        let mut direct: BTreeMap<Monomial, Vec<Monomial>> = BTreeMap::new();
         let one = Laurent::from(Monomial::one());
         let numbered = variables.iter().enumerate().map(|(i, value)| (Monomial::power(i, 1), value));
         let factors: Vec<(Monomial, &Laurent)> =
@@ -70,11 +67,13 @@ impl<'a> Products<'a> {
             for (right, right_value) in &factors[at..] {
                 let (pair, product) = (left.times(right), ring.product(left_value, right_value));
                 match product.as_monomial() {
-                    Some(monomial) => products.direct.entry(monomial.clone()).or_default().push(pair),
+                    Some(monomial) => direct.entry(monomial.clone()).or_default().push(pair),
                     None => composite.push((pair, product)),
                 }
             }
         }
+        let (derived, relations) = (BTreeMap::new(), Vec::new());
+        let mut products = Products { ring, variables, direct, derived, relations };
         products.derive(composite);
         products
     }
@@ -138,11 +137,11 @@ impl<'a> Products<'a> {
         Some(sum)
     }
 
-    /// The ways to write the derivative of a variable, the preferred one first. `of` is the
-    /// variable, `states` the number of original ones.
-    fn ways(&self, derivative: &Laurent, of: usize, states: usize) -> Option<Vec<Quadratic>> {
+    /// The ways to write the derivative of a variable, the preferred one first.
+    fn ways(&self, of: usize) -> Option<Vec<Quadratic>> {
+        let states = self.ring.field.len();
         let mut ways = vec![Quadratic::default()];
-        for (monomial, coefficient) in derivative.terms() {
+        for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
             let mut pairs = self.direct.get(monomial).cloned().unwrap_or_default();
             // A decay of the variable itself keeps its relation; otherwise original states do.
             let is_negative = coefficient.numerator().leading_term().is_some_and(|(_, c)| c.is_negative());
@@ -159,35 +158,28 @@ impl<'a> Products<'a> {
                 options.push(self.known(monomial)?);
             }
             let keep = if ways.len() * options.len() > MOST_WAYS { 1 } else { options.len() };
-            ways = options[..keep]
-                .iter()
-                .flat_map(|option| {
-                    ways.iter().map(|way| {
-                        let mut way = way.clone();
-                        way.add_scaled(option, coefficient);
-                        way
-                    })
-                })
-                .collect();
+            let sum = |way: &Quadratic, option: &Quadratic| {
+                let mut sum = way.clone();
+                sum.add_scaled(option, coefficient);
+                sum
+            };
+            let sums = |option| ways.iter().map(move |way| sum(way, option));
+            ways = options[..keep].iter().flat_map(sums).collect();
         }
         Some(ways)
     }
 
     /// The forms of the field: lists of equations, one a variable, the preferred form first.
     /// `fixed` holds equations that have one form.
-    pub(crate) fn forms(
-        &self,
-        states: usize,
-        fixed: &BTreeMap<usize, Quadratic>,
-    ) -> Option<Vec<Vec<Quadratic>>> {
+    pub(crate) fn forms(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
-        for (index, variable) in self.variables.iter().enumerate() {
+        for index in 0..self.variables.len() {
             ways.push(match fixed.get(&index) {
                 Some(equation) => vec![equation.clone()],
-                None => self.ways(&self.ring.derivative(variable), index, states)?,
+                None => self.ways(index)?,
             });
         }
-        self.add_product_rules(&mut ways, states);
+        self.add_product_rules(&mut ways);
         // Which way each equation is written.
         let mut choices: Vec<Vec<usize>> = vec![Vec::new()];
         let mut left: usize = MOST_FORMS;
@@ -206,8 +198,8 @@ impl<'a> Products<'a> {
     /// Puts the product rule (uv)′ = u′v + uv′ first among the ways of a variable that is a product
     /// of variables whose equations are affine: the lifted field then keeps its relation. States
     /// keep their equations.
-    fn add_product_rules(&self, ways: &mut [Vec<Quadratic>], states: usize) {
-        for (index, variable) in self.variables.iter().enumerate().skip(states) {
+    fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
+        for (index, variable) in self.variables.iter().enumerate().skip(self.ring.field.len()) {
             let Some(monomial) = variable.as_monomial() else { continue };
             for pair in self.direct[monomial].iter().filter(|pair| pair.size() == 2) {
                 let mut factors = pair.powers().map(|(factor, _)| factor);

@@ -67,6 +67,7 @@ impl Reader {
             let before = self.units.clone();
             self.constants.clear();
             self.ring = Ring::default();
+            self.ring.parameters = self.parameters.len();
             for state in 0..self.states.len() {
                 self.ring.add(Meaning::State(state), Laurent::number(Rational::one()));
             }
@@ -290,15 +291,9 @@ impl Reader {
         let symbolic = &exponent - &RationalFunction::constant(constant.clone());
         let (content, primitive) = signed_content(&symbolic);
         let meaning = Meaning::Power(base.clone(), primitive.clone());
-        let coordinate = match self.ring.find(&meaning) {
-            Some(known) => known,
-            None => {
-                let inverse = self.power(base, &Rational::from(-1), span)?;
-                let coordinate = self.ring.coordinates.len();
-                let slope = inverse.shifted(&Monomial::power(coordinate, 1)).scale(&primitive);
-                self.ring.add(meaning, slope)
-            }
-        };
+        let inverse = self.power(base, &Rational::from(-1), span)?.scale(&primitive);
+        let slope = |own| inverse.shifted(&Monomial::power(own, 1));
+        let coordinate = self.ring.coordinate(meaning, slope);
         let Some(times) = content.as_i64().filter(|times| times.abs() <= LARGEST_POWER) else {
             let help = "write the exponent as an integer multiple of a parameter";
             return refuse(span, "this exponent is a fraction of a parameter", help);
@@ -347,8 +342,7 @@ impl Reader {
 
     fn function(&mut self, function: Function, argument: &Laurent, slope: Laurent) -> Laurent {
         let meaning = Meaning::Function(function, argument.clone());
-        let known = self.ring.find(&meaning);
-        Laurent::coordinate(known.unwrap_or_else(|| self.ring.add(meaning, slope)))
+        Laurent::coordinate(self.ring.coordinate(meaning, |_| slope))
     }
 
     /// A function T with the slope 1 ± T².
@@ -376,10 +370,7 @@ impl Reader {
             let unit = self.unit(Family::Exponential, &primitive, &multiple);
             let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
             let meaning = Meaning::Function(Function::Exp, inner);
-            let coordinate = self.ring.find(&meaning).unwrap_or_else(|| {
-                let slope = Laurent::coordinate(self.ring.coordinates.len());
-                self.ring.add(meaning, slope)
-            });
+            let coordinate = self.ring.coordinate(meaning, Laurent::coordinate);
             product = product.times(&Monomial::power(coordinate, self.times(&multiple, &unit, span)?));
         }
         Ok(Laurent::from(product))

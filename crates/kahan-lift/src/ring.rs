@@ -132,6 +132,8 @@ pub(crate) struct Ring {
     rules: Vec<Rule>,
     /// The derivatives of the states.
     pub field: Vec<Laurent>,
+    /// The number of parameters.
+    pub parameters: usize,
     derivatives: Memory,
     normal: Memory,
 }
@@ -163,6 +165,14 @@ impl Ring {
     /// The coordinate with this meaning.
     pub(crate) fn find(&self, meaning: &Meaning) -> Option<usize> {
         self.coordinates.iter().position(|known| known.meaning == *meaning)
+    }
+
+    /// The coordinate with this meaning. Where it is new, `slope` gives F′(u) by its number.
+    pub(crate) fn coordinate(&mut self, meaning: Meaning, slope: impl FnOnce(usize) -> Laurent) -> usize {
+        self.find(&meaning).unwrap_or_else(|| {
+            let slope = slope(self.coordinates.len());
+            self.add(meaning, slope)
+        })
     }
 
     /// Adds the relation monomial = polynomial.

@@ -6,6 +6,7 @@
 //! budget of nodes ends first, a greedy closure is improved by local changes. No clock is read.
 
 use std::cmp::Reverse;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use kahan_algebra::prime_field::Shake256;
@@ -26,7 +27,7 @@ pub(crate) struct Problem {
     /// variables.
     pub required: Vec<Monomial>,
     /// The coordinates whose powers in new variables may be negative.
-    pub negative: Vec<usize>,
+    pub negative: BTreeSet<usize>,
 }
 
 /// Sets of new variables.
