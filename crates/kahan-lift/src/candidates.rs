@@ -64,17 +64,15 @@ pub(crate) fn ordinary_candidates(equations: &Equations, effort: Effort) -> Vec<
     for (ring, found) in &found {
         for size in least..=least + surplus {
             let sets = found.sets.iter().filter(|set| set.len() == size).take(MOST_SETS);
-            candidates.extend(sets.filter_map(|set| {
-                let new = set.iter().cloned().map(Laurent::from).collect();
-                ordinary(ring, new, found.is_optimal && size == least)
-            }));
+            candidates.extend(
+                sets.filter_map(|set| ordinary(ring, set.clone(), found.is_optimal && size == least)),
+            );
         }
     }
     if effort.surplus
         && let Some(set) = founded(&equations.ring, &equations.problem_in(&equations.ring))
     {
-        let new = set.into_iter().map(Laurent::from).collect();
-        candidates.extend(ordinary(&Rc::new(equations.ring.clone()), new, false));
+        candidates.extend(ordinary(&Rc::new(equations.ring.clone()), set, false));
     }
     candidates.sort_by_key(|candidate| candidate.new.len());
     candidates
@@ -116,12 +114,10 @@ fn energy_lifts(
     least: usize,
 ) -> Vec<Candidate> {
     let states = ring.field.len();
-    let is_state =
-        |monomial: &Monomial| monomial.is_one() || (0..states).any(|i| *monomial == Monomial::power(i, 1));
     let mut problem = Problem { required: Vec::new(), ..equations.problem_in(ring) };
     let mut forces: Vec<Laurent> = Vec::new();
     for &momentum in &mechanical.momenta {
-        let curved = ring.field[momentum].filtered(|monomial| !is_state(monomial));
+        let curved = ring.field[momentum].filtered(|monomial| monomial.size() > 1 || !monomial.is_in(states));
         let parts: Vec<Laurent> = if as_sums && curved.len() > 1 {
             vec![curved.primitive().1]
         } else {
@@ -147,8 +143,8 @@ fn energy_lifts(
         return Vec::new();
     };
     let least = found.sets[0].len();
-    let lift = |set: &Vec<Monomial>| {
-        let mut new = [forces.clone(), set.iter().cloned().map(Laurent::from).collect()].concat();
+    let lift = |set: &Vec<Laurent>| {
+        let mut new = [&forces[..], set].concat();
         // A sum that is affine in the other variables is no variable.
         let mut index = 0;
         while index < new.len() {
@@ -175,9 +171,7 @@ fn with_potential(
     is_optimal: bool,
 ) -> Option<Candidate> {
     let states = ring.field.len();
-    let is_quadratic = |monomial: &Monomial| {
-        monomial.size() <= 2 && monomial.powers().all(|(i, exponent)| i < states && exponent > 0)
-    };
+    let is_quadratic = |monomial: &Monomial| monomial.size() <= 2 && monomial.is_in(states);
     let products = Products::new(ring, &new);
     let mut fixed = BTreeMap::new();
     for &momentum in &mechanical.momenta {

@@ -89,13 +89,10 @@ pub(crate) fn choose<'a>(
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
     };
     let best = |judged: Vec<Judged<'a>>| {
-        judged.into_iter().reduce(|best, next| {
+        judged.into_iter().min_by(|a, b| {
             let key = |one: &Judged<'_>| (one.order(), usize::MAX - one.kept.len());
-            let better = key(&next)
-                .cmp(&key(&best))
-                .then(exponent(&next).total_cmp(&exponent(&best)))
-                .then(spread(&next).cmp(&spread(&best)));
-            if better.is_lt() { next } else { best }
+            let by_exponent = exponent(a).total_cmp(&exponent(b));
+            key(a).cmp(&key(b)).then(by_exponent).then(spread(a).cmp(&spread(b)))
         })
     };
     if candidates[0].energy.is_some() {

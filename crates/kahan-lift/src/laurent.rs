@@ -77,6 +77,11 @@ impl Monomial {
         is_square.then(|| Monomial(self.0.iter().map(|exponent| exponent / 2).collect()))
     }
 
+    /// Whether this is a product of the first coordinates, the states.
+    pub(crate) fn is_in(&self, states: usize) -> bool {
+        self.powers().all(|(coordinate, exponent)| coordinate < states && exponent > 0)
+    }
+
     /// Whether `divisor`, which has no negative exponents, divides this without making an exponent
     /// negative.
     pub(crate) fn is_multiple_of(&self, divisor: &Self) -> bool {

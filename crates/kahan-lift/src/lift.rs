@@ -231,8 +231,7 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     for (index, variable) in new.iter().enumerate() {
         let Some(expression) = &variable.expression else { continue };
         let monomial = variable.value.as_monomial();
-        let is_monomial =
-            monomial.is_some_and(|one| one.powers().all(|(i, power)| i < states.len() && power > 0));
+        let is_monomial = monomial.is_some_and(|one| one.is_in(states.len()));
         let own = Monomial::power(states.len() + index, 1);
         if is_monomial && judged.kept.iter().any(|(relation, _)| relation.contains(&own)) {
             continue;

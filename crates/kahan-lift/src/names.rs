@@ -193,14 +193,13 @@ impl<'a> Writer<'a> {
         if !number.abs().is_one() {
             short.push_str(&number.abs().to_string());
         }
-        for &(parameter, exponent) in coefficient.numerator().leading_term()?.0.powers() {
-            short.push_str(&self.parameters.name(parameter));
-            if exponent > 1 {
-                short.push_str(&exponent.to_string());
-            }
-        }
-        for (coordinate, exponent) in monomial.powers() {
-            short.push_str(&self.coordinate_name(coordinate));
+        let parameters = coefficient.numerator().leading_term()?.0.powers().iter();
+        let parameters = parameters.map(|&(one, exponent)| (self.parameters.name(one), exponent));
+        let coordinates = monomial.powers();
+        let coordinates =
+            coordinates.map(|(one, exponent)| (self.coordinate_name(one), exponent.cast_unsigned().into()));
+        for (name, exponent) in parameters.chain(coordinates) {
+            short.push_str(&name);
             if exponent > 1 {
                 short.push_str(&exponent.to_string());
             }

@@ -209,10 +209,7 @@ impl Ring {
     /// in r, x·p and p·p. `None` if no derivative has such a part.
     pub(crate) fn grouped(&self) -> Option<Self> {
         let mut ring = self.clone();
-        let is_polynomial = |monomial: &Monomial| {
-            monomial.size() > 1
-                && monomial.powers().all(|(state, exponent)| state < self.field.len() && exponent > 0)
-        };
+        let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
         let bases = self.coordinates.iter().filter_map(|coordinate| match &coordinate.meaning {
             Meaning::Root(base, _) if base.len() > 1 => Some(base),
             _ => None,
