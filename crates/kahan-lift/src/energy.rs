@@ -77,8 +77,7 @@ fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
         let last = solution.pop().filter(|last| *last == RationalFunction::one());
         last.map(|_| solution)
     };
-    let columns: Matrix = (0..n).map(rows).collect::<Option<_>>()?;
-    Some(columns)
+    (0..n).map(rows).collect()
 }
 
 /// The states that a polynomial depends on, also through functions.
@@ -209,13 +208,11 @@ fn kinetic_energy(
 }
 
 /// One row of coefficients a monomial that occurs in the columns.
-fn coefficient_rows(columns: &[Laurent]) -> Vec<Vec<RationalFunction>> {
+fn coefficient_rows(columns: &[Laurent]) -> Matrix {
     let monomials: BTreeSet<&Monomial> =
         columns.iter().flat_map(|column| column.terms().map(|(monomial, _)| monomial)).collect();
-    monomials
-        .into_iter()
-        .map(|monomial| columns.iter().map(|column| column.coefficient(monomial)).collect())
-        .collect()
+    let row = |monomial| columns.iter().map(|column| column.coefficient(monomial)).collect();
+    monomials.into_iter().map(row).collect()
 }
 
 /// V with these partial derivatives, as a combination of monomials whose derivatives resemble them.

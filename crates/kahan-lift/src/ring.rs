@@ -155,6 +155,14 @@ impl Clone for Memory {
     }
 }
 
+/// The leading monomial of a polynomial with this value, and the polynomial that equals it.
+fn solved(polynomial: &Laurent, value: Monomial) -> (Monomial, Laurent) {
+    let (leading, factor) = polynomial.leading_term().expect("roots and sums have terms");
+    let mut instead = Laurent::from(value);
+    instead.add_scaled(&polynomial.filtered(|monomial| monomial != leading), &-&RationalFunction::one());
+    (leading.clone(), instead.scale(&factor.recip().expect("coefficients are not 0")))
+}
+
 impl Ring {
     /// Adds a coordinate.
     pub(crate) fn add(&mut self, meaning: Meaning, slope: Laurent) -> usize {
@@ -183,18 +191,8 @@ impl Ring {
 
     /// Adds the relation b^index = base.
     pub(crate) fn relate_root(&mut self, coordinate: usize, index: i16, base: &Laurent) {
-        let (leading, factor) = base.leading_term().expect("a root is of something");
-        let scale = RationalFunction::one().checked_div(factor).expect("coefficients are not 0");
-        let mut instead = Laurent::from(Monomial::power(coordinate, index));
-        instead.add_scaled(&base.filtered(|monomial| monomial != leading), &-&RationalFunction::one());
-        let instead = instead.scale(&scale);
-        self.rules.push(Rule::Root {
-            coordinate,
-            index,
-            base: base.clone(),
-            leading: leading.clone(),
-            instead,
-        });
+        let (leading, instead) = solved(base, Monomial::power(coordinate, index));
+        self.rules.push(Rule::Root { coordinate, index, base: base.clone(), leading, instead });
         self.forget();
     }
 
@@ -223,12 +221,8 @@ impl Ring {
                     break;
                 }
                 let coordinate = ring.add(Meaning::Sum(sum.clone()), Laurent::number(Rational::one()));
-                let (leading, factor) = sum.leading_term().expect("at least two terms");
-                let mut instead = Laurent::coordinate(coordinate);
-                let rest = sum.filtered(|monomial| monomial != leading);
-                instead.add_scaled(&rest, &-&RationalFunction::one());
-                let scale = RationalFunction::one().checked_div(factor).expect("coefficients are not 0");
-                ring.replace(leading.clone(), instead.scale(&scale));
+                let (leading, instead) = solved(&sum, Monomial::power(coordinate, 1));
+                ring.replace(leading, instead);
             }
         }
         let field = ring.field.iter().map(|side| ring.normalised(side)).collect();
