@@ -328,8 +328,10 @@ impl Reader {
                 Ok(self.function(Function::Log, argument, slope))
             }
             _ => {
-                let found = INVERSES.iter().find(|(names, ..)| names.contains(&function));
-                let Some(&(_, function, [constant, square], [above, below])) = found else {
+                // `arctan` is `atan`.
+                let name = function.replace("arc", "a");
+                let found = INVERSES.iter().find(|(one, ..)| one.name() == name);
+                let Some(&(function, [constant, square], [above, below])) = found else {
                     return refuse(span, unknown(function), KNOWN);
                 };
                 let mut radicand = self.product(argument, argument, span)?.scale(&whole(square));
@@ -441,13 +443,13 @@ const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
     ("csch", None, "sinh"),
 ];
 
-/// Functions of u with the slopes (a + b u²)^e: their names, \[a, b\] and e.
-const INVERSES: [(&[&str], Function, [i64; 2], [i64; 2]); 5] = [
-    (&["atan", "arctan"], Function::Atan, [1, 1], [-1, 1]),
-    (&["asin", "arcsin"], Function::Asin, [1, -1], [-1, 2]),
-    (&["asinh"], Function::Asinh, [1, 1], [-1, 2]),
-    (&["acosh"], Function::Acosh, [-1, 1], [-1, 2]),
-    (&["atanh"], Function::Atanh, [1, -1], [-1, 1]),
+/// Functions of u with the slopes (a + b u²)^e: \[a, b\], and e as a ratio.
+const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
+    (Function::Atan, [1, 1], [-1, 1]),
+    (Function::Asin, [1, -1], [-1, 2]),
+    (Function::Asinh, [1, 1], [-1, 2]),
+    (Function::Acosh, [-1, 1], [-1, 2]),
+    (Function::Atanh, [1, -1], [-1, 1]),
 ];
 
 const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
