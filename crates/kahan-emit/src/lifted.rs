@@ -247,7 +247,7 @@ pub(super) fn emit_methods(context: &Context<'_>, lifted: &Lifted) -> TokenStrea
 /// The body of `embed`: each operation is a binding, in `f64`.
 fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
     let symbols = &context.system.field.symbols;
-    let Embedding { steps, values } = &lifted.embedding;
+    let Embedding { steps, values, numbers } = &lifted.embedding;
     let mut used = vec![false; lifted.states];
     let mut bindings = TokenStream::new();
     let mut names: Vec<TokenStream> = Vec::new();
@@ -267,8 +267,8 @@ fn emit_first_values(context: &Context<'_>, lifted: &Lifted) -> TokenStream {
                 names.push(binding(symbols, symbols.state(*state)).into_token_stream());
                 continue;
             }
-            Step::Number(bits) => {
-                names.push(emit_float(f64::from_bits(*bits)));
+            Step::Number(number) => {
+                names.push(emit_float(numbers[*number].1));
                 continue;
             }
             Step::Parameter(parameter) => {

@@ -4,6 +4,7 @@
 //! quadratic, each with the forms of its equations and the relations between its variables.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use kahan_algebra::field::{Component, Field};
 use kahan_algebra::modified_integrals::{ModifiedIntegral, modified_integral};
@@ -14,7 +15,7 @@ use kahan_algebra::symbols::Symbols;
 use crate::energy::Mechanical;
 use crate::equations::Equations;
 use crate::laurent::{Laurent, Monomial};
-use crate::quadratic::{Products, Quadratic};
+use crate::quadratic::{Products, Quadratic, component, times};
 use crate::ring::Ring;
 use crate::search::{MOST_VARIABLES, Problem, founded, search};
 
@@ -34,8 +35,9 @@ pub(crate) struct Effort {
 /// A set of new variables with the forms of its equations.
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
-    pub(crate) ring: Ring,
-    pub(crate) new: Vec<Option<Laurent>>,
+    pub(crate) ring: Rc<Ring>,
+    /// The values of the new variables; 0 is the work done since the start.
+    pub(crate) new: Vec<Laurent>,
     /// Forms of the field, the preferred one first.
     pub(crate) forms: Vec<Vec<Quadratic>>,
     /// Relations between the variables.
@@ -54,7 +56,7 @@ pub(crate) fn ordinary_candidates(equations: &Equations, effort: Effort) -> Vec<
         .flatten()
         .filter_map(|ring| {
             let found = search(&ring, &equations.problem_in(&ring), effort.nodes, surplus, MOST_VARIABLES)?;
-            Some((ring, found))
+            Some((Rc::new(ring), found))
         })
         .collect();
     let least = found.iter().map(|(_, found)| found.sets[0].len()).min().unwrap_or(0);
@@ -62,34 +64,25 @@ pub(crate) fn ordinary_candidates(equations: &Equations, effort: Effort) -> Vec<
     for (ring, found) in &found {
         for size in least..=least + surplus {
             let sets = found.sets.iter().filter(|set| set.len() == size).take(MOST_SETS);
-            candidates.extend(sets.filter_map(|set| {
-                let new = set.iter().cloned().map(Laurent::from).collect();
-                ordinary(ring, new, found.is_optimal && size == least)
-            }));
+            candidates.extend(
+                sets.filter_map(|set| ordinary(ring, set.clone(), found.is_optimal && size == least)),
+            );
         }
     }
     if effort.surplus
         && let Some(set) = founded(&equations.ring, &equations.problem_in(&equations.ring))
     {
-        let new = set.into_iter().map(Laurent::from).collect();
-        candidates.extend(ordinary(&equations.ring, new, false));
+        candidates.extend(ordinary(&Rc::new(equations.ring.clone()), set, false));
     }
     candidates.sort_by_key(|candidate| candidate.new.len());
     candidates
 }
 
-/// All variables: states, then new ones.
-fn variables(ring: &Ring, new: &[Laurent]) -> Vec<Laurent> {
-    (0..ring.field.len()).map(Laurent::coordinate).chain(new.iter().cloned()).collect()
-}
-
-fn ordinary(ring: &Ring, new: Vec<Laurent>, is_optimal: bool) -> Option<Candidate> {
-    let variables = variables(ring, &new);
-    let products = Products::new(ring, &variables);
-    let forms = products.forms(ring.field.len(), &BTreeMap::new())?;
-    let new = new.into_iter().map(Some).collect();
+fn ordinary(ring: &Rc<Ring>, new: Vec<Laurent>, is_optimal: bool) -> Option<Candidate> {
+    let products = Products::new(ring, &new);
+    let forms = products.forms(&BTreeMap::new())?;
     let relations = products.relations;
-    Some(Candidate { ring: ring.clone(), new, forms, relations, is_optimal, energy: None })
+    Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: None })
 }
 
 /// Lifts of a mechanical system whose map keeps an energy: of the least order and, where more than
@@ -97,7 +90,8 @@ fn ordinary(ring: &Ring, new: Vec<Laurent>, is_optimal: bool) -> Option<Candidat
 pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Candidate> {
     let Some(mechanical) = Mechanical::recognise(&equations.ring) else { return Vec::new() };
     let lifts = |ring: &Ring, least: usize| {
-        let lifts = |as_sums| energy_lifts(equations, ring, &mechanical, as_sums, effort, least);
+        let ring = Rc::new(ring.clone());
+        let lifts = |as_sums| energy_lifts(equations, &ring, &mechanical, as_sums, effort, least);
         [false, true].into_iter().flat_map(lifts).collect::<Vec<_>>()
     };
     // With sums that occur often as coordinates sets are small: they limit those without.
@@ -113,19 +107,17 @@ pub(crate) fn energy_candidates(equations: &Equations, effort: Effort) -> Vec<Ca
 /// its monomials. `least` is the order of another lift.
 fn energy_lifts(
     equations: &Equations,
-    ring: &Ring,
+    ring: &Rc<Ring>,
     mechanical: &Mechanical,
     as_sums: bool,
     effort: Effort,
     least: usize,
 ) -> Vec<Candidate> {
     let states = ring.field.len();
-    let is_state =
-        |monomial: &Monomial| monomial.is_one() || (0..states).any(|i| *monomial == Monomial::power(i, 1));
     let mut problem = Problem { required: Vec::new(), ..equations.problem_in(ring) };
     let mut forces: Vec<Laurent> = Vec::new();
     for &momentum in &mechanical.momenta {
-        let curved = ring.field[momentum].filtered(|monomial| !is_state(monomial));
+        let curved = ring.field[momentum].filtered(|monomial| monomial.size() > 1 || !monomial.is_in(states));
         let parts: Vec<Laurent> = if as_sums && curved.len() > 1 {
             vec![curved.primitive().1]
         } else {
@@ -151,21 +143,20 @@ fn energy_lifts(
         return Vec::new();
     };
     let least = found.sets[0].len();
-    let lift = |set: &Vec<Monomial>| {
-        let mut new = [forces.clone(), set.iter().cloned().map(Laurent::from).collect()].concat();
+    let lift = |set: &Vec<Laurent>| {
+        let mut new = [&forces[..], set].concat();
         // A sum that is affine in the other variables is no variable.
         let mut index = 0;
         while index < new.len() {
             let others: Vec<Laurent> = [&new[..index], &new[index + 1..]].concat();
-            let variables = variables(ring, &others);
-            if new[index].len() > 1 && Products::new(ring, &variables).affine(&new[index]).is_some() {
+            if new[index].len() > 1 && Products::new(ring, &others).affine(&new[index]).is_some() {
                 new.remove(index);
             } else {
                 index += 1;
             }
         }
         let is_optimal = found.is_optimal && set.len() == least;
-        with_potential(ring, mechanical, new, is_optimal, equations.parameters.len())
+        with_potential(ring, mechanical, new, is_optimal)
     };
     let of_size = |size: usize| found.sets.iter().filter(move |set| set.len() == size).take(MOST_SETS / 2);
     let founded = effort.surplus.then(|| founded(ring, &problem)).flatten();
@@ -174,18 +165,14 @@ fn energy_lifts(
 
 /// Adds the variable for the potential where it is needed, and the equations that keep the energy.
 fn with_potential(
-    ring: &Ring,
+    ring: &Rc<Ring>,
     mechanical: &Mechanical,
-    new: Vec<Laurent>,
+    mut new: Vec<Laurent>,
     is_optimal: bool,
-    parameters: usize,
 ) -> Option<Candidate> {
     let states = ring.field.len();
-    let is_quadratic = |monomial: &Monomial| {
-        monomial.size() <= 2 && monomial.powers().all(|(i, exponent)| i < states && exponent > 0)
-    };
-    let variables = variables(ring, &new);
-    let products = Products::new(ring, &variables);
+    let is_quadratic = |monomial: &Monomial| monomial.size() <= 2 && monomial.is_in(states);
+    let products = Products::new(ring, &new);
     let mut fixed = BTreeMap::new();
     for &momentum in &mechanical.momenta {
         let force = &ring.field[momentum];
@@ -203,7 +190,7 @@ fn with_potential(
             let mut rest = force.clone();
             rest.add_scaled(&new[sum], &-&factor);
             let mut equation = products.affine(&rest)?;
-            equation.add_scaled(&Quadratic::multiple(states + sum, &RationalFunction::one()), &factor);
+            equation.add_term(Monomial::power(states + sum, 1), &factor);
             Some(equation)
         })?;
         fixed.insert(momentum, equation);
@@ -214,62 +201,56 @@ fn with_potential(
     let mut power = Quadratic::default();
     for (row, &left) in mechanical.kinetic.iter().zip(&mechanical.momenta) {
         for (factor, &right) in row.iter().zip(&mechanical.momenta) {
-            energy.add_scaled(&Quadratic::product(left, right), &(factor * &half));
-            power.add_scaled(&fixed[&right].times(left)?, &-factor);
+            energy.add_term(Monomial::power(left, 1).times(&Monomial::power(right, 1)), &(factor * &half));
+            power.add_scaled(&times(&fixed[&right], left)?, &-factor);
         }
     }
     let potential = mechanical.potential.as_ref().map(|potential| ring.normalised(potential));
     let curved = potential.as_ref().map(|potential| potential.filtered(|monomial| !is_quadratic(monomial)));
     if let Some(potential) = &potential {
-        let plain = Quadratic::in_states(&potential.filtered(is_quadratic));
+        let plain = potential.filtered(is_quadratic);
         energy.add_scaled(&plain, &RationalFunction::one());
-        for (&(left, right), factor) in &plain.0 {
-            // d(x y)/dt = x′y + x y′ with velocities that are multiples of momenta.
-            for (moved, other) in [(left, right), (right, left)] {
-                let Some(moved) = moved else { continue };
-                let velocity = products.affine(&ring.field[moved])?;
-                let term = match other {
-                    Some(other) => velocity.times(other)?,
-                    None => velocity,
-                };
-                power.add_scaled(&term, &-factor);
+        // d(x y)/dt = x′y + x y′ with velocities that are multiples of momenta.
+        for state in 0..states {
+            let velocity = products.affine(&ring.field[state]);
+            for (monomial, factor) in plain.partial(state).terms() {
+                power.add_scaled(&velocity.as_ref()?.shifted(monomial), &-factor);
             }
         }
     }
-    let mut forms = products.forms(states, &fixed)?;
+    let mut forms = products.forms(&fixed)?;
     let one = RationalFunction::one();
-    let mut new: Vec<Option<Laurent>> = new.iter().cloned().map(Some).collect();
     let with_curved = curved.as_ref().and_then(|curved| products.affine(curved)).map(|affine| {
         let mut energy = energy.clone();
         energy.add_scaled(&affine, &one);
-        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(form, parameters), &energy).is_some();
+        let keeps = |form: &&Vec<Quadratic>| modified(&field_of(ring, form), &energy).is_some();
         let kept: Vec<Vec<Quadratic>> = forms.iter().filter(keeps).cloned().collect();
         (energy, kept)
     });
     match with_curved.filter(|(_, kept)| !kept.is_empty()) {
         Some((with_curved, kept)) => (energy, forms) = (with_curved, kept),
         None => {
-            energy.add_scaled(&Quadratic::multiple(states + new.len(), &one), &one);
+            energy.add_term(Monomial::power(states + new.len(), 1), &one);
             forms.iter_mut().for_each(|form| form.push(power.clone()));
-            new.push(curved);
+            new.push(curved.unwrap_or_default());
         }
     }
     let relations = products.relations;
-    Some(Candidate { ring: ring.clone(), new, forms, relations, is_optimal, energy: Some(energy) })
+    Some(Candidate { ring: Rc::clone(ring), new, forms, relations, is_optimal, energy: Some(energy) })
 }
 
 /// Returns the function that the map keeps in the place of a quadratic integral.
 pub(crate) fn modified(field: &Field, integral: &Quadratic) -> Option<ModifiedIntegral> {
-    let integral = integral.component(field.dimension());
+    let integral = component(integral, field.dimension());
     modified_integral(field, integral.numerator())
 }
 
 /// The field of a form, with numbers for names.
-pub(crate) fn field_of(form: &[Quadratic], parameters: usize) -> Field {
+pub(crate) fn field_of(ring: &Ring, form: &[Quadratic]) -> Field {
     let numbered = |prefix: &str, count: usize| (0..count).map(|i| format!("{prefix}{i}")).collect();
-    let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", parameters) };
+    let symbols = Symbols { states: numbered("x", form.len()), parameters: numbered("p", ring.parameters) };
     let component = |equation: &Quadratic| {
-        let value = equation.component(form.len());
+        let value = component(equation, form.len());
         Component { numerator: value.numerator().clone(), denominator: value.denominator().clone() }
     };
     Field { components: form.iter().map(component).collect(), symbols }

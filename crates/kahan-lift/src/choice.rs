@@ -1,12 +1,13 @@
 //! Which of the candidates is taken, and in which form.
 
+use std::collections::BTreeSet;
+
 use kahan_algebra::modified_integrals::ModifiedIntegral;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
 use crate::candidates::{Candidate, field_of, modified};
-use crate::laurent::Laurent;
-use crate::numeric::Numeric;
+use crate::laurent::{Laurent, Monomial};
 use crate::quadratic::Quadratic;
 use crate::ring::{Function, Meaning};
 use crate::stability::{Growth, Orbit};
@@ -36,25 +37,19 @@ impl Which {
     /// Its name, as `--lift=NAME` has it.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Which::Automatic => "automatic",
-            Which::Energy => "energy",
-            Which::Relations => "relations",
-            Which::Stable => "stable",
-            Which::Smallest => "smallest",
-        }
+        ["automatic", "energy", "relations", "stable", "smallest"][self as usize]
     }
 
     /// The lift that it asks for.
     #[must_use]
     pub fn meaning(self) -> &'static str {
-        match self {
-            Which::Automatic => "The first of the others that there is",
-            Which::Energy => "The energy lift of a mechanical system",
-            Which::Relations => "As many relations kept exactly as can be",
-            Which::Stable => "Relations that do not grow along the orbit",
-            Which::Smallest => "As few new variables as can be",
-        }
+        [
+            "The first of the others that there is",
+            "The energy lift of a mechanical system",
+            "As many relations kept exactly as can be",
+            "Relations that do not grow along the orbit",
+            "As few new variables as can be",
+        ][self as usize]
     }
 }
 
@@ -74,8 +69,7 @@ pub(crate) struct Judged<'a> {
 pub(crate) fn choose<'a>(
     candidates: &'a [Candidate],
     which: Which,
-    orbit: Option<&(Orbit, &Vec<f64>)>,
-    parameters: usize,
+    orbit: Option<&Orbit>,
 ) -> Option<(Judged<'a>, String)> {
     let mut judged: Vec<Judged<'_>> = Vec::new();
     // Preferred forms come before others, so that a limit leaves out the others.
@@ -84,28 +78,25 @@ pub(crate) fn choose<'a>(
         for candidate in candidates {
             let Some(form) = candidate.forms.get(place) else { continue };
             if judged.len() < MOST_FOLLOWED {
-                judged.push(Judged::new(candidate, form.clone(), orbit, parameters));
+                judged.push(Judged::new(candidate, form.clone()));
             }
         }
     }
-    let order = |one: &Judged<'_>| one.candidate.new.len();
     let exponent = |one: &Judged<'_>| one.growth.map_or(0.0, |growth| growth.exponent);
     // x² before x·p: functions of fewer variables.
     let spread = |one: &Judged<'_>| {
-        let new = one.candidate.new.iter().flatten().flat_map(Laurent::terms);
+        let new = one.candidate.new.iter().flat_map(Laurent::terms);
         new.map(|(monomial, _)| monomial.powers().count()).sum::<usize>()
     };
     let best = |judged: Vec<Judged<'a>>| {
-        judged.into_iter().reduce(|best, next| {
-            let key = |one: &Judged<'_>| (order(one), usize::MAX - one.kept.len());
-            let better = key(&next)
-                .cmp(&key(&best))
-                .then(exponent(&next).total_cmp(&exponent(&best)))
-                .then(spread(&next).cmp(&spread(&best)));
-            if better.is_lt() { next } else { best }
+        judged.into_iter().min_by(|a, b| {
+            let key = |one: &Judged<'_>| (one.order(), usize::MAX - one.kept.len());
+            let by_exponent = exponent(a).total_cmp(&exponent(b));
+            key(a).cmp(&key(b)).then(by_exponent).then(spread(a).cmp(&spread(b)))
         })
     };
     if candidates[0].energy.is_some() {
+        judged = followed(judged, orbit);
         let class = |one: &Judged<'_>| match one.growth {
             Some(growth) if !growth.is_stable() => 1 + usize::from(!growth.is_polynomial()),
             _ => 0,
@@ -118,31 +109,30 @@ pub(crate) fn choose<'a>(
         let (kept, others): (Vec<_>, Vec<_>) = judged.into_iter().partition(Judged::keeps_all);
         if !kept.is_empty() {
             let chosen = "its map keeps every relation between its variables exactly".to_owned();
-            return Some((best(kept)?, chosen));
+            return Some((best(followed(kept, orbit))?, chosen));
         }
         judged = others;
         if which == Which::Relations {
             let most = judged.iter().map(|one| one.kept.len()).max()?;
             judged.retain(|one| one.kept.len() == most);
             let chosen = format!("its map keeps {most} of the relations exactly, and no other one more");
-            return Some((best(judged)?, chosen));
+            return Some((best(followed(judged, orbit))?, chosen));
         }
     }
     if which == Which::Smallest || orbit.is_none() {
-        let least = judged.iter().map(order).min()?;
-        judged.retain(|one| order(one) == least);
+        let least = judged.iter().map(Judged::order).min()?;
+        judged.retain(|one| one.order() == least);
         let why = if which == Which::Smallest { "" } else { "; without a start, no orbit was followed" };
-        return Some((best(judged)?, format!("no other lift has fewer new variables{why}")));
+        return Some((best(followed(judged, orbit))?, format!("no other lift has fewer new variables{why}")));
     }
-    let (stable, others): (Vec<_>, Vec<_>) =
-        judged.into_iter().partition(|one| one.growth.is_some_and(|growth| growth.is_stable()));
+    let (stable, others): (Vec<_>, Vec<_>) = followed(judged, orbit).into_iter().partition(Judged::is_stable);
     if !stable.is_empty() {
         let chosen = "errors of its relations do not grow along the orbit";
         return Some((best(stable)?, chosen.to_owned()));
     }
     for one in &others {
-        for damped in one.damped(orbit, parameters) {
-            if damped.growth.is_some_and(|growth| growth.is_stable()) {
+        for damped in one.damped(orbit) {
+            if damped.is_stable() {
                 let chosen = "multiples of its relations in its equations make their errors decay";
                 return Some((damped, chosen.to_owned()));
             }
@@ -154,50 +144,72 @@ pub(crate) fn choose<'a>(
     Some((least, chosen))
 }
 
+/// Follows lifts along the orbit, those with the fewest new variables first: if one is stable, none
+/// with more of them is better, and these are left out.
+fn followed<'a>(judged: Vec<Judged<'a>>, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
+    let Some(orbit) = orbit else { return judged };
+    let orders: BTreeSet<usize> = judged.iter().map(Judged::order).collect();
+    let mut judged = judged;
+    for order in orders {
+        judged.iter_mut().filter(|one| one.order() == order).for_each(|one| one.follow(orbit));
+        if judged.iter().any(Judged::is_stable) {
+            break;
+        }
+    }
+    judged.retain(|one| one.growth.is_some());
+    judged
+}
+
 impl<'a> Judged<'a> {
-    pub(crate) fn new(
-        candidate: &'a Candidate,
-        form: Vec<Quadratic>,
-        orbit: Option<&(Orbit, &Vec<f64>)>,
-        parameters: usize,
-    ) -> Self {
-        let field = field_of(&form, parameters);
+    pub(crate) fn new(candidate: &'a Candidate, form: Vec<Quadratic>) -> Self {
+        let field = field_of(&candidate.ring, &form);
         let kept = candidate
             .relations
             .iter()
             .filter_map(|relation| Some((relation.clone(), modified(&field, relation)?)))
             .collect();
-        let growth = orbit.map(|(orbit, parameters)| {
-            let numeric = Numeric::new(&candidate.ring, parameters);
-            let known: Vec<Laurent> = candidate.new.iter().map_while(Clone::clone).collect();
-            orbit.growth(&numeric, &known, &form[..candidate.ring.field.len() + known.len()], parameters)
-        });
-        Judged { candidate, form, kept, growth }
+        Judged { candidate, form, kept, growth: None }
+    }
+
+    /// Finds out how errors of the relations grow along an orbit.
+    pub(crate) fn follow(&mut self, orbit: &Orbit) {
+        let Candidate { ring, new, .. } = self.candidate;
+        // The work done since the start, which is last, has no relation.
+        let known = new.iter().filter(|value| !value.is_zero()).count();
+        self.growth = Some(orbit.growth(ring, &new[..known], &self.form));
+    }
+
+    fn order(&self) -> usize {
+        self.candidate.new.len()
+    }
+
+    fn is_stable(&self) -> bool {
+        self.growth.is_some_and(|growth| growth.is_stable())
     }
 
     /// Forms with multiples of the relations that let errors decay: w′ −= κ R, where the relation R
     /// holds w linearly. κ exceeds the rate at which errors grow.
-    fn damped(&self, orbit: Option<&(Orbit, &Vec<f64>)>, parameters: usize) -> Vec<Judged<'a>> {
+    fn damped(&self, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
         let states = self.candidate.ring.field.len();
         let rate = self.growth.map_or(1.0, |growth| growth.exponent.clamp(1e-3, 1e3));
         let damped = |factor: f64| {
             let damping = Rational::from_f64((factor * rate).log2().ceil().exp2())?;
             let mut form = self.form.clone();
             for (variable, equation) in form.iter_mut().enumerate().skip(states) {
-                let own = (None, Some(variable));
+                let own = Monomial::power(variable, 1);
                 let others = |relation: &Quadratic| {
-                    let new = |index: &Option<usize>| {
-                        index.is_some_and(|index| index >= states && index != variable)
-                    };
-                    relation.0.keys().filter(|(left, right)| new(left) || new(right)).count()
+                    let new = |(index, _): (usize, i16)| index >= states && index != variable;
+                    relation.terms().filter(|(monomial, _)| monomial.powers().any(new)).count()
                 };
-                let relations = self.candidate.relations.iter().filter(|one| one.0.contains_key(&own));
+                let relations = self.candidate.relations.iter().filter(|one| one.contains(&own));
                 // Functions without an algebraic relation stay as they are.
                 let Some(relation) = relations.min_by_key(|relation| others(relation)) else { continue };
-                let scale = RationalFunction::constant(-&damping).checked_div(&relation.0[&own])?;
+                let scale = RationalFunction::constant(-&damping).checked_div(&relation.coefficient(&own))?;
                 equation.add_scaled(relation, &scale);
             }
-            Some(Judged::new(self.candidate, form, orbit, parameters))
+            let mut damped = Judged::new(self.candidate, form);
+            orbit.into_iter().for_each(|orbit| damped.follow(orbit));
+            Some(damped)
         };
         [2.0, 8.0, 32.0].into_iter().filter_map(damped).collect()
     }
@@ -206,18 +218,9 @@ impl<'a> Judged<'a> {
     /// and a cosine.
     fn keeps_all(&self) -> bool {
         let Candidate { ring, new, .. } = self.candidate;
-        let is_cosine = |value: &Option<Laurent>| {
-            let monomial = value.as_ref().and_then(Laurent::as_monomial);
-            monomial.is_some_and(|one| {
-                one.size() == 1
-                    && one.powers().all(|(index, _)| {
-                        matches!(
-                            ring.coordinates[index].meaning,
-                            Meaning::Function(Function::Cos | Function::Cosh, _)
-                        )
-                    })
-            })
-        };
-        self.kept.len() + new.iter().filter(|value| is_cosine(value)).count() >= new.len()
+        let single = new.iter().filter_map(Laurent::as_monomial).filter(|one| one.size() == 1);
+        let meanings = single.flat_map(Monomial::powers).map(|(index, _)| &ring.coordinates[index].meaning);
+        let is_cosine = |one: &&Meaning| matches!(one, Meaning::Function(Function::Cos | Function::Cosh, _));
+        self.kept.len() + meanings.filter(is_cosine).count() >= new.len()
     }
 }

@@ -11,7 +11,6 @@ use kahan_algebra::rational_function::RationalFunction;
 use rustc_hash::FxHashMap;
 
 use crate::laurent::Laurent;
-use crate::numeric::power;
 use crate::ring::{Function, Meaning, Ring};
 
 /// One step; operands are places of earlier steps.
@@ -21,8 +20,8 @@ pub enum Step {
     State(usize),
     /// A parameter, by its place.
     Parameter(usize),
-    /// The float with these bits.
-    Number(u64),
+    /// A number, by its place among the numbers.
+    Number(usize),
     /// −a
     Negation(usize),
     /// a + b
@@ -50,18 +49,56 @@ pub struct Embedding {
     pub steps: Vec<Step>,
     /// The step of each new variable's value.
     pub values: Vec<usize>,
+    /// The numbers that occur, and the floats next to them.
+    pub numbers: Vec<(Rational, f64)>,
+}
+
+/// base^exponent by squaring.
+fn power(base: f64, exponent: i32) -> f64 {
+    let power = num_traits::pow(base, exponent.unsigned_abs() as usize);
+    if exponent < 0 { 1.0 / power } else { power }
 }
 
 impl Embedding {
     /// The values at a point, with these values of the parameters.
     #[must_use]
     pub fn values(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
+        let found = self.run(states, parameters);
+        self.values.iter().map(|&value| found[value]).collect()
+    }
+
+    /// The values at a point, exact where they are rational functions of the states, else floats.
+    /// `None` where one has no finite value.
+    pub(crate) fn exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
+        let [floats, of] =
+            [states, parameters].map(|one| one.iter().map(Rational::to_f64).collect::<Vec<_>>());
+        let mut found: Vec<Rational> = Vec::with_capacity(self.steps.len());
+        for (&step, float) in self.steps.iter().zip(self.run(&floats, &of)) {
+            found.push(match step {
+                Step::State(index) => states[index].clone(),
+                Step::Parameter(index) => parameters[index].clone(),
+                Step::Number(index) => self.numbers[index].0.clone(),
+                Step::Negation(a) => -&found[a],
+                Step::Sum(a, b) => &found[a] + &found[b],
+                Step::Product(a, b) => &found[a] * &found[b],
+                Step::Quotient(a, b) => found[a].checked_div(&found[b])?,
+                Step::Power(a, exponent) => found[a].pow(exponent)?,
+                Step::RealPower(..) | Step::SquareRoot(_) | Step::CubeRoot(_) | Step::Function(..) => {
+                    Rational::from_f64(float)?
+                }
+            });
+        }
+        Some(self.values.iter().map(|&value| found[value].clone()).collect())
+    }
+
+    /// The values of all steps.
+    fn run(&self, states: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut found: Vec<f64> = Vec::with_capacity(self.steps.len());
         for &step in &self.steps {
             found.push(match step {
                 Step::State(index) => states[index],
                 Step::Parameter(index) => parameters[index],
-                Step::Number(bits) => f64::from_bits(bits),
+                Step::Number(index) => self.numbers[index].1,
                 Step::Negation(a) => -found[a],
                 Step::Sum(a, b) => found[a] + found[b],
                 Step::Product(a, b) => found[a] * found[b],
@@ -73,7 +110,7 @@ impl Embedding {
                 Step::Function(function, a) => function.at(found[a]),
             });
         }
-        self.values.iter().map(|&value| found[value]).collect()
+        found
     }
 }
 
@@ -86,19 +123,15 @@ pub(crate) struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    /// The embedding by these values; none is 0.
-    pub(crate) fn embedding<'b>(
-        ring: &'a Ring,
-        values: impl Iterator<Item = Option<&'b Laurent>>,
-    ) -> Embedding {
+    /// The embedding by these values.
+    pub(crate) fn embedding<'b>(ring: &'a Ring, values: impl IntoIterator<Item = &'b Laurent>) -> Embedding {
         let mut builder = Builder {
             ring,
             embedding: Embedding::default(),
             known: FxHashMap::default(),
             coordinates: vec![None; ring.coordinates.len()],
         };
-        let zero = Laurent::zero();
-        let values = values.map(|value| builder.laurent(value.unwrap_or(&zero))).collect();
+        let values = values.into_iter().map(|value| builder.laurent(value)).collect();
         Embedding { values, ..builder.embedding }
     }
 
@@ -113,7 +146,13 @@ impl<'a> Builder<'a> {
     }
 
     fn number(&mut self, number: &Rational) -> usize {
-        self.push(Step::Number(number.to_f64().to_bits()))
+        let numbers = &mut self.embedding.numbers;
+        let known = numbers.iter().position(|(known, _)| known == number);
+        let place = known.unwrap_or_else(|| {
+            numbers.push((number.clone(), number.to_f64()));
+            numbers.len() - 1
+        });
+        self.push(Step::Number(place))
     }
 
     fn power(&mut self, base: usize, exponent: i32) -> usize {

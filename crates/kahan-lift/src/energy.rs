@@ -77,8 +77,7 @@ fn inverse_transpose(matrix: &Matrix) -> Option<Matrix> {
         let last = solution.pop().filter(|last| *last == RationalFunction::one());
         last.map(|_| solution)
     };
-    let columns: Matrix = (0..n).map(rows).collect::<Option<_>>()?;
-    Some(columns)
+    (0..n).map(rows).collect()
 }
 
 /// The states that a polynomial depends on, also through functions.
@@ -130,11 +129,21 @@ fn positions_and_momenta(ring: &Ring) -> Option<[Vec<usize>; 2]> {
 }
 
 /// The ring with the field that moves one state at unit speed.
-pub(crate) fn along(ring: &Ring, state: usize) -> Ring {
+fn along(ring: &Ring, state: usize) -> Ring {
     let mut ring = ring.clone();
     let unit = |other| if other == state { Laurent::number(Rational::one()) } else { Laurent::zero() };
     ring.set_field((0..ring.field.len()).map(unit).collect());
     ring
+}
+
+/// The derivatives of polynomials by the first states: those of a polynomial follow one another.
+pub(crate) fn slopes<'a>(
+    ring: &Ring,
+    states: usize,
+    polynomials: impl Iterator<Item = &'a Laurent>,
+) -> Vec<Laurent> {
+    let partials: Vec<Ring> = (0..states).map(|state| along(ring, state)).collect();
+    polynomials.flat_map(|one| partials.iter().map(move |along| along.derivative(one))).collect()
 }
 
 /// A symmetric matrix S for which −A⁻ᵀSG is a gradient: A itself if it is symmetric, else a
@@ -199,13 +208,11 @@ fn kinetic_energy(
 }
 
 /// One row of coefficients a monomial that occurs in the columns.
-fn coefficient_rows(columns: &[Laurent]) -> Vec<Vec<RationalFunction>> {
+fn coefficient_rows(columns: &[Laurent]) -> Matrix {
     let monomials: BTreeSet<&Monomial> =
         columns.iter().flat_map(|column| column.terms().map(|(monomial, _)| monomial)).collect();
-    monomials
-        .into_iter()
-        .map(|monomial| columns.iter().map(|column| column.coefficient(monomial)).collect())
-        .collect()
+    let row = |monomial| columns.iter().map(|column| column.coefficient(monomial)).collect();
+    monomials.into_iter().map(row).collect()
 }
 
 /// V with these partial derivatives, as a combination of monomials whose derivatives resemble them.

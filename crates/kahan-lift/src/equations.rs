@@ -15,12 +15,8 @@ use crate::search::Problem;
 pub(crate) struct Equations {
     /// The header, where the block has one.
     pub header: Option<Header>,
-    /// The states in the order of their equations; `t` last where it was lifted.
-    pub states: Vec<String>,
-    /// The parameters in the order of the header, or in which they occur.
-    pub parameters: Vec<String>,
-    /// Whether the last state is the time.
-    pub has_time: bool,
+    /// The names.
+    pub stated: Stated,
     /// The coordinates, their relations and derivatives.
     pub ring: Ring,
 }
@@ -42,8 +38,7 @@ pub struct Stated {
 /// # Errors
 /// Every mistake, each with its place and the way out.
 pub fn stated(tokens: &[Token]) -> Result<Stated, Vec<Diagnostic>> {
-    let Equations { states, parameters, has_time, .. } = Equations::read(tokens)?;
-    Ok(Stated { states, parameters, has_time })
+    Ok(Equations::read(tokens)?.stated)
 }
 
 impl Equations {
@@ -61,19 +56,18 @@ impl Equations {
 
     /// The search for monomials that close the equations, in a ring with their coordinates.
     pub(crate) fn problem_in(&self, ring: &Ring) -> Problem {
-        let given: Vec<Monomial> = (0..self.states.len()).map(|state| Monomial::power(state, 1)).collect();
+        let given: Vec<Monomial> =
+            (0..self.stated.states.len()).map(|state| Monomial::power(state, 1)).collect();
         let required: Vec<Monomial> =
             ring.field.iter().flat_map(Laurent::terms).map(|(one, _)| one.clone()).collect();
         // Negative powers occur in the equations, and in derivatives of functions: log u has u′/u.
         let slopes = ring.coordinates.iter().flat_map(|one| one.slope.terms()).map(|(one, _)| one);
-        let mut negative: Vec<usize> = required
+        let negative = required
             .iter()
             .chain(slopes)
             .flat_map(|monomial| monomial.powers().filter(|&(_, exponent)| exponent < 0))
             .map(|(coordinate, _)| coordinate)
             .collect();
-        negative.sort_unstable();
-        negative.dedup();
         Problem { given, sums: Vec::new(), required, negative }
     }
 }
@@ -138,5 +132,5 @@ fn check(block: Block<InFormula>, diagnostics: &mut Diagnostics) -> Option<Equat
         return None;
     }
     let Reader { states, parameters, ring, .. } = reader;
-    Some(Equations { header: block.header, states, parameters, has_time, ring })
+    Some(Equations { header: block.header, stated: Stated { states, parameters, has_time }, ring })
 }

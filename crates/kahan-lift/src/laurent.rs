@@ -77,6 +77,11 @@ impl Monomial {
         is_square.then(|| Monomial(self.0.iter().map(|exponent| exponent / 2).collect()))
     }
 
+    /// Whether this is a product of the first coordinates, the states.
+    pub(crate) fn is_in(&self, states: usize) -> bool {
+        self.powers().all(|(coordinate, exponent)| coordinate < states && exponent > 0)
+    }
+
     /// Whether `divisor`, which has no negative exponents, divides this without making an exponent
     /// negative.
     pub(crate) fn is_multiple_of(&self, divisor: &Self) -> bool {
@@ -129,6 +134,11 @@ impl Laurent {
     /// Whether this is 0.
     pub(crate) fn is_zero(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// Whether a monomial occurs.
+    pub(crate) fn contains(&self, monomial: &Monomial) -> bool {
+        self.0.contains_key(monomial)
     }
 
     /// The coefficient of a monomial.
@@ -190,6 +200,17 @@ impl Laurent {
     pub(crate) fn filtered(&self, keep: impl Fn(&Monomial) -> bool) -> Self {
         let kept = self.0.iter().filter(|(monomial, _)| keep(monomial));
         Laurent(kept.map(|(monomial, value)| (monomial.clone(), value.clone())).collect())
+    }
+
+    /// The partial derivative by a coordinate of which no other depends.
+    pub(crate) fn partial(&self, coordinate: usize) -> Self {
+        let one = Monomial::power(coordinate, 1);
+        let mut derivative = Self::zero();
+        for (monomial, value) in self.terms() {
+            let exponent = Rational::from(i64::from(monomial.exponent(coordinate)));
+            derivative.add_term(monomial.over(&one), &(value * &RationalFunction::constant(exponent)));
+        }
+        derivative
     }
 
     /// The greatest monomial that divides every term.

@@ -26,10 +26,6 @@ mod energy;
 
 mod quadratic;
 
-mod numeric;
-
-mod exact;
-
 mod embedding;
 
 mod stability;

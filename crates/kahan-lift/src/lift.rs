@@ -8,7 +8,7 @@ use kahan_algebra::field::Field;
 use kahan_algebra::poly::Polynomial;
 use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::render::{Formulas, Notation, Text};
+use kahan_algebra::render::{Notation, Text, equation_lines};
 use kahan_algebra::symbols::Symbols;
 use kahan_algebra::syntax::Header;
 use kahan_algebra::token::{Span, Token};
@@ -16,13 +16,11 @@ use kahan_algebra::token::{Span, Token};
 use crate::candidates::{Effort, energy_candidates, field_of, modified, ordinary_candidates};
 use crate::choice::{Judged, Which, choose};
 use crate::embedding::{Builder, Embedding};
-use crate::energy::{Mechanical, along};
-use crate::equations::Equations;
-use crate::exact;
+use crate::energy::{Mechanical, slopes};
+use crate::equations::{Equations, Stated};
 use crate::laurent::{Laurent, Monomial};
 use crate::names::Writer;
-use crate::numeric::Numeric;
-use crate::quadratic::Quadratic;
+use crate::quadratic::component;
 use crate::ring::{Function, Meaning, Ring};
 use crate::stability::{LARGEST_EXPONENT, Orbit};
 
@@ -49,7 +47,8 @@ pub struct NewVariable {
     /// The function of the states that it stands for, as text; none for the work done since the
     /// start, which is 0 there.
     pub expression: Option<String>,
-    value: Option<Laurent>,
+    /// The function; 0 for the work done.
+    value: Laurent,
 }
 
 /// The fate of a relation along an orbit of the map.
@@ -128,7 +127,7 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         Err(vec![Diagnostic::new(kind, Span::token(0), message.to_owned(), help.to_owned())])
     };
     let mut candidates = Vec::new();
-    if matches!(options.which, Which::Automatic | Which::Energy) && !equations.has_time {
+    if matches!(options.which, Which::Automatic | Which::Energy) && !equations.stated.has_time {
         candidates = energy_candidates(&equations, Effort { nodes, surplus: options.orbit.is_some() });
     }
     if candidates.is_empty() && options.which == Which::Energy {
@@ -149,19 +148,18 @@ pub fn lift(tokens: &[Token], options: &Options) -> Result<Lift, Vec<Diagnostic>
         let surplus = options.which != Which::Smallest;
         candidates = ordinary_candidates(&equations, Effort { nodes, surplus });
     }
-    let numeric = followed(&equations, options);
-    let count = equations.parameters.len();
-    let Some((judged, chosen)) = choose(&candidates, options.which, numeric.as_ref(), count) else {
+    let orbit = followed(&equations, options);
+    let Some((judged, chosen)) = choose(&candidates, options.which, orbit.as_ref()) else {
         let help = "write a part of the equations as a state of its own, or approximate it by a polynomial";
         return nothing(Kind::TooLarge, "no quadratic lift was found within the budget", help);
     };
     Ok(described(&equations, &judged, chosen))
 }
 
-/// The orbit along which lifts are judged, and the values of parameters.
-fn followed<'a>(equations: &Equations, options: &'a Options) -> Option<(Orbit, &'a Vec<f64>)> {
+/// The orbit along which lifts are judged.
+fn followed(equations: &Equations, options: &Options) -> Option<Orbit> {
     let (start, parameters) = options.orbit.as_ref()?;
-    Some((Orbit::new(&Numeric::new(&equations.ring, parameters), start), parameters))
+    Some(Orbit::new(&equations.ring, start, parameters))
 }
 
 /// Returns all lifts and forms between which [`lift`] chooses, with no reason for a choice.
@@ -170,49 +168,47 @@ fn followed<'a>(equations: &Equations, options: &'a Options) -> Option<(Orbit, &
 /// Mistakes in the text, and what cannot be lifted, with its reason.
 pub fn lifts(tokens: &[Token], options: &Options) -> Result<Vec<Lift>, Vec<Diagnostic>> {
     let equations = Equations::read(tokens)?;
-    let numeric = followed(&equations, options);
+    let orbit = followed(&equations, options);
     let effort = Effort { nodes: NODES, surplus: true };
     let candidates =
         [energy_candidates(&equations, effort), ordinary_candidates(&equations, effort)].concat();
-    let judged = candidates.iter().flat_map(|candidate| {
-        candidate
-            .forms
-            .iter()
-            .map(|form| Judged::new(candidate, form.clone(), numeric.as_ref(), equations.parameters.len()))
-    });
-    Ok(judged.map(|judged| described(&equations, &judged, String::new())).collect())
+    let mut lifts = Vec::new();
+    for candidate in &candidates {
+        for form in &candidate.forms {
+            let mut judged = Judged::new(candidate, form.clone());
+            orbit.iter().for_each(|orbit| judged.follow(orbit));
+            lifts.push(described(&equations, &judged, String::new()));
+        }
+    }
+    Ok(lifts)
 }
 
 /// The answer: names, texts and the field.
 fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift {
+    let Stated { states, parameters, has_time } = equations.stated.clone();
     let ring = &judged.candidate.ring;
-    let parameters = Symbols { states: Vec::new(), parameters: equations.parameters.clone() };
-    let writer = Writer { ring, states: &equations.states, parameters: &parameters };
+    let writer = Writer::new(ring, &states, &parameters);
     let mut taken: Vec<String> =
-        equations.states.iter().chain(&equations.parameters).cloned().chain(["eps".to_owned()]).collect();
+        states.iter().chain(&parameters).cloned().chain(["eps".to_owned()]).collect();
     let mut new = Vec::new();
     for value in &judged.candidate.new {
-        let mut name = match value.as_ref().map(Laurent::as_monomial) {
-            Some(Some(monomial)) => writer.name(monomial),
-            Some(None)
-                if judged.candidate.energy.is_some() && new.len() + 1 == judged.candidate.new.len() =>
-            {
-                "W".to_owned()
-            }
-            Some(None) => format!("F{}", new.len() + 1),
-            None => "W".to_owned(),
+        let is_last = new.len() + 1 == judged.candidate.new.len();
+        let mut name = match value.as_monomial() {
+            Some(monomial) => writer.name(monomial),
+            None if is_last && judged.candidate.energy.is_some() => "W".to_owned(),
+            None => format!("F{}", new.len() + 1),
         };
         while taken.contains(&name) {
             name.push('_');
         }
         taken.push(name.clone());
-        let expression = value.as_ref().map(|value| writer.polynomial(value, &Text));
+        let expression = (!value.is_zero()).then(|| writer.polynomial(value, &Text));
         new.push(NewVariable { name, expression, value: value.clone() });
     }
     let variables: Vec<String> =
-        equations.states.iter().cloned().chain(new.iter().map(|one| one.name.clone())).collect();
-    let symbols = Symbols { states: variables, parameters: equations.parameters.clone() };
-    let field = Field { symbols, ..field_of(&judged.form, equations.parameters.len()) };
+        states.iter().cloned().chain(new.iter().map(|one| one.name.clone())).collect();
+    let symbols = Symbols { states: variables, parameters: parameters.clone() };
+    let field = Field { symbols, ..field_of(ring, &judged.form) };
     let text = |polynomial: &Polynomial| Text.polynomial(&field.symbols, polynomial);
     let fraction = |value: &RationalFunction| {
         if value.denominator().is_one() {
@@ -225,21 +221,19 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
         .kept
         .iter()
         .map(|(relation, kept)| Relation {
-            text: text(relation.component(field.dimension()).numerator()),
+            text: text(component(relation, field.dimension()).numerator()),
             along: Some(Along::Kept),
             formula: Some(fraction(&kept.of_map)),
             rate: None,
             defines: None,
         })
         .collect();
-    let states = equations.states.len();
     for (index, variable) in new.iter().enumerate() {
         let Some(expression) = &variable.expression else { continue };
-        let is_monomial = variable.value.as_ref().is_some_and(|value| {
-            value.as_monomial().is_some_and(|one| one.powers().all(|(i, power)| i < states && power > 0))
-        });
-        let occurs = |relation: &Quadratic| relation.0.contains_key(&(None, Some(states + index)));
-        if is_monomial && judged.kept.iter().any(|(relation, _)| occurs(relation)) {
+        let monomial = variable.value.as_monomial();
+        let is_monomial = monomial.is_some_and(|one| one.is_in(states.len()));
+        let own = Monomial::power(states.len() + index, 1);
+        if is_monomial && judged.kept.iter().any(|(relation, _)| relation.contains(&own)) {
             continue;
         }
         let along = judged.growth.map(|growth| match growth {
@@ -258,19 +252,19 @@ fn described(equations: &Equations, judged: &Judged<'_>, chosen: String) -> Lift
     }
     let energy = judged.candidate.energy.as_ref().and_then(|energy| modified(&field, energy));
     let energy = energy.map(|energy| fraction(&energy.of_map));
-    let embedding = Builder::embedding(ring, new.iter().map(|new| new.value.as_ref()));
+    let embedding = Builder::embedding(ring, &judged.candidate.new);
     Lift {
         header: equations.header.clone(),
-        states: equations.states.clone(),
-        has_time: equations.has_time,
-        parameters: equations.parameters.clone(),
+        has_time,
         new,
         is_optimal: judged.candidate.is_optimal,
         chosen,
         relations,
         energy,
         notes: notes(ring, &judged.candidate.new, &writer),
-        ring: ring.clone(),
+        states,
+        parameters,
+        ring: Ring::clone(ring),
         embedding,
         field,
     }
@@ -287,31 +281,23 @@ fn zero(argument: &Laurent, writer: &Writer<'_>) -> Option<String> {
 }
 
 /// Returns the warnings on the new variables.
-fn notes(ring: &Ring, new: &[Option<Laurent>], writer: &Writer<'_>) -> Vec<String> {
+fn notes(ring: &Ring, new: &[Laurent], writer: &Writer<'_>) -> Vec<String> {
     let occurs = |index: usize, sign: i16| {
-        let mut monomials = new.iter().flatten().flat_map(Laurent::terms);
+        let mut monomials = new.iter().flat_map(Laurent::terms);
         monomials.any(|(monomial, _)| monomial.exponent(index) * sign > 0)
     };
     let mut notes = Vec::new();
     for (index, coordinate) in ring.coordinates.iter().enumerate() {
         match &coordinate.meaning {
             // 1 − exp u vanishes where u does, and the equations may hold u/(1 − exp u).
-            Meaning::Root(base, 1) if occurs(index, -1) => {
-                let exponent = base.terms().find_map(|(monomial, _)| {
-                    let (inner, power) =
-                        monomial.powers().next().filter(|_| monomial.powers().count() == 1)?;
-                    match &ring.coordinates[inner].meaning {
-                        Meaning::Function(Function::Exp, argument) => Some((inner, power, argument)),
-                        _ => None,
-                    }
-                });
-                let Some((inner, power, argument)) = exponent else { continue };
-                let value_at_one =
-                    base.terms().try_fold(RationalFunction::zero(), |sum, (monomial, value)| {
-                        (monomial.is_one() || *monomial == Monomial::power(inner, power))
-                            .then(|| &sum + value)
-                    });
-                if value_at_one.is_some_and(|value| value.is_zero()) {
+            Meaning::Root(base, 1) if base.len() == 2 && occurs(index, -1) => {
+                let slope = base.terms().find(|(monomial, _)| !monomial.is_one());
+                let Some((monomial, value)) = slope else { continue };
+                let is_zero = (value + &base.coefficient(&Monomial::one())).is_zero();
+                let mut powers = monomial.powers().filter(|_| is_zero).map(|(index, _)| index);
+                if let (Some(inner), None) = (powers.next(), powers.next())
+                    && let Meaning::Function(Function::Exp, argument) = &ring.coordinates[inner].meaning
+                {
                     let place = zero(argument, writer)
                         .unwrap_or_else(|| format!("{} = 0", writer.polynomial(argument, &Text)));
                     notes.push(format!(
@@ -364,18 +350,15 @@ impl Lift {
     /// The equations of the quadratic field, one a line, in the language of `kahan!`.
     #[must_use]
     pub fn text(&self) -> String {
-        let sides = Formulas { field: &self.field, map: None, notation: &Text }.field();
-        let lines = self.variables().iter().zip(sides).map(|(name, side)| format!("{name}dot = {side};"));
-        lines.collect::<Vec<_>>().join("\n")
+        equation_lines(&self.field).collect::<Vec<_>>().join("\n")
     }
 
     /// The expressions of the new variables in a notation; none for the work done since the start.
     #[must_use]
     pub fn expressions(&self, notation: &dyn Notation) -> Vec<Option<String>> {
-        let parameters = Symbols { states: Vec::new(), parameters: self.parameters.clone() };
-        let writer = Writer { ring: &self.ring, states: &self.states, parameters: &parameters };
-        let written = |value: &Laurent| writer.polynomial(value, notation);
-        self.new.iter().map(|one| one.value.as_ref().map(written)).collect()
+        let writer = Writer::new(&self.ring, &self.states, &self.parameters);
+        let written = |value: &Laurent| (!value.is_zero()).then(|| writer.polynomial(value, notation));
+        self.new.iter().map(|one| written(&one.value)).collect()
     }
 
     /// The values of the new variables at these states, with these values of the parameters.
@@ -397,14 +380,8 @@ impl Lift {
     /// variable follow one another. Those of the work done since the start are 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
-        let states = 0..self.states.len() - usize::from(self.has_time);
-        let partials: Vec<Ring> = states.map(|state| along(&self.ring, state)).collect();
-        let of = |new: &NewVariable| -> Vec<Option<Laurent>> {
-            let derivative = |ring: &Ring| new.value.as_ref().map(|value| ring.derivative(value));
-            partials.iter().map(derivative).collect()
-        };
-        let slopes: Vec<Option<Laurent>> = self.new.iter().flat_map(of).collect();
-        Builder::embedding(&self.ring, slopes.iter().map(Option::as_ref))
+        let states = self.states.len() - usize::from(self.has_time);
+        Builder::embedding(&self.ring, &slopes(&self.ring, states, self.new.iter().map(|one| &one.value)))
     }
 
     /// The values of the new variables at these states, with these values of the parameters: exact
@@ -415,11 +392,6 @@ impl Lift {
     /// If there are fewer states or parameters than the lift has.
     #[must_use]
     pub fn embed_exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
-        let coordinates = exact::coordinates(&self.ring, states, parameters)?;
-        let value = |new: &NewVariable| match &new.value {
-            Some(value) => exact::value(value, &coordinates, parameters),
-            None => Some(Rational::zero()),
-        };
-        self.new.iter().map(value).collect()
+        self.embedding.exact(states, parameters)
     }
 }

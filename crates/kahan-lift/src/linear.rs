@@ -10,7 +10,7 @@ pub(crate) fn null_space(mut rows: Vec<Vec<RationalFunction>>, columns: usize) -
         let top = pivots.len();
         let Some(found) = (top..rows.len()).find(|&row| !rows[row][column].is_zero()) else { continue };
         rows.swap(top, found);
-        let inverse = RationalFunction::one().checked_div(&rows[top][column]).expect("a pivot is not 0");
+        let inverse = rows[top][column].recip().expect("a pivot is not 0");
         let pivot: Vec<RationalFunction> = rows[top].iter().map(|entry| entry * &inverse).collect();
         for (index, row) in rows.iter_mut().enumerate() {
             if index != top && !row[column].is_zero() {

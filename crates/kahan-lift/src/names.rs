@@ -12,13 +12,18 @@ use crate::ring::{Function, Meaning, Ring};
 /// Writes coordinates and monomials, as names and as expressions.
 #[derive(Debug)]
 pub(crate) struct Writer<'a> {
-    pub(crate) ring: &'a Ring,
+    ring: &'a Ring,
     pub(crate) states: &'a [String],
     /// No states, and the parameters.
-    pub(crate) parameters: &'a Symbols,
+    parameters: Symbols,
 }
 
-impl Writer<'_> {
+impl<'a> Writer<'a> {
+    pub(crate) fn new(ring: &'a Ring, states: &'a [String], parameters: &[String]) -> Self {
+        let parameters = Symbols { states: Vec::new(), parameters: parameters.to_vec() };
+        Writer { ring, states, parameters }
+    }
+
     /// A polynomial as an expression.
     pub(crate) fn polynomial(&self, polynomial: &Laurent, notation: &dyn Notation) -> String {
         let mut text = String::new();
@@ -78,7 +83,7 @@ impl Writer<'_> {
         if polynomial.is_one() {
             return Vec::new();
         }
-        let text = notation.polynomial(self.parameters, polynomial);
+        let text = notation.polynomial(&self.parameters, polynomial);
         vec![if polynomial.len() > 1 { format!("({text})") } else { text }]
     }
 
@@ -150,20 +155,9 @@ impl Writer<'_> {
             Meaning::Function(function, argument) => match self.short(argument) {
                 Some(short) => format!("{}_{short}", function.name()),
                 None => {
-                    let same =
+                    let is_same =
                         |one: &Meaning| matches!(one, Meaning::Function(known, _) if known == function);
-                    let shift = matches!(function, Function::Cos | Function::Cosh);
-                    let earlier = match function {
-                        Function::Cos | Function::Sin => {
-                            of_kind(&|one| matches!(one, Meaning::Function(Function::Sin, _)))
-                        }
-                        _ => of_kind(&same),
-                    };
-                    format!(
-                        "{}_{}",
-                        function.name(),
-                        earlier + 1 - usize::from(shift && *function == Function::Cos)
-                    )
+                    format!("{}_{}", function.name(), of_kind(&is_same) + 1)
                 }
             },
             Meaning::Root(base, index) => match (self.short(base), index) {
@@ -199,14 +193,13 @@ impl Writer<'_> {
         if !number.abs().is_one() {
             short.push_str(&number.abs().to_string());
         }
-        for &(parameter, exponent) in coefficient.numerator().leading_term()?.0.powers() {
-            short.push_str(&self.parameters.name(parameter));
-            if exponent > 1 {
-                short.push_str(&exponent.to_string());
-            }
-        }
-        for (coordinate, exponent) in monomial.powers() {
-            short.push_str(&self.coordinate_name(coordinate));
+        let parameters = coefficient.numerator().leading_term()?.0.powers().iter();
+        let parameters = parameters.map(|&(one, exponent)| (self.parameters.name(one), exponent));
+        let coordinates = monomial.powers();
+        let coordinates =
+            coordinates.map(|(one, exponent)| (self.coordinate_name(one), exponent.cast_unsigned().into()));
+        for (name, exponent) in parameters.chain(coordinates) {
+            short.push_str(&name);
             if exponent > 1 {
                 short.push_str(&exponent.to_string());
             }

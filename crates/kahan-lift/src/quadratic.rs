@@ -12,133 +12,75 @@ use kahan_algebra::rational_function::RationalFunction;
 use crate::laurent::{Laurent, Monomial};
 use crate::ring::Ring;
 
-/// The factors of a product of at most two variables, the first not greater; `None` is 1.
-pub(crate) type Pair = (Option<usize>, Option<usize>);
+/// A polynomial of degree at most two in the lifted variables, by number: states, then new ones.
+pub(crate) type Quadratic = Laurent;
 
-/// A quadratic polynomial in the lifted variables.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Quadratic(pub BTreeMap<Pair, RationalFunction>);
+/// The product of an affine polynomial with a variable.
+pub(crate) fn times(affine: &Quadratic, variable: usize) -> Option<Quadratic> {
+    let is_affine = affine.terms().all(|(monomial, _)| monomial.size() <= 1);
+    is_affine.then(|| affine.shifted(&Monomial::power(variable, 1)))
+}
 
-impl Quadratic {
-    /// A multiple of a variable.
-    pub(crate) fn multiple(variable: usize, factor: &RationalFunction) -> Self {
-        let mut sum = Self::default();
-        sum.add((None, Some(variable)), factor);
-        sum
+/// The polynomial over its common denominator, variable i of the lift being `Variable(i)` and
+/// parameter k `Variable(variables + k)`.
+pub(crate) fn component(polynomial: &Quadratic, variables: usize) -> RationalFunction {
+    let number = |index: usize| Variable(u16::try_from(index).expect("a lift has few variables"));
+    let shift = |polynomial: &Polynomial| {
+        polynomial.map_variables(|parameter| number(usize::from(parameter.0) + variables))
+    };
+    let mut sum = RationalFunction::zero();
+    for (monomial, value) in polynomial.terms() {
+        let powers =
+            monomial.powers().map(|(variable, power)| (number(variable), u32::from(power.unsigned_abs())));
+        let above = shift(value.numerator()).mul_monomial(&powers.collect());
+        let value = RationalFunction::new(above, shift(value.denominator()));
+        sum = &sum + &value.expect("denominators are not 0");
     }
-
-    /// A polynomial of degree at most two in the states.
-    pub(crate) fn in_states(polynomial: &Laurent) -> Self {
-        let mut sum = Self::default();
-        for (monomial, coefficient) in polynomial.terms() {
-            let repeated = |(state, power): (usize, i16)| {
-                std::iter::repeat_n(state, usize::try_from(power).expect("a power of a polynomial"))
-            };
-            let mut factors = monomial.powers().flat_map(repeated);
-            sum.add((factors.next(), factors.next()), coefficient);
-        }
-        sum
-    }
-
-    /// The product of two variables.
-    pub(crate) fn product(left: usize, right: usize) -> Self {
-        let mut product = Self::default();
-        product.add((Some(left), Some(right)), &RationalFunction::one());
-        product
-    }
-
-    fn add(&mut self, (left, right): Pair, factor: &RationalFunction) {
-        let pair = (left.min(right), left.max(right));
-        let sum = self.0.get(&pair).map_or_else(|| factor.clone(), |known| known + factor);
-        if sum.is_zero() {
-            self.0.remove(&pair);
-        } else {
-            self.0.insert(pair, sum);
-        }
-    }
-
-    /// Adds a multiple of another polynomial.
-    pub(crate) fn add_scaled(&mut self, other: &Self, factor: &RationalFunction) {
-        other.0.iter().for_each(|(&pair, value)| self.add(pair, &(value * factor)));
-    }
-
-    /// The product of an affine polynomial with a variable.
-    pub(crate) fn times(&self, variable: usize) -> Option<Self> {
-        let mut product = Self::default();
-        for (&(left, right), value) in &self.0 {
-            if left.is_some() {
-                return None;
-            }
-            product.add((right, Some(variable)), value);
-        }
-        Some(product)
-    }
-
-    /// The polynomial over its common denominator, variable i of the lift being `Variable(i)` and
-    /// parameter k `Variable(variables + k)`.
-    pub(crate) fn component(&self, variables: usize) -> RationalFunction {
-        let number = |index: usize| Variable(u16::try_from(index).expect("a lift has few variables"));
-        let shift = |polynomial: &Polynomial| {
-            polynomial.map_variables(|parameter| number(usize::from(parameter.0) + variables))
-        };
-        let factor = |variable: Option<usize>| {
-            variable.map_or_else(RationalFunction::one, |index| RationalFunction::variable(number(index)))
-        };
-        let mut sum = RationalFunction::zero();
-        for (&(left, right), value) in &self.0 {
-            let value = RationalFunction::new(shift(value.numerator()), shift(value.denominator()));
-            let product = &factor(left) * &factor(right);
-            sum = &sum + &(&value.expect("denominators are not 0") * &product);
-        }
-        sum
-    }
+    sum
 }
 
 /// The products of variables, by the monomial that they are.
 #[derive(Debug)]
 pub(crate) struct Products<'a> {
     ring: &'a Ring,
-    variables: &'a [Laurent],
+    /// The values of the states, then of the new variables.
+    variables: Vec<Laurent>,
     /// In order, as relations are numbered in answers.
-    direct: BTreeMap<Monomial, Vec<Pair>>,
+    direct: BTreeMap<Monomial, Vec<Monomial>>,
     derived: BTreeMap<Monomial, Quadratic>,
     /// Polynomials between the variables that are 0.
     pub relations: Vec<Quadratic>,
 }
 
 impl<'a> Products<'a> {
-    /// All products of at most two variables.
-    pub(crate) fn new(ring: &'a Ring, variables: &'a [Laurent]) -> Self {
-        let mut products = Products {
-            ring,
-            variables,
-            direct: BTreeMap::new(),
-            derived: BTreeMap::new(),
-            relations: Vec::new(),
-        };
+    /// All products of at most two variables: of states and new ones.
+    pub(crate) fn new(ring: &'a Ring, new: &[Laurent]) -> Self {
+        let states = (0..ring.field.len()).map(Laurent::coordinate);
+        let variables: Vec<Laurent> = states.chain(new.iter().cloned()).collect();
+        let mut direct: BTreeMap<Monomial, Vec<Monomial>> = BTreeMap::new();
         let one = Laurent::from(Monomial::one());
-        let value = |index: Option<usize>| index.map_or(&one, |index| &variables[index]);
+        let numbered = variables.iter().enumerate().map(|(i, value)| (Monomial::power(i, 1), value));
+        let factors: Vec<(Monomial, &Laurent)> =
+            std::iter::once((Monomial::one(), &one)).chain(numbered).collect();
         let mut composite = Vec::new();
-        let indices: Vec<Option<usize>> =
-            std::iter::once(None).chain((0..variables.len()).map(Some)).collect();
-        for (at, &left) in indices.iter().enumerate() {
-            for &right in &indices[at..] {
-                let product = ring.product(value(left), value(right));
+        for (at, (left, left_value)) in factors.iter().enumerate() {
+            for (right, right_value) in &factors[at..] {
+                let (pair, product) = (left.times(right), ring.product(left_value, right_value));
                 match product.as_monomial() {
-                    Some(monomial) => {
-                        products.direct.entry(monomial.clone()).or_default().push((left, right));
-                    }
-                    None => composite.push(((left, right), product)),
+                    Some(monomial) => direct.entry(monomial.clone()).or_default().push(pair),
+                    None => composite.push((pair, product)),
                 }
             }
         }
+        let (derived, relations) = (BTreeMap::new(), Vec::new());
+        let mut products = Products { ring, variables, direct, derived, relations };
         products.derive(composite);
         products
     }
 
     /// Finds the monomials that follow from a product with no other unknown monomial, and the
     /// relations that products without an unknown monomial are.
-    fn derive(&mut self, mut composite: Vec<(Pair, Laurent)>) {
+    fn derive(&mut self, mut composite: Vec<(Monomial, Laurent)>) {
         loop {
             let before = composite.len();
             let mut rest = Vec::new();
@@ -152,8 +94,7 @@ impl<'a> Products<'a> {
                     rest.push((pair, product));
                     continue;
                 }
-                let mut sum = Quadratic::default();
-                sum.add(pair, &RationalFunction::one());
+                let mut sum = Quadratic::from(pair);
                 for (monomial, coefficient) in product.terms() {
                     if let Some(known) = self.known(monomial) {
                         sum.add_scaled(&known, &-coefficient);
@@ -162,10 +103,8 @@ impl<'a> Products<'a> {
                 match unknown.first() {
                     None => self.relations.push(sum),
                     Some(only) => {
-                        let inverse = RationalFunction::one().checked_div(&product.coefficient(only));
-                        let mut value = Quadratic::default();
-                        value.add_scaled(&sum, &inverse.expect("a coefficient is not 0"));
-                        self.derived.insert(only.clone(), value);
+                        let inverse = product.coefficient(only).recip().expect("a coefficient is not 0");
+                        self.derived.insert(only.clone(), sum.scale(&inverse));
                     }
                 }
             }
@@ -174,115 +113,99 @@ impl<'a> Products<'a> {
             }
             composite = rest;
         }
-        let direct: Vec<Vec<Pair>> = self.direct.values().filter(|pairs| pairs.len() > 1).cloned().collect();
-        for pairs in direct {
-            for &other in &pairs[1..] {
-                let mut relation = Quadratic::default();
-                relation.add(pairs[0], &RationalFunction::one());
-                relation.add(other, &-&RationalFunction::one());
+        for pairs in self.direct.values() {
+            for other in &pairs[1..] {
+                let mut relation = Quadratic::from(pairs[0].clone());
+                relation.add_term(other.clone(), &-&RationalFunction::one());
                 self.relations.push(relation);
             }
         }
     }
 
     fn known(&self, monomial: &Monomial) -> Option<Quadratic> {
-        if let Some(pairs) = self.direct.get(monomial) {
-            let mut first = Quadratic::default();
-            first.add(pairs[0], &RationalFunction::one());
-            return Some(first);
-        }
-        self.derived.get(monomial).cloned()
+        let direct = self.direct.get(monomial).map(|pairs| Quadratic::from(pairs[0].clone()));
+        direct.or_else(|| self.derived.get(monomial).cloned())
     }
 
     /// The polynomial as an affine polynomial in the variables.
     pub(crate) fn affine(&self, polynomial: &Laurent) -> Option<Quadratic> {
         let mut sum = Quadratic::default();
         for (monomial, coefficient) in polynomial.terms() {
-            let pairs = self.direct.get(monomial)?;
-            let pair = pairs.iter().find(|(left, _)| left.is_none())?;
-            sum.add(*pair, coefficient);
+            let single = self.direct.get(monomial)?.iter().find(|pair| pair.size() <= 1)?;
+            sum.add_term(single.clone(), coefficient);
         }
         Some(sum)
     }
 
-    /// The ways to write the derivative of a variable, the preferred one first. `of` is the
-    /// variable, `states` the number of original ones.
-    fn ways(&self, derivative: &Laurent, of: usize, states: usize) -> Option<Vec<Quadratic>> {
+    /// The ways to write the derivative of a variable, the preferred one first.
+    fn ways(&self, of: usize) -> Option<Vec<Quadratic>> {
+        let states = self.ring.field.len();
         let mut ways = vec![Quadratic::default()];
-        for (monomial, coefficient) in derivative.terms() {
-            let mut options: Vec<Quadratic> = Vec::new();
+        for (monomial, coefficient) in self.ring.derivative(&self.variables[of]).terms() {
             let mut pairs = self.direct.get(monomial).cloned().unwrap_or_default();
             // A decay of the variable itself keeps its relation; otherwise original states do.
             let is_negative = coefficient.numerator().leading_term().is_some_and(|(_, c)| c.is_negative());
-            let new = |index: Option<usize>| usize::from(index.is_some_and(|index| index >= states));
-            pairs.sort_by_key(|&(left, right)| {
-                let is_own = left.is_none() && right == Some(of);
-                (!(is_own && is_negative), new(left) + new(right), left, right)
-            });
+            let new = |pair: &Monomial| {
+                pair.powers().filter(|&(index, _)| index >= states).map(|(_, power)| power).sum::<i16>()
+            };
+            pairs.sort_by_key(|pair| (!(*pair == Monomial::power(of, 1) && is_negative), new(pair)));
             // The equation of a state stays as it is written where it is quadratic already.
-            if of < states && pairs.first().is_some_and(|&(left, right)| new(left) + new(right) == 0) {
+            if of < states && pairs.first().is_some_and(|pair| new(pair) == 0) {
                 pairs.truncate(1);
             }
-            for pair in pairs {
-                let mut option = Quadratic::default();
-                option.add(pair, &RationalFunction::one());
-                options.push(option);
-            }
+            let mut options: Vec<Quadratic> = pairs.into_iter().map(Quadratic::from).collect();
             if options.is_empty() {
                 options.push(self.known(monomial)?);
             }
             let keep = if ways.len() * options.len() > MOST_WAYS { 1 } else { options.len() };
-            ways = options[..keep]
-                .iter()
-                .flat_map(|option| {
-                    ways.iter().map(|way| {
-                        let mut way = way.clone();
-                        way.add_scaled(option, coefficient);
-                        way
-                    })
-                })
-                .collect();
+            let sum = |way: &Quadratic, option: &Quadratic| {
+                let mut sum = way.clone();
+                sum.add_scaled(option, coefficient);
+                sum
+            };
+            let sums = |option| ways.iter().map(move |way| sum(way, option));
+            ways = options[..keep].iter().flat_map(sums).collect();
         }
         Some(ways)
     }
 
     /// The forms of the field: lists of equations, one a variable, the preferred form first.
     /// `fixed` holds equations that have one form.
-    pub(crate) fn forms(
-        &self,
-        states: usize,
-        fixed: &BTreeMap<usize, Quadratic>,
-    ) -> Option<Vec<Vec<Quadratic>>> {
+    pub(crate) fn forms(&self, fixed: &BTreeMap<usize, Quadratic>) -> Option<Vec<Vec<Quadratic>>> {
         let mut ways = Vec::new();
-        for (index, variable) in self.variables.iter().enumerate() {
+        for index in 0..self.variables.len() {
             ways.push(match fixed.get(&index) {
                 Some(equation) => vec![equation.clone()],
-                None => self.ways(&self.ring.derivative(variable), index, states)?,
+                None => self.ways(index)?,
             });
         }
-        self.add_product_rules(&mut ways, states);
-        let mut forms: Vec<Vec<Quadratic>> = vec![Vec::new()];
+        self.add_product_rules(&mut ways);
+        // Which way each equation is written.
+        let mut choices: Vec<Vec<usize>> = vec![Vec::new()];
         let mut left: usize = MOST_FORMS;
-        for ways in ways {
+        for ways in &ways {
             let keep = ways.len().min(left);
             left /= keep;
-            forms = ways[..keep]
-                .iter()
-                .flat_map(|way| forms.iter().map(|form| [form.clone(), vec![way.clone()]].concat()))
+            choices = (0..keep)
+                .flat_map(|way| choices.iter().map(move |choice| [&choice[..], &[way]].concat()))
                 .collect();
         }
-        Some(forms)
+        let form =
+            |choice: Vec<usize>| ways.iter().zip(choice).map(|(ways, way)| ways[way].clone()).collect();
+        Some(choices.into_iter().map(form).collect())
     }
 
     /// Puts the product rule (uv)′ = u′v + uv′ first among the ways of a variable that is a product
     /// of variables whose equations are affine: the lifted field then keeps its relation. States
     /// keep their equations.
-    fn add_product_rules(&self, ways: &mut [Vec<Quadratic>], states: usize) {
-        for (index, variable) in self.variables.iter().enumerate().skip(states) {
+    fn add_product_rules(&self, ways: &mut [Vec<Quadratic>]) {
+        for (index, variable) in self.variables.iter().enumerate().skip(self.ring.field.len()) {
             let Some(monomial) = variable.as_monomial() else { continue };
-            for &(left, right) in &self.direct[monomial] {
-                let (Some(left), Some(right)) = (left, right) else { continue };
-                let rule = ways[left][0].times(right).zip(ways[right][0].times(left));
+            for pair in self.direct[monomial].iter().filter(|pair| pair.size() == 2) {
+                let mut factors = pair.powers().map(|(factor, _)| factor);
+                let Some(left) = factors.next() else { continue };
+                let right = factors.next().unwrap_or(left);
+                let rule = times(&ways[left][0], right).zip(times(&ways[right][0], left));
                 if let Some((mut rule, other)) = rule.filter(|_| left != index && right != index) {
                     rule.add_scaled(&other, &RationalFunction::one());
                     ways[index].retain(|way| *way != rule);

@@ -67,6 +67,7 @@ impl Reader {
             let before = self.units.clone();
             self.constants.clear();
             self.ring = Ring::default();
+            self.ring.parameters = self.parameters.len();
             for state in 0..self.states.len() {
                 self.ring.add(Meaning::State(state), Laurent::number(Rational::one()));
             }
@@ -89,22 +90,25 @@ impl Reader {
 
     /// Reads an expression.
     pub(crate) fn expr(&mut self, expr: &Expr<InFormula>) -> Read<Laurent> {
+        self.signed(expr, 1)
+    }
+
+    /// Reads the power of an expression with the exponent 1 or −1. Each factor of a product is
+    /// inverted alone: the inverse of P² is a power of that of P, of which other powers are powers
+    /// as well.
+    fn signed(&mut self, expr: &Expr<InFormula>, sign: i64) -> Read<Laurent> {
         let value = match &expr.kind {
-            ExprKind::Number(value) => Laurent::number(value.clone()),
-            ExprKind::Name(name) => self.name(name, expr.span)?,
-            ExprKind::Negation(inner) => self.expr(inner)?.scale(&-&RationalFunction::one()),
-            ExprKind::Sum(terms) => {
-                let mut sum = Laurent::zero();
-                for term in terms {
-                    let sign = Rational::from(if term.negative { -1 } else { 1 });
-                    sum.add_scaled(&self.expr(&term.expr)?, &RationalFunction::constant(sign));
+            ExprKind::Product(factors) => {
+                let mut product = Laurent::number(Rational::one());
+                for Factor { expr: inner, divides } in factors {
+                    let value = self.signed(inner, if *divides { -sign } else { sign })?;
+                    product = self.product(&product, &value, expr.span)?;
                 }
-                sum
+                product
             }
-            ExprKind::Product(factors) => self.quotient(factors, false, expr.span)?,
             ExprKind::Power(base, exponent) => {
                 let base = self.expr(base)?;
-                self.power(&base, &Rational::from(*exponent), expr.span)?
+                self.power(&base, &(&Rational::from(*exponent) * &Rational::from(sign)), expr.span)?
             }
             ExprKind::Special(InFormula::Power(parts)) => {
                 let is_e = matches!(&parts[0].kind, ExprKind::Name(name) if name == "e");
@@ -113,7 +117,21 @@ impl Reader {
                     return refuse(expr.span, "`e` is read as a name, not as the number 2.718…", help);
                 }
                 let (base, exponent) = (self.expr(&parts[0])?, self.expr(&parts[1])?);
-                self.general_power(&base, &exponent, expr.span)?
+                self.general_power(&base, &exponent.scale(&whole(sign)), expr.span)?
+            }
+            _ if sign < 0 => {
+                let value = self.expr(expr)?;
+                self.power(&value, &Rational::from(-1), expr.span)?
+            }
+            ExprKind::Number(value) => Laurent::number(value.clone()),
+            ExprKind::Name(name) => self.name(name, expr.span)?,
+            ExprKind::Negation(inner) => self.expr(inner)?.scale(&whole(-1)),
+            ExprKind::Sum(terms) => {
+                let mut sum = Laurent::zero();
+                for term in terms {
+                    sum.add_scaled(&self.expr(&term.expr)?, &whole(if term.negative { -1 } else { 1 }));
+                }
+                sum
             }
             ExprKind::Special(InFormula::Call { function, arguments }) => match &arguments[..] {
                 [_] if self.states.contains(function) => {
@@ -144,37 +162,6 @@ impl Reader {
             return refuse(expr.span, message, "name a part of it as a parameter or a state");
         }
         Ok(value)
-    }
-
-    /// The product of the factors, or the inverse of it. Each factor is inverted alone: the inverse
-    /// of P² is a power of that of P, of which other powers are powers as well.
-    fn quotient(&mut self, factors: &[Factor<InFormula>], is_inverted: bool, span: Span) -> Read<Laurent> {
-        let mut product = Laurent::number(Rational::one());
-        for Factor { expr, divides } in factors {
-            let value = if *divides == is_inverted { self.expr(expr)? } else { self.inverse(expr)? };
-            product = self.product(&product, &value, span)?;
-        }
-        Ok(product)
-    }
-
-    fn inverse(&mut self, expr: &Expr<InFormula>) -> Read<Laurent> {
-        match &expr.kind {
-            ExprKind::Product(factors) => self.quotient(factors, true, expr.span),
-            ExprKind::Power(base, exponent) => {
-                let base = self.expr(base)?;
-                self.power(&base, &-&Rational::from(*exponent), expr.span)
-            }
-            kind => {
-                if let ExprKind::Special(InFormula::Power(parts)) = kind
-                    && let Some(exponent) = self.expr(&parts[1])?.as_number()
-                {
-                    let base = self.expr(&parts[0])?;
-                    return self.power(&base, &-&exponent, expr.span);
-                }
-                let value = self.expr(expr)?;
-                self.power(&value, &Rational::from(-1), expr.span)
-            }
-        }
     }
 
     fn name(&self, name: &str, span: Span) -> Read<Laurent> {
@@ -304,15 +291,9 @@ impl Reader {
         let symbolic = &exponent - &RationalFunction::constant(constant.clone());
         let (content, primitive) = signed_content(&symbolic);
         let meaning = Meaning::Power(base.clone(), primitive.clone());
-        let coordinate = match self.ring.find(&meaning) {
-            Some(known) => known,
-            None => {
-                let inverse = self.power(base, &Rational::from(-1), span)?;
-                let coordinate = self.ring.coordinates.len();
-                let slope = inverse.shifted(&Monomial::power(coordinate, 1)).scale(&primitive);
-                self.ring.add(meaning, slope)
-            }
-        };
+        let inverse = self.power(base, &Rational::from(-1), span)?.scale(&primitive);
+        let slope = |own| inverse.shifted(&Monomial::power(own, 1));
+        let coordinate = self.ring.coordinate(meaning, slope);
         let Some(times) = content.as_i64().filter(|times| times.abs() <= LARGEST_POWER) else {
             let help = "write the exponent as an integer multiple of a parameter";
             return refuse(span, "this exponent is a fraction of a parameter", help);
@@ -346,47 +327,32 @@ impl Reader {
                 let slope = inverse(self, argument)?;
                 Ok(self.function(Function::Log, argument, slope))
             }
-            "atan" | "arctan" => {
-                self.inverse_function(Function::Atan, argument, [1, 1], Rational::from(-1), span)
+            _ => {
+                // `arctan` is `atan`.
+                let name = function.replace("arc", "a");
+                let found = INVERSES.iter().find(|(one, ..)| one.name() == name);
+                let Some(&(function, [constant, square], [above, below])) = found else {
+                    return refuse(span, unknown(function), KNOWN);
+                };
+                let mut radicand = self.product(argument, argument, span)?.scale(&whole(square));
+                radicand.add_term(Monomial::one(), &whole(constant));
+                let slope = self.power(&radicand, &Rational::new(above, below), span)?;
+                Ok(self.function(function, argument, slope))
             }
-            "asin" | "arcsin" => {
-                self.inverse_function(Function::Asin, argument, [1, -1], Rational::new(-1, 2), span)
-            }
-            "asinh" => self.inverse_function(Function::Asinh, argument, [1, 1], Rational::new(-1, 2), span),
-            "acosh" => self.inverse_function(Function::Acosh, argument, [-1, 1], Rational::new(-1, 2), span),
-            "atanh" => self.inverse_function(Function::Atanh, argument, [1, -1], Rational::from(-1), span),
-            _ => refuse(span, unknown(function), KNOWN),
         }
     }
 
     fn function(&mut self, function: Function, argument: &Laurent, slope: Laurent) -> Laurent {
         let meaning = Meaning::Function(function, argument.clone());
-        let known = self.ring.find(&meaning);
-        Laurent::coordinate(known.unwrap_or_else(|| self.ring.add(meaning, slope)))
+        Laurent::coordinate(self.ring.coordinate(meaning, |_| slope))
     }
 
     /// A function T with the slope 1 ± T².
     fn tangent(&mut self, function: Function, argument: &Laurent, sign: i64) -> Laurent {
         let own = Monomial::power(self.ring.coordinates.len(), 2);
         let mut slope = Laurent::number(Rational::one());
-        slope.add_term(own, &RationalFunction::constant(Rational::from(sign)));
+        slope.add_term(own, &whole(sign));
         self.function(function, argument, slope)
-    }
-
-    /// A function with the slope (a + b u²)^exponent.
-    fn inverse_function(
-        &mut self,
-        function: Function,
-        argument: &Laurent,
-        [constant, square]: [i64; 2],
-        exponent: Rational,
-        span: Span,
-    ) -> Read<Laurent> {
-        let mut radicand = Laurent::number(Rational::from(constant));
-        let squared = self.product(argument, argument, span)?;
-        radicand.add_scaled(&squared, &RationalFunction::constant(Rational::from(square)));
-        let slope = self.power(&radicand, &exponent, span)?;
-        Ok(self.function(function, argument, slope))
     }
 
     /// exp u, as a product over the terms of u unless one of them is constant.
@@ -406,10 +372,7 @@ impl Reader {
             let unit = self.unit(Family::Exponential, &primitive, &multiple);
             let inner = primitive.scale(&RationalFunction::constant(unit.clone()));
             let meaning = Meaning::Function(Function::Exp, inner);
-            let coordinate = self.ring.find(&meaning).unwrap_or_else(|| {
-                let slope = Laurent::coordinate(self.ring.coordinates.len());
-                self.ring.add(meaning, slope)
-            });
+            let coordinate = self.ring.coordinate(meaning, Laurent::coordinate);
             product = product.times(&Monomial::power(coordinate, self.times(&multiple, &unit, span)?));
         }
         Ok(Laurent::from(product))
@@ -440,7 +403,7 @@ impl Reader {
             Family::Circular => ([Function::Sin, Function::Cos], -1),
             _ => ([Function::Sinh, Function::Cosh], 1),
         };
-        let sign = RationalFunction::constant(Rational::from(sign));
+        let sign = whole(sign);
         let sine = Meaning::Function(functions[0], inner.clone());
         let at = self.ring.find(&sine).unwrap_or_else(|| {
             let at = self.ring.coordinates.len();
@@ -464,7 +427,7 @@ impl Reader {
             sine = next;
         }
         if times < 0 {
-            sine = sine.scale(&-&RationalFunction::one());
+            sine = sine.scale(&whole(-1));
         }
         Ok([sine, cosine])
     }
@@ -478,6 +441,15 @@ const QUOTIENTS: [(&str, Option<&str>, &str); 6] = [
     ("coth", Some("cosh"), "sinh"),
     ("sech", None, "cosh"),
     ("csch", None, "sinh"),
+];
+
+/// Functions of u with the slopes (a + b u²)^e: \[a, b\], and e as a ratio.
+const INVERSES: [(Function, [i64; 2], [i64; 2]); 5] = [
+    (Function::Atan, [1, 1], [-1, 1]),
+    (Function::Asin, [1, -1], [-1, 2]),
+    (Function::Asinh, [1, 1], [-1, 2]),
+    (Function::Acosh, [-1, 1], [-1, 2]),
+    (Function::Atanh, [1, -1], [-1, 1]),
 ];
 
 const KNOWN: &str = "functions are sin, cos, tan, cot, sec, csc, sinh, cosh, tanh, coth, sech, csch, exp, log, sqrt, \
@@ -523,6 +495,10 @@ fn reason(function: &str) -> Option<(String, &'static str)> {
 
 fn unknown(function: &str) -> String {
     format!("`{function}(…)` is no function that can be lifted")
+}
+
+fn whole(number: i64) -> RationalFunction {
+    RationalFunction::constant(Rational::from(number))
 }
 
 fn small(number: i64) -> i16 {

@@ -78,9 +78,9 @@ impl Embedding {
                 // Odd roots have the sign of what they are of.
                 Step::RealPower(_, exponent) => !matches!(
                     self.steps[exponent],
-                    Step::Number(bits) if f64::from_bits(bits).recip().round() % 2.0 != 0.0
+                    Step::Number(index) if self.numbers[index].1.recip().round() % 2.0 != 0.0
                 ),
-                Step::Number(bits) => f64::from_bits(bits) > 0.0,
+                Step::Number(index) => self.numbers[index].1 > 0.0,
                 Step::Sum(a, b) | Step::Product(a, b) | Step::Quotient(a, b) => positive[a] && positive[b],
                 Step::Power(a, _) => positive[a],
                 Step::State(_)

@@ -132,11 +132,14 @@ pub(crate) struct Ring {
     rules: Vec<Rule>,
     /// The derivatives of the states.
     pub field: Vec<Laurent>,
+    /// The number of parameters.
+    pub parameters: usize,
     derivatives: Memory,
     normal: Memory,
 }
 
-/// Polynomials of monomials that were computed before; rings are shared between threads.
+/// Polynomials of monomials that were computed before. Rings are shared between threads; a clone
+/// begins with none, as most need few.
 #[derive(Debug, Default)]
 struct Memory(Mutex<FxHashMap<Monomial, Laurent>>);
 
@@ -148,8 +151,16 @@ impl Memory {
 
 impl Clone for Memory {
     fn clone(&self) -> Self {
-        Memory(Mutex::new(self.known().clone()))
+        Memory::default()
     }
+}
+
+/// The leading monomial of a polynomial with this value, and the polynomial that equals it.
+fn solved(polynomial: &Laurent, value: Monomial) -> (Monomial, Laurent) {
+    let (leading, factor) = polynomial.leading_term().expect("roots and sums have terms");
+    let mut instead = Laurent::from(value);
+    instead.add_scaled(&polynomial.filtered(|monomial| monomial != leading), &-&RationalFunction::one());
+    (leading.clone(), instead.scale(&factor.recip().expect("coefficients are not 0")))
 }
 
 impl Ring {
@@ -164,6 +175,14 @@ impl Ring {
         self.coordinates.iter().position(|known| known.meaning == *meaning)
     }
 
+    /// The coordinate with this meaning. Where it is new, `slope` gives F′(u) by its number.
+    pub(crate) fn coordinate(&mut self, meaning: Meaning, slope: impl FnOnce(usize) -> Laurent) -> usize {
+        self.find(&meaning).unwrap_or_else(|| {
+            let slope = slope(self.coordinates.len());
+            self.add(meaning, slope)
+        })
+    }
+
     /// Adds the relation monomial = polynomial.
     pub(crate) fn replace(&mut self, monomial: Monomial, polynomial: Laurent) {
         self.rules.push(Rule::Replace(monomial, polynomial));
@@ -172,25 +191,15 @@ impl Ring {
 
     /// Adds the relation b^index = base.
     pub(crate) fn relate_root(&mut self, coordinate: usize, index: i16, base: &Laurent) {
-        let (leading, factor) = base.leading_term().expect("a root is of something");
-        let scale = RationalFunction::one().checked_div(factor).expect("coefficients are not 0");
-        let mut instead = Laurent::from(Monomial::power(coordinate, index));
-        instead.add_scaled(&base.filtered(|monomial| monomial != leading), &-&RationalFunction::one());
-        let instead = instead.scale(&scale);
-        self.rules.push(Rule::Root {
-            coordinate,
-            index,
-            base: base.clone(),
-            leading: leading.clone(),
-            instead,
-        });
+        let (leading, instead) = solved(base, Monomial::power(coordinate, index));
+        self.rules.push(Rule::Root { coordinate, index, base: base.clone(), leading, instead });
         self.forget();
     }
 
     /// Sets the derivatives of the states.
     pub(crate) fn set_field(&mut self, field: Vec<Laurent>) {
         self.field = field;
-        self.forget();
+        self.derivatives.known().clear();
     }
 
     /// The ring with sums that occur in derivatives as coordinates: for the base P of each root,
@@ -198,10 +207,7 @@ impl Ring {
     /// in r, x·p and p·p. `None` if no derivative has such a part.
     pub(crate) fn grouped(&self) -> Option<Self> {
         let mut ring = self.clone();
-        let is_polynomial = |monomial: &Monomial| {
-            monomial.size() > 1
-                && monomial.powers().all(|(state, exponent)| state < self.field.len() && exponent > 0)
-        };
+        let is_polynomial = |monomial: &Monomial| monomial.size() > 1 && monomial.is_in(self.field.len());
         let bases = self.coordinates.iter().filter_map(|coordinate| match &coordinate.meaning {
             Meaning::Root(base, _) if base.len() > 1 => Some(base),
             _ => None,
@@ -215,12 +221,8 @@ impl Ring {
                     break;
                 }
                 let coordinate = ring.add(Meaning::Sum(sum.clone()), Laurent::number(Rational::one()));
-                let (leading, factor) = sum.leading_term().expect("at least two terms");
-                let mut instead = Laurent::coordinate(coordinate);
-                let rest = sum.filtered(|monomial| monomial != leading);
-                instead.add_scaled(&rest, &-&RationalFunction::one());
-                let scale = RationalFunction::one().checked_div(factor).expect("coefficients are not 0");
-                ring.replace(leading.clone(), instead.scale(&scale));
+                let (leading, instead) = solved(&sum, Monomial::power(coordinate, 1));
+                ring.replace(leading, instead);
             }
         }
         let field = ring.field.iter().map(|side| ring.normalised(side)).collect();

@@ -6,6 +6,7 @@
 //! budget of nodes ends first, a greedy closure is improved by local changes. No clock is read.
 
 use std::cmp::Reverse;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use kahan_algebra::prime_field::Shake256;
@@ -26,14 +27,14 @@ pub(crate) struct Problem {
     /// variables.
     pub required: Vec<Monomial>,
     /// The coordinates whose powers in new variables may be negative.
-    pub negative: Vec<usize>,
+    pub negative: BTreeSet<usize>,
 }
 
 /// Sets of new variables.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     /// Sets in ascending order: of the least size that was found, then larger ones.
-    pub sets: Vec<Vec<Monomial>>,
+    pub sets: Vec<Vec<Laurent>>,
     /// Whether all smaller sets were tried in which each missing monomial is a product of two
     /// variables.
     pub is_optimal: bool,
@@ -135,7 +136,7 @@ pub(crate) fn search(
 /// Finds a closed set, not always a smallest one, in which each variable has a quadratic relation
 /// of its own: it is the product of two others, or the inverse of a polynomial whose product with
 /// it can be written.
-pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Monomial>> {
+pub(crate) fn founded(ring: &Ring, problem: &Problem) -> Option<Vec<Laurent>> {
     let mut search = Search { founded: true, ..Search::new(ring, problem, 0) };
     let mut seeds: Vec<Id> = Vec::new();
     for coordinate in &ring.coordinates {
@@ -210,11 +211,11 @@ impl<'a> Search<'a> {
         })
     }
 
-    fn monomials(&self, sets: Vec<Vec<Id>>) -> Vec<Vec<Monomial>> {
+    fn monomials(&self, sets: Vec<Vec<Id>>) -> Vec<Vec<Laurent>> {
         let set = |ids: Vec<Id>| {
             let mut set: Vec<Monomial> = ids.iter().map(|&id| self.table.monomial(id).clone()).collect();
             set.sort_unstable_by_key(|one| (one.size(), Reverse(one.clone())));
-            set
+            set.into_iter().map(Laurent::from).collect()
         };
         sets.into_iter().map(set).collect()
     }

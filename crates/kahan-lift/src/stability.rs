@@ -6,9 +6,11 @@
 //!
 //! along the orbit. A lift is usable where the solutions of r′ = Λ r stay bounded.
 
+use crate::embedding::Builder;
+use crate::energy::slopes;
 use crate::laurent::Laurent;
-use crate::numeric::{Numeric, NumericLaurent, quadratic};
 use crate::quadratic::Quadratic;
+use crate::ring::Ring;
 
 /// The time over which orbits are followed.
 const HORIZON: f64 = 100.0;
@@ -52,6 +54,7 @@ impl Growth {
 pub(crate) struct Orbit {
     /// Steps of time, and the states in their middle.
     points: Vec<(f64, Vec<f64>)>,
+    parameters: Vec<f64>,
 }
 
 fn advanced(x: &[f64], slope: &[f64], time: f64) -> Vec<f64> {
@@ -59,23 +62,36 @@ fn advanced(x: &[f64], slope: &[f64], time: f64) -> Vec<f64> {
 }
 
 /// A step of the classical Runge–Kutta method.
-fn runge_kutta(numeric: &Numeric, x: &[f64], h: f64) -> Vec<f64> {
-    let a = numeric.field(x);
-    let b = numeric.field(&advanced(x, &a, h / 2.0));
-    let c = numeric.field(&advanced(x, &b, h / 2.0));
-    let d = numeric.field(&advanced(x, &c, h));
+fn runge_kutta(field: impl Fn(&[f64]) -> Vec<f64>, x: &[f64], h: f64) -> Vec<f64> {
+    let a = field(x);
+    let b = field(&advanced(x, &a, h / 2.0));
+    let c = field(&advanced(x, &b, h / 2.0));
+    let d = field(&advanced(x, &c, h));
     (0..x.len()).map(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])).collect()
+}
+
+/// The product of two square matrices, row by row. Most entries of the left one are 0.
+fn multiply(left: &[f64], right: &[f64], product: &mut [f64], count: usize) {
+    product.fill(0.0);
+    for (place, &factor) in left.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
+        let (row, of) = (place / count * count, place % count * count);
+        for k in 0..count {
+            product[row + k] += factor * right[of + k];
+        }
+    }
 }
 
 impl Orbit {
     /// The orbit over the horizon, or as far as it is finite.
-    pub(crate) fn new(numeric: &Numeric, start: &[f64]) -> Self {
+    pub(crate) fn new(ring: &Ring, start: &[f64], parameters: &[f64]) -> Self {
+        let field = Builder::embedding(ring, &ring.field);
+        let field = |x: &[f64]| field.values(x, parameters);
         let (mut x, mut time, mut h) = (start.to_vec(), 0.0, 0.01);
         let mut points = Vec::new();
         while time < HORIZON && points.len() < MOST_POINTS {
-            let whole = runge_kutta(numeric, &x, h);
-            let half = runge_kutta(numeric, &x, h / 2.0);
-            let next = runge_kutta(numeric, &half, h / 2.0);
+            let whole = runge_kutta(field, &x, h);
+            let half = runge_kutta(field, &x, h / 2.0);
+            let next = runge_kutta(field, &half, h / 2.0);
             let size = next.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
             let error = next.iter().zip(&whole).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
             if !(error.is_finite() && size.is_finite()) || error > TOLERANCE * size {
@@ -92,25 +108,31 @@ impl Orbit {
                 h = (2.0 * h).min(0.05);
             }
         }
-        Orbit { points }
+        Orbit { points, parameters: parameters.to_vec() }
     }
 
     /// How errors of the relations grow along the orbit; `new` are the new variables, `field` one
     /// equation a variable, those of the states first.
-    pub(crate) fn growth(
-        &self,
-        numeric: &Numeric,
-        new: &[Laurent],
-        field: &[Quadratic],
-        parameters: &[f64],
-    ) -> Growth {
-        let states = field.len() - new.len();
-        let functions: Vec<NumericLaurent> = new.iter().map(|one| numeric.laurent(one)).collect();
-        let field: Vec<_> = field.iter().map(|equation| quadratic(equation, parameters)).collect();
-        let count = new.len();
+    pub(crate) fn growth(&self, ring: &Ring, new: &[Laurent], field: &[Quadratic]) -> Growth {
+        let (states, count) = (ring.field.len(), new.len());
         if count == 0 {
             return Growth { exponent: 0.0, amplification: 1.0, half: 1.0 };
         }
+        // Dg, then ∂F/∂w with the values of the variables.
+        let mut entries = slopes(ring, states, new.iter());
+        for equation in &field[..states + count] {
+            for k in 0..count {
+                let mut entry = Laurent::zero();
+                for (variable, factor) in equation.partial(states + k).terms() {
+                    let new =
+                        variable.powers().next().and_then(|(index, _)| new.get(index.checked_sub(states)?));
+                    entry.add_scaled(new.unwrap_or(&Laurent::from(variable.clone())), factor);
+                }
+                entries.push(entry);
+            }
+        }
+        let entries = Builder::embedding(ring, &entries);
+        let functions = Builder::embedding(ring, new);
         // Matrices are row by row; this one is the identity.
         let mut matrix: Vec<f64> =
             (0..count * count).map(|place| if place % (count + 1) == 0 { 1.0 } else { 0.0 }).collect();
@@ -118,10 +140,8 @@ impl Orbit {
         // Errors count relative to the size of their variable, so that units do not matter.
         let mut sizes = vec![0.0_f64; count];
         for (_, x) in &self.points {
-            let coordinates = numeric.coordinates(x);
-            sizes.iter_mut().zip(&functions).for_each(|(size, function)| {
-                *size = size.max(function.value(&coordinates).abs());
-            });
+            let values = functions.values(x, &self.parameters);
+            sizes.iter_mut().zip(values).for_each(|(size, value)| *size = size.max(value.abs()));
         }
         let scale =
             |i: usize, k: usize| if sizes[i] > 0.0 && sizes[k] > 0.0 { sizes[k] / sizes[i] } else { 1.0 };
@@ -131,48 +151,24 @@ impl Orbit {
         };
         let (mut logarithm, mut last, mut most, mut half, mut time) = (0.0, 0.0, 0.0_f64, 0.0_f64, 0.0);
         for (h, x) in &self.points {
-            let coordinates = numeric.coordinates(x);
-            let gradients = numeric.gradients(&coordinates);
-            let values: Vec<f64> =
-                x.iter().copied().chain(functions.iter().map(|one| one.value(&coordinates))).collect();
-            // ∂F_i/∂w_k at the point.
-            let partial = |equation: &[(Option<usize>, Option<usize>, f64)], k: usize| {
-                let value = |index: Option<usize>| index.map_or(1.0, |index| values[index]);
-                equation.iter().fold(0.0, |sum, &(left, right, factor)| {
-                    let first = if left == Some(states + k) { value(right) } else { 0.0 };
-                    let second = if right == Some(states + k) { value(left) } else { 0.0 };
-                    sum + factor * (first + second)
-                })
-            };
-            let jacobian: Vec<Vec<f64>> =
-                field.iter().map(|equation| (0..count).map(|k| partial(equation, k)).collect()).collect();
-            let mut lambda = Vec::with_capacity(count * count);
-            for (i, function) in functions.iter().enumerate() {
-                let gradient = numeric.gradient(function, &coordinates, &gradients);
-                lambda.extend((0..count).map(|k| {
-                    let moved = gradient.iter().zip(&jacobian).map(|(slope, row)| slope * row[k]);
-                    jacobian[states + i][k] - moved.sum::<f64>()
-                }));
-            }
-            let times = |matrix: &[f64], product: &mut [f64]| {
-                product.fill(0.0);
-                for (row, factors) in product.chunks_exact_mut(count).zip(lambda.chunks_exact(count)) {
-                    for (factor, other) in factors.iter().zip(matrix.chunks_exact(count)) {
-                        if *factor != 0.0 {
-                            row.iter_mut().zip(other).for_each(|(sum, entry)| *sum += factor * entry);
-                        }
-                    }
+            let values = entries.values(x, &self.parameters);
+            let (slopes, jacobian) = values.split_at(count * states);
+            let (of_states, of_new) = jacobian.split_at(count * states);
+            let mut lambda = of_new.to_vec();
+            for (row, slopes) in lambda.chunks_exact_mut(count).zip(slopes.chunks_exact(states)) {
+                for (slope, moved) in slopes.iter().zip(of_states.chunks_exact(count)) {
+                    row.iter_mut().zip(moved).for_each(|(entry, moved)| *entry -= slope * moved);
                 }
-            };
+            }
             // exp(hΛ) as a power of (1 + sΛ + (sΛ)²/2) with s ‖Λ‖ ≤ 1/2.
             let size = lambda.chunks_exact(count).map(|row| row.iter().map(|entry| entry.abs()).sum::<f64>());
             let parts = (2.0 * h * size.fold(0.0, f64::max)).ceil().clamp(1.0, MOST_PARTS);
             let part = h / parts;
             for _ in 0..parts as usize {
-                times(&matrix, &mut first);
-                times(&first, &mut second);
-                for ((entry, first), second) in matrix.iter_mut().zip(&first).zip(&second) {
-                    *entry += part * first + part * part / 2.0 * second;
+                multiply(&lambda, &matrix, &mut first, count);
+                multiply(&lambda, &first, &mut second, count);
+                for place in 0..matrix.len() {
+                    matrix[place] += part * first[place] + part * part / 2.0 * second[place];
                 }
             }
             let norm = largest(&matrix);

@@ -199,7 +199,7 @@ impl Reader<'_> {
         if is_read || !self.mentions("pi") || self.read.parameters.iter().any(|(name, _)| name == "pi") {
             return;
         }
-        self.note(&format!("`pi` is read as a parameter, which is {PI}: numbers are exact"));
+        self.note(&format!("numbers are exact: pi is the parameter `pi` with the value {PI}"));
         let value = Rational::parse(PI).expect("digits");
         self.read.parameters.push(("pi".to_owned(), value));
     }

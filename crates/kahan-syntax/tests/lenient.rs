@@ -125,7 +125,7 @@ fn what_was_read_in_an_unusual_way_is_noted() {
         ("x'' = -x", "`x''` is read with `xdot = v`: `v` is a new state"),
         (
             "x' = sqrt(2)*x",
-            "`sqrt(2)` is read as a parameter `sqrt_2`, which is 1.4142135623730951: numbers are exact",
+            "numbers are exact: sqrt(2) is the parameter `sqrt_2` with the value 1.4142135623730951",
         ),
         ("x' = u(t)", "`u(t)` is read as a parameter `u`: no equation defines it"),
         ("s = x + y; x' = s; y' = s", "no states, but formulas that are put in where they stand: `s`"),

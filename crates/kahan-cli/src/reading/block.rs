@@ -112,7 +112,12 @@ impl Block {
     /// Notes on how the text is read: quantities, and values that the text gives
     /// where no option gives others.
     pub(super) fn notes(&self, given: &[&str]) -> Vec<String> {
-        let parameters = self.text.parameters().iter().filter(|(name, _)| !given.contains(&name.as_str()));
+        let is_noted = |name: &str| {
+            let named = format!("`{name}` with the value");
+            self.text.notes().iter().any(|note| note.contains(&named))
+        };
+        let is_left = |name: &str| !given.contains(&name) && !is_noted(name);
+        let parameters = self.text.parameters().iter().filter(|(name, _)| is_left(name));
         let list = |values: &mut dyn Iterator<Item = &(String, Rational)>| {
             joined(values.map(|(name, value)| format!("{name} = {value}")), ", ")
         };

@@ -58,8 +58,7 @@ fn that_nothing_declares_are_said_once_by_every_command() {
     );
     assert_eq!(
         said(&["show", "--field", "xdot = pi*x + E;"]),
-        "note: `pi` is read as a parameter, which is 3.141592653589793: numbers are exact\n\
-         note: the text gives pi = 3141592653589793/1000000000000000 where numbers are needed; --param gives others\n\
+        "note: numbers are exact: pi is the parameter `pi` with the value 3.141592653589793\n\
          note: E is taken as a parameter: nothing defines Edot; `const E = 2.718281828459045;` is the number\n"
     );
     let family = ["show", "--sites", "3", "--field", "for i in periodic { x[i]dot = k*x[i]*x[i+1]; }"];

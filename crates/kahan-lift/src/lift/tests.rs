@@ -5,6 +5,7 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 
 use super::{Along, Lift, Options, Which, lift};
+use crate::embedding::Builder;
 use crate::laurent::{Laurent, Monomial};
 
 fn lifted(text: &str, options: &Options) -> Result<Lift, String> {
@@ -34,7 +35,7 @@ fn restricted(lift: &Lift, index: usize) -> Laurent {
             let variable = usize::from(variable.0);
             let value = match variable.checked_sub(states) {
                 None => Laurent::coordinate(variable),
-                Some(new) => lift.new[new].value.clone().expect("a potential was found"),
+                Some(new) => lift.new[new].value.clone(),
             };
             for _ in 0..exponent {
                 product = lift.ring.product(&product, &value);
@@ -51,7 +52,7 @@ fn check_restriction(lift: &Lift, text: &str) {
     for index in 0..lift.variables().len() {
         let expected = match index.checked_sub(lift.states.len()) {
             None => lift.ring.field[index].clone(),
-            Some(new) => lift.ring.derivative(lift.new[new].value.as_ref().expect("a potential was found")),
+            Some(new) => lift.ring.derivative(&lift.new[new].value),
         };
         let difference = {
             let mut difference = restricted(lift, index);
@@ -247,7 +248,7 @@ fn check_random_fields(seeds: std::ops::Range<u64>) {
         let text = random_field(seed);
         if let Ok(lift) = lifted(&text, &options) {
             found += 1;
-            if lift.new.iter().all(|one| one.value.is_some()) {
+            if lift.new.iter().all(|one| one.expression.is_some()) {
                 check_restriction(&lift, &text);
             }
         }
@@ -312,7 +313,7 @@ fn first_values_are_those_of_the_expressions() {
         // The expression, read again, as the only equation of a field.
         let again =
             lifted(&format!("x' = v; v' = 0*x; w' = {expression}"), &Options::default()).expect(expression);
-        let slope = crate::numeric::Numeric::new(&again.ring, &[]).field(&[x, v, 0.0])[2];
+        let slope = Builder::embedding(&again.ring, &again.ring.field).values(&[x, v, 0.0], &[])[2];
         let bound = 1e-14 * slope.abs();
         assert!((value - slope).abs() <= bound, "{expression}: {value} {slope}");
     }

@@ -113,7 +113,7 @@ impl Reader<'_> {
         let name = fresh(&[&format!("sqrt_{}", radicand.replace('.', "_"))], |name| self.mentions(name));
         if !self.read.parameters.iter().any(|(known, _)| *known == name) {
             self.note(&format!(
-                "`sqrt({radicand})` is read as a parameter `{name}`, which is {root}: numbers are exact"
+                "numbers are exact: sqrt({radicand}) is the parameter `{name}` with the value {root}"
             ));
             self.read.parameters.push((name.clone(), exact));
         }
