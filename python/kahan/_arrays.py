@@ -1,71 +1,183 @@
-"""From what a caller gives to arrays of floats."""
+"""From what a caller gives to arrays of floats, and from columns with names to arrays in the order of the variables."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Protocol
 
 import numpy as np
 
 from ._errors import unknown
 from ._exact import nearest
+from ._orbit import Ensemble, Orbit, Section
 
-__all__ = ["floats", "named"]
+__all__ = ["Columns", "by_name", "constants", "flat", "floats", "named", "one_order", "read", "unnamed"]
 
-
-def _columns(given: Any) -> list[Any]:
-    """The names of the columns of a table of pandas, polars or Arrow, or of a structured array; none
-    elsewhere."""
-    if isinstance(given, np.ndarray):
-        return list(given.dtype.names or ())
-    for attribute in ("columns", "column_names"):
-        columns = getattr(given, attribute, None)
-        if columns is not None and not callable(columns) and all(isinstance(name, str) for name in columns):
-            return list(columns)
-    return []
+Array = np.ndarray[Any, Any]
 
 
-def _names(given: Any) -> list[Any]:
-    """The same, or the names of the entries of a mapping or a series."""
-    if isinstance(given, Mapping):
-        return list(given)
-    index = getattr(given, "index", None)
-    if index is None or callable(index) or hasattr(given, "columns"):
-        return _columns(given)
-    return list(index) if all(isinstance(name, str) for name in index) else []
+class Columns(Protocol):
+    """A field or a formula, which knows its names."""
+
+    @property
+    def _names(self) -> Sequence[str]:
+        """The names that columns may have."""
+
+    def _matched(self, names: list[str], name: str, varies: bool) -> tuple[list[int], list[tuple[str, int]]]:
+        """The places of the variables among these columns; and of parameters and ``eps``, if these may have some."""
 
 
-def named(given: Any, variables: Sequence[str], others: Sequence[str], name: str = "x") -> Any:
-    """What was given, in the order of the variables where it has names.
+def _labels(labels: Iterable[Any]) -> list[str]:
+    """Labels as names; none where they only count from 0, as those of a plain index."""
+    labels = list(labels)
+    return [] if labels == list(range(len(labels))) else [str(label) for label in labels]
 
-    Raises ``ValueError`` for a variable that no column or more than one has, and for a column of a name
-    among ``others``, which mean something else in the field.
+
+def by_name(given: Any, known: Callable[[], Sequence[str]] = tuple) -> list[tuple[str, Any]] | None:
+    """The names and values of the columns of a table, or of the coordinates of a point; ``None`` where there are none.
+
+    Of a named index of pandas the levels are columns whose names are ``known``.
     """
-    names = _names(given)
-    if not names:
-        return given
-    for other in others:
-        if other in names:
-            raise ValueError(f"{name}: the column `{other}` is no variable, and rows are points; leave it out, and give {other} "
-                             "by name")
-    for variable in variables:
-        if names.count(variable) != 1:
-            wrong = unknown("column", variable, names) if variable not in names else f"there are two columns `{variable}`"
-            raise ValueError(f"{name}: {wrong}")
-    return np.stack([np.asarray(given[variable]) for variable in variables], axis=-1)
+    if isinstance(given, (np.ndarray, np.void)):
+        return [(name, given[name]) for name in given.dtype.names or ()] or None
+    if isinstance(given, (Orbit, Ensemble, Section)):
+        return [(name, given.x[..., k]) for k, name in enumerate(given.system.variables)]
+    if isinstance(given, Mapping):
+        return [(str(name), value) for name, value in given.items()]
+    if isinstance(given, (list, tuple)):
+        fields = getattr(given, "_fields", None)
+        if fields is not None:
+            return list(zip(fields, given))
+        return _of_records(given) if given and not isinstance(given[0], (int, float, list, str)) else None
+    if hasattr(given, "__arrow_c_stream__") and not hasattr(given, "__array__") and not hasattr(given, "column_names"):
+        import pyarrow
+
+        given = pyarrow.table(given)
+    if hasattr(given, "column_names"):
+        return [(str(name), given.column(k)) for k, name in enumerate(given.column_names)]
+    index, columns = getattr(given, "index", None), getattr(given, "columns", None)
+    if columns is not None and not callable(columns):
+        labels, has_places = _labels(columns), hasattr(given, "iloc")
+        found = [(name, given.iloc[:, k] if has_places else given[name]) for k, name in enumerate(labels)]
+        levels: Any = index if found and hasattr(index, "get_level_values") else None
+        shared = [name for name in levels.names if name in known()] if levels is not None else []
+        return found + [(name, levels.get_level_values(name)) for name in shared] or None
+    if hasattr(given, "iloc"):
+        return [(name, given.iloc[k]) for k, name in enumerate(_labels(given.index))] or None
+    return None
 
 
-def floats(given: Any, name: str) -> np.ndarray[Any, Any]:
+def _of_records(given: Sequence[Any]) -> list[tuple[str, Any]] | None:
+    """The columns of a list of points by name, whose names must be the same."""
+    records = [by_name(one) for one in given]
+    if not any(records):
+        return None
+    names = [name for name, _ in records[0] or ()]
+    rows = [dict(record or ()) for record in records]
+    if any(sorted(name for name, _ in record or ()) != sorted(names) for record in records):
+        raise ValueError("the points of a list have the same names, or all of them none")
+    return [(name, [row[name] for row in rows]) for name in names]
+
+
+def read(given: Any, of: Columns, name: str = "x", varies: bool = False) -> tuple[Any, dict[str, Any]]:
+    """What was given, in the order of the variables where it has names; and columns of parameters and ``eps``.
+
+    Raises ``ValueError`` for a variable without a column, a name of two columns, and a column that cannot be used.
+    """
+    found = by_name(given, lambda: of._names)
+    if found is None:
+        return given, {}
+    states, others = of._matched([label for label, _ in found], name, varies)
+    one_order(found[k][1] for k in states)
+    arrays = [_column(*found[k], name) for k in states]
+    more = {label: found[k][1] for label, k in others}
+    shapes = {array.shape: found[k][0] for array, k in zip(arrays, states)} | {np.shape(value): label for label, value in more.items()}
+    sizes = [shape for shape in shapes if shape]
+    if len(sizes) > 1:
+        told = ", ".join(f"`{shapes[shape]}` {shape}" for shape in sizes)
+        raise ValueError(f"{name}: columns have one shape, or one number for all rows, and these have {told}")
+    if not sizes and len({array.dtype for array in arrays}) > 1:
+        # Integers and fractions stay what they are beside floats.
+        arrays = [array.astype(object) for array in arrays]
+    shape = sizes[0] if sizes else ()
+    return np.stack([np.broadcast_to(array, shape) for array in arrays], axis=-1), more
+
+
+def named(given: Any, of: Columns, name: str = "x") -> Any:
+    """What was given, in the order of the variables where it has names."""
+    return read(given, of, name)[0]
+
+
+def _column(label: str, values: Any, name: str) -> Array:
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiubOU":
+        raise TypeError(f"{name}: the column `{label}` has {array.dtype}, and numbers are needed")
+    return array
+
+
+def constants(eps: Any, own: dict[str, Any], params: Any, parameters: Iterable[str]) -> dict[str, Array]:
+    """``eps``, and the values of parameters by name; ``own`` are those of the columns of a table of starts."""
+    parameters = list(parameters)
+    table = [] if params is None else by_name(params, lambda: [*parameters, "eps"])
+    if table is None:
+        raise TypeError(f"params: values with the names of parameters are needed, as a dict or a table, not {type(params).__name__}")
+    for label, _ in table:
+        if label != "eps" and label not in parameters:
+            raise TypeError(f"params: {unknown('parameter', label, parameters)}")
+    found: dict[str, Array] = {}
+    for label, value in [("eps", eps), *table, *own.items()]:
+        if value is not None:
+            if label in found:
+                raise ValueError(f"{label} is given twice, by itself or as a column; leave one of them out")
+            found[label] = _numbers(value, label)
+    if "eps" not in found:
+        raise TypeError("give eps, half the time step, as an argument or a column, or dt, the time step")
+    return {"eps": found.pop("eps"), **found}
+
+
+def flat(value: Array, name: str, shape: tuple[int, ...]) -> Array:
+    """One number, or one for each of the starts that have these sizes, along one axis."""
+    if value.ndim == 0 or len(shape) < 2:
+        return value
+    if value.shape != shape:
+        raise ValueError(f"{name} has the shape {value.shape}; one number is needed, or one for each start, {shape}")
+    return value.reshape(-1)
+
+
+def one_order(columns: Iterable[Any]) -> None:
+    """That columns with labels of rows, as those of pandas, have the same ones, since rows are taken in order."""
+    first = None
+    for column in columns:
+        index = getattr(column, "index", None)
+        if index is None or callable(index) or not hasattr(index, "equals") or not _labels(index):
+            continue
+        if first is not None and not first.equals(index):
+            raise ValueError("rows are taken in order, and their labels in these columns are not the same; give columns of one "
+                             "table, or their values, as .to_numpy() has them")
+        first = index
+
+
+def unnamed(given: Any, name: str) -> Array:
+    """Numbers in their order. Raises ``TypeError`` where they have names."""
+    found = by_name(given)
+    if found is not None and not isinstance(given, (Orbit, Ensemble, Section)):
+        raise TypeError(f"{name}: numbers are taken in order here, and these have the names "
+                        f"{', '.join(label for label, _ in found)}; give their values as an array")
+    return np.asarray(given)
+
+
+def _numbers(given: Any, name: str) -> Array:
+    """The same, of one column, whose rows may have labels."""
+    return np.asarray(given) if hasattr(given, "iloc") and not hasattr(given, "columns") else unnamed(given, name)
+
+
+def floats(given: Any, name: str) -> Array:
     """An array of float32, as it was, or else of float64, in C order.
 
     Fractions and text become the nearest floats. Raises ``TypeError`` where the numbers are no real
     ones, or their float64 would lose digits.
     """
-    names = _columns(given)
-    if names:
-        raise TypeError(f"{name}: numbers are taken in order here, and these have the names {', '.join(map(str, names))}; "
-                        "give their values as an array")
-    array = np.asarray(given)
+    array = _numbers(given, name)
     if array.dtype.kind in "OU":
         array = np.array([nearest(value, name) for value in array.ravel()], dtype=float).reshape(array.shape)
     if array.dtype.kind not in "fiub" or array.dtype.itemsize > 8:

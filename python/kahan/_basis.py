@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._answer import Answer
+from ._arrays import unnamed
 from ._errors import spelled
 from ._exact import Number, _number, point
 from ._kahan import Relation
@@ -42,7 +43,7 @@ class Basis(Answer):
 
     def monomial_values(self, x: Any) -> Array:
         """The monomials at points: an axis of them in the place of the variables, which are ``x``'s last."""
-        x = np.asarray(x)
+        x = unnamed(x, "x")
         values: Array = np.prod(x[..., None, :] ** np.array(self._relation.exponents), axis=-1)
         return values
 
@@ -54,7 +55,7 @@ class Basis(Answer):
         about 1e-16 times the condition; NaN where no digit is right. Of an exact orbit
         (``scalar="exact"``) they are fractions, and there is no condition.
         """
-        x = np.asarray(x)
+        x = unnamed(x, "x")
         if x.ndim != 2 or len(x) < self.points:
             raise ValueError(f"x: {self.points} consecutive points are needed, a row each, and the shape is {x.shape}")
         if x.dtype == object:
@@ -71,7 +72,7 @@ class Basis(Answer):
         ``system`` is the field with values of its parameters. Costs ``points`` - 1 steps a point, and a
         system of linear equations.
         """
-        orbit = [np.asarray(x, dtype=float)]
+        orbit = [np.asarray(system._at(x), dtype=float)]
         while len(orbit) < self.points:
             orbit.append(system.step(orbit[-1], eps))
         orbits = np.stack(orbit, axis=-2)

@@ -11,9 +11,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._arrays import floats
+from ._arrays import floats, read
 from ._errors import unknown
 from ._exact import Number, exact
+from ._kahan import columns
 
 __all__ = ["Formula", "Symbols"]
 
@@ -29,6 +30,14 @@ class Symbols(NamedTuple):
     """The parameters with their values; ``None`` for one that has none."""
     functions: dict[str, str]
     """Constants and claims, which the claims below them may name, as text."""
+
+    @property
+    def _names(self) -> list[str]:
+        """The names that columns of a table may have."""
+        return [*self.variables, *self.parameters, "eps"]
+
+    def _matched(self, names: list[str], name: str, varies: bool) -> tuple[list[int], list[tuple[str, int]]]:
+        return columns(names, list(self.variables), list(self.parameters), varies, name)
 
 
 class _Values(dict[str, Any]):
@@ -114,14 +123,20 @@ class Formula:
         return self._of.variables.index(place)
 
     def __call__(self, x: Any, eps: Number | np.ndarray[Any, Any] | None = None, **parameters: Any) -> Any:
-        """The values at points: ``x`` has shape (variables,) or (points, variables), and the entries of a
-        vector or a matrix are the last axes of what is returned.
+        """The values at points: ``x`` has shape (variables,) or (points, variables), or columns with the names of the
+        variables, and of parameters and ``eps`` if you like. The entries of a vector or a matrix are the last axes of
+        what is returned.
 
         ``eps`` is needed where the formula depends on it, and values for ``parameters`` that have none in
         the field; each is one number, or one a point. Points with fractions or text among their
         coordinates have exact values, by fractions; at a pole ``ZeroDivisionError`` is raised for them,
         and floats are infinite or NaN there. Costs the operations of the formula in NumPy's arithmetic.
         """
+        x, own = read(x, self._of, varies=True)
+        eps = own.pop("eps", None) if eps is None else eps
+        if own.keys() & parameters.keys() or "eps" in own:
+            raise TypeError(f"{', '.join(own.keys() & {*parameters, 'eps'})}: given twice, as a column, too; leave one of them out")
+        parameters |= own
         array = np.asarray(x)
         is_exact = array.dtype.kind in "OU"
         array = np.vectorize(_fraction, otypes=[object])(array, "x") if is_exact else floats(x, "x")

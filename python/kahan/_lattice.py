@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ._arrays import named
 from ._errors import spelled
 from ._exact import Number, half_step
 from ._kahan import Chain
@@ -44,6 +45,11 @@ class Lattice(Chain):
     def __reduce__(self) -> tuple[Callable[..., Lattice], tuple[Any, ...]]:
         return (type(self)._of, self._call)
 
+    @property
+    def _names(self) -> list[str]:
+        """The names that columns of a state may have."""
+        return self.arrays
+
     def __repr__(self) -> str:
         return f"<Lattice of {self.sites} sites: {', '.join(self.arrays)}>"
 
@@ -57,7 +63,7 @@ class Lattice(Chain):
 
     def orbit(self, state: Any, steps: int, *, every: int = 1) -> Array:
         """The states after 0, every, 2 every, ... steps: an axis more than a state has."""
-        states = [np.array(state, dtype=float)]
+        states = [np.array(named(state, self, "state"), dtype=float)]
         for _ in range(steps // every):
             states.append(self.advance(states[-1], every))
         return np.array(states)

@@ -13,11 +13,17 @@ if TYPE_CHECKING:
     from ._orbit import Array
     from ._system import System
 
-__all__ = ["Lifted", "lifting"]
+__all__ = ["Lift", "Lifted", "lifting"]
 
 
-def lifting(lift: bool | str | None, at: Any, t0: Any, all: bool) -> tuple[str, list[str] | None, str, bool] | None:
+Lift = tuple[str, "tuple[list[str], list[str]] | None", str, bool]
+"""Which lift is wanted, the coordinates of a point and their names, if they have some, the time, and whether arrays have the
+new variables."""
+
+
+def lifting(lift: bool | str | None, at: Any, t0: Any, all: bool) -> Lift | None:
     """How a field is to be lifted, as the compiled module takes it; ``None`` where it is not."""
+    from ._arrays import by_name
     from ._exact import exact, point
 
     if not lift:
@@ -25,7 +31,12 @@ def lifting(lift: bool | str | None, at: Any, t0: Any, all: bool) -> tuple[str, 
     if not isinstance(lift, (bool, str)):
         raise TypeError(f"lift: True or text is needed, as \"energy\", not {type(lift).__name__}")
     which = "automatic" if lift is True else str(lift)
-    return which, None if at is None else point(at), exact(0 if t0 is None else t0, "t0"), bool(all)
+    found = None if at is None else by_name(at)
+    start = None if at is None else (point(at), []) if found is None else (
+        point([np.asarray(value).reshape(-1)[0] if np.size(value) == 1 else value for _, value in found], "at"),
+        [name for name, _ in found],
+    )
+    return which, start, exact(0 if t0 is None else t0, "t0"), bool(all)
 
 
 class Lifted(Answer):

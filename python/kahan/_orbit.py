@@ -229,7 +229,7 @@ class Ensemble(Table):
     system: System
     """The field, with its parameters."""
     start: Array
-    """The first points, of shape (trajectories, variables)."""
+    """The first points, of shape (trajectories, variables) or with the axes that were given, as (40, 40, variables)."""
     given: dict[str, Array]
     """``eps`` and what was given as ``params``, by name: one number, or one a trajectory."""
     x: Array
@@ -237,13 +237,18 @@ class Ensemble(Table):
     steps: Array
     """The steps that each made, fewer than asked where it ended early."""
     observed: dict[str, Array]
-    """What was observed, by name; ``spectrum`` has shape (trajectories, variables)."""
+    """What was observed, by name, a number a start; ``spectrum`` has one a variable."""
 
     def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, ends: tuple[list[str], Array, Array],
                  observed: dict[str, Array]) -> None:
-        self.system, self.start, self.given, self.x = system, start, given, x
-        self._words, self._places, self.steps = ends
-        self.observed = observed
+        lead = start.shape[:-1]
+
+        def shaped(values: Array) -> Array:
+            return values if values.shape[: len(lead)] == lead else values.reshape(lead + values.shape[1:])
+
+        self.system, self.start, self.given, self.x = system, start, given, shaped(x)
+        self._words, self._places, self.steps = ends[0], shaped(ends[1]), shaped(ends[2])
+        self.observed = {name: shaped(values) for name, values in observed.items()}
 
     @cached_property
     def ended(self) -> Array:
@@ -259,23 +264,27 @@ class Ensemble(Table):
     def __repr__(self) -> str:
         seen = f"; observed: {', '.join(self.observed)}" if self.observed else ""
         early = int(np.sum(self.ended != "complete"))
-        return f"<Ensemble of {len(self.x)} trajectories{f', {early} ended early' if early else ''}{seen}>"
+        return f"<Ensemble of {len(self)} trajectories{f', {early} ended early' if early else ''}{seen}>"
 
     def columns(self) -> dict[str, Array]:
         """The first points, as ``start_x``, ``eps`` and parameters that were given, the last points, how and
         after how many steps each ended, and what was observed, by name; of the spectrum ``spectrum_1`` and
         so on."""
         start = {f"start_{name}": values for name, values in self.system._columns(self.start).items()}
-        given = {name: np.broadcast_to(values, len(self.x)) for name, values in self.given.items()}
-        ends = {"ended": self.ended, "ended_step": self.steps}
+        given = {name: np.broadcast_to(values, self.steps.shape).ravel() for name, values in self.given.items()}
+        ends = {"ended": self.ended.ravel(), "ended_step": self.steps.ravel()}
         seen: dict[str, Array] = {}
         for name, values in self.observed.items():
-            columns = [(name, values)] if values.ndim == 1 else ((f"{name}_{k}", row) for k, row in enumerate(values.T, 1))
+            rows = values.reshape(len(self), -1)
+            columns = [(name, rows[:, 0])] if values.ndim == self.steps.ndim else ((f"{name}_{k}", row) for k, row in enumerate(rows.T, 1))
             seen.update(columns)
         return {**start, **given, **self.system._columns(self.x), **ends, **seen}
 
     def __getitem__(self, name: str) -> Array:
-        return self.observed[name] if name in self.observed else super().__getitem__(name)
+        return self.observed[name] if name in self.observed else super().__getitem__(name).reshape(self.steps.shape)
+
+    def __len__(self) -> int:
+        return self.steps.size
 
     def plot(self, *axes: str, color: str | None = None, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws a dot a trajectory over two columns, by default the last points' first two variables.

@@ -6,7 +6,6 @@ import json
 import re
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any, cast
@@ -14,7 +13,7 @@ from typing import Any, cast
 import numpy as np
 
 from ._answer import Answer, _short
-from ._arrays import named
+from ._arrays import by_name, constants, flat, named, one_order, read
 from ._basis import Basis
 from ._coefficients import Entries, coefficients, dense
 from ._errors import CHOICES, FieldError, choice, spelled, unknown
@@ -22,8 +21,9 @@ from ._exact import Number, _number, answer, exact, half_step, nearest, point, w
 from ._kahan import Field, is_family
 from ._formula import Formula, Symbols
 from ._lattice import Lattice
-from ._lifted import Lifted, lifting
+from ._lifted import Lift, Lifted, lifting
 from ._orbit import Array, Chart, Ensemble, Orbit, Section
+from ._rhs import RightSide
 
 __all__ = ["Discovery", "System"]
 
@@ -61,7 +61,7 @@ class System(Field):
     """
 
     _call: tuple[str | Entries, bool, int | None, dict[str, str]]
-    _lifting: tuple[str, list[str] | None, str, bool] | None
+    _lifting: Lift | None
 
     def __new__(
         cls, field: str | Mapping[Any, Any] | Sequence[Any], /, *, sites: int | None = None, lift: bool | str | None = None,
@@ -87,12 +87,14 @@ class System(Field):
     @classmethod
     def _of(
         cls, text: str | Entries, is_name: bool, sites: int | None, parameters: dict[str, str],
-        lift: tuple[str, list[str] | None, str, bool] | None = None,
+        lift: Lift | None = None,
     ) -> System:
         system: System = Field.__new__(
             cls, text, is_name=is_name, sites=sites, parameters=list(parameters.items()), lift=lift
         )
         system._call, system._lifting = (text, is_name, sites, parameters), lift
+        if lift and lift[1] and lift[1][1]:
+            system._matched(lift[1][1], "at", False)
         return system
 
     @classmethod
@@ -320,6 +322,11 @@ class System(Field):
 
     # What is called in loops: arrays in, arrays out.
 
+    @property
+    def _names(self) -> list[str]:
+        """The names that columns of a table may have."""
+        return [*self.variables, *self.parameters, "eps"]
+
     def _at(self, x: Any) -> Any:
         """A point, or points, in the order of the variables, whose names decide where columns have some; ``None`` is the
         start of the text."""
@@ -328,7 +335,12 @@ class System(Field):
             if start is None:
                 raise TypeError("x is missing: the text gives no start, as `init x=1` for every variable")
             return list(start)
-        return named(x, self.variables, [*self.parameters, "eps"])
+        return named(x, self)
+
+    def _one(self, x: Any) -> Any:
+        """A point in the order of the variables; a table of one row is one."""
+        at = named(x, self)
+        return at[0] if at is not x and at.ndim == 2 and len(at) == 1 else at
 
     def _in_all(self, x: Any, parameters: Sequence[Any] = ()) -> Any:
         """Points of all variables: of a lifted field the new ones are functions of the original ones."""
@@ -355,11 +367,11 @@ class System(Field):
             warnings.warn(f"{warning} (at=, lift= and reembed=True)", stacklevel=3)
 
     def _point(self, x: Any) -> list[str]:
-        return point(self._at(x))
+        return point(self._one(x))
 
     def _columns(self, x: Array) -> dict[str, Array]:
         """The columns of points by the names of the variables."""
-        return dict(zip(self.variables, x.T))
+        return dict(zip(self.variables, x.reshape(-1, x.shape[-1]).T))
 
     def integral_values(self, x: Any, eps: Number | None = None, *, dt: Number | None = None) -> dict[str, Array]:
         """The claimed integrals at points, by name: ``x`` has shape (variables,) or (points, variables).
@@ -411,7 +423,7 @@ class System(Field):
         """
         eps = half_step(eps, dt)
         steps, every, order = whole(steps, "steps"), whole(every, "every"), whole(order, "order")
-        x = self._at(x)
+        x = self._one(x)
         scalar, method = choice(scalar, "scalar"), choice(method, "method")
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
@@ -453,7 +465,7 @@ class System(Field):
         steps: int | None = None,
         *,
         dt: Number | Array | None = None,
-        params: Mapping[str, Number | Array] | None = None,
+        params: Any = None,
         observe: Sequence[str] = (),
         order: int = 2,
         every: int = 10,
@@ -465,9 +477,11 @@ class System(Field):
     ) -> Ensemble:
         """Many trajectories: their points after so many steps, and what is observed on the way.
 
-        ``points`` has shape (trajectories, variables), or columns with the names of the variables, as a
-        ``DataFrame`` has them; ``eps`` and each of ``params`` are one number
-        or have shape (trajectories,). ``observe`` names what is seen of each orbit, and nothing
+        ``points`` has shape (trajectories, variables), or more axes, (40, 40, variables), which all arrays of the
+        result keep; or it is a table, used by its columns' names: a ``DataFrame`` of pandas or polars, a table of Arrow,
+        a structured array or a dict of arrays with a column for each variable, and for parameters and ``eps`` if you
+        like, in place of the argument. A column of another name is an error. ``params`` is a dict or a table of parameters.
+        ``eps`` and each parameter are one number or one for each start, (trajectories,). ``observe`` names what is seen of each orbit, and nothing
         else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
         of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum),
         fli, megno, sali, rotation, escape, passed_poles (steps over a pole, a lower bound where
@@ -481,23 +495,24 @@ class System(Field):
         many. ``ended`` says how each trajectory ended, which is how its ``orbit`` ends, and ``steps``
         after how many steps. Where one ended early its numbers are NaN.
         """
-        eps = half_step(eps, dt)
-        names = list(self.parameters)
-        points = self._at(points)
-        given: list[Any] = []
-        if params:
-            for name in params:
-                if name not in names:
-                    raise TypeError(f"params: {unknown('parameter', name, names)}")
-            given = [params.get(name) for name in names]
+        tables = [value for table in (points, params) for _, value in by_name(table, lambda: self._names) or ()]
+        one_order([*tables, eps, dt])
+        eps = half_step(eps, dt, is_needed=False)
+        points, own = read(points, self, "points", varies=True)
+        inputs, start = constants(eps, own, params, self.parameters), np.asarray(points)
+        each = {name: flat(value, name, start.shape[:-1]) for name, value in inputs.items()}
+        eps, given = each["eps"], [each.get(name) for name in self.parameters]
+        points = start if start.ndim < 3 else start.reshape(-1, start.shape[-1])
         steps, order = whole(steps, "steps"), whole(order, "order")
         threads = _whole(threads, "threads")
-        inputs = {name: np.asarray(value) for name, value in {"eps": eps, **(params or {})}.items()}
         begun = self._in_all(points, given)
         if not observe and not reembed:
+            into = out
+            if out is not None and start.ndim > 2 and out.shape == start.shape and out.flags.c_contiguous:
+                into = out.reshape(points.shape)
             x, ends = self._advance(begun, eps, steps, parameters=given, order=order, threads=threads,
-                              out=out if self._lifting is None else None, listener=_listener(progress))
-            return Ensemble(self, np.asarray(points), inputs, self._out_of_all(x, out), ends, {})
+                              out=into if self._lifting is None else None, listener=_listener(progress))
+            return Ensemble(self, start, inputs, self._out_of_all(x, into), ends, {})
         if isinstance(observe, str):
             observe = (observe,)
         if out is not None and observe:
@@ -510,7 +525,7 @@ class System(Field):
         count = len(self.variables)
         x = values[:, :count]
         if out is not None:
-            out[...], x = x, out
+            out[...], x = x.reshape(start.shape), out
         columns: dict[str, Array] = {}
         exponents = sum(name.startswith("spectrum_") for name in seen)
         for k, name in enumerate(seen[count:], count):
@@ -518,23 +533,26 @@ class System(Field):
                 columns["spectrum"] = values[:, k:k + exponents]
             elif not name.startswith("spectrum_"):
                 columns[name] = values[:, k]
-        return Ensemble(self, np.asarray(points), inputs, x, ends, columns)
+        return Ensemble(self, start, inputs, x, ends, columns)
 
     def _has_drift(self, name: str, of: Sequence[str]) -> None:
         if "drift" in of and not self.integrals:
             raise ValueError(f"{name}: this field claims no integral that could drift; "
                              "`s.discover().claimed` has those found")
 
-    def rhs(self) -> RightSide:
+    def rhs(self, *parameters: str) -> RightSide:
         """f as solvers for ordinary differential equations take it: ``solve_ivp(s.rhs(), (0, 10), x, vectorized=True)``.
 
-        Its ``jacobian`` is the argument ``jac`` of implicit solvers.
+        With ``args=(a, b)`` its parameters have these values: of those named here, in their order, or else of those
+        without a value, or else of all. Its ``jacobian`` is the argument ``jac`` of implicit solvers.
 
         >>> import kahan
         >>> kahan.System("xdot = y; ydot = -x;").rhs()(0.0, [1.0, 2.0])
         array([ 2., -1.])
+        >>> kahan.System("xdot = k*y; ydot = -m*x;").rhs("m", "k")(0.0, [1.0, 2.0], 5, 10)
+        array([20., -5.])
         """
-        return RightSide(self)
+        return RightSide.of(self, parameters)
 
     def integral_functions(self, eps: Number = 0.0) -> dict[str, Callable[[Any], Any]]:
         """The claimed integrals as functions of a point, for methods that project on their levels.
@@ -830,29 +848,6 @@ class Discovery(Answer):
     def brackets(self) -> dict[str, Formula]:
         """The invariant Poisson brackets, by name, each an antisymmetric matrix."""
         return self.claimed.brackets
-
-
-@dataclass(frozen=True)
-class RightSide:
-    """f of a field, as a function of the time, on which only a lifted one may depend, and of points as columns."""
-
-    system: System
-
-    def __call__(self, t: float, y: Any) -> Array:
-        y = np.asarray(y)
-        system = self.system
-        if y.ndim == 2 and len(y) != len(system.variables):
-            raise ValueError(f"y: the shape ({len(system.variables)}, points) is needed, and this is {y.shape}")
-        points = y.T if y.ndim == 2 else y
-        if system._lifting is not None:
-            points = system._embedded(points, [], t)
-        return system._out_of_all(system._field_at(points)).T
-
-    def jacobian(self, t: float, y: Any) -> Array:
-        """f'(y) at a point, a row a component of f."""
-        if self.system._lifting is not None:
-            raise ValueError("the Jacobian of a lifted field is one of all variables: s.field_jacobian has it as a formula")
-        return self.system._field_at(y, jacobian=True)
 
 
 def _integral_value(system: System, name: str, eps: Number, x: Any) -> Array:

@@ -3,6 +3,7 @@
 //! Arrays of `float64` and `float32` in C order are taken as they are; lists, integers and other
 //! layouts are copied by NumPy itself first.
 
+use kahan_study::columns::{Others, Wanted};
 use kahan_study::numbers::number;
 use numpy::{
     Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods,
@@ -86,6 +87,51 @@ pub(crate) fn doubles<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Py
 fn converted<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     static FLOATS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     FLOATS.import(given.py(), "kahan._arrays", "floats")?.call1((given, name))
+}
+
+/// Numbers in the order of the variables of a field or a chain, whose names decide where numbers
+/// have some; read by `kahan._arrays`.
+pub(crate) fn named<'py>(
+    given: &Bound<'py, PyAny>,
+    of: &Bound<'py, PyAny>,
+    name: &str,
+) -> PyResult<Bound<'py, PyAny>> {
+    static NAMED: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    // An array of floats has no names.
+    if given.cast::<PyArrayDyn<f64>>().is_ok() || given.cast::<PyArrayDyn<f32>>().is_ok() {
+        return Ok(given.clone());
+    }
+    NAMED.import(given.py(), "kahan._arrays", "named")?.call1((given, of, name))
+}
+
+/// The places of columns among those of a table: of the states, and of parameters and `eps` by name.
+pub(crate) type Places = (Vec<usize>, Vec<(String, usize)>);
+
+/// Finds the columns that a table has for states, of which the first so many are needed; and for
+/// parameters and `eps`, where `varies` says that these may have some. `name` is the argument.
+pub(crate) fn places(
+    names: &[String],
+    (states, least): (&[String], usize),
+    parameters: &[String],
+    varies: bool,
+    name: &str,
+) -> PyResult<Places> {
+    let others = if varies { Others::Used } else { Others::Refused };
+    let found = Wanted { states, least, parameters, others }.places(names);
+    let found = found.map_err(|why| PyValueError::new_err(format!("{name}: the table {why}")))?;
+    Ok((found.states, found.others))
+}
+
+/// [`places`] of a table for a formula, or for parameters alone.
+#[pyfunction]
+pub(crate) fn columns(
+    names: Vec<String>,
+    states: Vec<String>,
+    parameters: Vec<String>,
+    varies: bool,
+    name: &str,
+) -> PyResult<Places> {
+    places(&names, (&states, states.len()), &parameters, varies, name)
 }
 
 fn readonly<'py, T: Element>(

@@ -13,9 +13,9 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::{Eps, doubles};
+use crate::arrays::{Eps, Places, doubles, places};
 use crate::beside::{Listener, apart};
-use crate::errors::of_study;
+use crate::errors::{of_dimension, of_study};
 use crate::orbit::wrong_shape;
 
 /// A field with the values of its parameters: what `kahan.System` stands on.
@@ -32,6 +32,8 @@ pub(crate) struct Last {
     double: Option<MapAt<f64>>,
     single: Option<MapAt<f32>>,
     with_integrals: Option<MapAt<f64>>,
+    /// That at other values of parameters, which stand beside it.
+    valued: Option<(Vec<Option<f64>>, MapAt<f64>)>,
 }
 
 /// A float of NumPy's that steps are made in.
@@ -96,6 +98,26 @@ impl Field {
         last.with_integrals = Some(at.clone());
         Ok(at)
     }
+
+    /// The map at eps = 0 where parameters have these values in place of their own, which is kept for
+    /// the next call.
+    pub(crate) fn valued(&self, py: Python<'_>, values: &[Option<f64>]) -> PyResult<MapAt<f64>> {
+        if values.iter().all(Option::is_none) {
+            return self.at(py, 0.0);
+        }
+        let mut last = self.last.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some((_, at)) = last.valued.as_ref().filter(|(known, _)| known == values) {
+            return Ok(at.clone());
+        }
+        let given: Vec<Vec<f64>> = values.iter().map(|value| value.iter().copied().collect()).collect();
+        let at: MapAt<f64> = self.map_with(py, &given)?.at(0.0);
+        let own = at.map().parameters().iter().map(Rational::to_f64);
+        let constants: Vec<f64> = values.iter().zip(own).map(|(value, own)| value.unwrap_or(own)).collect();
+        let constants: Vec<&[f64]> = constants.iter().map(std::slice::from_ref).collect();
+        let at = at.each(&[], &constants).map_err(|error| of_dimension(&error))?.swap_remove(0);
+        last.valued = Some((values.to_vec(), at.clone()));
+        Ok(at)
+    }
 }
 
 impl Field {
@@ -152,9 +174,9 @@ impl Field {
     }
 }
 
-/// Which lift is wanted, the point whose orbit it is for, the time there, and whether arrays have
-/// the new variables.
-type Lift = (String, Option<Vec<String>>, String, bool);
+/// Which lift is wanted, the point whose orbit it is for with the names of its coordinates if they
+/// have some, the time there, and whether arrays have the new variables.
+type Lift = (String, Option<(Vec<String>, Vec<String>)>, String, bool);
 
 fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
     let known = Which::ALL.iter().find(|one| one.name() == which);
@@ -165,9 +187,10 @@ fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
     let read = |what: &str, value: &str| {
         number(value).map_err(|why| PyValueError::new_err(format!("{what}: {why}")))
     };
+    let (start, names) = start.map_or((None, Vec::new()), |(start, names)| (Some(start), names));
     let start = start.map(|start| start.iter().map(|value| read("at", value)).collect::<PyResult<Vec<_>>>());
     let (start, time) = (start.transpose()?, read("t0", &time)?);
-    Ok(Lifting { which, start, time, shows_all, ..Lifting::default() })
+    Ok(Lifting { which, start, names, time, shows_all, ..Lifting::default() })
 }
 
 /// How Python gives a field.
@@ -275,6 +298,14 @@ impl Field {
     #[getter]
     fn variables(&self) -> Vec<&str> {
         self.study.shown().iter().map(String::as_str).collect()
+    }
+
+    /// The places of columns with these names: of the variables, and, where `varies` says that they
+    /// may have some, of parameters and `eps` by name. `name` is the argument that is read.
+    #[pyo3(name = "_matched")]
+    fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
+        let states = (self.study.shown(), self.study.coordinates().len());
+        places(&names, states, self.study.parameters(), varies, name)
     }
 
     /// All variables, those of formulas.

@@ -8,7 +8,7 @@ use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::{Eps, doubles};
+use crate::arrays::{Eps, Places, doubles, named, places};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, of_study};
 
@@ -62,6 +62,13 @@ impl Chain {
         self.lattice.arrays()
     }
 
+    /// The places of columns with these names, one an array; a chain has no values a row beside.
+    #[pyo3(name = "_matched")]
+    fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
+        let arrays = self.lattice.arrays();
+        places(&names, (arrays, arrays.len()), &[], varies, name)
+    }
+
     /// The number of sites.
     #[getter]
     fn sites(&self) -> usize {
@@ -71,16 +78,16 @@ impl Chain {
     /// The state so many steps later, of the shape that the state has.
     #[pyo3(signature = (state, steps = 1, *, listener = None))]
     fn advance<'py>(
-        &self,
+        slf: &Bound<'py, Self>,
         state: &Bound<'py, PyAny>,
         steps: u64,
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let py = state.py();
-        let state = doubles(state, "state")?;
-        let mut x = self.state(&state)?;
+        let (py, own) = (state.py(), slf.get());
+        let state = doubles(&named(state, slf, "state")?, "state")?;
+        let mut x = own.state(&state)?;
         let followed = beside(py, Some(1), &Listener(listener), |caller| {
-            let at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
+            let at = own.at.lock().unwrap_or_else(PoisonError::into_inner);
             at.follow(&mut x, steps, |made| caller.made(made, steps))
         })?;
         let followed = followed.map_err(|error| of_dimension(&error))?;
@@ -94,15 +101,16 @@ impl Chain {
     /// The sums that the chain claims at a state, by name: its integrals, the Hamiltonian, and the
     /// energy that the map keeps in its place.
     #[pyo3(name = "_sums")]
-    fn sums(&self, state: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
-        let state = doubles(state, "state")?;
-        let x = self.state(&state)?;
-        let mut at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
+    fn sums(slf: &Bound<'_, Self>, state: &Bound<'_, PyAny>) -> PyResult<Vec<(String, f64)>> {
+        let own = slf.get();
+        let state = doubles(&named(state, slf, "state")?, "state")?;
+        let x = own.state(&state)?;
+        let mut at = own.at.lock().unwrap_or_else(PoisonError::into_inner);
         let failed = |error| of_dimension(&error);
         let integrals = at.integrals(&x).map_err(failed)?;
         let mut sums: Vec<(String, f64)> =
-            self.lattice.integrals().into_iter().map(str::to_owned).zip(integrals).collect();
-        if let Some(name) = self.lattice.hamiltonian() {
+            own.lattice.integrals().into_iter().map(str::to_owned).zip(integrals).collect();
+        if let Some(name) = own.lattice.hamiltonian() {
             let energies = [at.hamiltonian(&x).map_err(failed)?, at.modified_energy(&x).map_err(failed)?];
             let names = [name.to_owned(), format!("{name}_modified")];
             sums.extend(names.into_iter().zip(energies).filter_map(|(name, energy)| Some((name, energy?))));

@@ -30,8 +30,8 @@ use pyo3::prelude::*;
 mod _kahan {
     #[pymodule_export]
     use super::{
-        arrow::arrow, basis::Relation, command, field::Field, lattice::Chain, lattice::is_family, names,
-        nearest, picture_scale,
+        arrays::columns, arrow::arrow, basis::Relation, command, field::Field, lattice::Chain,
+        lattice::is_family, names, nearest, picture_scale,
     };
 
     /// The version of the package.

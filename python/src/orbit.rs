@@ -10,7 +10,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyUntyp
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
-use crate::arrays::{Eps, Floats, doubles, floats, half_step, out as writable};
+use crate::arrays::{Eps, Floats, doubles, floats, half_step, named, out as writable};
 use crate::beside::{Listener, beside};
 use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
@@ -23,26 +23,26 @@ impl Field {
     /// The points one time step of 2 eps later.
     #[pyo3(signature = (x, eps = None, *, dt = None, out = None))]
     fn step<'py>(
-        &self,
+        slf: &Bound<'py, Self>,
         x: &Bound<'py, PyAny>,
         eps: Option<&Bound<'py, PyAny>>,
         dt: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.stepped(x, half_step(eps, dt)?, out, false)
+        slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, false)
     }
 
     /// The same with a promise: an error of at most 64 units in the last place of the largest
     /// component, or `SingularStep`, which says why there is no such point.
     #[pyo3(signature = (x, eps = None, *, dt = None, out = None))]
     fn try_step<'py>(
-        &self,
+        slf: &Bound<'py, Self>,
         x: &Bound<'py, PyAny>,
         eps: Option<&Bound<'py, PyAny>>,
         dt: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.stepped(x, half_step(eps, dt)?, out, true)
+        slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, true)
     }
 
     /// The rows of an orbit as far as it goes, how many steps it made, how it ended: complete, range
@@ -68,11 +68,17 @@ impl Field {
         }
     }
 
-    /// f(x) at points, of the shape that they have; or f′(x), with an axis more.
-    #[pyo3(name = "_field_at", signature = (x, *, jacobian = false))]
-    fn field_at<'py>(&self, x: &Bound<'py, PyAny>, jacobian: bool) -> PyResult<Bound<'py, PyAny>> {
+    /// f(x) at points, of the shape that they have; or f′(x), with an axis more. `parameters` are
+    /// values in place of the field's own, `None` for these.
+    #[pyo3(name = "_field_at", signature = (x, *, parameters = Vec::new(), jacobian = false))]
+    fn field_at<'py>(
+        &self,
+        x: &Bound<'py, PyAny>,
+        parameters: Vec<Option<f64>>,
+        jacobian: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let py = x.py();
-        let (x, at) = (doubles(x, "x")?, self.at::<f64>(py, 0.0)?);
+        let (x, at) = (doubles(x, "x")?, self.valued(py, &parameters)?);
         let n = at.dimension();
         if x.shape().last() != Some(&n) {
             return Err(self.wrong_points("x", &["…"], x.shape()));

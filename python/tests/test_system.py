@@ -191,6 +191,11 @@ def test_bases_are_functions_of_orbits():
         assert list(values) == list(one) == basis.integrals
         for name, value in values.items():
             assert value.shape == (2,) and one[name].shape == () and value[0] == one[name]
+        turned = dict(reversed(list(zip(s.variables, x[0]))))
+        assert basis.integral_values(s, turned, 0.2) == one
+        for call in (basis.monomial_values, basis.coefficients):
+            with pytest.raises(TypeError, match=f"x: numbers are taken in order here, .* names {', '.join(turned)}"):
+                call(turned)
         with pytest.raises(ValueError, match=f"{basis.points} consecutive points"):
             basis.coefficients(x[: basis.points - 1])
 

@@ -197,7 +197,7 @@ def test_names_of_columns_decide_which_variable_they_are() -> None:
     s = kahan.System("xdot = k1*y; ydot = -x;", k1=2)
     rows = np.array([[0.1, 0.2], [0.3, 0.4]])
     expected = s.ensemble(rows, 0.1, 5).x
-    frame = pandas.DataFrame({"y": rows[:, 1], "note": [1, 2], "x": rows[:, 0]}, index=["a", "b"])
+    frame = pandas.DataFrame({"y": rows[:, 1], "x": rows[:, 0]}, index=["a", "b"])
     structured = np.array([(b, a) for a, b in rows], dtype=[("y", float), ("x", float)])
     for given in (frame, structured, {"y": rows[:, 1], "x": rows[:, 0]}, pandas.DataFrame(rows)):
         np.testing.assert_array_equal(s.ensemble(given, 0.1, 5).x, expected)
@@ -206,12 +206,13 @@ def test_names_of_columns_decide_which_variable_they_are() -> None:
     for given in (frame.iloc[0], {"y": 0.2, "x": 0.1}):
         np.testing.assert_array_equal(s.orbit(given, 0.1, 5).x, start)
         assert s.observe(given, 0.1, 5).steps == 5
-    for wrong, said in ((frame.assign(k1=1.0), "`k1` is no variable"), (frame.assign(eps=1.0), "`eps` is no variable"),
-                        (frame[["x", "note"]], "no column `y`"), (frame[["x", "x", "y"]], "two columns `x`")):
+    for wrong, said in ((frame.assign(note=1), "cannot be used, `note`"), (frame.assign(eps=1.0), "eps is given twice"),
+                        (frame[["x"]], "no column `y`"), (frame[["x", "x", "y"]], "two columns `x`")):
         with pytest.raises(ValueError, match=said):
             s.ensemble(wrong, 0.1, 5)
-    with pytest.raises(TypeError, match="have the names y, note, x"):
-        s.step(frame, 0.1)
+    np.testing.assert_array_equal(s.step(frame, 0.1), s.step(rows, 0.1))
+    with pytest.raises(TypeError, match="eps: .* have the names y, x"):
+        s.ensemble(rows, frame, 5)
 
 
 def test_every_color_that_is_listed_is_shown() -> None:

@@ -22,6 +22,7 @@
 
 #[cfg(feature = "catalog")]
 mod catalog;
+pub mod columns;
 mod count;
 mod draw;
 mod error;

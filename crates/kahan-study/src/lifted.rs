@@ -19,6 +19,7 @@ use kahan_lift::{Along, Embedding, Lift, Options, Which, lift, stated};
 use kahan_runtime::{FieldText, Relations};
 use serde::{Serialize, Serializer};
 
+use crate::columns::{Others, Wanted};
 use crate::error::StudyError;
 use crate::relations::RelationErrors;
 use crate::study::Study;
@@ -31,12 +32,29 @@ pub struct Lifting {
     /// The first point of the orbit along which lifts are judged, in the original variables; by
     /// default the first point that the text gives.
     pub start: Option<Vec<Rational>>,
+    /// The names of the coordinates of `start`; none where they are in the order of the variables.
+    pub names: Vec<String>,
     /// Values by which lifts are judged of parameters that have none.
     pub near: Vec<(String, Rational)>,
     /// The value of `t` at the start, where the equations depend on it.
     pub time: Rational,
     /// Whether answers show the new variables beside the original ones.
     pub shows_all: bool,
+}
+
+impl Lifting {
+    /// Puts the coordinates of the start in the order of the variables. Without one for each there
+    /// is no start.
+    fn put_in_order(&mut self, states: &[String]) {
+        let names = std::mem::take(&mut self.names);
+        if !names.is_empty() {
+            let places = Wanted::new(states, &[], Others::Ignored).places(&names);
+            let start = self.start.take().zip(places.ok());
+            let of = |start: &[Rational], place: &usize| start.get(*place).cloned();
+            self.start =
+                start.and_then(|(start, found)| found.states.iter().map(|place| of(&start, place)).collect());
+        }
+    }
 }
 
 /// A lift with what became of it.
@@ -67,9 +85,11 @@ impl Lifted {
         let named = |name: &String, known: &[(String, Rational)]| {
             known.iter().find(|(known, _)| known == name).map(|(_, value)| value.to_f64())
         };
+        let mut lifting = lifting.clone();
         let read = given.read_by(|tokens| {
             let stated = stated(tokens)?;
             let states = &stated.states[..stated.states.len() - usize::from(stated.has_time)];
+            lifting.put_in_order(states);
             let start: Option<Vec<f64>> = match &lifting.start {
                 Some(start) if start.len() == states.len() => {
                     Some(start.iter().map(Rational::to_f64).collect())
@@ -101,7 +121,7 @@ impl Lifted {
         let known = &system.field.symbols.parameters;
         let place = |name: &String| known.iter().position(|known| known == name);
         let parameters = lift.parameters.iter().map(place).collect();
-        let (given, lifting, slopes) = (given.clone(), lifting.clone(), OnceLock::new());
+        let (given, slopes) = (given.clone(), OnceLock::new());
         let (shown, places) = (original.clone(), (0..states).collect());
         let lifted = Lifted { lift, given, lifting, original, shown, places, parameters, slopes };
         let lifted = if lifted.lifting.shows_all { lifted.showing_all() } else { lifted };

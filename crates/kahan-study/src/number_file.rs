@@ -15,6 +15,8 @@
 use csv::{ReaderBuilder, StringRecord, Trim};
 use kahan_algebra::rational::Rational;
 
+use crate::columns::Wanted;
+
 /// A number as files have it.
 pub trait Entry: Sized {
     /// The number in a cell of text, which may be empty; `None` where the cell has no number.
@@ -70,62 +72,61 @@ impl<V: Entry> Numbers<V> {
 }
 
 impl Numbers<Option<Rational>> {
-    /// A first point a row, with a coordinate a variable: of named columns those of the variables,
-    /// else a column a variable. `others` are names that mean something else in the field: a column
-    /// of such a name would be passed over, and is refused.
+    /// A first point a row, with a coordinate a state: of named columns those of the states, else a
+    /// column a state. The first column is ignored where it has no name and numbers the rows from 0,
+    /// as pandas writes it.
     ///
     /// # Errors
     /// What the file has too much or too little of, said of it: "has no rows; …".
-    pub fn points(&self, variables: &[String], others: &[String]) -> Result<Vec<Vec<Rational>>, String> {
+    pub fn points(&self, wanted: &Wanted<'_>) -> Result<Vec<Vec<Rational>>, String> {
         let Numbers { names, sizes, values } = self;
-        if let Some(other) = names.iter().flatten().find(|name| others.contains(name)) {
-            return Err(format!(
-                "has a column `{other}`, which is no variable, and rows are first points; leave it out, and give {other} one value"
-            ));
-        }
-        let named = |names: &[String], variable: &String| {
-            let mut places = (0..names.len()).filter(|place| names[*place] == *variable);
-            match (places.next(), places.next()) {
-                (Some(place), None) => Ok(place),
-                (Some(_), Some(_)) => Err(format!("has two columns `{variable}`; leave one of them out")),
-                (None, _) => Err(format!("has no column `{variable}`; it has {}", names.join(", "))),
-            }
-        };
+        let states = wanted.states;
+        let width = sizes.get(1).copied().unwrap_or_default();
         let columns: Vec<usize> = match names {
             Some(names) => {
-                variables.iter().map(|variable| named(names, variable)).collect::<Result<_, _>>()?
+                let hidden =
+                    usize::from(names.first().is_some_and(String::is_empty) && self.is_numbered(width));
+                let places = wanted.places(&names[hidden..]).map_err(|error| error.to_string())?;
+                places.states.into_iter().map(|place| place + hidden).collect()
             }
-            None => (0..variables.len()).collect(),
+            None => (0..states.len()).collect(),
         };
-        let width = match sizes[..] {
+        match sizes[..] {
             [] | [0, _] => return Err("has no rows; a row is a first point".to_owned()),
-            [_, width] if names.is_some() || width == variables.len() => width,
+            [_, width] if names.is_some() || width == states.len() => {}
             _ => {
                 let sizes: Vec<String> = sizes.iter().map(usize::to_string).collect();
                 return Err(format!(
                     "has {} numbers, and first points are rows of {}: {}",
                     sizes.join(" x "),
-                    variables.len(),
-                    variables.join(",")
+                    states.len(),
+                    states.join(",")
                 ));
             }
-        };
+        }
         let point = |(row, values): (usize, &[Option<Rational>])| {
-            let coordinate = |(column, variable): (&usize, &String)| {
+            let coordinate = |(column, state): (&usize, &String)| {
                 values[*column].clone().ok_or_else(|| {
-                    format!("has no number for {variable} in row {}, and a first point needs each", row + 1)
+                    format!("has no number for {state} in row {}, and a first point needs each", row + 1)
                 })
             };
-            columns.iter().zip(variables).map(coordinate).collect()
+            columns.iter().zip(states).map(coordinate).collect()
         };
         values.chunks_exact(width).enumerate().map(point).collect()
     }
+
+    /// Whether the first column has 0, 1, 2, ….
+    fn is_numbered(&self, width: usize) -> bool {
+        let mut first = self.values.iter().step_by(width.max(1)).zip(0_i64..);
+        first.all(|(value, row)| *value == Some(Rational::from(row)))
+    }
 }
 
-/// Rows of numbers with commas, behind a row of names or not.
+/// Rows of numbers with commas, behind a row of names or not. A row that begins with `#` is a
+/// comment; the last one above the numbers that has a word a column names them, as NumPy writes it.
 fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
-    let (mut row, mut is_first) = (StringRecord::new(), true);
+    let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
     let mut numbers = Numbers { names: None, sizes: Vec::new(), values: Vec::new() };
     // Bytes in memory can be read, so all that may be wrong is what they say.
     while cells.read_record(&mut row).map_err(|_| "it is no text".to_owned())? {
@@ -133,12 +134,20 @@ fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
         if row.len() == 1 && row[0].is_empty() {
             continue;
         }
+        if row[0].starts_with('#') {
+            comments.push(row.iter().collect::<Vec<_>>().join(","));
+            continue;
+        }
         let line = || line(text, &row);
+        if is_first {
+            numbers.names = comments.iter().rev().find_map(|comment| names_in(comment, row.len()));
+        }
         // How orbits ended is told in words.
         let words = numbers.names.iter().flatten().position(|name| name == "ended");
-        let number =
-            |(place, cell): (usize, _)| V::of_text(if words == Some(place) { "" } else { cell }).ok_or(cell);
-        let values: Result<Vec<V>, &str> = row.iter().enumerate().map(number).collect();
+        let number = |(place, cell): (usize, _)| {
+            V::of_text(if words == Some(place) { "" } else { cell }).ok_or((place, cell))
+        };
+        let values: Result<Vec<V>, (usize, &str)> = row.iter().enumerate().map(number).collect();
         match values {
             Ok(values) => {
                 let (found, names) = (values.len(), numbers.names.as_ref().map(Vec::len));
@@ -161,11 +170,26 @@ fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
                 numbers.values.extend(values);
             }
             Err(_) if is_first => numbers.names = Some(row.iter().map(str::to_owned).collect()),
-            Err(cell) => return Err(format!("`{cell}` in line {} is no number", line())),
+            Err((place, cell)) => {
+                let name = numbers.names.as_ref().and_then(|names| names.get(place));
+                let of = name.map_or_else(String::new, |name| format!(" of column `{name}`"));
+                let commas =
+                    if cell.contains(char::is_whitespace) { "; commas stand between numbers" } else { "" };
+                return Err(format!("`{cell}`{of} in line {} is no number{commas}", line()));
+            }
         }
         is_first = false;
     }
     Ok(numbers)
+}
+
+/// The names in a comment above so many columns: between commas, or else between spaces.
+fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
+    let comment = comment.trim_start_matches('#').trim();
+    let between: [Vec<&str>; 2] = [comment.split(',').collect(), comment.split_whitespace().collect()];
+    let is_name = !comment.is_empty() && (columns > 1 || !comment.contains(char::is_whitespace));
+    let found = between.into_iter().find(|names| names.len() == columns && is_name)?;
+    Some(found.into_iter().map(|name| name.trim().trim_matches('"').to_owned()).collect())
 }
 
 /// The line in which a row begins. The reader does not count what it skips before a row: empty
@@ -178,6 +202,7 @@ fn line(text: &[u8], row: &StringRecord) -> usize {
 
 /// An array of NumPy's.
 struct Array<'a> {
+    header: &'a str,
     /// The type of its entries, in quotes.
     descr: &'a str,
     /// Whether columns lie one behind the other, and not rows.
@@ -196,12 +221,12 @@ impl<'a> Array<'a> {
             let rest = header.split_once(&format!("'{key}':"))?.1.trim_start();
             Some(rest.split_once([',', '}']).map_or(rest, |(value, _)| value).trim())
         };
-        let shape = header.split_once('(')?.1.split_once(')')?.0;
+        let shape = header.split_once("'shape': (")?.1.split_once(')')?.0;
         let sizes = shape.split(',').map(str::trim).filter(|size| !size.is_empty());
         let sizes: Vec<usize> = sizes.map(str::parse).collect::<Result<_, _>>().ok()?;
         let count = sizes.iter().try_fold(1, |product: usize, size| product.checked_mul(*size))?;
         let (descr, is_fortran) = (value("descr")?, value("fortran_order") != Some("False"));
-        Some(Array { descr, is_fortran, sizes, count, data })
+        Some(Array { header, descr, is_fortran, sizes, count, data })
     }
 
     /// Its entries of so many bytes, row by row.
@@ -231,6 +256,18 @@ impl<'a> Array<'a> {
 /// An array of numbers, row by row.
 fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
     let array = Array::of(bytes).ok_or(BROKEN)?;
+    if array.descr.starts_with('[') {
+        let (names, kinds): (Vec<_>, Vec<_>) = fields(array.header).ok_or(BROKEN)?.into_iter().unzip();
+        let values = records(array.data, &kinds).filter(|_| array.sizes.len() == 1);
+        let values: Vec<V> = values.ok_or("its records are no rows of floats; save it with floats alone")?;
+        let sizes = vec![array.count, names.len()];
+        let is_whole = array.count.checked_mul(names.len()) == Some(values.len());
+        return if is_whole {
+            Ok(Numbers { names: Some(names), sizes, values })
+        } else {
+            Err(BROKEN.to_owned())
+        };
+    }
     let values = match array.descr {
         "'<f8'" => array.entries(|bytes| V::of_float(f64::from_le_bytes(bytes))),
         "'<f4'" => array.entries(|bytes| V::of_float(f32::from_le_bytes(bytes).into())),
@@ -262,6 +299,37 @@ pub fn words(bytes: &[u8]) -> Result<Vec<String>, String> {
         Ok(word.trim_end_matches('\0').to_owned())
     };
     (0..array.count).map(word).collect()
+}
+
+/// The names and the kinds of the columns of a structured array: `[('x', '<f8'), ('y', '<f8')]`.
+fn fields(header: &str) -> Option<Vec<(String, &str)>> {
+    let (_, list) = header.split_once('[')?;
+    let (list, _) = list.split_once(']')?;
+    let fields = list.split(')').filter(|field| field.contains('('));
+    let named = fields.map(|field| match field.split('\'').collect::<Vec<_>>()[..] {
+        [_, name, _, kind, ""] => Some((name.to_owned(), kind)),
+        _ => None,
+    });
+    named.collect()
+}
+
+/// The numbers of the records of a structured array, row by row, whose columns have these kinds.
+fn records<V: Entry>(mut data: &[u8], kinds: &[&str]) -> Option<Vec<V>> {
+    let mut values = Vec::new();
+    if kinds.is_empty() {
+        return None;
+    }
+    while !data.is_empty() {
+        for kind in kinds {
+            let float = match *kind {
+                "<f8" => f64::from_le_bytes(*data.split_off(..8)?.first_chunk()?),
+                "<f4" => f32::from_le_bytes(*data.split_off(..4)?.first_chunk()?).into(),
+                _ => return None,
+            };
+            values.push(V::of_float(float));
+        }
+    }
+    Some(values)
 }
 
 /// The header of an array, as text, and what follows.
@@ -304,6 +372,25 @@ mod tests {
         for text in ["1\r\n\r\n \r\nx\r\n", "1\n\n \nx"] {
             assert_eq!(table(text), Err("`x` in line 4 is no number".to_owned()), "{text:?}");
         }
+        // As NumPy writes names and other comments.
+        for text in [
+            "# a,b\n1,2",
+            "#a, b\n1,2",
+            "# \"a\",\"b\"\n1,2",
+            "# a b\n1,2",
+            "# a, b\n# more than two words\n1,2\n# end",
+        ] {
+            assert_eq!(table(text), numbers(Some(&["a", "b"]), &[1.0, 2.0]), "{text:?}");
+        }
+        assert_eq!(table("# of c and d\na,b\n1,2"), numbers(Some(&["a", "b"]), &[1.0, 2.0]));
+        for text in ["#\n1\n2", "# of two rows\n1\n2"] {
+            assert_eq!(table(text), numbers(None, &[1.0, 2.0]), "{text:?}");
+        }
+        assert_eq!(table("a,b\n1,x"), Err("`x` of column `b` in line 2 is no number".to_owned()));
+        assert_eq!(
+            table("# a b\n1 2\n3 4"),
+            Err("`3 4` of column `1 2` in line 3 is no number; commas stand between numbers".to_owned())
+        );
         let left_out = table("a,b\n1,\n").expect("a table").values;
         assert!(left_out[0] == 1.0 && left_out[1].is_nan());
     }
@@ -313,7 +400,7 @@ mod tests {
     fn arrays_are_read_as_numpy_writes_them() {
         let file = |version: u8, descr: &str, fortran: &str, shape: &str, data: &[u8]| {
             let header =
-                format!("{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}          \n");
+                format!("{{'descr': {descr}, 'fortran_order': {fortran}, 'shape': {shape}, }}          \n");
             let length = u16::try_from(header.len()).expect("short").to_le_bytes();
             let wide: &[u8] = if version == 1 { &[] } else { &[0, 0] };
             [b"\x93NUMPY", &[version, 0][..], &length, wide, header.as_bytes(), data].concat()
@@ -324,43 +411,54 @@ mod tests {
             Ok(Numbers { names: None, sizes: sizes.to_vec(), values: values.to_vec() })
         };
         let four = [1.0, -2.5, 3.0, 4.0];
-        assert_eq!(array(&file(1, "<f8", "False", "(4,)", &doubles)), numbers(&[4], &four));
-        assert_eq!(array(&file(2, "<f8", "False", "(2, 2)", &doubles)), numbers(&[2, 2], &four));
-        assert_eq!(array(&file(3, "<f8", "True", "(1, 4)", &doubles)), numbers(&[1, 4], &four));
-        assert_eq!(array(&file(1, "<f4", "False", "(2,)", &singles)), numbers(&[2], &[0.5, 8.0]));
+        assert_eq!(array(&file(1, "'<f8'", "False", "(4,)", &doubles)), numbers(&[4], &four));
+        assert_eq!(array(&file(2, "'<f8'", "False", "(2, 2)", &doubles)), numbers(&[2, 2], &four));
+        assert_eq!(array(&file(3, "'<f8'", "True", "(1, 4)", &doubles)), numbers(&[1, 4], &four));
+        assert_eq!(array(&file(1, "'<f4'", "False", "(2,)", &singles)), numbers(&[2], &[0.5, 8.0]));
         assert_eq!(
-            array(&file(1, "<f8", "True", "(2, 2)", &doubles)),
+            array(&file(1, "'<f8'", "True", "(2, 2)", &doubles)),
             numbers(&[2, 2], &[1.0, 3.0, -2.5, 4.0])
         );
         let six: Vec<u8> = (0..6_i32).flat_map(i32::to_le_bytes).collect();
         let turned = numbers(&[1, 3, 2], &[0.0, 3.0, 1.0, 4.0, 2.0, 5.0]);
-        assert_eq!(array(&file(1, "<i4", "True", "(1, 3, 2)", &six)), turned);
+        assert_eq!(array(&file(1, "'<i4'", "True", "(1, 3, 2)", &six)), turned);
         let wide: Vec<u8> = [-7_i64, 1 << 40].iter().flat_map(|x| x.to_le_bytes()).collect();
         assert_eq!(
-            array(&file(1, "<i8", "False", "(2,)", &wide)),
+            array(&file(1, "'<i8'", "False", "(2,)", &wide)),
             numbers(&[2], &[-7.0, 1_099_511_627_776.0])
         );
-        assert_eq!(array(&file(1, "<f8", "True", "(0, 2)", &[])), numbers(&[0, 2], &[]));
+        assert_eq!(array(&file(1, "'<f8'", "True", "(0, 2)", &[])), numbers(&[0, 2], &[]));
         let letters: Vec<u8> = "xαu\0".chars().flat_map(|letter| u32::from(letter).to_le_bytes()).collect();
         assert_eq!(
-            words(&file(1, "<U2", "False", "(2,)", &letters)),
+            words(&file(1, "'<U2'", "False", "(2,)", &letters)),
             Ok(vec!["xα".to_owned(), "u".to_owned()])
         );
+        let records = |descr, data: &[u8]| array::<f64>(&file(1, descr, "False", "(2,)", data));
+        let named = Numbers {
+            names: Some(vec!["y".to_owned(), "x".to_owned()]),
+            sizes: vec![2, 2],
+            values: four.to_vec(),
+        };
+        assert_eq!(records("[('y', '<f8'), ('x', '<f8')]", &doubles), Ok(named));
+        assert!(records("[('y', '<i8'), ('x', '<f8')]", &doubles).is_err());
+        assert!(records("[('y', '<f8'), ('x', '<f8')]", &doubles[..31]).is_err());
+        assert!(records("[('y', '<f8')]", &doubles).is_err());
+        assert!(records("[]", &doubles).is_err());
         for wrong in [
-            file(1, "<U2", "False", "(3,)", &letters),
-            file(1, "<U9999999999999999999", "False", "(2,)", &letters),
-            file(1, "<U0", "False", "(9999999999999999999,)", &[]),
-            file(1, "<f8", "False", "(2,)", &letters),
-            file(1, "<U1", "False", "(1,)", &[255; 4]),
+            file(1, "'<U2'", "False", "(3,)", &letters),
+            file(1, "'<U9999999999999999999'", "False", "(2,)", &letters),
+            file(1, "'<U0'", "False", "(9999999999999999999,)", &[]),
+            file(1, "'<f8'", "False", "(2,)", &letters),
+            file(1, "'<U1'", "False", "(1,)", &[255; 4]),
         ] {
             assert!(words(&wrong).is_err(), "{}", String::from_utf8_lossy(&wrong));
         }
         for wrong in [
-            file(1, "<c16", "False", "(2,)", &doubles),
-            file(1, "|O", "False", "(4,)", &doubles),
-            file(1, "<f8", "False", "(5,)", &doubles),
-            file(1, "<f8", "False", "(4,)", &doubles[..31]),
-            file(1, "<f8", "False", "(18446744073709551615, 2)", &doubles),
+            file(1, "'<c16'", "False", "(2,)", &doubles),
+            file(1, "'|O'", "False", "(4,)", &doubles),
+            file(1, "'<f8'", "False", "(5,)", &doubles),
+            file(1, "'<f8'", "False", "(4,)", &doubles[..31]),
+            file(1, "'<f8'", "False", "(18446744073709551615, 2)", &doubles),
             b"\x93NUMPY\x01\x00\xff\xff{".to_vec(),
             b"x,y".to_vec(),
         ] {

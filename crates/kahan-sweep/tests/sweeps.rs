@@ -496,7 +496,7 @@ fn what_is_wrong_with_a_file_of_first_points_is_told_where_the_plan_names_it() {
     for (file, part) in [
         ("x,y\n1,2\n", "has no column `z`; it has x, y"),
         ("x,y,z\n1,2,3\n1,,3\n", "has no number for y in row 2"),
-        ("x,y,z\n1,2,inf\n", "cannot be read: `inf` in line 2 is no number"),
+        ("x,y,z\n1,2,inf\n", "cannot be read: `inf` of column `z` in line 2 is no number"),
         ("x,y,z\n", "has no rows"),
         ("1,2\n", "first points are rows of 3: x,y,z"),
     ] {

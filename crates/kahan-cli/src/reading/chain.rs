@@ -4,6 +4,7 @@
 
 use kahan_algebra::rational::Rational;
 use kahan_runtime::Lattice;
+use kahan_study::columns::{Others, Wanted};
 use kahan_study::formula::{Formula, Known};
 use kahan_study::number_file::Numbers;
 use kahan_study::{Chain, StudyError};
@@ -64,7 +65,13 @@ fn parameter<'a>(given: &'a str, sites: usize, known: &Known) -> Result<(&'a str
     let (name, value) = named(given, "--param", "c=1/2")?;
     let option = format!("--param {name}");
     if is_number_file(value) {
-        return Ok((name, read(value, &option)?.values));
+        let Numbers { names, values, .. } = read(value, &option)?;
+        // Names above more than one column decide.
+        let Some(names) = names.filter(|names| names.len() > 1) else { return Ok((name, values)) };
+        let wanted = [name.to_owned()];
+        let place = Wanted::new(&wanted, &[], Others::Ignored).places(&names);
+        let place = place.map_err(|why| Refusal::new(format!("{option}: the file {value} {why}")))?.states[0];
+        return Ok((name, values.into_iter().skip(place).step_by(names.len()).collect()));
     }
     if let Ok(number) = number(value, &option) {
         return Ok((name, vec![number.to_f64()]));
@@ -92,12 +99,12 @@ fn state(start: &str, arrays: &[String], sites: usize, known: &Known) -> Result<
 }
 
 fn of_file(path: &str, arrays: &[String], sites: usize) -> Result<Vec<f64>, Refusal> {
-    let Numbers { names, sizes, values } = read(path, "--start")?;
-    if let Some(names) = names.filter(|names| names != arrays) {
-        let [names, arrays] = [&names[..], arrays].map(|names| names.join(", "));
-        return Err(Refusal::new(format!(
-            "--start: the columns of {path} are {names}, and those of a state {arrays}"
-        )));
+    let Numbers { names, sizes, mut values } = read::<f64>(path, "--start")?;
+    if let Some(names) = names {
+        let places = Wanted::new(arrays, &[], Others::Refused).places(&names);
+        let places = places.map_err(|why| Refusal::new(format!("--start: the file {path} {why}")))?.states;
+        let rows = values.chunks_exact(names.len());
+        values = rows.flat_map(|row| places.iter().map(|place| row[*place])).collect();
     }
     // Of one array, a row a site may be a list as well; of several states, the last is the start.
     let mut state = vec![sites, arrays.len()];

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use kahan_algebra::rational::Rational;
 use kahan_study::Study;
+use kahan_study::columns::{Others, Wanted};
 use kahan_study::number_file::{Entry, Numbers};
 
 use super::values::number;
@@ -35,8 +36,7 @@ pub(crate) fn points(at: Option<&str>, study: &Study) -> Result<Vec<Vec<Rational
     if !is_number_file(at) {
         return Ok(vec![coordinates(at, states)?]);
     }
-    let others = [study.parameters(), &["eps".to_owned()]].concat();
-    let points = read(at, "--at")?.points(states, &others);
+    let points = read(at, "--at")?.points(&Wanted::new(states, study.parameters(), Others::Refused));
     points.map_err(|why| Refusal::new(format!("--at: the file {at} {why}")))
 }
 
@@ -45,14 +45,21 @@ pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, Re
     only(points(at, study)?, at)
 }
 
-/// The first of the points that `--at` gives, whatever the field; `None` where it gives none.
-pub(super) fn first_point(at: &str) -> Option<Vec<Rational>> {
+/// The first of the points that `--at` gives, whatever the field, with the names of its coordinates
+/// where it has some; `None` where there is no point.
+pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     if is_number_file(at) {
-        let rows = read::<f64>(at, "--at").ok()?;
+        let rows = read::<Option<Rational>>(at, "--at").ok()?;
         let width = rows.sizes.last().copied().unwrap_or_default();
-        return rows.values.get(..width)?.iter().map(|value| Rational::from_f64(*value)).collect();
+        let (first, names) = (rows.values.get(..width)?, rows.names.unwrap_or_default());
+        // Only states need a number.
+        let given =
+            first.iter().enumerate().filter_map(|(k, value)| Some((value.clone()?, names.get(k).cloned())));
+        let (point, names): (Vec<_>, Vec<_>) = given.unzip();
+        return Some((point, names.into_iter().flatten().collect()));
     }
-    at.split("..").next()?.split(',').map(|part| number(part, "--at").ok()).collect()
+    let first = at.split("..").next()?;
+    Some((first.split(',').map(|part| number(part, "--at").ok()).collect::<Option<_>>()?, Vec::new()))
 }
 
 /// The one among the points that `--at` gives.
@@ -70,6 +77,11 @@ pub(super) fn only(mut points: Vec<Vec<Rational>>, at: Option<&str>) -> Result<V
 /// One coordinate a state.
 fn coordinates(text: &str, states: &[String]) -> Result<Vec<Rational>, Refusal> {
     let parts: Vec<&str> = text.split(',').collect();
+    if Path::new(text).is_file() && parts.iter().any(|part| number(part, "--at").is_err()) {
+        return Err(Refusal::new(format!(
+            "--at: the name of a file of points ends in .csv or .npy, and {text} does not; its rows are numbers with commas between them"
+        )));
+    }
     if parts.len() != states.len() {
         let (expected, given, names) = (states.len(), parts.len(), states.join(","));
         let plural = if expected == 1 { "" } else { "s" };

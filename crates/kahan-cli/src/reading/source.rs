@@ -121,9 +121,9 @@ pub(crate) struct Start {
 
     /// The (first) point, its coordinates separated by commas: 1,-2/3,0.5.
     ///
-    /// Or a file, F.csv or F.npy, that has the point as a row. A first line of names says which
-    /// column is which variable; others are ignored, but parameters refused. `orbit` takes several
-    /// rows. A text that gives first values, `x(0) = 1` or `init x=1`, needs none.
+    /// Or a file, F.csv or F.npy, that has the point as a row. Names above it, `x,y` or `# x,y`,
+    /// say which column is which variable; a column of another name is refused. `orbit` takes
+    /// several rows. A text that gives first values, `x(0) = 1` or `init x=1`, needs none.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(super) at: Option<String>,
 }
@@ -187,7 +187,7 @@ impl Source {
     /// the lift is chosen.
     pub(super) fn lifting(
         &self,
-        start: Option<Vec<Rational>>,
+        start: Option<(Vec<Rational>, Vec<String>)>,
         near: Vec<(String, Rational)>,
     ) -> Result<Option<Lifting>, Refusal> {
         let Some(which) = self.lift else {
@@ -195,7 +195,8 @@ impl Source {
             return if self.all { Err(refusal()) } else { Ok(None) };
         };
         let time = self.t0.as_deref().map(|time| number(time, "--t0")).transpose()?.unwrap_or_default();
-        Ok(Some(Lifting { which, start, near, time, shows_all: self.all }))
+        let (start, names) = start.map_or((None, Vec::new()), |(start, names)| (Some(start), names));
+        Ok(Some(Lifting { which, start, names, near, time, shows_all: self.all }))
     }
 
     /// Whether a field was named.

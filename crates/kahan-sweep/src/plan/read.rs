@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use kahan_algebra::rational::Rational;
+use kahan_study::columns::{Others, Wanted};
 use kahan_study::number_file::Numbers;
 use kahan_study::{
     Discover, Heights, Observable, Observe, Over, Question, Range, Spacing, Study, StudyError, Subject,
@@ -152,7 +153,8 @@ fn starts(
         _ => Err("is none of F.parquet, F.csv and F.npy".to_owned()),
     };
     // Parameters and ε have their values in the plan, whatever columns the results of another have.
-    let points = read.and_then(|numbers| numbers.points(variables, &[]));
+    let wanted = Wanted::new(variables, study.parameters(), Others::Ignored);
+    let points = read.and_then(|numbers| numbers.points(&wanted));
     points.map_err(|why| given.note(format!("starts: {} {why}", path.display()))).ok()
 }
 

@@ -106,9 +106,15 @@ fn an_orbit_goes_on_from_a_file() {
     fs::write(&middle, format!("a,b\n{}\n", rows.join("\n"))).expect("a file");
     springs(path_text(&middle), "3", "3", &second);
     assert_eq!(array(&second).1[100..], array(&whole).1[100..]);
-    fs::write(&middle, format!("b,a\n{}\n", rows.join("\n"))).expect("a file");
+    // Names say which column is which.
+    let turned: Vec<String> =
+        values[100..].chunks(2).map(|site| format!("{:?},{:?}", site[1], site[0])).collect();
+    fs::write(&middle, format!("b,a\n{}\n", turned.join("\n"))).expect("a file");
+    springs(path_text(&middle), "3", "3", &second);
+    assert_eq!(array(&second).1[100..], array(&whole).1[100..]);
+    fs::write(&middle, format!("b,c\n{}\n", rows.join("\n"))).expect("a file");
     let output = kahan(&chain(SPRINGS, &["--sites", "50", "--start", path_text(&middle), "--steps", "1"]));
-    assert!(text(&output.stderr).contains("are b, a, and those of a state a, b"));
+    assert!(text(&output.stderr).contains("has no column `a`; it has b, c"));
 }
 
 #[test]
@@ -176,7 +182,12 @@ fn mistakes_are_told() {
 
 /// A file of NumPy's with this shape.
 pub(super) fn numpy(file: &Path, shape: &str, values: &[f64]) {
-    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
+    numpy_of(file, "'<f8'", shape, values);
+}
+
+/// A file of NumPy's with floats of this type.
+pub(super) fn numpy_of(file: &Path, descr: &str, shape: &str, values: &[f64]) {
+    let header = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}");
     let mut bytes = [b"\x93NUMPY\x01\x00\x76\x00".as_slice(), format!("{header:<117}\n").as_bytes()].concat();
     bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
     fs::write(file, bytes).expect("a file");

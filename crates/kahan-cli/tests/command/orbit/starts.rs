@@ -1,6 +1,6 @@
 //! `--at` with a file: a row for each first point.
 
-use super::chains::numpy;
+use super::chains::{numpy, numpy_of};
 use super::*;
 use crate::running;
 
@@ -20,7 +20,14 @@ fn a_file_of_one_row_is_the_point_written_out() {
     let folder = folder();
     for further in [&["--scalar", "exact"][..], &["--scalar", "exact", "--json"], &["--scalar", "dd"], &[]] {
         let written = answer(&orbits("1/3,0.1", further));
-        for text in ["1/3,0.1\n", "y,t,x\n0.1,,1/3\n", "\"x\", y\r\n\r\n1/3 , 0.1"] {
+        for text in [
+            "1/3,0.1\n",
+            "y,x\n0.1,1/3\n",
+            "\"x\", y\r\n\r\n1/3 , 0.1",
+            "# y,x\n0.1,1/3\n",
+            "# two starts\n# x y\n1/3,0.1\n# no more\n",
+            ",y,x\n0,0.1,1/3\n",
+        ] {
             assert_eq!(answer(&orbits(&file(&folder, text), further)), written, "{text:?} {further:?}");
         }
     }
@@ -30,6 +37,8 @@ fn a_file_of_one_row_is_the_point_written_out() {
     let of_array = answer(&orbits(path_text(&array), &["--scalar", "exact"]));
     let tenth = "3602879701896397/36028797018963968";
     assert_eq!(of_array, answer(&orbits(&format!("{tenth},3"), &["--scalar", "exact"])));
+    numpy_of(&array, "[('y', '<f8'), ('x', '<f8')]", "(1,)", &[3.0, 0.1]);
+    assert_eq!(of_array, answer(&orbits(path_text(&array), &["--scalar", "exact"])));
 }
 
 #[test]
@@ -47,14 +56,23 @@ fn a_column_that_means_something_else_is_refused() {
         "3",
         "--at",
     ];
-    for (names, other) in [("x,y,k1", "k1"), ("k1,y,x", "k1"), ("x,eps,y", "eps")] {
+    for (names, said) in [
+        (
+            "x,y,k1",
+            "has a column `k1`, and a parameter has one value here: leave the column out and give --param k1=V",
+        ),
+        ("k1,y,x", "has a column `k1`, and a parameter"),
+        (
+            "x,eps,y",
+            "has a column `eps`, and the step has one value here: leave the column out and give --eps V",
+        ),
+        ("n,y,x", "has a column that cannot be used, `n`: leave out all but x, y"),
+        (",y,x", "cannot be used, one without a name (pandas writes none with index=False)"),
+    ] {
         let path = file(&folder, &format!("{names}\n1,2,3\n"));
-        let refused = running::refusal(&[&field[..], &[&path]].concat());
-        assert!(refused.contains(&format!("has a column `{other}`, which is no variable")), "{refused}");
+        let refused = running::refusal(&[&field[..], &[&path]].concat()).replace('\n', " ");
+        assert!(refused.contains(said), "{refused}");
     }
-    let passed_over = file(&folder, "n,y,x\n1,2,3\n");
-    let of_file = running::answer(&[&field[..], &[&passed_over]].concat());
-    assert_eq!(of_file, running::answer(&[&field[..], &["3,2"]].concat()));
 }
 
 #[test]
@@ -124,12 +142,16 @@ fn what_is_no_first_point_is_told() {
         ("x,y\n", "has no rows"),
         ("", "has no rows"),
         ("x,y\n1,2\n1,\n", "has no number for y in row 2"),
-        ("x,y\n1,2\n1/0,2\n", "`1/0` in line 3 is no number"),
+        ("x,y\n1,2\n1/0,2\n", "`1/0` of column `x` in line 3 is no number"),
+        ("# x y\n1 2\n3 4\n", "commas stand between numbers"),
         ("x,y\n1,2\n1e400,2\n", "x is beyond the range of f64; use --scalar exact"),
     ] {
         told(&file(&folder, content), part);
     }
     told("no.csv", "cannot read the file no.csv");
+    let other = folder.path().join("starts.txt");
+    fs::write(&other, "1,2\n").expect("a file");
+    told(path_text(&other), "ends in .csv or .npy");
     let array = folder.path().join("starts.npy");
     for (shape, values, part) in [
         ("(2,)", &[1.0, 2.0][..], "has 2 numbers, and first points are rows of 2: x,y"),
@@ -139,6 +161,56 @@ fn what_is_no_first_point_is_told() {
     ] {
         numpy(&array, shape, values);
         told(path_text(&array), part);
+    }
+}
+
+#[test]
+fn names_decide_in_every_command() {
+    let folder = folder();
+    let path = file(&folder, "# z,x,y\n0.3,0.1,1/5\n");
+    for asked in [
+        &["eval", "e6", "--eps", "1/7"][..],
+        &["orbit", "e6", "--eps", "1/7", "--steps", "9"],
+        &["dynamics", "e6", "--eps", "1/7", "--steps", "99"],
+        &["section", "e6", "--eps", "1/7", "--steps", "99", "--plane", "x - y", "--direction", "both"],
+        &["lift", "--field", "xdot = y; ydot = -sin(x) - z; zdot = -z;"],
+        &[
+            "orbit",
+            "--field",
+            "xdot = y; ydot = -sin(x) - z; zdot = -z;",
+            "--lift",
+            "--eps",
+            "1/7",
+            "--steps",
+            "9",
+        ],
+    ] {
+        let at = |at: &str| running::answer(&[asked, &["--at", at]].concat());
+        assert_eq!(at(&path), at("0.1,1/5,0.3"), "{asked:?}");
+        let wrong = file(&folder, "z,y,w\n1,2,3\n");
+        let refused = running::refusal(&[asked, &["--at", &wrong]].concat()).replace('\n', " ");
+        assert!(refused.contains("has no column `x`; it has z, y, w"), "{asked:?}: {refused}");
+        file(&folder, "# z,x,y\n0.3,0.1,1/5\n");
+    }
+    let out = folder.path().join("chart.csv");
+    let chart =
+        ["chart", "e6", "--eps", "1/7", "--over", "x=0:1:3", "--color", "fli", "--out", path_text(&out)];
+    let cells = |at: &str| {
+        running::answer(&[&chart[..], &["--steps", "9", "--at", at]].concat());
+        fs::read_to_string(&out).expect("a table")
+    };
+    assert_eq!(cells(&path), cells("0.1,1/5,0.3"));
+    let wrong = file(&folder, "z,y,w\n1,2,3\n");
+    let out = folder.path().join("picture.svg");
+    for asked in [
+        &["heights", "e6", "--eps", "1/7", "--steps", "3"][..],
+        &["periodic", "e6", "--eps", "1/7"],
+        &["trade", "e6", "--horizon", "1"],
+        &[&chart[..], &["--steps", "9"]].concat(),
+        &["picture", "e6", "--eps", "1/7", "--steps", "9", "--out", path_text(&out)],
+    ] {
+        let refused = running::refusal(&[asked, &["--at", &wrong]].concat()).replace('\n', " ");
+        assert!(refused.contains("has no column `x`; it has z, y, w"), "{asked:?}: {refused}");
     }
 }
 
