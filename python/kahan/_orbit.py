@@ -109,13 +109,15 @@ class Orbit(Table):
     """Why it goes no further."""
     why: str | None = None
     """The end in words, where a lifted field ends the orbit."""
+    derivatives: dict[str, Array]
+    """The derivatives of ``x`` by what was asked for, by name, each of the shape of ``x``; see ``System.orbit``."""
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
         integrals: float | dict[str, Array], in_all: Array | None = None,
     ) -> None:
         self.system, self.eps, self.x, self.every = system, eps, x, every
-        self.steps, self.ended = steps, ended
+        self.steps, self.ended, self.derivatives = steps, ended, {}
         self._integrals, self._in_all = integrals, in_all
 
     @property
@@ -196,12 +198,14 @@ class Ensemble(Table):
     """The steps that each made, fewer than asked where it ended early."""
     observed: dict[str, Array]
     """What was observed, by name; ``spectrum`` has shape (trajectories, variables)."""
+    derivatives: dict[str, Array]
+    """The derivatives of ``x`` by what was asked for, by name, each of the shape of ``x``; see ``System.ensemble``."""
 
     def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, ends: tuple[list[str], Array, Array],
                  observed: dict[str, Array]) -> None:
         self.system, self.start, self.given, self.x = system, start, given, x
         self._words, self._places, self.steps = ends
-        self.observed = observed
+        self.observed, self.derivatives = observed, {}
 
     @cached_property
     def ended(self) -> Array:

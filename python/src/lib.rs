@@ -15,6 +15,7 @@ mod errors;
 mod field;
 mod lattice;
 mod orbit;
+mod sensitivities;
 mod table;
 
 use std::ffi::OsString;
