@@ -15,10 +15,9 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from scipy.integrate import solve_ivp
-from scipy.optimize import OptimizeResult, least_squares
 
 import kahan
+from peers import is_here
 
 POINTS, ROUNDS, NOISE = 200, 25, 1e-3
 
@@ -56,6 +55,8 @@ class Model:
         return np.stack([found[name][1:].ravel() for name in self.names], axis=1)
 
     def by_solve_ivp(self, rates: Any, rtol: float = 1e-8, atol: float = 1e-8) -> Any:
+        from scipy.integrate import solve_ivp
+
         times = np.linspace(0, self.time, POINTS + 1)
         side = self.side(rates)
         return solve_ivp(side, (0, self.time), self.x, t_eval=times, rtol=rtol, atol=atol).y.T[1:]
@@ -75,36 +76,45 @@ class Model:
 
         return network
 
-    def fit(self, predict: Callable[[Any], Any], **how: Any) -> OptimizeResult:
+    def fit(self, predict: Callable[[Any], Any], **how: Any) -> Any:
+        from scipy.optimize import least_squares
+
         return least_squares(lambda rates: (predict(rates) - self.data).ravel(), self.guess, x_scale="jac", xtol=1e-10,
                              ftol=1e-10, gtol=1e-10, **how)
 
-    def exactly(self) -> OptimizeResult:
+    def exactly(self) -> Any:
         return self.fit(self.by_kahan, jac=self.jacobian)
 
-    def by_differences(self) -> OptimizeResult:
+    def by_differences(self) -> Any:
         return self.fit(self.by_kahan)
 
-    def with_solve_ivp(self) -> OptimizeResult:
+    def with_solve_ivp(self) -> Any:
         return self.fit(self.by_solve_ivp)
 
 
-MODELS = {
-    2: Model(PREY, [1.5, 0.8], [1.2, 1.0], [1.0, 0.5], 20.0, 10),
-    10: Model(NETWORK, [0.6, 1.5, 0.4, 0.3, 0.5, 0.8, 0.6, 0.25, 0.35, 0.2], [0.5] * 10, [1.0, 0.8, 0.1, 0.2, 0.1], 20.0, 5),
-}
+def models() -> dict[int, Model]:
+    """By the number of rates."""
+    rates = [0.6, 1.5, 0.4, 0.3, 0.5, 0.8, 0.6, 0.25, 0.35, 0.2]
+    return {
+        2: Model(PREY, [1.5, 0.8], [1.2, 1.0], [1.0, 0.5], 20.0, 10),
+        10: Model(NETWORK, rates, [0.5] * 10, [1.0, 0.8, 0.1, 0.2, 0.1], 20.0, 5),
+    }
+
+
 LIMITS = {2: 0.7, 10: 0.35}
 
 
-def timed(work: Callable[[], OptimizeResult]) -> tuple[float, OptimizeResult]:
+def timed(work: Callable[[], Any]) -> tuple[float, Any]:
     begun = time.perf_counter()
     found = work()
     return time.perf_counter() - begun, found
 
 
-def fitting(limit: Callable[..., None]) -> None:
+def fitting(limit: Callable[..., None], skipped: Callable[[str, str], None]) -> None:
     """The rows of a table of limits."""
-    for count, model in MODELS.items():
+    if not is_here("scipy"):
+        return skipped("fits by least squares", "scipy is not installed")
+    for count, model in models().items():
         ways = [model.exactly, model.by_differences] + ([model.with_solve_ivp] if count == 2 else [])
         rounds = [[timed(way) for way in ways] for _ in range(ROUNDS + 1)]
         for way, (_, found) in zip(ways, rounds[0]):
@@ -121,6 +131,5 @@ def fitting(limit: Callable[..., None]) -> None:
 
 
 if __name__ == "__main__":
-    from run import limit
-
-    fitting(limit)
+    fitting(lambda name, at_most, values: print(f"{name}: {statistics.median(values):.3g}, at most {at_most:g}"),
+            lambda name, why: print(f"{name}: skipped, {why}"))

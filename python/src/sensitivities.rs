@@ -9,7 +9,7 @@ use kahan_core::num_traits::Zero;
 use kahan_core::{Increments, Step, Workspace};
 use kahan_runtime::By;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
-use pyo3::exceptions::{PyMemoryError, PyValueError};
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
 use crate::arrays::{Floats, floats};
@@ -64,8 +64,7 @@ impl Field {
         listener: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Vec<String>, Bound<'py, PyAny>)> {
         let vectors = self.vectors(&by);
-        let asked =
-            ensemble::Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
+        let asked = ensemble::Asked { eps, steps, parameters, order, threads, listener: Listener(listener) };
         let derivatives = match floats(points, "points")? {
             Floats::Double(points) => self.at_the_end(&points, &vectors, &asked),
             Floats::Single(points) => self.at_the_end(&points, &vectors, &asked),
@@ -188,7 +187,11 @@ where
     let width = rows.shape().last().copied().unwrap_or(n).max(1);
     let rows = given.len() / width;
     let size = rows.checked_mul(n * count);
-    let too_large = || PyMemoryError::new_err(format!("{rows} rows of {count} derivatives do not fit into memory; choose every, or fewer steps"));
+    let too_large = || {
+        PyMemoryError::new_err(format!(
+            "{rows} rows of {count} derivatives do not fit into memory; choose every, or fewer steps"
+        ))
+    };
     let mut derivatives: Vec<S::Scalar> = Vec::new();
     let size = size.filter(|size| derivatives.try_reserve_exact(*size).is_ok()).ok_or_else(too_large)?;
     derivatives.resize(size, S::Scalar::zero());

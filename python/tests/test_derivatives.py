@@ -32,8 +32,7 @@ def shifted(text, values, x, eps, name, by):
 @pytest.mark.parametrize("name", FIELDS)
 def test_derivatives_are_those_of_differences_in_32_digits(name, order):
     """Differences over h = 2^-40 err by the third derivative times h²/6, which is 1e-25, and by 2^-100/h = 1e-18.
-    What is left is the rounding of 200 steps, some 10 u each at orders from 2 on and 17 times that at order 8: 4e-12
-    of the largest derivative at the most, and in fact a tenth of 1e-12."""
+    What is left is rounding: of 200 steps of up to 17 stages, each of some u, at random 1e-14; 1.3e-14 was the most."""
     text, values, x = FIELDS[name]
     s, eps, steps = kahan.System(text, **values), Fraction(1, 128), 200
     names = [*s.parameters, *s.variables, "eps"]
@@ -47,7 +46,7 @@ def test_derivatives_are_those_of_differences_in_32_digits(name, order):
         above, below = ends
         expected = ((above.x - below.x) + (above.x_low - below.x_low)) / float(2 * h)
         assert o.derivatives[by].shape == o.x.shape == (steps + 1, len(x))
-        assert abs(o.derivatives[by] - expected).max() <= 1e-12 * abs(expected).max(), by
+        assert abs(o.derivatives[by] - expected).max() <= 1e-13 * abs(expected).max(), by
 
 
 def test_derivatives_are_those_of_differences_in_50_digits():
