@@ -13,7 +13,7 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
 use crate::arrays::{Floats, floats};
-use crate::beside::{Listener, beside};
+use crate::beside::{Listener, beside, beside_if_long};
 use crate::ensemble;
 use crate::errors::of_dimension;
 use crate::field::{Field, Float};
@@ -200,7 +200,8 @@ where
     state.iter_mut().skip(n).zip(vectors.first()).for_each(|(own, first)| *own = first);
     let (every, behind) = (asked.every.get(), n * (1 + count));
     let steps = every.saturating_mul(rows as u64);
-    beside(py, Some(1), &asked.listener, |caller| {
+    let numbers = steps.saturating_mul(state.len() as u64);
+    beside_if_long(py, numbers, &asked.listener, |caller| {
         let mut room = Workspace::new();
         for (row, point) in given.chunks_exact(width).enumerate() {
             vectors.put(&state[n..behind], &mut derivatives, row, rows);
