@@ -21,7 +21,7 @@ def differentiable(system: System, derivatives: Sequence[str]) -> list[str]:
     if asked and system._lifting is not None:
         raise ValueError("derivatives: this field is lifted, and its new variables depend on parameters and first values, too; "
                          "differentiate a field that is quadratic as it is written")
-    kinds = {"parameters": list(system.parameters), "variables": list(system.variables)}
+    kinds = {"parameters": [name for name, _ in system._given], "variables": list(system.variables)}
     known = [name for names in kinds.values() for name in names] + ["eps"]
     for name in asked:
         if name not in known:
