@@ -20,6 +20,7 @@ import numpy as np
 
 import kahan
 from dense import dense_fields, from_arrays
+from fit import fitting
 from lifts import lifting, racing
 from models import MODELS, table
 from peers import lorenz_grid, scenes
@@ -129,6 +130,7 @@ def main() -> None:
     dense_fields(limit, skipped)
     from_arrays(limit)
     sparse_fields(limit, skipped)
+    fitting(limit, skipped)
     lifts = lifting(limit, skipped) + racing(limit, skipped)
     lorenz_grid(limit)
     scenes()

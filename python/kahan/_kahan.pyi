@@ -43,7 +43,7 @@ class Relation:
 class Field:
     def __new__(
         cls, text: str | Entries, *, is_name: bool = False, sites: int | None = None, parameters: Sequence[tuple[str, str]] = ...,
-        lift: Lift | None = None,
+        lift: Lift | None = None, of: Field | None = None,
     ) -> Any: ...
     @property
     def name(self) -> str: ...
@@ -91,6 +91,14 @@ class Field:
         self, points: Any, eps: Any, steps: int, *, parameters: Sequence[Any] = ..., order: int = 2,
         threads: int | None = None, out: _Array | None = None, listener: _Listener = None,
     ) -> tuple[_Array, _Ends]: ...
+    def _derivatives(
+        self, rows: _Array, eps: float, by: Sequence[str], *, every: int, order: int = 2, compensated: bool = False,
+        listener: _Listener = None,
+    ) -> tuple[list[str], _Array]: ...
+    def _last_derivatives(
+        self, points: Any, eps: Any, steps: int, by: Sequence[str], *, parameters: Sequence[Any] = ..., order: int = 2,
+        threads: int | None = None, listener: _Listener = None,
+    ) -> tuple[list[str], _Array]: ...
     def _observed(
         self, points: Any, eps: Any, steps: int, of: Sequence[str], *, parameters: Sequence[Any] = ..., order: int = 2,
         every: int = 10, escape: float | None = None, reembed: bool = False, threads: int | None = None,

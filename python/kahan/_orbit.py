@@ -112,13 +112,15 @@ class Orbit(Table):
     """The end in words, where a lifted field ends the orbit."""
     _order: int | None = None
     # The order of its steps, where these are those of Kahan's map in floats.
+    derivatives: dict[str, Array]
+    """The derivatives of ``x`` by what was asked for, by name, each of the shape of ``x``; see ``System.orbit``."""
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
         integrals: float | dict[str, Array], in_all: Array | None = None,
     ) -> None:
         self.system, self.eps, self.x, self.every = system, eps, x, every
-        self.steps, self.ended = steps, ended
+        self.steps, self.ended, self.derivatives = steps, ended, {}
         self._integrals, self._in_all = integrals, in_all
 
     @property
@@ -238,6 +240,8 @@ class Ensemble(Table):
     """The steps that each made, fewer than asked where it ended early."""
     observed: dict[str, Array]
     """What was observed, by name, a number a start; ``spectrum`` has one a variable."""
+    derivatives: dict[str, Array]
+    """The derivatives of ``x`` by what was asked for, by name, each of the shape of ``x``; see ``System.ensemble``."""
 
     def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, ends: tuple[list[str], Array, Array],
                  observed: dict[str, Array]) -> None:
@@ -249,6 +253,7 @@ class Ensemble(Table):
         self.system, self.start, self.given, self.x = system, start, given, shaped(x)
         self._words, self._places, self.steps = ends[0], shaped(ends[1]), shaped(ends[2])
         self.observed = {name: shaped(values) for name, values in observed.items()}
+        self.derivatives = {}
 
     @cached_property
     def ended(self) -> Array:

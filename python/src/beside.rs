@@ -6,6 +6,7 @@
 //! second.
 
 use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
@@ -20,6 +21,8 @@ use pyo3::prelude::*;
 const LOOK: Duration = Duration::from_millis(10);
 /// How often a program is told how far work is.
 const TOLD: Duration = Duration::from_millis(100);
+/// The most numbers that are computed without a look at signals: some milliseconds of work.
+const SHORT: u64 = 1 << 16;
 /// Recursions over long formulas need more than threads usually have.
 const STACK: usize = 64 << 20;
 
@@ -161,6 +164,26 @@ pub(crate) fn beside<R: Send>(
         listener.hears(caller.news())?;
         result.map_err(|_| mistaken())
     })
+}
+
+/// The same for work that is known to take a moment if so few numbers are computed: it is done on this
+/// thread then, as another one takes some tens of microseconds to begin.
+///
+/// # Errors
+/// Those of [`beside`].
+pub(crate) fn beside_if_long<R: Send>(
+    py: Python<'_>,
+    numbers: u64,
+    listener: &Listener<'_>,
+    work: impl FnOnce(&Caller) -> R + Send,
+) -> PyResult<R> {
+    if numbers > SHORT {
+        return beside(py, Some(1), listener, work);
+    }
+    let caller = Caller::new(Some(1));
+    let result = catch_unwind(AssertUnwindSafe(|| work(&caller))).map_err(|_| mistaken())?;
+    listener.hears(caller.news())?;
+    Ok(result)
 }
 
 /// The same for work that borrows nothing, and may compute for seconds before it hears that it is

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use kahan_algebra::rational::Rational;
-use kahan_runtime::{DimensionError, End, Follow, Followed, MapAt, threads};
+use kahan_runtime::{By, DimensionError, End, Follow, Followed, MapAt, threads};
 use kahan_study::{Observable, Observe, Study, Watch};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -95,18 +95,23 @@ impl Field {
 }
 
 /// What is asked of an ensemble.
-struct Asked<'a, 'py> {
-    eps: &'a Bound<'py, PyAny>,
-    steps: u64,
-    parameters: Vec<Option<Bound<'py, PyAny>>>,
-    order: u32,
-    threads: Option<usize>,
-    listener: Listener<'py>,
+pub(crate) struct Asked<'a, 'py> {
+    pub(crate) eps: &'a Bound<'py, PyAny>,
+    pub(crate) steps: u64,
+    pub(crate) parameters: Vec<Option<Bound<'py, PyAny>>>,
+    pub(crate) order: u32,
+    pub(crate) threads: Option<usize>,
+    pub(crate) listener: Listener<'py>,
 }
 
 impl Field {
     /// The map and the constants of points of this shape.
-    fn many<T: Float>(&self, py: Python<'_>, shape: &[usize], asked: &Asked<'_, '_>) -> PyResult<Many<T>> {
+    pub(crate) fn many<T: Float>(
+        &self,
+        py: Python<'_>,
+        shape: &[usize],
+        asked: &Asked<'_, '_>,
+    ) -> PyResult<Many<T>> {
         if shape.len() != 2 || shape[1] != self.dimension() {
             return Err(self.wrong_points("points", &["trajectories"], shape));
         }
@@ -162,7 +167,7 @@ impl Field {
 }
 
 /// Many trajectories of one field.
-struct Many<T: Float> {
+pub(crate) struct Many<T: Float> {
     at: MapAt<T>,
     /// One, or one a trajectory.
     eps: Vec<T>,
@@ -173,6 +178,19 @@ struct Many<T: Float> {
 }
 
 impl<T: Float> Many<T> {
+    /// The same with vectors of derivatives beside each point.
+    pub(crate) fn sensitivities(&self, by: &[By]) -> Self {
+        let (at, mut constants) = (self.at.sensitivities(by), self.constants.clone());
+        if by.contains(&By::Epsilon) {
+            let missing = constants.len()..self.at.map().parameters().len();
+            let own = |k: usize| vec![T::near(self.at.map().parameters()[k].to_f64())];
+            constants.extend(missing.map(own));
+            // The last parameter is 1/ε then.
+            constants.push(self.eps.iter().map(|eps| T::one() / *eps).collect());
+        }
+        Many { at, eps: self.eps.clone(), constants, ..*self }
+    }
+
     /// So many trajectories made so many more steps.
     fn made(&self, steps: u64, trajectories: usize, caller: &Caller) -> ControlFlow<()> {
         let all = self.steps.saturating_mul(self.trajectories as u64);
@@ -181,7 +199,7 @@ impl<T: Float> Many<T> {
 
     /// Advances points that stand row by row: how each trajectory ended, in the pieces that threads
     /// take.
-    fn advance(
+    pub(crate) fn advance(
         &self,
         rows: &mut [T],
         variables: usize,

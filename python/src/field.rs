@@ -238,9 +238,10 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 impl Field {
     /// Reads a field: its name in the catalog, its text or its coefficients; of a family the number of sites. Values
     /// of parameters are exact numbers as text. `lift` says which lift is wanted, the point whose
-    /// orbit it is for, the time there, and whether arrays have the new variables.
+    /// orbit it is for, the time there, and whether arrays have the new variables. `of` is this field
+    /// at other values, which is not lifted: what was made of it is shared.
     #[new]
-    #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None))]
+    #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, of = None))]
     fn new(
         py: Python<'_>,
         text: Given<'_>,
@@ -248,16 +249,21 @@ impl Field {
         sites: Option<usize>,
         parameters: Vec<(String, String)>,
         lift: Option<Lift>,
+        of: Option<PyRef<'_, Field>>,
     ) -> PyResult<Self> {
-        let subject = text.subject(py, is_name)?;
-        let subject = sites.into_iter().fold(subject, Subject::sites);
-        let lifting = lift.map(lifting).transpose()?;
-        let subject = lifting.into_iter().fold(subject, Subject::lifting);
         let exactly = |(name, value): (String, String)| match number(&value) {
             Ok(value) => Ok((name, value)),
             Err(why) => Err(PyValueError::new_err(format!("{name}: {why}"))),
         };
         let parameters = parameters.into_iter().map(exactly).collect::<PyResult<Vec<_>>>()?;
+        if let Some(of) = of {
+            let study = of.study.given_by_name(&parameters).map_err(|error| of_study(py, &error))?;
+            return Ok(Field { study, last: Mutex::default() });
+        }
+        let subject = text.subject(py, is_name)?;
+        let subject = sites.into_iter().fold(subject, Subject::sites);
+        let lifting = lift.map(lifting).transpose()?;
+        let subject = lifting.into_iter().fold(subject, Subject::lifting);
         let subject =
             parameters.into_iter().fold(subject, |subject, (name, value)| subject.with(name, value));
         let study = apart(py, Some(1), &Listener(None), move |_| {

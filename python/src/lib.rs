@@ -16,6 +16,7 @@ mod field;
 mod gradient;
 mod lattice;
 mod orbit;
+mod sensitivities;
 mod table;
 
 use std::ffi::OsString;

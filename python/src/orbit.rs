@@ -11,7 +11,7 @@ use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::arrays::{Eps, Floats, doubles, floats, half_step, named, out as writable};
-use crate::beside::{Listener, beside};
+use crate::beside::{Listener, beside, beside_if_long};
 use crate::errors::{of_dimension, of_study, singular_step};
 use crate::field::{Field, Float};
 
@@ -332,7 +332,8 @@ where
     let mut run = |all: &mut [S::Scalar]| -> PyResult<Followed<usize>> {
         let (first, rest) = all.split_at_mut(width);
         first.copy_from_slice(&x);
-        beside(py, Some(1), &asked.listener, |caller| {
+        let numbers = steps.saturating_mul(width as u64);
+        beside_if_long(py, numbers, &asked.listener, |caller| {
             let rows = at.rows(&mut x, every, rest, |made| caller.made(made, steps))?;
             // The steps behind the last row show whether the orbit goes as far as it was asked.
             let left = steps % every.get();

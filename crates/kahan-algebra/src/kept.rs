@@ -281,7 +281,7 @@ impl Kept {
 
     /// The field with a vector of derivatives for each entry of `by`, over values. Its symbols are
     /// `tangent`.
-    pub(crate) fn with_derivatives(&self, symbols: &Symbols, tangent: &Symbols, by: &[By]) -> Self {
+    pub(crate) fn sensitivities(&self, symbols: &Symbols, tangent: &Symbols, by: &[By]) -> Self {
         let (mut values, rows) = self.jacobian(symbols);
         let sources: Vec<Vec<Polynomial>> =
             by.iter().map(|by| self.sources(symbols, &mut values, *by)).collect();

@@ -16,14 +16,14 @@ impl System {
     /// without claims.
     #[must_use]
     pub fn variational(&self) -> System {
-        self.with_derivatives(&[By::Start])
+        self.sensitivities(&[By::Start])
     }
 
     /// The system of x and of derivatives of it, a vector for each entry of `by`; without claims. The
     /// names of a vector are those of x with `d`s before them. Where one is by ε, 1/ε is one more
     /// parameter, the last.
     #[must_use]
-    pub fn with_derivatives(&self, by: &[By]) -> System {
+    pub fn sensitivities(&self, by: &[By]) -> System {
         let field = &self.field;
         let dimension = field.dimension();
         let symbols = field.symbols.with_tangents(by);
@@ -71,7 +71,7 @@ impl System {
         System {
             header: None,
             constants: self.constants.clone(),
-            kept: self.kept.with_derivatives(&field.symbols, &symbols, by).into(),
+            kept: self.kept.sensitivities(&field.symbols, &symbols, by).into(),
             field: Field { components: components.collect(), symbols: symbols.clone() }.into(),
             written: Arc::default(),
             claims: Vec::new(),

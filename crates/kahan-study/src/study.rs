@@ -241,11 +241,12 @@ impl Study {
         &self.here.given
     }
 
-    /// The same at these values of parameters, no others.
+    /// The same at these values of parameters, no others. What was read, proved, planned and compiled
+    /// is shared, but for a lift, which is made for the values that its `Subject` has.
     ///
     /// # Errors
     /// A name that is none of theirs, or given twice.
-    fn given_by_name(&self, values: &[(String, Rational)]) -> Result<Self, StudyError> {
+    pub fn given_by_name(&self, values: &[(String, Rational)]) -> Result<Self, StudyError> {
         let mut given = vec![None; self.parameters().len()];
         for (name, value) in values {
             if given[self.parameter(name)?].replace(value.clone()).is_some() {

@@ -29,6 +29,7 @@ use crate::{Scalar, SingularStep};
 /// | of a text that is read at run time | `kahan_runtime::Map::at`, `Lattice::at` | `Vec` |
 /// | one of these or of a text, rounding errors beside its points | [`Increments::compensated`](crate::Increments::compensated) | `SMatrix` of two columns, `Vec` |
 /// | the same with tangent vectors beside its points | [`Tangent`](crate::Tangent) | `Vec` |
+/// | of a text, derivatives by first points, parameters and ε beside its points | `kahan_runtime::MapAt::sensitivities` | `Vec` |
 /// | any map over `f64`, on states in `f32` | [`ThroughF64::of_step`](crate::ThroughF64::of_step) | `Vec` |
 /// | a reference to any | `&map` | the map's |
 /// | any, chosen at run time | `&dyn Step<Scalar = f64>`, `Box<dyn Step<Scalar = f64>>` | `Vec` |

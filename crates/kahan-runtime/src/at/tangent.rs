@@ -22,7 +22,7 @@ impl<T: MachineFloat> MapAt<T> {
 
     /// The map of the variational field.
     fn variational(&self) -> &Self {
-        self.variational.get_or_init(|| self.with_derivatives(&[By::Start]))
+        self.variational.get_or_init(|| self.sensitivities(&[By::Start]))
     }
 }
 
@@ -30,7 +30,12 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// The map of a point and of its derivatives: a state has the numbers of x, and behind them a
     /// vector for each entry of `by`, which is 0 at the start but for [`By::Start`], there the unit
     /// vector of the coordinate. A vector of a composed or compensated orbit is the derivative of
-    /// that orbit.
+    /// that orbit. Where one is by ε, 1/ε is one more parameter, the last one that
+    /// [columns](Self::advance_columns) take.
+    ///
+    /// The numbers of x may differ in their last bits from those of this map, whose step is planned
+    /// by itself. A compiled map needs no such field: a [`Tangent`] carries vectors by first points,
+    /// and parameters that are [`Dual`](kahan_core::Dual)s the others.
     ///
     /// Cost: the first call for a field plans a field of 1 + `by.len()` times the variables.
     ///
@@ -40,12 +45,12 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// // x' = a·x²: one step takes x to x/(1 − 2εax)
     /// let at = Field::parse("xdot = a*x^2;").unwrap().with([("a", 3)]).unwrap().at(0.125);
     /// let mut state = [0.5, 0.0, 1.0];
-    /// at.with_derivatives(&[By::Parameter(0), By::Start]).advance(&mut state, 1).unwrap();
+    /// at.sensitivities(&[By::Parameter(0), By::Start]).advance(&mut state, 1).unwrap();
     /// assert_eq!(state, [0.8, 0.16, 2.56]);
     /// ```
     #[must_use]
-    pub fn with_derivatives(&self, by: &[By]) -> Self {
-        let field = Field { engine: self.engine().with_derivatives(by) };
+    pub fn sensitivities(&self, by: &[By]) -> Self {
+        let field = Field { engine: self.engine().sensitivities(by) };
         let mut parameters = self.map.parameters().to_vec();
         let (own, eps) = self.own();
         let mut constants = own.to_vec();

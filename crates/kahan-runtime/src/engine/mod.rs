@@ -104,7 +104,7 @@ pub struct Engine {
     /// The integrals, each by itself.
     single_integrals: OnceLock<Vec<Line>>,
     /// The engines of the fields with derivatives, once they are asked for.
-    with_derivatives: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
+    sensitivities: Mutex<Vec<(Vec<By>, Arc<Engine>)>>,
     /// From the parameters to the coefficients of a dense field.
     coefficients: OnceLock<Option<Line>>,
     /// The packed coefficients of a dense field without parameters, in `f32` and in `f64`.
@@ -143,7 +143,7 @@ impl Engine {
             derived,
             steps: OnceLock::new(),
             single_integrals: OnceLock::new(),
-            with_derivatives: Mutex::default(),
+            sensitivities: Mutex::default(),
             coefficients: OnceLock::new(),
             packed: Default::default(),
         }
@@ -155,12 +155,12 @@ impl Engine {
     }
 
     /// The field with derivatives, a vector for each entry of `by`.
-    pub(crate) fn with_derivatives(&self, by: &[By]) -> Arc<Engine> {
-        let mut known = self.with_derivatives.lock().unwrap_or_else(PoisonError::into_inner);
+    pub(crate) fn sensitivities(&self, by: &[By]) -> Arc<Engine> {
+        let mut known = self.sensitivities.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, engine)) = known.iter().find(|(own, _)| own == by) {
             return Arc::clone(engine);
         }
-        let engine = Arc::new(Engine::new(&self.derived.system.with_derivatives(by)));
+        let engine = Arc::new(Engine::new(&self.derived.system.sensitivities(by)));
         known.push((by.to_vec(), Arc::clone(&engine)));
         engine
     }

@@ -65,7 +65,7 @@ fn derivatives_are_those_of_differences_in_double_double() {
             .collect();
         for composition in [Composition::KAHAN, Composition::SUZUKI_4] {
             let map = field.with(values.iter().copied()).unwrap();
-            let at = map.at(eps).composed(composition).with_derivatives(&by);
+            let at = map.at(eps).composed(composition).sensitivities(&by);
             let mut state = start.clone();
             state.resize(n * (1 + by.len()), 0.0);
             for i in 0..n {
