@@ -49,7 +49,7 @@ class Model:
     def by_kahan(self, rates: Any) -> Any:
         return self.system(**dict(zip(self.names, rates))).orbit(self.x, self.eps, POINTS, order=4).x[1:]
 
-    def with_derivatives(self, rates: Any) -> kahan.Orbit:
+    def sensitivities(self, rates: Any) -> kahan.Orbit:
         """The orbit that was computed last, if it is that of these rates."""
         known, orbit = self.last
         if orbit is None or (known != rates).any():
@@ -59,7 +59,7 @@ class Model:
         return orbit
 
     def jacobian(self, rates: Any) -> Any:
-        found = self.with_derivatives(rates).derivatives
+        found = self.sensitivities(rates).derivatives
         return np.stack([found[name][1:].ravel() for name in self.names], axis=1)
 
     def by_solve_ivp(self, rates: Any, tolerance: float = TOLERANCE) -> Any:
@@ -93,7 +93,7 @@ class Model:
 
     def exactly(self) -> Any:
         self.last = None, None
-        return self.fit(lambda rates: self.with_derivatives(rates).x[1:], jac=self.jacobian)
+        return self.fit(lambda rates: self.sensitivities(rates).x[1:], jac=self.jacobian)
 
     def by_differences(self) -> Any:
         return self.fit(self.by_kahan)

@@ -37,7 +37,7 @@ fn carried<T: RuntimeFloat>(at: &MapAt<T>, start: &[T], every: u64, weights: &[T
     for i in 0..n {
         state[n * (2 + parameters + i) + i] = T::one();
     }
-    let at = at.with_derivatives(&by);
+    let at = at.sensitivities(&by);
     let mut sums = vec![T::zero(); by.len()];
     for (k, weights) in weights.chunks_exact(n).enumerate() {
         at.advance(&mut state, if k == 0 { 0 } else { every }).unwrap();
