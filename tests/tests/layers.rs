@@ -119,8 +119,6 @@ const LIFT: Layered = Layered {
         "linear",
         "energy",
         "quadratic",
-        "numeric",
-        "exact",
         "embedding",
         "stability",
         "candidates",

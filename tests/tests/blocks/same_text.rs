@@ -13,16 +13,18 @@ use kahan_algebra::token::Token;
 
 use cases::{CompileCase, compile_cases};
 
-/// The tokens that rustc has for the macro: `**` is two stars, where texts have a power.
+/// The tokens that rustc has for the macro: `**` is two stars, where texts have a power, and `.5` a
+/// point before a number.
 fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     let Lexed { tokens, ranges, .. } = lex(text);
-    let star = &lex("*").tokens[0];
     let split = |(token, range): (Token, Range<usize>)| {
-        if &text[range.clone()] != "**" {
+        let own = &text[range.clone()];
+        if own != "**" && (own.len() == 1 || !own.starts_with('.')) {
             return vec![(token, range)];
         }
-        let first = (Token { touches_next: true, ..star.clone() }, range.start..range.start + 1);
-        let second = Token { touches_next: token.touches_next, ..star.clone() };
+        let [first, second] = [&own[..1], &own[1..]].map(|part| lex(part).tokens[0].clone());
+        let first = (Token { touches_next: true, ..first }, range.start..range.start + 1);
+        let second = Token { touches_next: token.touches_next, ..second };
         vec![first, (second, range.start + 1..range.end)]
     };
     tokens.into_iter().zip(ranges).flat_map(split).collect()

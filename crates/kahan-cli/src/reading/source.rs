@@ -32,7 +32,9 @@ pub(crate) struct Source {
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     field: Option<String>,
 
-    /// A file with such a field, calls of `kahan!`, or arrays (.npz); `-` is standard input.
+    /// A file of such text, calls of `kahan!` or arrays; `-` is standard input.
+    ///
+    /// Arrays are those of F.npz: c, B and Q.
     #[arg(long, value_name = "FILE")]
     file: Option<PathBuf>,
 
