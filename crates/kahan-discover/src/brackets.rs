@@ -1,7 +1,8 @@
-//! Invariant Poisson brackets from a density and n − 2 integrals, which are Casimir functions of
-//! the bracket.
+//! Invariant Poisson brackets: with polynomial entries, of any rank, and of rank 2 from a density
+//! and n − 2 integrals, which are Casimir functions of the bracket.
 
 mod construct;
+mod polynomial;
 #[cfg(test)]
 mod tests;
 
@@ -13,6 +14,7 @@ use crate::claims::{Claims, Formula};
 use crate::deadline::Deadline;
 
 use construct::invariant_tensor;
+pub(crate) use polynomial::{PoissonTensor, polynomial_tensors};
 
 /// The work that one bracket may take, in products of terms.
 const MOST_TERMS: usize = 2_000;
@@ -25,31 +27,47 @@ const MOST_BRACKETS: usize = 3;
 /// A bracket of more characters is not written.
 const MOST_CHARACTERS: usize = 2_500;
 
-/// Proved brackets as claims of the language of `kahan!`, the shortest first; none where there are
-/// fewer than n − 2 integrals, and those that are too long left out.
+/// Proved brackets with their ranks, as claims of the language of `kahan!`: those with the tensors
+/// given, whose number stands beside, then those of a density with n − 2 integrals, the shortest
+/// first. Those that are too long are left out.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
+    tensors: &[PoissonTensor],
     integrals: &[Formula],
-    density: &Formula,
+    density: Option<&Formula>,
     deadline: &Deadline<'_>,
-) -> Vec<String> {
+) -> (Vec<(usize, String)>, usize) {
     let n = symbols.dimension();
     if n < 2 {
-        return Vec::new();
+        return (Vec::new(), 0);
     }
+    let written = |tensor: &[RationalFunction]| {
+        let entries = claims.bracket_entries(symbols, tensor);
+        (entries.len() <= MOST_CHARACTERS).then_some(entries)
+    };
     let mut found: Vec<String> = Vec::new();
-    for chosen in choices(integrals.len(), n - 2).into_iter().take(MOST_CHOICES) {
-        if deadline.passed() {
-            break;
+    if let Some(density) = density {
+        for chosen in choices(integrals.len(), n - 2).into_iter().take(MOST_CHOICES) {
+            if deadline.passed() {
+                break;
+            }
+            found.extend(tensor(symbols, &chosen, integrals, density).and_then(|tensor| written(&tensor)));
         }
-        let Some(tensor) = tensor(symbols, &chosen, integrals, density) else { continue };
-        let entries = claims.bracket_entries(symbols, &tensor);
-        found.extend((entries.len() <= MOST_CHARACTERS).then_some(entries));
     }
     found.sort_by_key(String::len);
-    let names = 1..=MOST_BRACKETS;
-    names.zip(&found).filter_map(|(index, entries)| claims.bracket(index, entries)).collect()
+    let polynomial = tensors.iter().filter_map(|tensor| {
+        let entries: Vec<RationalFunction> = tensor.entries.iter().cloned().map(Into::into).collect();
+        Some((tensor.rank, written(&entries)?))
+    });
+    let claim =
+        |index: usize, (rank, entries): (usize, String)| Some((rank, claims.bracket(index, &entries)?));
+    let mut proved: Vec<(usize, String)> =
+        (1..).zip(polynomial).filter_map(|(index, bracket)| claim(index, bracket)).collect();
+    let count = proved.len();
+    let made = found.into_iter().take(MOST_BRACKETS).map(|entries| (2, entries));
+    proved.extend((count + 1..).zip(made).filter_map(|(index, bracket)| claim(index, bracket)));
+    (proved, count)
 }
 
 /// All choices of `count` of the indices below `of`, each ascending, those of the lowest indices

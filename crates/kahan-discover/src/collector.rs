@@ -21,7 +21,7 @@ pub(crate) struct Collector<'a> {
     pub(crate) searched: &'a SearchField,
     pub(crate) claims: &'a Claims<'a>,
     pub(crate) wanted: usize,
-    pub(crate) known: Option<&'a (Polynomial, Polynomial)>,
+    pub(crate) known: &'a [(Polynomial, Polynomial)],
     pub(crate) further: &'a [(Polynomial, Polynomial)],
     /// A point and its image.
     pub(crate) step: Option<SampledStep>,
@@ -49,15 +49,16 @@ impl Collector<'_> {
         }
     }
 
-    /// Keeps the modified Hamiltonian, which need not be looked for, if the search has come to its
+    /// Keeps the modified Hamiltonians, which need not be looked for, if the search has come to their
     /// degree, or to one that costs more than is to be gained; and what is known of lower degrees.
     pub(crate) fn offer_known(&mut self, degree: u32) {
         self.offer_further(degree);
         let symbols = self.searched.family().symbols();
-        let Some((above, below)) = self.known else { return };
         let is_expensive = 2 * Monomials::count(self.searched.dimension(), degree) > MOST_AHEAD;
-        if is_expensive || symbols.degree(above).max(symbols.degree(below)) <= degree {
-            self.offer(above.clone(), below.clone());
+        for (above, below) in self.known {
+            if is_expensive || symbols.degree(above).max(symbols.degree(below)) <= degree {
+                self.offer(above.clone(), below.clone());
+            }
         }
     }
 

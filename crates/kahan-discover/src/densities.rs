@@ -3,7 +3,9 @@
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Budget, Polynomial};
 use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::symbols::Symbols;
 
+use crate::brackets::PoissonTensor;
 use crate::claims::{Claims, Formula};
 use crate::darboux::measure;
 use crate::deadline::Deadline;
@@ -26,6 +28,18 @@ const DETERMINANT_WORK: u64 = 1_000_000;
 /// The degree up to which densities are looked for.
 fn density_degree(n: usize) -> u32 {
     (1..=8).take_while(|&degree| Monomials::count(n, degree) <= MOST_DENSITY_COEFFICIENTS).last().unwrap_or(1)
+}
+
+/// The density 1/Pf(P) of the tensor P of a bracket, if its rank is full.
+pub(crate) fn pfaffian_density(
+    tensor: &PoissonTensor,
+    claims: &Claims<'_>,
+    symbols: &Symbols,
+    integrals: &[Formula],
+) -> Option<Formula> {
+    let mut budget = Budget::new(MOST_DENSITY_TERMS, DETERMINANT_WORK);
+    let pfaffian = tidy(symbols, &tensor.pfaffian(symbols.dimension(), &mut budget)?);
+    claims.density(symbols, None, &[(pfaffian, -1)], &factors_of(integrals))
 }
 
 /// The density of least degree; or 1/det A where det(I − t f′) is even and that is the only one.

@@ -25,6 +25,9 @@ use crate::stepping::Stepping;
 const MOST_TERMS: usize = 1500;
 const MODIFIED_WORK: u64 = 10_000_000;
 
+/// The most K that are written out.
+const MOST_STRUCTURES: usize = 4;
+
 /// Equations beyond the number of unknowns, a component.
 const SPARE: usize = 6;
 
@@ -46,33 +49,53 @@ pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
 }
 
-/// K and H with f = K∇H, found by linear algebra: f′(x)K is symmetric for all x, which is linear in
-/// K; then H is cubic, which is linear in H. `None` where there is none among the K of a basis and
-/// their sum, where H has more than 400 coefficients, or where the field is zero.
-pub fn hamiltonian(
+/// All K of a reduced basis with f = K∇H, each with its H, by linear algebra: f′(x)K is symmetric
+/// for all x, which is linear in K; then H is cubic, which is linear in H. Where none of the basis
+/// has an H, the sum of the basis is tried. Empty where that has none, where H has more than 400
+/// coefficients, or where the field is zero.
+pub fn hamiltonians(
     searched: &SearchField,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Vec<Hamiltonian> {
+    let n = searched.dimension();
+    if n < 2 || !is_within_reach(n) {
+        return Vec::new();
+    }
+    let monomials = Monomials::new(n, 3);
+    let Some(sample) = searched.sample(Modulus::mersenne_61(), random) else { return Vec::new() };
+    let tensors = tensors(&sample.map, random);
+    let mut has_potential = |choice: &usize| {
+        chosen(&sample.map, &tensors, *choice)
+            .is_some_and(|k| potential(&sample.map, &monomials, &k, random, deadline).is_some())
+    };
+    let mut choices: Vec<usize> = (1..=tensors.len()).filter(&mut has_potential).collect();
+    if choices.is_empty() && has_potential(&0) {
+        choices.push(0);
+    }
+    let over_the_rationals =
+        |choice| reconstructed(searched, &monomials, tensors.len(), choice, random, deadline);
+    choices.into_iter().take(MOST_STRUCTURES).filter_map(over_the_rationals).collect()
+}
+
+/// The K of a choice among the basis of `count` tensors, and its H, over ℚ with all unknowns.
+fn reconstructed(
+    searched: &SearchField,
+    monomials: &Monomials,
+    count: usize,
+    choice: usize,
     random: &mut SplitMix64,
     deadline: &Deadline<'_>,
 ) -> Option<Hamiltonian> {
     let n = searched.dimension();
-    if n < 2 || !is_within_reach(n) {
-        return None;
-    }
-    let monomials = Monomials::new(n, 3);
-    let sample = searched.sample(Modulus::mersenne_61(), random)?;
-    let tensors = tensors(&sample.map, random);
-    let choice = (0..=tensors.len()).find(|&choice| {
-        chosen(&sample.map, &tensors, choice)
-            .is_some_and(|k| potential(&sample.map, &monomials, &k, random, deadline).is_some())
-    })?;
     let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
         let map = searched.at(modulus, unknowns)?;
         let found = self::tensors(&map, random);
-        if found.len() != tensors.len() {
+        if found.len() != count {
             return None;
         }
         let tensor = chosen(&map, &found, choice)?;
-        let potential = potential(&map, &monomials, &tensor, random, deadline)?;
+        let potential = potential(&map, monomials, &tensor, random, deadline)?;
         Some([tensor, potential].concat())
     };
     let entries = reconstruct(&mut oracle, &searched.unknown_variables(), random, deadline)?;
@@ -82,7 +105,7 @@ pub fn hamiltonian(
     let support: Vec<usize> = (1..monomials.len()).collect();
     let (coefficients, common) = over_common(coefficients);
     let hamiltonian =
-        RationalFunction::new(combination(&states, &monomials, &support, &coefficients), common)?;
+        RationalFunction::new(combination(&states, monomials, &support, &coefficients), common)?;
     if hamiltonian.is_zero() {
         return None;
     }

@@ -177,7 +177,7 @@ impl Sums {
 }
 
 /// Equations beyond the number of unknowns.
-const SPARE: usize = 6;
+pub(crate) const SPARE: usize = 6;
 
 /// The vectors that random rows of so many columns all send to zero; `None` where a row is, or the
 /// deadline passes.

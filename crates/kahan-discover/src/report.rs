@@ -172,9 +172,13 @@ pub struct Report {
     pub bases: Vec<Basis>,
     /// Invariant densities, proved; the first of least degree.
     pub densities: Vec<Formula>,
-    /// Invariant Poisson brackets from the density and the integrals, proved, each a claim of the
-    /// language of `kahan!`.
+    /// Invariant Poisson brackets, proved, each a claim of the language of `kahan!`: with polynomial
+    /// entries, the highest rank first, then from the density and the integrals.
     pub brackets: Vec<String>,
+    /// The rank of each of these brackets at a general point.
+    pub bracket_ranks: Vec<usize>,
+    /// How many of them, the first, have polynomial entries.
+    pub polynomial_brackets: usize,
     /// How the search for densities ended.
     pub density_search: DensitySearch,
     /// The name of an unconditional density that the field brings along; a block takes one.

@@ -11,15 +11,15 @@ use kahan_algebra::syntax::ClaimKind;
 use kahan_algebra::system::System;
 
 use crate::basis::{Basis, candidates, completing, prove};
-use crate::brackets::brackets;
+use crate::brackets::{PoissonTensor, brackets, polynomial_tensors};
 use crate::ceiling::{Ceiling, FEW_TRIALS, MANY_TRIALS, ceiling};
 use crate::claims::{Claims, Formula};
 use crate::composition::{Survivors, survivors};
 use crate::deadline::{Deadline, Work};
 use crate::degrees::{DegreeLimits, degrees};
-use crate::densities::densities;
+use crate::densities::{densities, pfaffian_density};
 use crate::growth::GrowthVerdict;
-use crate::hamiltonian::{Hamiltonian, hamiltonian};
+use crate::hamiltonian::{Hamiltonian, hamiltonians};
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL, default_degree};
 use crate::independent::{Independent, quotient_gradient};
 use crate::integrals::{Aims, integrals};
@@ -117,12 +117,18 @@ pub(crate) fn discover_within(
 
     begins("structure of the field");
     let mut structure = structure(&searched, &fixed, &of_flow, random);
-    let hamiltonian =
-        hamiltonian(&searched, random, &for_structure).filter(|found| found.holds(&fixed.field));
-    let modified = hamiltonian.as_ref().and_then(|found| {
+    let mut hamiltonians = hamiltonians(&searched, random, &for_structure);
+    hamiltonians.retain(|found| found.holds(&fixed.field));
+    let written = |found: &Hamiltonian| {
         let (above, below) = found.modified(&searched, &fixed.field)?;
         Some((tidy(symbols, &above), tidy(symbols, &below)))
-    });
+    };
+    let mut structures: Vec<_> = hamiltonians.iter().map(|found| (found, written(found))).collect();
+    // The shortest first; one that is too long to be written last.
+    let terms = |(above, below): &(Polynomial, Polynomial)| above.terms().count() + below.terms().count();
+    structures.sort_by_key(|(_, written)| written.as_ref().map_or(usize::MAX, terms));
+    let hamiltonian = structures.first().map(|(found, _)| *found);
+    let modified: Vec<_> = structures.iter().filter_map(|(_, written)| written.clone()).collect();
     let place = sample.step(random).ok_or(DiscoverError::NoMap)?;
     let kept = of_flow.kept(&searched, random);
     structure.kept = kept.len();
@@ -131,8 +137,8 @@ pub(crate) fn discover_within(
         searched: &searched,
         field: &fixed.field,
         claims: &claims,
-        hamiltonian: hamiltonian.as_ref(),
-        modified: modified.as_ref(),
+        hamiltonian,
+        modified: &modified,
         proved: &proved,
         kept: &kept,
         further: &rules.later,
@@ -187,7 +193,7 @@ pub(crate) fn discover_within(
         }
     };
 
-    structure.hamiltonian = hamiltonian.as_ref().map(|hamiltonian| HamiltonianReport {
+    structure.hamiltonian = hamiltonian.map(|hamiltonian| HamiltonianReport {
         tensor: hamiltonian.tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
         hamiltonian: text(symbols, &hamiltonian.hamiltonian),
         modified_is_proved: found.modified_is_proved,
@@ -195,6 +201,7 @@ pub(crate) fn discover_within(
         symbols: symbols.clone(),
         place: found.modified_place,
     });
+    let (bracket_ranks, brackets) = found.brackets.into_iter().unzip();
     let mut report = Report {
         variables: symbols.states.clone(),
         parameters: symbols.parameters.clone(),
@@ -207,7 +214,9 @@ pub(crate) fn discover_within(
         integrals: found.integrals,
         bases: found.bases,
         densities: found.densities,
-        brackets: found.brackets,
+        bracket_ranks,
+        brackets,
+        polynomial_brackets: found.polynomial_brackets,
         density_search: found.density_search,
         own_density: claims.own_density().map(str::to_owned),
         structure,
@@ -255,8 +264,8 @@ struct Search<'a> {
     field: &'a Field,
     claims: &'a Claims<'a>,
     hamiltonian: Option<&'a Hamiltonian>,
-    /// The modified Hamiltonian written out, where it is not too long.
-    modified: Option<&'a (Polynomial, Polynomial)>,
+    /// The modified Hamiltonians of all K that are not too long; the first is that of `hamiltonian`.
+    modified: &'a [(Polynomial, Polynomial)],
     /// Integrals of the map that the field shows at once, proved.
     proved: &'a [Formula],
     /// Integrals of the flow that the map keeps.
@@ -281,7 +290,12 @@ struct Found {
     modified_place: ModifiedPlace,
     densities: Vec<Formula>,
     density_search: DensitySearch,
-    brackets: Vec<String>,
+    /// The tensors of the polynomial brackets.
+    tensors: Vec<PoissonTensor>,
+    /// Each with its rank.
+    brackets: Vec<(usize, String)>,
+    /// How many of them have polynomial entries.
+    polynomial_brackets: usize,
     survivors: Option<Survivors>,
 }
 
@@ -380,10 +394,26 @@ impl Search<'_> {
         }
         let modified_place = self.modified_place(&integrals, &bases, own.as_ref());
 
+        (self.begins)("invariant Poisson brackets");
+        // In the plane and in space the density and the integrals say all, where there are enough.
+        let is_said = searched.dimension() < 4 && integrals.len() + 2 >= searched.dimension();
+        let tensors = match before {
+            Some(before) => before.tensors.clone(),
+            None if is_said => Vec::new(),
+            None => polynomial_tensors(searched, random, &until.densities),
+        };
+
         (self.begins)("invariant densities");
-        let (densities, density_search) = match before.filter(|before| !before.densities.is_empty()) {
-            Some(before) => (before.densities.clone(), before.density_search),
-            None => densities(
+        let of_tensor =
+            tensors.first().and_then(|tensor| pfaffian_density(tensor, self.claims, symbols, &all_integrals));
+        let known = before.filter(|before| !before.densities.is_empty());
+        let (densities, density_search) = match (of_tensor, known) {
+            (Some(density), _) => {
+                let search = DensitySearch { seen: Some(density.degree), none_up_to: None };
+                (vec![density], search)
+            }
+            (None, Some(before)) => (before.densities.clone(), before.density_search),
+            (None, None) => densities(
                 searched,
                 self.claims,
                 &all_integrals,
@@ -394,11 +424,12 @@ impl Search<'_> {
             ),
         };
         densities.iter().for_each(tell);
-        let brackets = match densities.first() {
-            Some(density) => brackets(self.claims, symbols, &integrals, density, &until.densities),
-            None => Vec::new(),
-        };
-        brackets.iter().for_each(|bracket| (self.tell)(ClaimKind::Bracket, bracket));
+        // A bracket of full rank leaves nothing to say by those of rank 2.
+        let is_full = tensors.first().is_some_and(|tensor| tensor.rank + 1 >= searched.dimension());
+        let density = densities.first().filter(|_| !is_full);
+        let (brackets, polynomial_brackets) =
+            brackets(self.claims, symbols, &tensors, &integrals, density, &until.densities);
+        brackets.iter().for_each(|(_, bracket)| (self.tell)(ClaimKind::Bracket, bracket));
 
         (self.begins)("what survives composition");
         let survivors = hilbert
@@ -412,25 +443,31 @@ impl Search<'_> {
             modified_place,
             densities,
             density_search,
+            tensors,
             brackets,
+            polynomial_brackets,
             survivors,
         }
     }
 
-    /// Adds the modified Hamiltonian where it is proved and independent of the others; whether it
-    /// is proved.
+    /// Adds the modified Hamiltonians that are proved and independent of the others; whether the
+    /// first is proved.
     fn add_modified(&self, integrals: &mut Vec<Formula>, random: &mut SplitMix64) -> bool {
-        let Some((above, below)) = self.modified else { return false };
-        let is_listed = |known: &Formula| known.numerator == *above && known.denominator == *below;
-        if integrals.iter().any(is_listed) {
-            return true;
-        }
         let symbols = &self.field.symbols;
-        let formula =
-            self.claims.integral(symbols, integrals.len() + 1, above, below, &factors_of(integrals));
-        let is_proved = formula.is_some();
-        add_if_independent(self.searched, integrals, formula, random);
-        is_proved
+        let mut is_proved = self.modified.iter().map(|(above, below)| {
+            let is_listed = |known: &Formula| known.numerator == *above && known.denominator == *below;
+            if integrals.iter().any(is_listed) {
+                return true;
+            }
+            let factors = factors_of(integrals);
+            let formula = self.claims.integral(symbols, integrals.len() + 1, above, below, &factors);
+            let is_proved = formula.is_some();
+            add_if_independent(self.searched, integrals, formula, random);
+            is_proved
+        });
+        let of_first = is_proved.next();
+        is_proved.for_each(drop);
+        of_first == Some(true)
     }
 
     /// The gradient of a formula, up to a factor.

@@ -28,6 +28,7 @@ pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     sentences.push(degrees(report));
     sentences.extend(orbits(report));
     sentences.extend(formulas(report));
+    sentences.extend(polynomial_brackets(report));
     sentences.push(densities(report));
     sentences.extend(own_density(report));
     sentences.extend(structure(report));
@@ -232,10 +233,26 @@ fn formulas(report: &Report) -> Vec<String> {
     sentences
 }
 
+fn polynomial_brackets(report: &Report) -> Option<String> {
+    let ranks: Vec<String> =
+        report.bracket_ranks[..report.polynomial_brackets].iter().map(usize::to_string).collect();
+    match &ranks[..] {
+        [] => None,
+        [rank] => {
+            Some(format!("An invariant Poisson bracket of rank {rank} with polynomial entries is proved."))
+        }
+        _ => Some(format!(
+            "{} invariant Poisson brackets with polynomial entries are proved, of ranks {}.",
+            ranks.len(),
+            ranks.join(", ")
+        )),
+    }
+}
+
 fn densities(report: &Report) -> String {
     match report.densities.first() {
         Some(density) if density.degree == 0 => "The map preserves volume, proved.".to_owned(),
-        Some(_) => match report.brackets.len() {
+        Some(_) => match report.brackets.len() - report.polynomial_brackets {
             0 if report.variables.len() >= 2 && report.integrals.len() + 2 >= report.variables.len() => {
                 "An invariant density is proved; the Poisson brackets that it makes with integrals are too long to be written.".to_owned()
             }

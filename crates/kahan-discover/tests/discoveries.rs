@@ -411,3 +411,58 @@ fn without_time_there_is_still_a_report() {
         assert!(!all.contains(denial), "{all}");
     }
 }
+
+/// Kouloukas, Quispel and Vanhaecke, "Liouville integrability and superintegrability of a
+/// generalized Lotka–Volterra system and its Kahan discretization" (2016); Petrera and Suris, "A
+/// construction of a large family of commuting pairs of integrable symplectic birational
+/// four-dimensional maps" (2017).
+#[test]
+fn brackets_of_full_rank_are_found() {
+    let first = |text: &str| report(text, &options()).brackets.first().cloned().unwrap_or_default();
+    let volterra = "x1dot = x1*(x2 + x3 + x4); x2dot = x2*(x3 + x4 - x1); x3dot = x3*(x4 - x1 - x2); \
+        x4dot = x4*(-x1 - x2 - x3);";
+    assert_eq!(
+        first(volterra),
+        "bracket P1 { {x1, x2} = x1*x2; {x1, x3} = x1*x3; {x1, x4} = x1*x4; {x2, x3} = x2*x3; \
+        {x2, x4} = x2*x4; {x3, x4} = x3*x4; };"
+    );
+    let canonical = "xdot = p; ydot = q; pdot = -a*x - 2*x*y; qdot = -a*y - x^2 - y^2;";
+    assert_eq!(
+        first(canonical),
+        "bracket P1 { {x, p} = 1 + 2*eps^2*y + eps^2*a; {x, q} = 2*eps^2*x; {y, p} = 2*eps^2*x; \
+        {y, q} = 1 + 2*eps^2*y + eps^2*a; };"
+    );
+}
+
+/// The densities are 1/Pf(P).
+#[test]
+fn a_bracket_of_full_rank_has_a_density() {
+    let volterra = "x1dot = x1*(x2 + x3 + x4 + x5 + x6); x2dot = x2*(x3 + x4 + x5 + x6 - x1); \
+        x3dot = x3*(x4 + x5 + x6 - x1 - x2); x4dot = x4*(x5 + x6 - x1 - x2 - x3); \
+        x5dot = x5*(x6 - x1 - x2 - x3 - x4); x6dot = x6*(-x1 - x2 - x3 - x4 - x5);";
+    let found = report(volterra, &options());
+    assert_eq!(found.densities[0].text, "density rho = 1/(x1*x2*x3*x4*x5*x6);");
+    assert_eq!((found.bracket_ranks, found.polynomial_brackets), (vec![6], 1));
+    assert!(found.sentences.iter().any(|said| said.contains("Poisson bracket of rank 6")));
+}
+
+/// Petrera and Suris (2017): with the complex structure, the real and the imaginary part of the
+/// Hamiltonian each have a K, and the map keeps both modified Hamiltonians and two brackets.
+#[test]
+fn each_constant_k_has_an_integral() {
+    let weierstrass = "xdot = y; udot = v; ydot = 6*x^2 - 6*u^2 - a; vdot = 12*x*u - b;";
+    let found = report(weierstrass, &options());
+    let hamiltonians = found.integrals.iter().map(|formula| formula.text.as_str()).collect::<Vec<_>>();
+    assert_eq!(hamiltonians.len(), 2, "{hamiltonians:?}");
+    assert!(hamiltonians.iter().all(|text| text.len() < 500), "{hamiltonians:?}");
+    assert!(found.bases.is_empty());
+    assert_eq!(
+        found.brackets,
+        [
+            "bracket P1 { {x, y} = 1 - 12*eps^2*x; {x, v} = -12*eps^2*u; {u, y} = -12*eps^2*u; \
+            {u, v} = -(1 - 12*eps^2*x); };",
+            "bracket P2 { {x, y} = 12*eps^2*u; {x, v} = 1 - 12*eps^2*x; {u, y} = 1 - 12*eps^2*x; \
+            {u, v} = -12*eps^2*u; };"
+        ]
+    );
+}

@@ -38,6 +38,7 @@ fn a_watch_hears_of_each_claim_of_the_report_once_and_of_each_stage() {
             "relations on orbits",
             "structure of the field",
             "formulas of integrals",
+            "invariant Poisson brackets",
             "invariant densities",
             "what survives composition",
         ];

@@ -28,7 +28,7 @@ pub(super) fn structure(report: &Report) -> Vec<String> {
         }
         None if is_within_reach(report.variables.len()) => "No constant antisymmetric K with f = K grad H was found.".to_owned(),
         None => {
-            "In so many variables no constant antisymmetric K with f = K grad H is looked for.".to_owned()
+            "No constant antisymmetric K with f = K grad H is looked for: H would have too many coefficients.".to_owned()
         }
     });
     sentences
