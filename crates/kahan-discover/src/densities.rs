@@ -17,7 +17,7 @@ use crate::space::tidy;
 use crate::writing::factors_of;
 
 /// The most coefficients of the polynomial of a density.
-const MOST_DENSITY_COEFFICIENTS: usize = 220;
+const MOST_DENSITY_COEFFICIENTS: usize = 1000;
 
 /// A density of more terms than this is not written.
 const MOST_DENSITY_TERMS: usize = 300;

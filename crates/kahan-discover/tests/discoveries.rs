@@ -466,3 +466,13 @@ fn each_constant_k_has_an_integral() {
         ]
     );
 }
+
+/// Kirchhoff's case of a rigid body in a fluid (Petrera, Pfadler, Suris 2011), whose density has
+/// degree 6.
+#[test]
+fn densities_of_degree_six_are_found() {
+    let kirchhoff = "m1dot = (a3 - a1)*m2*m3 + (b3 - b1)*p2*p3; m2dot = (a1 - a3)*m1*m3 + (b1 - b3)*p1*p3; \
+        m3dot = 0; p1dot = a3*p2*m3 - a1*p3*m2; p2dot = a1*p3*m1 - a3*p1*m3; p3dot = a1*(p1*m2 - p2*m1);";
+    let found = report(kirchhoff, &Options { degree: Some(2), ..options() });
+    assert_eq!((found.densities.len(), found.densities[0].degree), (1, 6));
+}

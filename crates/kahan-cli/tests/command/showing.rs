@@ -241,8 +241,4 @@ fn a_time_step_is_twice_eps() {
         let of = |option: &[&str]| answer(&[&[command, "e6"], option, more].concat());
         assert_eq!(of(&["--dt", "0.3"]), of(&["--eps", "3/20"]), "{command}");
     }
-    assert_eq!(
-        answer(&["poles", "lv", "--dt", "2", "--steps", "3"]),
-        answer(&["poles", "lv", "--eps", "1", "--steps", "3"])
-    );
 }
