@@ -253,10 +253,11 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// The map of the time step Δt = 2ε: [`at`](Self::at) half of it.
     ///
     /// ```
-    /// # use kahan_core::prelude::*;
-    /// # use kahan_systems::LotkaVolterra;
-    /// let x = Vector2::new(0.9, 1.1);
-    /// assert_eq!(LotkaVolterra.at_dt(0.2).step(&x), LotkaVolterra.at(0.1).step(&x));
+    /// use kahan_core::prelude::*;
+    ///
+    /// kahan! { pub struct Decay; xdot = -x^2; }
+    ///
+    /// assert_eq!(Decay.at_dt(0.2).step(&vector![1.5]), Decay.at(0.1).step(&vector![1.5]));
     /// ```
     #[inline]
     fn at_dt(&self, dt: T) -> KahanAt<Self, T, N> {

@@ -85,11 +85,11 @@ impl<T: RuntimeFloat> MapAt<T> {
     /// use kahan_runtime::Field;
     ///
     /// // x' = a·x²: one step takes x to x/(1 − 2εax). L = x₀ + x₁.
-    /// let at = Field::parse("xdot = a*x^2;").unwrap().with([("a", 3)]).unwrap().at(0.125);
+    /// let at = Field::parse("xdot = a*x^2;").unwrap().with([("a", 2)]).unwrap().at(0.25);
     /// let weights = [1.0, 1.0];
     /// let found = at.gradient(&[0.5], NonZeroU64::MIN, &weights, |_| ControlFlow::Continue(()));
     /// let gradient = found.unwrap().report.unwrap();
-    /// assert_eq!((gradient.start[0], gradient.parameters[0], gradient.eps), (3.56, 0.16, 3.84));
+    /// assert_eq!((gradient.start[0], gradient.parameters[0], gradient.eps), (5.0, 0.5, 4.0));
     /// ```
     pub fn gradient(
         &self,
