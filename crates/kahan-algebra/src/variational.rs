@@ -1,7 +1,7 @@
 //! The variational field: a field and tangent vectors that it carries along.
 //!
-//! In: ẋ = f(x). Out: ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic, too. Kahan's map of it is
-//! x ↦ x̃ with v ↦ (∂x̃/∂x)·v + ∂x̃/∂a: to polarise and to differentiate is the same in either order.
+//! In: ẋ = f(x). Out: ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic, too. Its Kahan
+//! map is x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarising and differentiating commute.
 
 use std::sync::Arc;
 
@@ -19,8 +19,8 @@ impl System {
         self.sensitivities(&[By::Start])
     }
 
-    /// The system of x and of derivatives of it, a vector for each entry of `by`; without claims. The
-    /// names of a vector are those of x with `d`s before them. Where one is by ε, 1/ε is one more
+    /// The system of x and of its derivatives, a vector for each entry of `by`, without claims. The
+    /// names of a vector are those of x with `d`s in front. With [`By::Epsilon`], 1/ε is one more
     /// parameter, the last.
     #[must_use]
     pub fn sensitivities(&self, by: &[By]) -> System {

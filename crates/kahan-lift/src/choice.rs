@@ -144,8 +144,8 @@ pub(crate) fn choose<'a>(
     Some((least, chosen))
 }
 
-/// Follows lifts along the orbit, those with the fewest new variables first: if one is stable, none
-/// with more of them is better, and these are left out.
+/// Follows lifts along the orbit, those with the fewest new variables first. Once one of them is
+/// stable, lifts with more variables are left out.
 fn followed<'a>(judged: Vec<Judged<'a>>, orbit: Option<&Orbit>) -> Vec<Judged<'a>> {
     let Some(orbit) = orbit else { return judged };
     let orders: BTreeSet<usize> = judged.iter().map(Judged::order).collect();

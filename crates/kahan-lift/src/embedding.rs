@@ -67,8 +67,8 @@ impl Embedding {
         self.values.iter().map(|&value| found[value]).collect()
     }
 
-    /// The values at a point, exact where they are rational functions of the states, else floats.
-    /// `None` where one has no finite value.
+    /// The values at a point: exact for rational functions of the states, else those of floats.
+    /// Returns `None` if one has no finite value.
     pub(crate) fn exact(&self, states: &[Rational], parameters: &[Rational]) -> Option<Vec<Rational>> {
         let [floats, of] =
             [states, parameters].map(|one| one.iter().map(Rational::to_f64).collect::<Vec<_>>());

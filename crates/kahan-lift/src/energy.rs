@@ -136,7 +136,7 @@ fn along(ring: &Ring, state: usize) -> Ring {
     ring
 }
 
-/// The derivatives of polynomials by the first states: those of a polynomial follow one another.
+/// The derivatives of polynomials by the first `states` coordinates, polynomial after polynomial.
 pub(crate) fn slopes<'a>(
     ring: &Ring,
     states: usize,

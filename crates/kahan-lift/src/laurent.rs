@@ -202,7 +202,7 @@ impl Laurent {
         Laurent(kept.map(|(monomial, value)| (monomial.clone(), value.clone())).collect())
     }
 
-    /// The partial derivative by a coordinate of which no other depends.
+    /// The partial derivative by a coordinate that occurs in no other coordinate.
     pub(crate) fn partial(&self, coordinate: usize) -> Self {
         let one = Monomial::power(coordinate, 1);
         let mut derivative = Self::zero();

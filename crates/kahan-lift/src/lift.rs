@@ -376,8 +376,8 @@ impl Lift {
         &self.embedding
     }
 
-    /// The derivatives of the new variables by the states without `t`, as steps: the derivatives of a
-    /// variable follow one another. Those of the work done since the start are 0.
+    /// The steps that compute the derivatives of the new variables by the states without `t`, one
+    /// variable after the other. The work done since the start has the derivatives 0.
     #[must_use]
     pub fn slopes(&self) -> Embedding {
         let states = self.states.len() - usize::from(self.has_time);

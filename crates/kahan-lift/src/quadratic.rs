@@ -180,7 +180,7 @@ impl<'a> Products<'a> {
             });
         }
         self.add_product_rules(&mut ways);
-        // Which way each equation is written.
+        // Each choice has a way for each equation.
         let mut choices: Vec<Vec<usize>> = vec![Vec::new()];
         let mut left: usize = MOST_FORMS;
         for ways in &ways {

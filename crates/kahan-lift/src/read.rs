@@ -94,8 +94,7 @@ impl Reader {
     }
 
     /// Reads the power of an expression with the exponent 1 or −1. Each factor of a product is
-    /// inverted alone: the inverse of P² is a power of that of P, of which other powers are powers
-    /// as well.
+    /// inverted alone, so that 1/P² and 1/P³ become powers of one variable 1/P.
     fn signed(&mut self, expr: &Expr<InFormula>, sign: i64) -> Read<Laurent> {
         let value = match &expr.kind {
             ExprKind::Product(factors) => {

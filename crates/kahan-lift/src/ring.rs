@@ -139,7 +139,7 @@ pub(crate) struct Ring {
 }
 
 /// Polynomials of monomials that were computed before. Rings are shared between threads; a clone
-/// begins with none, as most need few.
+/// begins empty, since most clones need few of them.
 #[derive(Debug, Default)]
 struct Memory(Mutex<FxHashMap<Monomial, Laurent>>);
 

@@ -28,11 +28,11 @@ pub struct Coefficients {
     components: Vec<Vec<(Place, f64)>>,
 }
 
-/// Two states, the first one first, and a parameter, in some bits each; a single state stands
+/// Two states in increasing order, then a parameter, with [`BITS`] bits each; a single state is the
 /// second. Places increase in the order of a polynomial's terms.
 type Place = u64;
 
-/// The bits of a state or a parameter in a place: names of a field have numbers of 16 bits.
+/// The bits of a state or a parameter in a place; an index of either has at most 16 bits.
 const BITS: u32 = 20;
 /// Neither a state nor a parameter.
 const NONE: Place = (1 << BITS) - 1;
@@ -159,7 +159,7 @@ impl Coefficients {
     pub fn system(self) -> System {
         let terms = self.components.into_iter().enumerate().flat_map(|(component, mut terms)| {
             terms.sort_by_key(|(place, _)| *place);
-            // Both halves of a symmetric array: a float, for which no fraction is needed.
+            // Equal halves of a symmetric array have a float as their exact sum.
             terms.dedup_by(|(place, value), (kept, half)| {
                 let is_half = place == kept && value == half && (*half + *half).is_finite();
                 *half += if is_half { *half } else { 0.0 };
@@ -207,10 +207,10 @@ impl<R: Dim, C: Dim, S: RawStorage<f64, R, C>> From<&Matrix<f64, R, C, S>> for E
 }
 
 impl Field {
-    /// The field ẋᵢ = cᵢ + Σⱼ Bᵢⱼxⱼ + Σⱼₖ Qᵢⱼₖxⱼxₖ in x1, …, xn, from slices row by row or matrices of
-    /// nalgebra. An array without numbers is 0, and one of them has some. Q has n³ numbers, or n²(n + 1)/2: then each row has
-    /// the coefficients of xⱼxₖ with k ≤ j, as operator inference has them. Each float is taken
-    /// exactly.
+    /// The field ẋᵢ = cᵢ + Σⱼ Bᵢⱼxⱼ + Σⱼₖ Qᵢⱼₖxⱼxₖ in x1, …, xn, from slices row by row or
+    /// matrices of nalgebra. An empty array stands for 0; at least one array has numbers. Q has n³
+    /// numbers, or n²(n + 1)/2: then each row has the coefficients of xⱼxₖ with k ≤ j, as in
+    /// operator inference. Floats are taken exactly.
     ///
     /// # Errors
     /// [`CoefficientError`] for an array of another length, and a number that is not finite.
@@ -219,7 +219,8 @@ impl Field {
     /// use kahan_runtime::Field;
     ///
     /// // x1' = x2, x2' = 1 - x1²
-    /// let field = Field::from_coefficients(&[0.0, 1.0], &[0.0, 1.0, 0.0, 0.0], &[0.0, 0.0, 0.0, -1.0, 0.0, 0.0]);
+    /// let (c, b) = ([0.0, 1.0], [0.0, 1.0, 0.0, 0.0]);
+    /// let field = Field::from_coefficients(&c, &b, &[0.0, 0.0, 0.0, -1.0, 0.0, 0.0]);
     /// let text = Field::parse("x1dot = x2; x2dot = 1 - x1^2;").unwrap();
     /// assert_eq!(field.unwrap().system().field, text.system().field);
     /// ```

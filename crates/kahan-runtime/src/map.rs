@@ -46,7 +46,7 @@ impl Map {
         MapAt::new(self.clone(), self.constants(eps).collect(), T::PRECISION)
     }
 
-    /// The map of the time step Δt = 2ε: [`at`](Self::at) half of it.
+    /// The map of the time step Δt = 2ε; see [`at`](Self::at).
     #[must_use]
     pub fn at_dt<T: RuntimeFloat>(&self, dt: T) -> MapAt<T> {
         self.at(eps_from_dt(dt))

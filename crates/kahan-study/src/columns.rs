@@ -1,8 +1,8 @@
-//! Which column of a table is which state, parameter or ε, by the names alone.
+//! Assigns columns of a table to states, parameters and ε by their names.
 //!
-//! In: the names of a table's columns, and those of the field. Out: a place for each name, or what
-//! is wrong, said of the table: "has no column `y`; …". Files of the command, plans of sweeps and
-//! tables of Python are matched here; where their numbers lie, this module must not know.
+//! In: the names of a table's columns, and those of the field. Out: a column for each name, or an
+//! error whose subject is the table: "has no column `y`; …". Files of the command, plans of sweeps
+//! and tables of Python are matched here. The numbers of a table are unknown to this module.
 
 use std::fmt;
 
@@ -13,23 +13,23 @@ use kahan_algebra::check::nearest;
 pub struct Wanted<'a> {
     /// The states. Each of the first [`least`](Self::least) needs a column.
     pub states: &'a [String],
-    /// How many states need a column. Those behind them, the new variables of a lift, have a column
-    /// each, or none has one.
+    /// The number of states that need a column. The states behind them are the new variables of a
+    /// lift; a table may have columns for all of them.
     pub least: usize,
     /// The parameters of the field.
     pub parameters: &'a [String],
-    /// What becomes of columns that are no states.
+    /// The treatment of other columns.
     pub others: Others,
 }
 
-/// What becomes of columns that are no states.
+/// The treatment of columns that are not states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Others {
     /// Parameters and `eps` have a value a row; any other column is refused.
     Used,
-    /// Parameters and `eps` have one value, which is given by itself; every column is refused.
+    /// Parameters and `eps` have one value each, given elsewhere; every other column is refused.
     Refused,
-    /// All are ignored: parameters and `eps` have their values in a plan.
+    /// Other columns are ignored; a plan has the values of parameters and `eps`.
     Ignored,
 }
 
@@ -42,33 +42,34 @@ pub struct Places {
     pub others: Vec<(String, usize)>,
 }
 
-/// Why a table cannot be used. It displays as a sentence about the table, without its subject.
+/// A mistake in the columns of a table. Its display is a sentence whose subject, the table, the
+/// caller adds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ColumnError {
     /// A state has no column.
     Missing {
         /// Its name.
         state: String,
-        /// The columns that there are.
+        /// The columns of the table.
         found: Vec<String>,
         /// The column that may be a slip of the name.
         nearest: Option<String>,
     },
     /// Two columns have one name.
     Twice(String),
-    /// A parameter or `eps` has a column where it has one value.
+    /// A column of a parameter or `eps`, which has one value here.
     Single(String),
-    /// Columns that no name in the field explains.
+    /// Columns whose names the field does not have.
     Unusable {
         /// Their names.
         names: Vec<String>,
-        /// The names that are known here.
+        /// The names that columns may have.
         known: Vec<String>,
     },
 }
 
 impl<'a> Wanted<'a> {
-    /// All of these states.
+    /// A table that needs a column for each of these states.
     #[must_use]
     pub fn new(states: &'a [String], parameters: &'a [String], others: Others) -> Self {
         Wanted { states, least: states.len(), parameters, others }
@@ -174,8 +175,7 @@ mod tests {
         text.split(',').map(str::to_owned).collect()
     }
 
-    /// What becomes of a table with these columns, for the states x, y and perhaps u, and the
-    /// parameters k and m.
+    /// Matches columns with the states x and y, the new variable u, and the parameters k and m.
     fn found(others: Others, columns: &str) -> Result<String, String> {
         let (states, parameters) = (names("x,y,u"), names("k,m"));
         let wanted = Wanted { least: 2, ..Wanted::new(&states, &parameters, others) };

@@ -32,7 +32,7 @@ pub struct Lifting {
     /// The first point of the orbit along which lifts are judged, in the original variables; by
     /// default the first point that the text gives.
     pub start: Option<Vec<Rational>>,
-    /// The names of the coordinates of `start`; none where they are in the order of the variables.
+    /// The names of the coordinates of `start`; empty if they are in the order of the variables.
     pub names: Vec<String>,
     /// Values by which lifts are judged of parameters that have none.
     pub near: Vec<(String, Rational)>,
@@ -43,8 +43,8 @@ pub struct Lifting {
 }
 
 impl Lifting {
-    /// Puts the coordinates of the start in the order of the variables. Without one for each there
-    /// is no start.
+    /// Puts the coordinates of the start in the order of the variables. A start that lacks one is
+    /// dropped.
     fn put_in_order(&mut self, states: &[String]) {
         let names = std::mem::take(&mut self.names);
         if !names.is_empty() {
@@ -375,8 +375,8 @@ const DRIFT: f64 = 1.5;
 const ROUNDING: f64 = 1e-11;
 
 impl RelationErrors {
-    /// How much larger the error of a relation is in the last eighth of the orbit than in the first;
-    /// `None` where the orbit ends early.
+    /// The ratio of a relation's error in the last eighth of the orbit to that in the first; `None`
+    /// if the orbit ends early.
     pub(crate) fn drift(&self, place: usize) -> Option<f64> {
         let errors = &self.errors[place];
         let (first, last) = (errors.get(..EIGHTH)?, errors.get(7 * EIGHTH..8 * EIGHTH)?);

@@ -72,9 +72,9 @@ impl<V: Entry> Numbers<V> {
 }
 
 impl Numbers<Option<Rational>> {
-    /// A first point a row, with a coordinate a state: of named columns those of the states, else a
-    /// column a state. The first column is ignored where it has no name and numbers the rows from 0,
-    /// as pandas writes it.
+    /// Reads a point from each row. Named columns are matched with the states; without names, each
+    /// column is a state. A first column without a name that numbers the rows from 0, as pandas
+    /// writes it, is ignored.
     ///
     /// # Errors
     /// What the file has too much or too little of, said of it: "has no rows; …".
@@ -122,8 +122,8 @@ impl Numbers<Option<Rational>> {
     }
 }
 
-/// Rows of numbers with commas, behind a row of names or not. A row that begins with `#` is a
-/// comment; the last one above the numbers that has a word a column names them, as NumPy writes it.
+/// Reads rows of numbers with commas, and a row of names above them. Rows that begin with `#` are
+/// comments; the last one with a word for each column names them, as NumPy writes it.
 fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
     let mut cells = ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text);
     let (mut row, mut comments, mut is_first) = (StringRecord::new(), Vec::new(), true);
@@ -183,7 +183,7 @@ fn table<V: Entry>(text: &[u8]) -> Result<Numbers<V>, String> {
     Ok(numbers)
 }
 
-/// The names in a comment above so many columns: between commas, or else between spaces.
+/// The names in a comment, if there is one for each column: between commas, or else between spaces.
 fn names_in(comment: &str, columns: usize) -> Option<Vec<String>> {
     let comment = comment.trim_start_matches('#').trim();
     let between: [Vec<&str>; 2] = [comment.split(',').collect(), comment.split_whitespace().collect()];
@@ -205,14 +205,14 @@ struct Array<'a> {
     header: &'a str,
     /// The type of its entries, in quotes.
     descr: &'a str,
-    /// Whether columns lie one behind the other, and not rows.
+    /// Whether columns are contiguous, and not rows.
     is_fortran: bool,
     sizes: Vec<usize>,
     count: usize,
     data: &'a [u8],
 }
 
-const BROKEN: &str = "it is no array of NumPy's, or not a whole one";
+const BROKEN: &str = "it is not a complete array of NumPy";
 
 impl<'a> Array<'a> {
     fn of(bytes: &'a [u8]) -> Option<Self> {
@@ -229,7 +229,7 @@ impl<'a> Array<'a> {
         Some(Array { header, descr, is_fortran, sizes, count, data })
     }
 
-    /// Its entries of so many bytes, row by row.
+    /// Its entries of `WIDTH` bytes each, row by row.
     fn entries<const WIDTH: usize, V>(&self, read: impl Fn([u8; WIDTH]) -> V) -> Result<Vec<V>, String> {
         let (entries, rest) = self.data.as_chunks();
         if entries.len() != self.count || !rest.is_empty() {
@@ -272,7 +272,7 @@ fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
         "'<f8'" => array.entries(|bytes| V::of_float(f64::from_le_bytes(bytes))),
         "'<f4'" => array.entries(|bytes| V::of_float(f32::from_le_bytes(bytes).into())),
         "'<i4'" => array.entries(|bytes| V::of_float(i32::from_le_bytes(bytes).into())),
-        // Those beyond 53 bits as NumPy makes floats of them.
+        // Integers beyond 53 bits are rounded as by NumPy's `astype(float)`.
         "'<i8'" => array.entries(|bytes| V::of_float(i64::from_le_bytes(bytes) as f64)),
         _ => Err("its numbers are no floats; save it with .astype(float)".to_owned()),
     };
@@ -282,7 +282,7 @@ fn array<V: Entry>(bytes: &[u8]) -> Result<Numbers<V>, String> {
 /// The words of an array of NumPy's, `.npy`.
 ///
 /// # Errors
-/// Why they cannot be read.
+/// A sentence about the array, if its words cannot be read.
 pub fn words(bytes: &[u8]) -> Result<Vec<String>, String> {
     let array = Array::of(bytes).ok_or(BROKEN)?;
     let length: Option<usize> =
@@ -313,7 +313,7 @@ fn fields(header: &str) -> Option<Vec<(String, &str)>> {
     named.collect()
 }
 
-/// The numbers of the records of a structured array, row by row, whose columns have these kinds.
+/// The numbers of a structured array, row by row; `kinds` are the types of its columns.
 fn records<V: Entry>(mut data: &[u8], kinds: &[&str]) -> Option<Vec<V>> {
     let mut values = Vec::new();
     if kinds.is_empty() {
@@ -372,7 +372,7 @@ mod tests {
         for text in ["1\r\n\r\n \r\nx\r\n", "1\n\n \nx"] {
             assert_eq!(table(text), Err("`x` in line 4 is no number".to_owned()), "{text:?}");
         }
-        // As NumPy writes names and other comments.
+        // NumPy writes names and comments behind `#`.
         for text in [
             "# a,b\n1,2",
             "#a, b\n1,2",

@@ -241,8 +241,9 @@ impl Study {
         &self.here.given
     }
 
-    /// The same at these values of parameters, no others. What was read, proved, planned and compiled
-    /// is shared, but for a lift, which is made for the values that its `Subject` has.
+    /// The study at these values of parameters, in place of all earlier ones. Both studies share
+    /// the field with its proofs, plans and compiled code. A lift stays that of the values in its
+    /// `Subject`.
     ///
     /// # Errors
     /// A name that is none of theirs, or given twice.

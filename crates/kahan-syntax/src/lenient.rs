@@ -115,11 +115,11 @@ struct Reader<'a> {
     quantities: HashMap<String, Vec<Placed>>,
     /// The functions that the text defines, by name.
     functions: HashMap<String, Function>,
-    /// The arguments of the function that is put in, by name.
+    /// The tokens of the arguments of the innermost call, by name.
     arguments: HashMap<String, Vec<Placed>>,
-    /// The functions that are put in just now.
+    /// The functions whose calls are being replaced, outermost first.
     calls: Vec<String>,
-    /// How many calls stand around the place that is written.
+    /// The number of calls within calls.
     depth: usize,
     /// How many tokens the quantities have added.
     added: usize,

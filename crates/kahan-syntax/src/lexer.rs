@@ -18,7 +18,7 @@ pub struct Lexed {
     pub tokens: Vec<Token>,
     /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
-    /// Whether there are comments that Rust does not have: `# …`, or lines that a `\` joins.
+    /// Whether the text has comments `# …` or lines joined by `\`, which Rust does not have.
     pub is_of_others: bool,
 }
 

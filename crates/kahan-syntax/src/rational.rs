@@ -211,7 +211,7 @@ impl Rational {
 
 /// Greatest common divisor by Euclid; gcd(0, b) = b.
 pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
-    // Exact floats have powers of two as denominators.
+    // Fast path for floats, whose denominators are powers of two.
     if a != 0 && b.is_power_of_two() {
         return b.min(1 << a.trailing_zeros());
     }

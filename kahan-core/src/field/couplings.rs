@@ -159,7 +159,7 @@ impl Couplings<'_> {
         }
     }
 
-    /// Replaces b by the solution of Aᵀ·x = b, as [`solve`](Self::solve) does of A.
+    /// Replaces b by the solution of Aᵀ·x = b; see [`solve`](Self::solve).
     pub fn solve_transposed<T: Scalar>(&self, values: &[T], b: &mut [T]) {
         let subtract = |i: usize, places: Range<usize>, b: &mut [T]| {
             for place in places {

@@ -27,10 +27,10 @@ pub trait LatticeMap<T: LatticeScalar>: Family<T> {
     /// whose plain steps are not finite, and whose steps with a promise are as good as ever.
     fn at(&self, eps: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError>;
 
-    /// The map of the time step Δt = 2ε: [`at`](Self::at) half of it.
+    /// The map of the time step Δt = 2ε; see [`at`](Self::at).
     ///
     /// # Errors
-    /// Those of [`at`](Self::at).
+    /// See [`at`](Self::at).
     fn at_dt(&self, dt: T, sites: usize) -> Result<LatticeAt<Self, T>, LatticeError> {
         self.at(eps_from_dt(dt), sites)
     }

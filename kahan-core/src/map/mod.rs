@@ -250,7 +250,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
         KahanAt::new(self.clone(), eps)
     }
 
-    /// The map of the time step Δt = 2ε: [`at`](Self::at) half of it.
+    /// The map of the time step Δt = 2ε; see [`at`](Self::at).
     ///
     /// ```
     /// use kahan_core::prelude::*;

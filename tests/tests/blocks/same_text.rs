@@ -13,8 +13,8 @@ use kahan_algebra::token::Token;
 
 use cases::{CompileCase, compile_cases};
 
-/// The tokens that rustc has for the macro: `**` is two stars, where texts have a power, and `.5` a
-/// point before a number.
+/// The tokens that rustc passes to the macro. Texts read `**` as a power and `.5` as a number;
+/// rustc passes two stars, and a point with a number.
 fn tokens_of_rust(text: &str) -> Vec<(Token, Range<usize>)> {
     let Lexed { tokens, ranges, .. } = lex(text);
     let split = |(token, range): (Token, Range<usize>)| {

@@ -1,8 +1,8 @@
 //! A field in a file of `np.savez`: arrays c, B and Q of ẋ = c + Bx + Q(x, x), `names` of the
 //! variables, and the `order` of the columns of Q.
 //!
-//! In: the bytes of the file. Out: the coefficients. Python's package reads such files by NumPy
-//! (`kahan._coefficients`), and takes what is taken here.
+//! In: the bytes of the file. Out: the coefficients. `kahan._coefficients` of the Python package
+//! accepts the same files and reads them by NumPy.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -20,8 +20,8 @@ type Files = BTreeMap<String, Vec<u8>>;
 /// The states of a product.
 type States = [Option<usize>; 2];
 
-/// An array of a file, of which each row belongs to a component: its sizes, and its entries with
-/// their places in the row.
+/// An array of a file: its sizes, and its entries with their rows and their places in the row. Each
+/// row belongs to a component of the field.
 struct Part {
     name: &'static str,
     sizes: Vec<usize>,
@@ -96,7 +96,7 @@ fn wrong_names(mistakes: &Diagnostics) -> String {
     format!("has names that variables cannot have: {}", joined(said, "; "))
 }
 
-/// The array of this name, or of its sparse form by rows.
+/// The array of this name, dense or from its three sparse arrays by rows.
 fn part(files: &mut Files, name: &'static str) -> Result<Option<Part>, String> {
     let mut numbers = |name: &str| {
         let read = |file: Vec<u8>| {
@@ -146,7 +146,7 @@ fn files(bytes: &[u8]) -> Result<Files, Box<dyn std::error::Error>> {
             CompressionMethod::DEFLATE => {
                 packed.verifying_reader(DeflateDecoder::new(packed.data())).read_to_end(&mut file)?
             }
-            _ => return Err("it is packed in another way".into()),
+            _ => return Err("it is compressed neither by `store` nor by `deflate`".into()),
         };
         let name = String::from_utf8_lossy(entry.file_path().as_ref()).trim_end_matches(".npy").to_owned();
         files.insert(name, file);

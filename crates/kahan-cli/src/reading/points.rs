@@ -45,14 +45,14 @@ pub(crate) fn point(at: Option<&str>, study: &Study) -> Result<Vec<Rational>, Re
     only(points(at, study)?, at)
 }
 
-/// The first of the points that `--at` gives, whatever the field, with the names of its coordinates
-/// where it has some; `None` where there is no point.
+/// Reads the first point of `--at` before the field is known, with the names of its coordinates
+/// if the file names them. Returns `None` if the text or the file has no point.
 pub(super) fn first_point(at: &str) -> Option<(Vec<Rational>, Vec<String>)> {
     if is_number_file(at) {
         let rows = read::<Option<Rational>>(at, "--at").ok()?;
         let width = rows.sizes.last().copied().unwrap_or_default();
         let (first, names) = (rows.values.get(..width)?, rows.names.unwrap_or_default());
-        // Only states need a number.
+        // Columns with words, such as `ended`, are not states.
         let given =
             first.iter().enumerate().filter_map(|(k, value)| Some((value.clone()?, names.get(k).cloned())));
         let (point, names): (Vec<_>, Vec<_>) = given.unzip();

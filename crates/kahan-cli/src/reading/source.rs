@@ -220,7 +220,7 @@ impl Source {
         self.parameters.iter().map(value).collect()
     }
 
-    /// Refuses a value of what `axes` take through values, `step` among it.
+    /// Refuses a value of a parameter, or a `step`, if it is one of the `axes`.
     pub(crate) fn leaves_free(&self, axes: &[Axis], step: &StepLength) -> Result<(), Refusal> {
         let parameters = self.given()?.into_iter().map(|(name, _)| (format!("--param {name}"), name));
         let mut given =

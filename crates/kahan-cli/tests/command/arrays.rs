@@ -1,4 +1,4 @@
-//! Fields from files of `np.savez`, built here byte for byte; Python's tests bring files that NumPy
+//! Fields from files of `np.savez`, built here byte for byte. Python's tests read files that NumPy
 //! has written.
 
 use std::io::Write;
@@ -102,7 +102,7 @@ fn a_file_of_arrays_is_a_field() {
         )
         .with("Q_indptr", "<i8", "(3,)", [0_i64, 0, 3].iter().flat_map(|end| end.to_le_bytes()).collect());
     assert_eq!(sparse.run(true, |path| answer(&["show", "--file", path])), wanted);
-    // Other questions are asked of it like of any field, and nothing is said of it.
+    // Other commands read the file, too, and print no notes.
     let orbit = |source: [&str; 2]| {
         let run =
             kahan(&[&["orbit"][..], &source, &["--eps", "0.01", "--at", "1/2,0", "--steps", "50"]].concat());

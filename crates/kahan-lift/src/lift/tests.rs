@@ -181,7 +181,7 @@ fn maps_of_mechanical_systems_keep_an_energy() {
     }
 }
 
-/// Central forces in the plane, by their ratio to −(x, y), with the largest order of the energy lift.
+/// Central forces in the plane: the factor of −(x, y), and the largest order of the energy lift.
 const CENTRAL: [(&str, usize); 6] = [
     ("6/(x^2 + y^2)^4 - 12/(x^2 + y^2)^7", 8),
     ("(x^2 + y^2)^(-5/6)", 6),

@@ -27,15 +27,15 @@ impl<T: MachineFloat> MapAt<T> {
 }
 
 impl<T: RuntimeFloat> MapAt<T> {
-    /// The map of a point and of its derivatives: a state has the numbers of x, and behind them a
-    /// vector for each entry of `by`, which is 0 at the start but for [`By::Start`], there the unit
-    /// vector of the coordinate. A vector of a composed or compensated orbit is the derivative of
-    /// that orbit. Where one is by ε, 1/ε is one more parameter, the last one that
+    /// The map of a point and of its derivatives. A state has the numbers of x, and behind them a
+    /// vector for each entry of `by`. Set a vector to 0 at the start, for [`By::Start`] to the unit
+    /// vector of a coordinate. The vectors of composed and compensated orbits are derivatives of
+    /// these orbits. With [`By::Epsilon`], 1/ε is one more parameter, the last one that
     /// [columns](Self::advance_columns) take.
     ///
-    /// The numbers of x may differ in their last bits from those of this map, whose step is planned
-    /// by itself. A compiled map needs no such field: a [`Tangent`] carries vectors by first points,
-    /// and parameters that are [`Dual`](kahan_core::Dual)s the others.
+    /// The numbers of x may differ from those of this map in their last bits, since the larger
+    /// field is planned anew. For a compiled map, [`Tangent`] carries derivatives by the start, and
+    /// parameters that are [`Dual`](kahan_core::Dual)s carry the others.
     ///
     /// Cost: the first call for a field plans a field of 1 + `by.len()` times the variables.
     ///

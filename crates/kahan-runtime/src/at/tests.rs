@@ -280,7 +280,7 @@ fn below(end: u64, random: &mut SplitMix64) -> u64 {
     random.next_u64() % end
 }
 
-/// A field of n variables. Each product of two variables occurs with this probability, in percent.
+/// A field of n variables, in which each product of two occurs with the probability `percent`.
 /// The equation of x1 is x1' = x0·x1, so that a zero in x1 remains one. Coefficients are multiples
 /// of `unit`, and p is a parameter or a number.
 fn dense(n: usize, percent: u64, [unit, p]: [&str; 2], random: &mut SplitMix64) -> Field {

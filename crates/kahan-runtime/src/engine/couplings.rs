@@ -187,7 +187,7 @@ impl Tables {
         self.solve_entries_by_pivoting(self.entries(), slopes, eps, b)
     }
 
-    /// Like [`solve_by_pivoting`](Self::solve_by_pivoting), of the transposed matrix.
+    /// Like [`solve_by_pivoting`](Self::solve_by_pivoting), but replaces b by A⁻ᵀb.
     pub(super) fn solve_transposed_by_pivoting<V: Scalar + Copy>(
         &self,
         slopes: &[V],

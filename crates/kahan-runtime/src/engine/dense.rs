@@ -70,7 +70,7 @@ fn nearest<T: MachineFloat>(number: &Rational) -> T {
         Precision::Single => (number.to_f32(), 0.0),
         _ => (0.0, number.to_f64()),
     };
-    // A float has no digits but these.
+    // A float of one word is exact, so its lower parts are 0.
     T::constant(&Constant::exact(number.is_negative(), &[], &[], single, double, 0.0))
 }
 

@@ -7,11 +7,11 @@ use super::couplings::{Factors, Tables};
 use super::elimination::solve;
 use super::floats::RuntimeFloat;
 
-/// What solves transposed systems of a field.
+/// A solver of A(x,ε)ᵀy = b for one field.
 #[derive(Debug)]
 pub(crate) struct Transposed<'a, T> {
     variables: usize,
-    /// `None` in the few variables of fields whose step is a straight line.
+    /// `None` for fields of few variables, whose step has no elimination along couplings.
     tables: Option<&'a Tables>,
     entries: Vec<(usize, usize)>,
     factors: Factors<T>,
@@ -19,7 +19,7 @@ pub(crate) struct Transposed<'a, T> {
 }
 
 impl Engine {
-    /// What solves transposed systems.
+    /// A solver of transposed systems.
     pub(crate) fn transposed<T>(&self) -> Transposed<'_, T> {
         let variables = self.dimension();
         let tables = self.steps().form(false).couplings().map(|(_, tables)| tables);
@@ -37,13 +37,13 @@ impl<T: RuntimeFloat> Transposed<'_, T> {
         &self.entries
     }
 
-    /// Where ∂fᵢ/∂xⱼ stands among the entries.
+    /// A function that returns the index of ∂fᵢ/∂xⱼ among the entries.
     pub(crate) fn places(&self) -> impl Fn(usize, usize) -> usize + use<T> {
         let places: HashMap<_, _> = self.entries.iter().copied().zip(0..).collect();
         move |i, j| places[&(i, j)]
     }
 
-    /// Replaces b by A⁻ᵀb, where A = I − εf′; not finite where A is singular.
+    /// Replaces b by A⁻ᵀb, where A = I − εf′. If A is singular, b has entries that are not finite.
     pub(crate) fn solve(&mut self, slopes: &[T], eps: T, b: &mut [T]) {
         let n = self.variables;
         if let Some(tables) = self.tables {

@@ -164,10 +164,10 @@ impl Lattice {
         ChainAt::new(Arc::clone(&self.code), eps, sites, values)
     }
 
-    /// The chain of the time step Δt = 2ε: [`at`](Self::at) half of it.
+    /// The chain of the time step Δt = 2ε; see [`at`](Self::at).
     ///
     /// # Errors
-    /// Those of [`at`](Self::at).
+    /// See [`at`](Self::at).
     pub fn at_dt<N: AsRef<str>, V: AsRef<[f64]>>(
         &self,
         dt: f64,

@@ -1,4 +1,4 @@
-//! Gradients by a sweep back, against derivatives that are carried forward.
+//! Gradients by a reverse sweep, against derivatives that are carried forward.
 
 use std::num::NonZeroU64;
 use std::ops::ControlFlow;
@@ -12,7 +12,7 @@ use super::support::Random;
 
 const GO_ON: fn(u64) -> ControlFlow<()> = |_| ControlFlow::Continue(());
 
-/// Fields whose step eliminates, densely and along couplings, and one of one variable.
+/// A field of one variable, and fields whose step solves a dense or a coupled system.
 fn larger_fields() -> Vec<Case> {
     let start = |n: usize| (0..n).map(|i| 0.25 + 0.5 / (2.0 + i as f64)).collect::<Vec<f64>>();
     let growing: String = chain(30).replace(" - ", " + a - b*").replace("dot = ", "dot = c + ");
@@ -82,6 +82,7 @@ fn gradients_are_those_carried_forward<T: RuntimeFloat>(
     }
 }
 
+/// Bounds are 8 to 100 times 39 steps of up to 17 stages, with 2⁻⁵³, 2⁻²⁴ or 2⁻¹⁰⁴ for each stage.
 #[test]
 fn gradients_are_those_of_derivatives_carried_forward() {
     let compositions = [Composition::KAHAN, Composition::SUZUKI_4, Composition::KAHAN_LI_8];
@@ -91,8 +92,9 @@ fn gradients_are_those_of_derivatives_carried_forward() {
     gradients_are_those_carried_forward::<Dd>(fields(), &compositions[..2], 1e-27);
 }
 
-/// So many variables are eliminated along the couplings, with entries that are negligible left out.
-/// For a = ε = 1 the diagonal of A nearly vanishes, and pivots are chosen.
+/// The step of 250 variables eliminates along the couplings and skips negligible entries. For
+/// a = ε = 1 the diagonal of A nearly vanishes, so that the solver chooses pivots. Differences over
+/// 2⁻⁴⁰ in 32 digits err by 5e-20 and by a third derivative times 1e-25; the bound is rounding.
 #[test]
 fn gradients_of_sparse_fields_are_those_of_differences() {
     let n = 250;
@@ -145,7 +147,7 @@ fn gradients_of_sparse_fields_are_those_of_differences() {
     }
 }
 
-/// At x = 0 det A vanishes for ε = 1/2, and the reduced map has a value; so near it.
+/// For ε = 1/2, det A vanishes at z = −2 and nearly beside it, and the reduced map has a value.
 #[test]
 fn gradients_near_removable_poles_are_those_of_the_reduced_map() {
     let map = super::support::catalog("e3").map().unwrap();
@@ -173,7 +175,7 @@ fn gradients_say_what_does_not_fit_and_how_orbits_end() {
     assert_eq!(error.to_string(), expected);
     let error = at.gradient(&[0.5], NonZeroU64::MIN, &[1.0; 2], GO_ON).unwrap_err();
     assert_eq!(error.to_string(), "the state has 1 entry; give 2, one a variable");
-    // 1 − 2εx is 0 after a step: 1/x falls by 1/2 a step.
+    // 1/x falls by 2ε = 1/2 a step, so that the second step is at the pole 1 − 2εx = 0.
     let at_pole = at.gradient(&[1.0, 1.0], NonZeroU64::MIN, &[1.0; 8], GO_ON).unwrap();
     assert_eq!((at_pole.report, at_pole.end), (None, End::Range(1)));
     let none = at.gradient(&[1.0, 1.0], NonZeroU64::MIN, &[], GO_ON).unwrap().report.unwrap();

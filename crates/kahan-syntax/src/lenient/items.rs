@@ -26,7 +26,7 @@ impl Reader<'_> {
         let mut at = 0;
         while at < self.given.len() && !self.is_done(at) {
             if let Some(end) = self.line_of_directive(at) {
-                // Options of the program; other directives are refused where they stand.
+                // Options of XPP are skipped; another directive stays an item, which is refused.
                 let left = None;
                 items.extend((self.at(at) != "@").then_some(Item { tokens: at..end, left, is_ended: false }));
                 at = end;
@@ -100,7 +100,7 @@ impl Reader<'_> {
         self.is_name(at + 1) && is_word(self.at(at))
     }
 
-    /// Whether the text ends here, by a word alone on its line or at the end.
+    /// Whether `done` ends the text here: alone on its line, or as the last word.
     fn is_done(&self, at: usize) -> bool {
         self.at(at) == "done"
             && self.begins_line(at + 1)

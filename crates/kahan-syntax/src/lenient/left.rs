@@ -20,7 +20,7 @@ const HIGHEST_ORDER: usize = 8;
 
 /// Words before values.
 const DECLARING: [&str; 6] = ["par", "param", "params", "parameter", "parameters", "init"];
-/// Those that are names elsewhere, and stand at the beginning of a line.
+/// Declaring words at the beginning of a line; elsewhere these are names.
 const AT_BEGINNINGS: [&str; 5] = ["p", "i", "number", "aux", "!"];
 
 /// A state or a derivative of it.
@@ -35,7 +35,7 @@ pub(super) struct Derivative {
 /// A left side with its sign of equality.
 pub(super) struct Left {
     pub(super) of: Derivative,
-    /// The arguments of a function; none of other quantities.
+    /// The arguments of a function; empty for other quantities.
     pub(super) arguments: Vec<String>,
     /// Whether it is the value at the time 0: `x(0) =`.
     pub(super) is_first: bool,

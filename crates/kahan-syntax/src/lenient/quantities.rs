@@ -60,7 +60,7 @@ impl Reader<'_> {
             let Some(left) = item.left.as_ref().filter(|left| left.is_value()) else { continue };
             let (name, right) = (left.of.name.as_str(), right(item));
             if !left.arguments.is_empty() {
-                // A second formula is left to the parser.
+                // The parser reports a second formula of a name.
                 instead[place] = known.insert(name.to_owned()).then(Vec::new);
                 let function = Function { arguments: left.arguments.clone(), right };
                 self.functions.entry(name.to_owned()).or_insert(function);
@@ -70,7 +70,7 @@ impl Reader<'_> {
             let is_number = self.names_in(right.clone()).next().is_none();
             match (is_start, used.contains(name)) {
                 (false, true) if !is_number => {
-                    // A second formula is left to the parser.
+                    // The parser reports a second formula of a name.
                     quantities.extend(known.insert(name.to_owned()).then_some((place, name, right)));
                     continue;
                 }

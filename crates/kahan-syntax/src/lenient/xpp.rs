@@ -1,4 +1,4 @@
-//! Parts of files of XPP that stand beside equations: functions, and lines with directives.
+//! Functions and directives in files of XPP.
 
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
@@ -9,7 +9,7 @@ use crate::token::TokenKind;
 use super::right::MOST_TOKENS;
 use super::{Placed, Reader, mistake, placed};
 
-/// The most calls within calls.
+/// The largest number of calls within calls.
 const DEEPEST: usize = 64;
 
 /// A function that the text defines.
@@ -21,7 +21,7 @@ pub(super) struct Function {
     pub(super) right: Range<usize>,
 }
 
-/// Directives that no field has, and the reasons.
+/// Directives that are refused, with the reasons.
 const REFUSED: [(&str, &str); 9] = [
     ("wiener", "makes the equations random, and a field is deterministic"),
     ("markov", "makes the equations random, and a field is deterministic"),
@@ -34,7 +34,7 @@ const REFUSED: [(&str, &str); 9] = [
     ("special", "is a sum over an array: write out its terms"),
 ];
 
-/// Functions that no field has, and the reasons.
+/// Functions that are refused, with the reasons.
 const CALLS: [(&str, &str); 5] = [
     ("delay", "is a value of the past"),
     ("del_shft", "is a value of the past"),
@@ -44,8 +44,8 @@ const CALLS: [(&str, &str); 5] = [
 ];
 
 impl Reader<'_> {
-    /// The end of the line of a directive that begins here: options, behind `@`, or one that is
-    /// refused.
+    /// The end of the line, if it begins here with a directive: options behind `@` or `%`, or one
+    /// that is refused.
     pub(super) fn line_of_directive(&self, at: usize) -> Option<usize> {
         if at >= self.given.len() || !self.begins_line(at) {
             return None;
@@ -68,7 +68,7 @@ impl Reader<'_> {
         self.is_name(at) && self.at(at + 1) == "[" && is_number(at + 2) && self.at(at + 3) == "."
     }
 
-    /// The mistake of a directive that no field has.
+    /// The mistake in place of a directive that is refused.
     pub(super) fn refused(&self, tokens: &Range<usize>) -> Option<Placed> {
         let start = tokens.start;
         self.line_of_directive(start)?;
@@ -95,7 +95,7 @@ impl Reader<'_> {
         (!names.is_empty() && self.at(at) == ")").then_some((names, at + 1))
     }
 
-    /// The names in some tokens, and in the functions that stand there.
+    /// The names in some tokens, and in the formulas of the functions that they call.
     pub(super) fn needs(&self, tokens: &Range<usize>) -> HashSet<&str> {
         let (mut found, mut left) = (HashSet::new(), vec![tokens.clone()]);
         while let Some(tokens) = left.pop() {
@@ -108,8 +108,8 @@ impl Reader<'_> {
         found
     }
 
-    /// Writes the formula of a function for its call, or the mistake of one that no field has.
-    /// Returns the token behind it; `None` where no such call begins.
+    /// Writes the formula of a function in place of its call, or a mistake if the function is
+    /// refused. Returns the token behind the call, and `None` if no call begins at `at`.
     pub(super) fn write_call(
         &mut self,
         at: usize,

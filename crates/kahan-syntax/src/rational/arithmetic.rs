@@ -75,7 +75,7 @@ fn add_small(a: i64, b: i64, c: i64, d: i64) -> Rational {
         return Rational::from_reduced(i128::from(a) + i128::from(c), 1);
     }
     if (b as u64).is_power_of_two() && (d as u64).is_power_of_two() {
-        // Exact floats, for which shifts do.
+        // Sums of floats need shifts in place of a greatest common divisor.
         let (den, (a, c)) = (b.max(d), (i128::from(a), i128::from(c)));
         let num = (a << (den / b).trailing_zeros()) + (c << (den / d).trailing_zeros());
         let cancels = num.trailing_zeros().min(den.trailing_zeros());

@@ -49,7 +49,7 @@ impl Rational {
             Repr::Small { num, den } if num.unsigned_abs() <= EXACT && *den as u64 <= EXACT => {
                 *num as f32 / *den as f32
             }
-            // An `f64` that is rounded once.
+            // The number is an `f64`, so that one rounding leads to `f32`.
             _ if matches!(self.dyadic(), Some((num, 0..=1022)) if num < 1 << 53) => self.to_f64() as f32,
             _ => {
                 let magnitude = f32::from_bits(round_bits(&self.magnitude(), BINARY32) as u32);

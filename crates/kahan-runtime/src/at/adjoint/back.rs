@@ -1,4 +1,4 @@
-//! Steps taken back, one stage after the other.
+//! The reverse sweep of one step, stage after stage.
 
 use kahan_core::{Composition, Scalar};
 
@@ -9,17 +9,17 @@ use crate::{MapAt, RuntimeFloat};
 use super::Gradient;
 use super::terms::Terms;
 
-/// The largest growth of a cotangent by a transposed solve after which no digits are missed: beyond
-/// it the step is near a zero of det A, which may be a pole of the map or a removable one.
+/// The largest growth of a cotangent by a transposed solve, which loses up to 10 bits then. A stage
+/// with larger growth is near a zero of det A, which may be a pole of the map or a removable one.
 const LARGEST_GROWTH: f64 = 1024.0;
 
-/// What takes steps of a map back.
+/// Takes cotangents back over steps of a map.
 pub(super) struct Back<'a, T: RuntimeFloat> {
-    /// Kahan's map at the ε of each stage that differs, and its γ.
+    /// Kahan's map at γε, and γ, for each distinct γ of the composition.
     distinct: Vec<(MapAt<T>, T)>,
     terms: Terms<T>,
     solver: Transposed<'a, T>,
-    /// The entries of f′ at the point before a step, and behind it.
+    /// The entries of f′ at the points before and behind a stage.
     slopes: [Vec<T>; 2],
     /// A state or a cotangent at work.
     room: Vec<T>,
@@ -49,7 +49,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         k.min(self.stages() - 1 - k)
     }
 
-    /// Begins at the last state.
+    /// Begins the sweep at the last state of the orbit.
     pub(super) fn begin(&mut self, x: &[T]) {
         self.terms.slopes(x, &mut self.slopes[1]);
     }
@@ -64,8 +64,8 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         }
     }
 
-    /// Takes the last step of these states back, and removes it from them; `gradient` has the
-    /// cotangent as derivative by the start.
+    /// Takes the cotangent, `gradient.start`, back over the last step of these states, and removes
+    /// the step from them.
     pub(super) fn take_step(&mut self, points: &mut Vec<T>, gradient: &mut Gradient<T>) {
         let n = gradient.start.len();
         for k in (0..self.stages()).rev() {
@@ -100,7 +100,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Takes a stage back near a zero of det A, by derivatives of the reduced map.
+    /// Takes the cotangent back near a zero of det A, by derivatives of the reduced map.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();

@@ -1,7 +1,7 @@
-//! Gradients of a scalar of an orbit, by one sweep back over it.
+//! Gradients of a scalar of an orbit by one reverse sweep, the discrete adjoint method.
 //!
-//! In: a map, the start of an orbit, and w₀, w₁, …, the derivatives of a scalar L by the rows that
-//! are shown of the orbit. Out: the derivatives of L by the start, by each parameter and by ε.
+//! In: a map, the start of an orbit, and w₀, w₁, …, the derivatives of a scalar L by the rows of
+//! the orbit. Out: the derivatives of L by the start, by each parameter and by ε.
 //!
 //! A step solves R = x̃ − x − 2ε q(x,x̃) = 0 for x̃, where q is the polarised field
 //!
@@ -9,7 +9,7 @@
 //! q(x,x̃) = Q(x,x̃) + ½B(x + x̃) + c,   ∂R/∂x̃ = A(x,ε),   ∂R/∂x = −A(x̃,−ε).
 //! ```
 //!
-//! So it takes λ̃, the derivative of L by x̃, back to λ, that by x, by one transposed solve:
+//! One transposed solve leads from λ̃, the derivative of L by x̃, to λ, the derivative by x:
 //!
 //! ```text
 //! A(x,ε)ᵀ μ = λ̃
@@ -18,12 +18,11 @@
 //! ∂L/∂ε += 2 μ·q(x,x̃)
 //! ```
 //!
-//! No step is taken back: the states are computed forward again from checkpoints, which are as many
-//! as the steps from one to the next. A stage of a composition is a step with γε, and adds γ times
-//! its derivative by γε to that by ε.
+//! The states are computed forward again from about √steps checkpoints. A stage of a composition is
+//! a step with γε; γ times its derivative by γε is added to ∂L/∂ε.
 //!
 //! - `terms` has the coefficients of the field as numbers, and their derivatives.
-//! - `back` takes one step of Kahan's map back.
+//! - `back` takes the cotangent back over one step.
 
 mod back;
 mod terms;
@@ -37,7 +36,8 @@ use crate::{DimensionError, End, Follow, Followed, MapAt, RuntimeFloat};
 
 use back::Back;
 
-/// The derivatives of a scalar by what an orbit depends on; made by [`MapAt::gradient`].
+/// The derivatives of a scalar by the start, the parameters and ε of an orbit; made by
+/// [`MapAt::gradient`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient<T> {
     /// By the coordinates of the start.
@@ -59,23 +59,21 @@ impl<T: RuntimeFloat> Gradient<T> {
 }
 
 impl<T: RuntimeFloat> MapAt<T> {
-    /// The gradient of a scalar L of the orbit from `start`, which is seen after 0, `every`,
-    /// 2·`every`, … steps: `weights` are the derivatives of L by these rows, row after row. The
-    /// orbit has as many steps as lead to the last row.
+    /// Computes the gradient of a scalar L of the orbit from `start`. `weights` are the derivatives
+    /// of L by the rows of the orbit, the points after 0, `every`, 2·`every`, … steps, row after
+    /// row. The orbit ends with the last of these rows.
     ///
-    /// The gradient is that of the computed orbit, in the precision of the map: of a
-    /// [composition](Self::composed) that of its steps. The report is `None` where the orbit ends
-    /// before its last row.
+    /// The gradient belongs to the computed orbit, also of a [composition](Self::composed), and not
+    /// to the flow. The report is `None` if the orbit ends before its last row.
     ///
-    /// `watch` is told of the steps made since it was asked last, as by [`Follow`]: of all steps
-    /// forward, and of as many back. It stops the work by [`ControlFlow::Break`].
+    /// `watch` receives the number of steps made since its last call, as in [`Follow`]: steps
+    /// forward first, then as many steps of the sweep back. [`ControlFlow::Break`] stops the work.
     ///
-    /// Cost: each step is made twice, and taken back once, by a factorisation of A(x,ε)ᵀ, whatever
-    /// the number of parameters; only terms of the field with a parameter count once more for each.
-    /// Memory: about 2√`steps` states.
+    /// Cost: two steps of the map and one factorisation of A(x,ε)ᵀ for each step of the orbit, and
+    /// a multiplication for each parameter of each term. Memory: about 2√`steps` states.
     ///
     /// # Errors
-    /// [`DimensionError`] if `start` has not an entry a variable, or `weights` is not a whole
+    /// [`DimensionError`] if `start` needs another number of entries, or `weights` is not a whole
     /// number of rows.
     ///
     /// ```
@@ -133,7 +131,7 @@ impl<T: RuntimeFloat> MapAt<T> {
                     return Ok(Followed { report: None, end: End::Stopped(left) });
                 }
             }
-            // Sums of a part are added to the total at once: long sums lose fewer digits so.
+            // Each part has its own sums, since shorter sums lose fewer digits.
             let mut part = Gradient::zero(0, total.parameters.len());
             std::mem::swap(&mut part.start, &mut total.start);
             let mut told = left;
@@ -153,8 +151,8 @@ impl<T: RuntimeFloat> MapAt<T> {
         Ok(Followed { report: Some(total), end })
     }
 
-    /// The states after 0, `length`, 2·`length`, … steps, but for the last state, which replaces
-    /// `x`; and how the orbit ended.
+    /// Follows the orbit of `x`, which becomes its last state. Returns the earlier states after 0,
+    /// `length`, 2·`length`, … steps, and how the orbit ended.
     fn checkpoints(
         &self,
         x: &mut [T],
@@ -172,7 +170,7 @@ impl<T: RuntimeFloat> MapAt<T> {
             };
             let end = self.follow(x, now, watch)?.end.after(made);
             made += now;
-            // The last steps of a part are not the last ones of the work.
+            // `follow` says `Complete` when a watch stops it behind the last step of a part.
             let end = if is_stopped && end == End::Complete { End::Stopped(made) } else { end };
             if end != End::Complete {
                 return Ok((checkpoints, end));

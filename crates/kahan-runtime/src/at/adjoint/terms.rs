@@ -1,4 +1,4 @@
-//! The coefficients of a field at the values of its parameters, and their derivatives by these.
+//! The coefficients of a field, and their derivatives by parameters, at values of the parameters.
 //!
 //! In: a field and exact values. Out: lists of terms, whose coefficients are rounded once.
 
@@ -17,20 +17,20 @@ type States = [Option<usize>; 2];
 /// The terms of a field.
 #[derive(Debug)]
 pub(super) struct Terms<T> {
-    /// Of each entry of f′ the term without states, and where those with one end.
+    /// For each entry of f′ its constant term, and the end of its terms in `slopes`.
     entries: Vec<(T, usize)>,
-    /// The terms of f′ with a state, entry after entry: the state and the coefficient.
+    /// The terms k·x of f′, entry after entry: the state x and the coefficient k.
     slopes: Vec<(usize, T)>,
     /// The terms of f without products of states: component, state and coefficient.
     linear: Vec<(usize, Option<usize>, T)>,
-    /// The terms whose coefficients depend on parameters: the component and the states, and where
-    /// their derivatives end.
+    /// The terms whose coefficients depend on parameters: the component, the states, and the end of
+    /// the term's derivatives in `by_parameters`.
     varying: Vec<(usize, States, usize)>,
-    /// Of each varying term the parameters, and the derivatives of its coefficient by them.
+    /// The derivatives of varying coefficients, term after term: the parameter and the derivative.
     by_parameters: Vec<(usize, T)>,
 }
 
-/// A coefficient, and its derivatives by parameters that it depends on.
+/// A coefficient, and its derivatives by the parameters that occur in it.
 #[derive(Default)]
 struct Coefficient {
     value: Rational,
@@ -40,7 +40,7 @@ struct Coefficient {
 impl Coefficient {
     /// Adds `number` times a product of powers of parameters.
     fn add(&mut self, number: &Rational, powers: &[(usize, u32)], values: &[Rational]) {
-        // The product with the exponent of one factor, if any, lowered by 1.
+        // Computes the product, with the exponent of the factor `lowered` reduced by 1.
         let product = |lowered: Option<usize>| {
             powers.iter().enumerate().fold(number.clone(), |product, (place, (k, power))| {
                 let power = power - u32::from(lowered == Some(place));
@@ -54,7 +54,7 @@ impl Coefficient {
         }
     }
 
-    /// Divides by a number that depends on parameters, too, and is not 0.
+    /// Divides by a divisor that is not 0 and may depend on parameters, by the quotient rule.
     fn divide_by(&mut self, divisor: &Coefficient) {
         if divisor.value.is_one() && divisor.slopes.is_empty() {
             return;
@@ -69,7 +69,7 @@ impl Coefficient {
     }
 }
 
-/// The coefficients of a polynomial as one in the states.
+/// The coefficients of a polynomial in the states, by the states that they multiply.
 fn coefficients(
     polynomial: &Polynomial,
     symbols: &Symbols,
@@ -92,8 +92,8 @@ fn coefficients(
 }
 
 impl<T: RuntimeFloat> Terms<T> {
-    /// The terms of a map's field; `place` says where ∂fᵢ/∂xⱼ stands among the `count` entries of
-    /// f′.
+    /// The terms of a map's field. `place` returns the index of ∂fᵢ/∂xⱼ among the entries of f′, of
+    /// which there are `count`.
     pub(super) fn of(map: &Map, count: usize, place: impl Fn(usize, usize) -> usize) -> Self {
         let (field, values) = (&map.field().system().field, map.parameters());
         let (mut entries, mut slopes) = (vec![(T::zero(), 0); count], Vec::new());
@@ -131,7 +131,7 @@ impl<T: RuntimeFloat> Terms<T> {
 
     /// Writes the entries of f′(x).
     pub(super) fn slopes(&self, x: &[T], slopes: &mut [T]) {
-        // Several sums at a time: each waits for its own last addition only.
+        // Four independent sums, so that additions need not wait for one another.
         const SUMS: usize = 4;
         let mut first = 0;
         for (slope, (constant, end)) in slopes.iter_mut().zip(&self.entries) {
@@ -148,7 +148,7 @@ impl<T: RuntimeFloat> Terms<T> {
         }
     }
 
-    /// μ·(c + ½Bx)
+    /// Computes μ·(c + ½Bx).
     pub(super) fn along_linear(&self, x: &[T], mu: &[T]) -> T {
         let half = T::one() / (T::one() + T::one());
         self.linear.iter().fold(T::zero(), |sum, (i, state, coefficient)| {
@@ -156,7 +156,7 @@ impl<T: RuntimeFloat> Terms<T> {
         })
     }
 
-    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to the entry of each parameter a, q being the polarised field.
+    /// Adds 2·`scale`·μ·∂q/∂a (x,y) to the entry of each parameter a; q is the polarised field.
     pub(super) fn add_by_parameters(&self, scale: T, [x, y]: [&[T]; 2], mu: &[T], sums: &mut [T]) {
         let mut first = 0;
         for (i, states, end) in &self.varying {
