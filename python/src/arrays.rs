@@ -72,7 +72,7 @@ pub(crate) fn floats<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Flo
     Ok(Floats::Double(readonly(array, name)?))
 }
 
-/// The same as doubles, whatever floats were given.
+/// Reads numbers as [`floats`] does, and converts `f32` to `f64`.
 pub(crate) fn doubles<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
     match floats(given, name)? {
         Floats::Double(array) => Ok(array),
@@ -89,8 +89,8 @@ fn converted<'py>(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, 
     FLOATS.import(given.py(), "kahan._arrays", "floats")?.call1((given, name))
 }
 
-/// Numbers in the order of the variables of a field or a chain, whose names decide where numbers
-/// have some; read by `kahan._arrays`.
+/// Reads numbers by `kahan._arrays`: those with names are put in the order of the variables of a
+/// field or a chain.
 pub(crate) fn named<'py>(
     given: &Bound<'py, PyAny>,
     of: &Bound<'py, PyAny>,
@@ -104,11 +104,11 @@ pub(crate) fn named<'py>(
     NAMED.import(given.py(), "kahan._arrays", "named")?.call1((given, of, name))
 }
 
-/// The places of columns among those of a table: of the states, and of parameters and `eps` by name.
+/// The columns of the states in a table, and those of parameters and `eps` with their names.
 pub(crate) type Places = (Vec<usize>, Vec<(String, usize)>);
 
-/// Finds the columns that a table has for states, of which the first so many are needed; and for
-/// parameters and `eps`, where `varies` says that these may have some. `name` is the argument.
+/// Finds the columns of a table, which needs one for each of the first `least` states. With
+/// `varies` it may have columns of parameters and `eps`. `name` is the argument of the caller.
 pub(crate) fn places(
     names: &[String],
     (states, least): (&[String], usize),
@@ -122,7 +122,7 @@ pub(crate) fn places(
     Ok((found.states, found.others))
 }
 
-/// [`places`] of a table for a formula, or for parameters alone.
+/// [`places`] for `kahan._formula`, which has names without a field.
 #[pyfunction]
 pub(crate) fn columns(
     names: Vec<String>,

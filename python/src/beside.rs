@@ -166,11 +166,11 @@ pub(crate) fn beside<R: Send>(
     })
 }
 
-/// The same for work that is known to take a moment if so few numbers are computed: it is done on this
-/// thread then, as another one takes some tens of microseconds to begin.
+/// Like [`beside`] on one thread, but works on the caller's thread if at most `SHORT` numbers are
+/// computed: to begin another thread takes some tens of microseconds.
 ///
 /// # Errors
-/// Those of [`beside`].
+/// See [`beside`].
 pub(crate) fn beside_if_long<R: Send>(
     py: Python<'_>,
     numbers: u64,
@@ -186,11 +186,11 @@ pub(crate) fn beside_if_long<R: Send>(
     Ok(result)
 }
 
-/// The same for work that borrows nothing, and may compute for seconds before it hears that it is
-/// to end, as with numbers of a million digits: it is left to do so by itself.
+/// Like [`beside`], but does not wait for work that is told to end: work on numbers of a million
+/// digits may take seconds until it notices. The work must not borrow.
 ///
 /// # Errors
-/// Those of [`beside`].
+/// See [`beside`].
 pub(crate) fn apart<R: Send + 'static>(
     py: Python<'_>,
     threads: Option<usize>,

@@ -24,9 +24,9 @@ const AT_ONCE: u64 = 1 << 22;
 
 #[pymethods]
 impl Field {
-    /// The points of many trajectories after so many steps, not a number where one ended before; how
-    /// each ended, and after how many steps. `eps` and the values of parameters are one number, or
-    /// one a trajectory.
+    /// Advances many trajectories by `steps` steps. Returns their last points, NaN if a trajectory
+    /// ended early; how each ended, and after how many steps. `eps` and each parameter have one
+    /// value, or one for each trajectory.
     #[pyo3(name = "_advance", signature = (points, eps, steps, *, parameters = Vec::new(), order = 2, threads = None, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn advance<'py>(
@@ -47,8 +47,8 @@ impl Field {
         }
     }
 
-    /// What is seen of the orbits of many points: names, numbers with a row an orbit, how each ended,
-    /// and after how many steps. `of` are names of observables; arguments as for `advance`.
+    /// Observes the orbits of many points. Returns the names of the columns, a row of numbers for
+    /// each orbit, how each ended, and after how many steps. `of` names observables.
     #[pyo3(name = "_observed", signature = (points, eps, steps, of, *, parameters = Vec::new(), order = 2, every = 10, escape = None, reembed = false, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn observed<'py>(
@@ -171,27 +171,27 @@ pub(crate) struct Many<T: Float> {
     at: MapAt<T>,
     /// One, or one a trajectory.
     eps: Vec<T>,
-    /// The same of each parameter; nothing where all are those of the map.
+    /// One or one a trajectory for each parameter; empty if all have the values of the map.
     constants: Vec<Vec<T>>,
     steps: u64,
     trajectories: usize,
 }
 
 impl<T: Float> Many<T> {
-    /// The same with vectors of derivatives beside each point.
+    /// These trajectories with vectors of derivatives beside each point.
     pub(crate) fn sensitivities(&self, by: &[By]) -> Self {
         let (at, mut constants) = (self.at.sensitivities(by), self.constants.clone());
         if by.contains(&By::Epsilon) {
             let missing = constants.len()..self.at.map().parameters().len();
             let own = |k: usize| vec![T::near(self.at.map().parameters()[k].to_f64())];
             constants.extend(missing.map(own));
-            // The last parameter is 1/ε then.
+            // With derivatives by ε the last parameter is 1/ε.
             constants.push(self.eps.iter().map(|eps| T::one() / *eps).collect());
         }
         Many { at, eps: self.eps.clone(), constants, ..*self }
     }
 
-    /// So many trajectories made so many more steps.
+    /// Reports that `trajectories` trajectories made `steps` more steps.
     fn made(&self, steps: u64, trajectories: usize, caller: &Caller) -> ControlFlow<()> {
         let all = self.steps.saturating_mul(self.trajectories as u64);
         caller.made(steps.saturating_mul(trajectories as u64), all)
@@ -214,8 +214,8 @@ impl<T: Float> Many<T> {
         found.into_iter().collect()
     }
 
-    /// Follows trajectories of a lifted field once more whose last points are beyond its end, to the
-    /// end: `from` and `to` have their first and last points.
+    /// Follows trajectories of a lifted field once more, up to their ends, if their last points are
+    /// beyond an end. `from` and `to` have their first and last points.
     fn end_lifted(
         &self,
         from: &[T],

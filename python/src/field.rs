@@ -32,7 +32,7 @@ pub(crate) struct Last {
     double: Option<MapAt<f64>>,
     single: Option<MapAt<f32>>,
     with_integrals: Option<MapAt<f64>>,
-    /// That at other values of parameters, which stand beside it.
+    /// The map at the values of parameters that stand beside it.
     valued: Option<(Vec<Option<f64>>, MapAt<f64>)>,
 }
 
@@ -99,8 +99,8 @@ impl Field {
         Ok(at)
     }
 
-    /// The map at eps = 0 where parameters have these values in place of their own, which is kept for
-    /// the next call.
+    /// The map at eps = 0 with these values of parameters in place of their own. The last such map
+    /// is kept.
     pub(crate) fn valued(&self, py: Python<'_>, values: &[Option<f64>]) -> PyResult<MapAt<f64>> {
         if values.iter().all(Option::is_none) {
             return self.at(py, 0.0);
@@ -174,8 +174,8 @@ impl Field {
     }
 }
 
-/// Which lift is wanted, the point whose orbit it is for with the names of its coordinates if they
-/// have some, the time there, and whether arrays have the new variables.
+/// The kind of lift; the start of the orbit on which lifts are judged, and the names of its
+/// coordinates, if any; the time there; and whether arrays have the new variables.
 type Lift = (String, Option<(Vec<String>, Vec<String>)>, String, bool);
 
 fn lifting((which, start, time, shows_all): Lift) -> PyResult<Lifting> {
@@ -236,10 +236,9 @@ pub(crate) fn question(json: &str) -> PyResult<Question> {
 
 #[pymethods]
 impl Field {
-    /// Reads a field: its name in the catalog, its text or its coefficients; of a family the number of sites. Values
-    /// of parameters are exact numbers as text. `lift` says which lift is wanted, the point whose
-    /// orbit it is for, the time there, and whether arrays have the new variables. `of` is this field
-    /// at other values, which is not lifted: what was made of it is shared.
+    /// Reads a field from its name in the catalog, its text or its coefficients. `sites` is for
+    /// families. Values of parameters are exact numbers as text. `of` is this field at other values
+    /// and without a lift; both share plans and compiled code.
     #[new]
     #[pyo3(signature = (text, *, is_name = false, sites = None, parameters = Vec::new(), lift = None, of = None))]
     fn new(
@@ -287,8 +286,8 @@ impl Field {
         self.study.text()
     }
 
-    /// Of each coefficient of the field at its parameters the component, two states, -1 for none, and
-    /// the value.
+    /// The coefficients of the field at its parameters: components, first states, second states (-1
+    /// for none), and values.
     #[pyo3(name = "_coefficients")]
     fn coefficients(&self, py: Python<'_>) -> PyResult<([Vec<i64>; 3], Vec<f64>)> {
         let coefficients = self.study.coefficients().map_err(|error| of_study(py, &error))?;
@@ -306,8 +305,8 @@ impl Field {
         self.study.shown().iter().map(String::as_str).collect()
     }
 
-    /// The places of columns with these names: of the variables, and, where `varies` says that they
-    /// may have some, of parameters and `eps` by name. `name` is the argument that is read.
+    /// Finds the columns of the variables among these names. With `varies`, parameters and `eps` may
+    /// have columns, too. `name` is the argument of the caller.
     #[pyo3(name = "_matched")]
     fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
         let states = (self.study.shown(), self.study.coordinates().len());

@@ -16,7 +16,7 @@ use crate::orbit::composition;
 #[pymethods]
 impl Field {
     /// The derivatives of a scalar by the start, the parameters and eps, each with its name.
-    /// `weights` are its derivatives by the rows of the orbit.
+    /// `weights` are the derivatives of the scalar by the rows of the orbit.
     #[pyo3(name = "_gradient", signature = (x, eps, weights, *, every = 1, order = 2, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn gradient(
@@ -48,7 +48,7 @@ impl Field {
     }
 }
 
-/// The orbit in float64 ends before the last of `steps`, unlike the one that is asked about.
+/// The error for an orbit of float32 or compensated steps that ends early in float64.
 fn ended(end: End, steps: u64) -> PyErr {
     PyValueError::new_err(format!(
         "in float64 and without compensation the orbit ends after step {} of {steps}; choose fewer steps",

@@ -62,7 +62,7 @@ impl Chain {
         self.lattice.arrays()
     }
 
-    /// The places of columns with these names, one an array; a chain has no values a row beside.
+    /// Finds the columns of the arrays of a chain among these names. Parameters have no columns.
     #[pyo3(name = "_matched")]
     fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
         let arrays = self.lattice.arrays();

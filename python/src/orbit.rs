@@ -45,8 +45,8 @@ impl Field {
         slf.get().stepped(&named(x, slf, "x")?, half_step(eps, dt)?, out, true)
     }
 
-    /// The rows of an orbit as far as it goes, how many steps it made, how it ended: complete, range
-    /// or reembed; and why, where that is for a lift.
+    /// Follows an orbit. Returns its rows, the number of steps, its end (complete, range or
+    /// reembed), and the reason for an end of a lifted field.
     #[pyo3(name = "_points", signature = (x, eps, steps, *, every = 1, order = 2, compensated = false, reembed = false, out = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn points<'py>(
@@ -68,8 +68,8 @@ impl Field {
         }
     }
 
-    /// f(x) at points, of the shape that they have; or f′(x), with an axis more. `parameters` are
-    /// values in place of the field's own, `None` for these.
+    /// Computes f(x) at points, in the shape of x, or f′(x), with one axis more. `parameters`
+    /// replace the field's own values, except by `None`.
     #[pyo3(name = "_field_at", signature = (x, *, parameters = Vec::new(), jacobian = false))]
     fn field_at<'py>(
         &self,

@@ -1,7 +1,7 @@
 //! Derivatives of orbits and ensembles by parameters, first points and ε.
 //!
-//! In: the rows of an orbit as it was computed without derivatives, whose bits so stay. Out: the
-//! derivative of each row by each name.
+//! In: the rows of an orbit that was computed without derivatives, so that its bits are the usual
+//! ones. Out: the derivative of each row by each name.
 
 use std::num::NonZeroU64;
 
@@ -19,14 +19,13 @@ use crate::errors::of_dimension;
 use crate::field::{Field, Float};
 use crate::orbit::composition;
 
-/// The most steps between two looks whether the work is to end.
+/// The most steps between two checks for an interrupt.
 const MOMENT: u64 = 4096;
 
 #[pymethods]
 impl Field {
-    /// The derivatives of the rows of an orbit, as `_points` gives them, by what has these names: the
-    /// names in the order in which they stand in the array, and that, of the shape (names, rows,
-    /// variables).
+    /// Differentiates the rows of an orbit, from `_points`, by the names in `by`. Returns the names
+    /// in the order of the array, and the array of shape (names, rows, variables).
     #[pyo3(name = "_derivatives", signature = (rows, eps, by, *, every, order = 2, compensated = false, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn derivatives<'py>(
@@ -48,8 +47,9 @@ impl Field {
         Ok((vectors.names, derivatives?))
     }
 
-    /// The same for the last points of an ensemble, whose arguments are those of `_advance`: of the
-    /// shape (names, trajectories, variables).
+    /// Differentiates the last points of an ensemble by the names in `by`; other arguments are those
+    /// of `_advance`. Returns the names in the order of the array, and the array of shape (names,
+    /// trajectories, variables).
     #[pyo3(name = "_last_derivatives", signature = (points, eps, steps, by, *, parameters = Vec::new(), order = 2, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn last_derivatives<'py>(
@@ -73,7 +73,7 @@ impl Field {
     }
 }
 
-/// What is asked of an orbit.
+/// The arguments of `_derivatives` without rows and names.
 struct Asked<'py> {
     eps: f64,
     every: NonZeroU64,
@@ -86,7 +86,7 @@ struct Asked<'py> {
 struct Vectors {
     names: Vec<String>,
     by: Vec<By>,
-    /// Of a derivative by a first value its place among the variables.
+    /// For a derivative by a first value, the index of the variable.
     starts: Vec<Option<usize>>,
     variables: usize,
 }
@@ -101,7 +101,7 @@ impl Vectors {
         self.starts.iter().flat_map(vector)
     }
 
-    /// Writes the vectors of a state to the row of each derivative, of which there are so many.
+    /// Writes the vectors of a state to `row` of each derivative; each derivative has `rows` rows.
     fn put<T: Float>(&self, vectors: &[T], derivatives: &mut [T], row: usize, rows: usize) {
         let n = self.variables.max(1);
         for (k, vector) in vectors.chunks_exact(n).enumerate() {
@@ -111,7 +111,8 @@ impl Vectors {
 }
 
 impl Field {
-    /// The vectors for these names, in one order, so that what was compiled for them is found again.
+    /// The vectors for these names, in the order of the field, so that compiled code serves every
+    /// order of names.
     fn vectors(&self, asked: &[String]) -> Vectors {
         let study = self.study();
         let parameters = study.parameters().iter().enumerate();
@@ -146,8 +147,8 @@ impl Field {
         }
     }
 
-    /// The derivatives of the last points of an ensemble; not a number where a trajectory or one of
-    /// its derivatives leaves the range.
+    /// The derivatives of the last points of an ensemble; NaN if a trajectory or one of its
+    /// derivatives leaves the range.
     fn at_the_end<'py, T: Float>(
         &self,
         points: &PyReadonlyArrayDyn<'py, T>,
@@ -171,8 +172,8 @@ impl Field {
     }
 }
 
-/// Carries the vectors from row to row by a map of points with vectors. Each row is put in place of
-/// the map's own point, which rounding may have led elsewhere.
+/// Carries the vectors from row to row by `with`, a map of points with vectors. Each row replaces
+/// the point of `with`, which may differ from it by rounding.
 fn carried<'py, S>(
     with: &S,
     rows: &PyReadonlyArrayDyn<'py, S::Scalar>,
@@ -195,7 +196,7 @@ where
     let mut derivatives: Vec<S::Scalar> = Vec::new();
     let size = size.filter(|size| derivatives.try_reserve_exact(*size).is_ok()).ok_or_else(too_large)?;
     derivatives.resize(size, S::Scalar::zero());
-    // A point, its vectors, and behind them, if it is compensated, what each lacks.
+    // A state has a point, its vectors, and, if compensated, the carry of each number.
     let mut state = vec![S::Scalar::zero(); with.dimension()];
     state.iter_mut().skip(n).zip(vectors.first()).for_each(|(own, first)| *own = first);
     let (every, behind) = (asked.every.get(), n * (1 + count));
@@ -213,7 +214,7 @@ where
             let mut left = every;
             while left > 0 {
                 let now = left.min(MOMENT);
-                // Floats go on at poles.
+                // At a pole the vectors become infinite or NaN, and the rows go on.
                 let _ = with.advance(&mut state, now, &mut room);
                 left -= now;
                 if (now == MOMENT || row % MOMENT as usize == 0) && caller.made(now, steps).is_break() {
