@@ -13,6 +13,7 @@ step 2 eps, runs forwards and backwards, and often keeps integrals and volume fo
 from . import catalog
 from ._answer import Answer
 from ._basis import Basis
+from ._discovery import Discovery
 from ._errors import FieldError, Mistake, SingularStep
 from ._files import read
 from ._formula import Formula
@@ -21,7 +22,7 @@ from ._lattice import Lattice
 from ._lifted import Lifted
 from ._orbit import Chart, Ensemble, Orbit, Section, Table
 from ._sindy import from_sindy
-from ._system import Discovery, System
+from ._system import System
 
 __all__ = [
     "Answer",

@@ -1,4 +1,4 @@
-"""From what a caller gives to arrays of floats, and from columns with names to arrays in the order of the variables."""
+"""Arrays of floats from the arguments of callers; columns with names are put in the order of the variables."""
 
 from __future__ import annotations
 
@@ -9,34 +9,32 @@ import numpy as np
 
 from ._errors import unknown
 from ._exact import nearest
-from ._orbit import Ensemble, Orbit, Section
+from ._orbit import Array, Ensemble, Orbit, Section
 
 __all__ = ["Columns", "by_name", "constants", "flat", "floats", "named", "one_order", "read", "unnamed"]
 
-Array = np.ndarray[Any, Any]
-
 
 class Columns(Protocol):
-    """A field or a formula, which knows its names."""
+    """A field or a formula with its names."""
 
     @property
     def _names(self) -> Sequence[str]:
         """The names that columns may have."""
 
     def _matched(self, names: list[str], name: str, varies: bool) -> tuple[list[int], list[tuple[str, int]]]:
-        """The places of the variables among these columns; and of parameters and ``eps``, if these may have some."""
+        """The columns of the variables among ``names``; with ``varies`` also those of parameters and ``eps``."""
 
 
 def _labels(labels: Iterable[Any]) -> list[str]:
-    """Labels as names; none where they only count from 0, as those of a plain index."""
+    """Labels as names; empty if they only count from 0, like those of a plain index."""
     labels = list(labels)
     return [] if labels == list(range(len(labels))) else [str(label) for label in labels]
 
 
 def by_name(given: Any, known: Callable[[], Sequence[str]] = tuple) -> list[tuple[str, Any]] | None:
-    """The names and values of the columns of a table, or of the coordinates of a point; ``None`` where there are none.
+    """The names and values of the columns of a table, or of the coordinates of a point; ``None`` without names.
 
-    Of a named index of pandas the levels are columns whose names are ``known``.
+    Levels of an index of pandas are columns if their names are ``known``.
     """
     if isinstance(given, (np.ndarray, np.void)):
         return [(name, given[name]) for name in given.dtype.names or ()] or None
@@ -68,7 +66,7 @@ def by_name(given: Any, known: Callable[[], Sequence[str]] = tuple) -> list[tupl
 
 
 def _of_records(given: Sequence[Any]) -> list[tuple[str, Any]] | None:
-    """The columns of a list of points by name, whose names must be the same."""
+    """The columns of a list of points, which must all have the same names."""
     records = [by_name(one) for one in given]
     if not any(records):
         return None
@@ -80,7 +78,7 @@ def _of_records(given: Sequence[Any]) -> list[tuple[str, Any]] | None:
 
 
 def read(given: Any, of: Columns, name: str = "x", varies: bool = False) -> tuple[Any, dict[str, Any]]:
-    """What was given, in the order of the variables where it has names; and columns of parameters and ``eps``.
+    """Puts columns with names in the order of the variables. Returns the points, and columns of parameters and ``eps``.
 
     Raises ``ValueError`` for a variable without a column, a name of two columns, and a column that cannot be used.
     """
@@ -104,7 +102,7 @@ def read(given: Any, of: Columns, name: str = "x", varies: bool = False) -> tupl
 
 
 def named(given: Any, of: Columns, name: str = "x") -> Any:
-    """What was given, in the order of the variables where it has names."""
+    """Puts columns with names in the order of the variables; returns numbers without names as they are."""
     return read(given, of, name)[0]
 
 
@@ -136,7 +134,7 @@ def constants(eps: Any, own: dict[str, Any], params: Any, parameters: Iterable[s
 
 
 def flat(value: Array, name: str, shape: tuple[int, ...]) -> Array:
-    """One number, or one for each of the starts that have these sizes, along one axis."""
+    """One number, or one for each start; starts of the sizes ``shape`` are put along one axis."""
     if value.ndim == 0 or len(shape) < 2:
         return value
     if value.shape != shape:
@@ -145,7 +143,7 @@ def flat(value: Array, name: str, shape: tuple[int, ...]) -> Array:
 
 
 def one_order(columns: Iterable[Any]) -> None:
-    """That columns with labels of rows, as those of pandas, have the same ones, since rows are taken in order."""
+    """Checks that columns with row labels, as in pandas, have the same labels, since rows are taken in order."""
     first = None
     for column in columns:
         index = getattr(column, "index", None)
@@ -167,7 +165,7 @@ def unnamed(given: Any, name: str) -> Array:
 
 
 def _numbers(given: Any, name: str) -> Array:
-    """The same, of one column, whose rows may have labels."""
+    """Numbers in their order, also from a column with row labels."""
     return np.asarray(given) if hasattr(given, "iloc") and not hasattr(given, "columns") else unnamed(given, name)
 
 

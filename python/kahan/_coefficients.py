@@ -12,8 +12,8 @@ from ._arrays import floats
 __all__ = ["Entries", "coefficients", "dense", "loaded"]
 
 Entries = tuple[tuple[str, ...], tuple[str, ...], tuple[np.ndarray[Any, Any], ...]]
-"""The states, the parameters, and of each coefficient the component, two states, and the parameter, -1 for
-none, and its value."""
+"""The states, the parameters, and arrays with the component, two states, parameter and value of each coefficient; -1
+stands for no state or parameter."""
 
 _PARTS = ("c", "B", "Q")
 
@@ -35,7 +35,7 @@ def _sparse(given: Any, name: str) -> tuple[tuple[int, ...], tuple[np.ndarray[An
 
 
 def _halves(given: Any, name: str, n: int) -> Any:
-    """A dense Q that is symmetric with each product once, j <= k; any other one as it is."""
+    """A dense symmetric Q with each product once, j <= k; any other Q as it is."""
     if hasattr(given, "tocoo") or np.size(given) != n**3:
         return given
     Q = floats(given, name)
@@ -48,7 +48,7 @@ def _halves(given: Any, name: str, n: int) -> Any:
 
 
 def _part(given: Any, name: str, n: int, order: str) -> tuple[np.ndarray[Any, Any], ...]:
-    """Of each entry the component, two states, -1 for none, and the value."""
+    """The components, first states, second states (-1 for none) and values of the entries."""
     halves = _halves(given, name, n) if name[0] == "Q" else given
     order = order if halves is given else "triu"
     shape, (component, *columns), values = _sparse(halves, name)
@@ -129,7 +129,7 @@ def dense(n: int, entries: Sequence[Any], sparse: bool) -> tuple[Any, Any, Any]:
 
 def loaded(path: Any) -> dict[str, Any]:
     """The arguments of ``System.from_arrays`` in a file of ``np.savez``: its arrays c, B, Q, names and order. B and Q may be
-    the arrays of a sparse one of SciPy's by rows, as ``Q_data``, ``Q_indices`` and ``Q_indptr``."""
+    sparse arrays of SciPy by rows, as ``Q_data``, ``Q_indices`` and ``Q_indptr``."""
     file = np.load(path)
     if isinstance(file, np.ndarray):
         raise ValueError(f"{path} has one array; write c, B and Q with np.savez")
@@ -150,5 +150,5 @@ def loaded(path: Any) -> dict[str, Any]:
     if "order" in arrays:
         given["order"] = str(arrays.pop("order"))
     if arrays:
-        raise ValueError(f"{path}: there is no place for an array `{next(iter(arrays))}`; a field has c, B, Q, names and order")
+        raise ValueError(f"{path} has an array `{next(iter(arrays))}`, and a field has c, B, Q, names and order")
     return given

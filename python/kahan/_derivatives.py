@@ -1,9 +1,11 @@
-"""What orbits are differentiated by."""
+"""The names by which orbits are differentiated."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
+
+from ._errors import unknown
 
 if TYPE_CHECKING:
     from ._orbit import Array
@@ -12,24 +14,22 @@ if TYPE_CHECKING:
 __all__ = ["in_order", "differentiable"]
 
 
-def differentiable(system: System, derivatives: Sequence[str]) -> list[str]:
-    """The names that were asked for, each once.
+def differentiable(system: System, names: str | Sequence[str] | None, argument: str) -> list[str]:
+    """The names of parameters, variables and ``eps``, each once; all of them for ``None``.
 
-    Raises ``ValueError`` for one that is no parameter, no variable and not ``eps``, and for a lifted field.
+    Raises ``ValueError`` for another name, and for a lifted field. ``argument`` is that of the caller.
     """
-    asked = [derivatives] if isinstance(derivatives, str) else list(dict.fromkeys(derivatives))
+    known = system._names
+    asked = known if names is None else [names] if isinstance(names, str) else list(dict.fromkeys(names))
     if asked and system._lifting is not None:
-        raise ValueError("derivatives: this field is lifted, and its new variables depend on parameters and first values, too; "
-                         "differentiate a field that is quadratic as it is written")
-    kinds = {"parameters": [name for name, _ in system._given], "variables": list(system.variables)}
-    known = [name for names in kinds.values() for name in names] + ["eps"]
+        raise ValueError(f"{argument}: this field is lifted, and its new variables depend on parameters and first values, too; "
+                         "differentiate kahan.System(s.text), which has all variables")
     for name in asked:
         if name not in known:
-            there = [f"the {kind} {', '.join(names)}" for kind, names in kinds.items() if names]
-            raise ValueError(f"derivatives: there is no `{name}`; there are {', '.join(there)}, and eps")
+            raise ValueError(f"{argument}: {unknown('parameter or variable', str(name), known)}")
     return asked
 
 
 def in_order(asked: Sequence[str], names: Sequence[str], arrays: Array) -> dict[str, Array]:
-    """The derivatives in the order in which they were asked for."""
+    """The derivatives, of which ``names`` are the first axis, in the order ``asked``."""
     return {name: arrays[names.index(name)] for name in asked}

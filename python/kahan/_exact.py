@@ -62,9 +62,12 @@ def nearest(value: Any, name: str) -> float:
     """The float nearest to a number."""
     if isinstance(value, float):
         return value
-    text = exact(value, name)
+    return float(_fraction(exact(value, name), name))
+
+
+def _fraction(text: str, name: str) -> Fraction:
     try:
-        return float(Fraction(text))
+        return Fraction(text)
     except ZeroDivisionError:
         raise ValueError(f"{name}: {text} divides by zero") from None
     except ValueError:
@@ -72,7 +75,7 @@ def nearest(value: Any, name: str) -> float:
 
 
 def half_step(eps: Any, dt: Any, *, is_needed: bool = True) -> Any:
-    """eps, half the time step, where it or the time step ``dt`` is given: a number, or an array with one a trajectory.
+    """eps, half the time step, from eps or from the time step ``dt``: a number, or an array with one for each trajectory.
 
     >>> half_step(0.1, None), half_step(None, 0.1), half_step(None, None, is_needed=False)
     (0.1, Fraction(1, 20), None)
@@ -85,11 +88,7 @@ def half_step(eps: Any, dt: Any, *, is_needed: bool = True) -> Any:
         raise TypeError("eps and dt are both given; dt = 2 eps, and one of them says it")
     if np.ndim(dt):
         return np.asarray(dt) / 2
-    text = exact(dt, "dt")
-    try:
-        return Fraction(text) / 2
-    except (ValueError, ZeroDivisionError):
-        raise ValueError(f"dt: `{text}` is not a number; write it as 3/7, -2, 0.25 or 1e-3") from None
+    return _fraction(exact(dt, "dt"), "dt") / 2
 
 
 def point(values: Any, name: str = "x") -> list[str]:

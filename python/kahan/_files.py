@@ -30,7 +30,7 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
     of the file.
 
     Equations that are not quadratic are lifted; ``lift`` asks for one kind of lift, as in ``System``. ``source`` is the
-    text that was made of a model, with comments on what was read and how; it may be saved as a ``.kahan`` file.
+    text made from a model, with comments on the reading; it may be saved as a ``.kahan`` file.
 
     Raises ``ValueError`` with the place of a part that no field has, such as an event.
 
@@ -46,7 +46,7 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
         arrays: dict[str, Any] = {**loaded(path), **parameters}
         return System.from_arrays(**arrays)
     if path.suffix not in _ENDINGS:
-        raise ValueError(f"{path}: the ending is none of {', '.join(_ENDINGS)} and .npz, which say what is in a file")
+        raise ValueError(f"{path}: the ending says what is in a file; it must be one of {', '.join(_ENDINGS)} and .npz")
     if path.suffix in (".xml", ".sbml"):
         lib = _package("libsbml", "python-libsbml")
         path.stat()
@@ -69,7 +69,7 @@ def _package(name: str, project: str) -> Any:
 
 
 def _from_antimony(path: Path) -> str:
-    """The model of a file in Antimony as SBML, without submodels."""
+    """The model of a file in Antimony as SBML; submodels are written out."""
     antimony = _package("antimony", "antimony")
     antimony.clearPreviousLoads()
     if antimony.loadAntimonyFile(str(path)) < 0:
@@ -86,7 +86,7 @@ def _system(text: str, wanted: str | None, parameters: dict[str, Any]) -> System
         plain = error
     without = re.sub(r"^integral total\d+ = ", "# constant along solutions: ", text, flags=re.MULTILINE)
     failed: Exception = plain
-    # Forms of the equations of a lift may keep a total on the relations alone, which no claim says.
+    # Some forms of a lift keep a total only on its relations. Then the claim fails, and becomes a comment.
     kinds = [wanted] if wanted else ["automatic", "stable", "smallest"]
     for lift, of in ((kinds[0], text), *((kind, without) for kind in kinds)):
         try:

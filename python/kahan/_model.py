@@ -1,4 +1,4 @@
-"""Models from files of other programs, written as texts: equations, values, starts, and what was read."""
+"""Models from files of other programs as texts: equations, values, starts, and comments on the reading."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _NAME = re.compile(r"[^\W\d]\w*")
 
 
 def is_taken(name: str) -> bool:
-    """Whether a text reads a name as something else than that of a state, a parameter or a quantity."""
+    """Whether a name has a meaning of its own in texts, and cannot name a state, a parameter or a quantity."""
     return name in _TAKEN or not name.strip("_") or name.endswith("dot")
 
 
 class Refused(ValueError):
-    """A part of a file that no field has, or that is wrong: with the place, and how to go on."""
+    """A wrong or unsupported part of a file, with its place and with advice."""
 
     def __init__(self, place: Place, part: str, reason: str, line: int = 0, name: str = "") -> None:
         line = place.line_of(name, line)
@@ -38,11 +38,11 @@ class Refused(ValueError):
 
 @dataclass
 class Place:
-    """A file, and where its lines come from."""
+    """A file, with the text by which lines are counted."""
 
     path: str
     text: str | None = None
-    """The text that the user wrote, where the lines of errors are those of another one."""
+    """The text of the user, if errors have the lines of a text made from it."""
 
     def line_of(self, name: str, line: int) -> int:
         """The line of a name in the user's text, or else the line that is known."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._derivatives import differentiable
 from ._errors import spelled, unknown
 from ._kahan import arrow
 from ._progress import listener
@@ -111,9 +112,9 @@ class Orbit(Table):
     why: str | None = None
     """The end in words, where a lifted field ends the orbit."""
     _order: int | None = None
-    # The order of its steps, where these are those of Kahan's map in floats.
+    # The order, if the steps are those of Kahan's map in floats and on a quadratic field.
     derivatives: dict[str, Array]
-    """The derivatives of ``x`` by what was asked for, by name, each of the shape of ``x``; see ``System.orbit``."""
+    """The derivatives of ``x``, each of its shape, by the names of ``derivatives=``; see ``System.orbit``."""
 
     def __init__(
         self, system: System, eps: float | Fraction, x: Array, every: int, steps: int, ended: str,
@@ -158,9 +159,8 @@ class Orbit(Table):
         the sum of squares of ``o.x - data``. ``by`` names parameters, variables (the derivative by that coordinate of the
         start) and ``"eps"``; the result has a number for each of these, by default for all.
 
-        One sweep back over the orbit has them all, and costs about ten steps of the map for each step, however many
-        parameters there are: it is for many parameters and one number.
-        Steps are computed again, in float64, from checkpoints; memory is that of a square root of the number of steps.
+        One sweep back over the orbit yields all of them, in a time that hardly grows with the number of parameters.
+        Steps are computed again, in float64, from checkpoints; memory grows with the square root of the number of steps.
 
         >>> import kahan
         >>> pond = kahan.System("xdot = a*x - b*x*y; ydot = c*x*y - d*y;", a=1, b=1, c=1, d=1)
@@ -173,21 +173,14 @@ class Orbit(Table):
         system = self.system
         if self._order is None:
             raise ValueError("gradient is of orbits of Kahan's map in f64 or f32, without reembed and projective")
-        if system._lifting is not None:
-            raise ValueError("gradient is of fields that are not lifted: make the orbit of kahan.System(s.text), "
-                             "which has all variables, from all of their first values")
-        known = [*system.variables, *system.parameters, "eps"]
-        by = known if by is None else [by] if isinstance(by, str) else list(by)
-        for name in by:
-            if name not in known:
-                raise ValueError(f"by: {unknown('parameter or variable', str(name), known)}")
+        by = differentiable(system, by, "by")
         given = np.asarray(weights, dtype=float)
         if given.shape != self.x.shape:
             early = "" if self.ended == "complete" else (f"; the orbit ended early{_end(self.ended, self.steps)}: give weights "
                                                          f"for its {len(self.x)} rows, or choose fewer steps or a smaller eps")
             raise ValueError(f"weights: the shape {self.x.shape} of the orbit's x is needed, and this is {given.shape}{early}")
         found = dict(system._gradient(self.x[0], float(self.eps), given, every=self.every, order=self._order,
-                                      listener=listener() if progress else None))
+                                      listener=listener(progress)))
         return {name: found[name] for name in by}
 
     @property
@@ -239,9 +232,9 @@ class Ensemble(Table):
     steps: Array
     """The steps that each made, fewer than asked where it ended early."""
     observed: dict[str, Array]
-    """What was observed, by name, a number a start; ``spectrum`` has one a variable."""
+    """The observed columns by name: a number for each start, in ``spectrum`` one for each variable."""
     derivatives: dict[str, Array]
-    """The derivatives of ``x`` by what was asked for, by name, each of the shape of ``x``; see ``System.ensemble``."""
+    """The derivatives of ``x``, each of its shape, by the names of ``derivatives=``; see ``System.ensemble``."""
 
     def __init__(self, system: System, start: Array, given: dict[str, Array], x: Array, ends: tuple[list[str], Array, Array],
                  observed: dict[str, Array]) -> None:

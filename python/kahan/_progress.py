@@ -1,4 +1,4 @@
-"""How far long work is: a bar of tqdm, or a warning where that is not installed."""
+"""The progress of long work as a bar of tqdm, or a warning if tqdm is not installed."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from typing import Any
 __all__ = ["listener"]
 
 
-def listener() -> Any:
-    """What the border calls with what is counted, how many are done, and of how many."""
+def listener(progress: bool) -> Any:
+    """A function that shows a bar of what is counted, the number done, and the number in all; ``None`` without progress."""
+    if not progress:
+        return None
     try:
         from tqdm.auto import tqdm
     except ImportError:

@@ -20,8 +20,9 @@ __all__ = ["RightSide"]
 
 @dataclass(frozen=True)
 class RightSide:
-    """f of a field, as a function of the time, on which only a lifted one may depend, of points as columns, and of
-    values of parameters in the order of ``parameters``.
+    """f of a field as a function of the time, of points as columns, and of values of ``parameters`` in their order.
+
+    Only a lifted field depends on the time.
     """
 
     system: System
@@ -29,7 +30,7 @@ class RightSide:
 
     @classmethod
     def of(cls, system: System, names: tuple[str, ...]) -> RightSide:
-        """The field's, whose arguments are these parameters, or else those without a value, or else all."""
+        """f with these parameters as arguments, or else those without a value, or else all."""
         known = system.parameters
         for name in names:
             if name not in known:

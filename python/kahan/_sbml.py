@@ -14,9 +14,8 @@ from ._totals import conserved
 
 __all__ = ["sbml_model"]
 
-_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2, "^": 4}
 _NUMBERED_ROOTS = 12
-"""The largest denominator of an exponent that the text has as a number; others are parameters."""
+"""The largest denominator of an exponent that is written as a number; other exponents become parameters."""
 
 
 def _functions(lib: Any) -> dict[int, tuple[str, Callable[..., float]]]:
@@ -56,7 +55,7 @@ def _rough(lib: Any) -> dict[int, Callable[..., Any]]:
 
 
 class _Reader:
-    """One model: its symbols, their first values, and formulas in the language of texts."""
+    """Reads a model: its symbols, their first values, and its formulas in the language of texts."""
 
     def __init__(self, lib: Any, document: Any, place: Place) -> None:
         self.lib, self.place, self.model = lib, place, document.getModel()
@@ -70,7 +69,7 @@ class _Reader:
             for reference in (*reaction.getListOfReactants(), *reaction.getListOfProducts()):
                 if reference.isSetId():
                     self.known[reference.getId()] = reference
-        # One without a formula says nothing.
+        # Rules without a formula are ignored.
         rules = [rule for rule in model.getListOfRules() if rule.getMath() is not None]
         self.rates = {rule.getVariable(): rule for rule in rules if rule.isRate()}
         self.formulas = {rule.getVariable(): rule for rule in rules if rule.isAssignment()}
@@ -240,6 +239,11 @@ class _Reader:
             return name in self.known and name not in self.changed
         return all(self.is_constant(node.getChild(k)) for k in range(node.getNumChildren()))
 
+    def is_free(self, name: str) -> bool:
+        """Whether a symbol is a parameter without a value."""
+        one = self.known[name]
+        return one.getElementName() == "parameter" and not one.isSetValue() and name not in self.initial
+
     def _changed(self) -> set[str]:
         """The symbols whose values change, or may be free."""
         changed = set(self.rates) | {one.getId() for one in self.model.getListOfReactions()}
@@ -250,9 +254,8 @@ class _Reader:
                     changed.add(species.getId())
         changed |= set(self.formulas)
         changed |= {one.getId() for one in self.model.getListOfSpecies() if one.getCompartment() in self.rates}
-        for name, one in self.known.items():
-            is_free = one.getElementName() == "parameter" and not one.isSetValue() and name not in self.initial
-            changed |= {name} if is_free else set()
+        for name in self.known:
+            changed |= {name} if self.is_free(name) else set()
         return changed
 
     def text(self, node: Any, of: Any, outer: int = 0) -> str:
@@ -296,12 +299,12 @@ class _Reader:
             base = self.number(arguments[0], of) if count == 2 else Fraction(10)
             return 2, f"log({self.text(arguments[-1], of)})/{number_text(math.log(base))}"
         pattern = self.functions[kind][0]
-        # Behind a division, and as a name's argument.
+        # An argument behind `/` needs parentheses around a sum or a product.
         inner = self.text(arguments[0], of, 3 if "/u" in pattern else 0)
         return 5, re.sub(r"\bu\b", lambda _: inner, pattern)
 
     def power(self, base: Any, exponent: Any, of: Any) -> tuple[int, str]:
-        """A power: a constant exponent is a number where it is a simple fraction, since only then the lift is small."""
+        """A power. A constant exponent that is a simple fraction is written as a number, so that the lift is small."""
         inner = self.text(base, of, 5)
         if not self.is_constant(exponent):
             return 4, f"{inner}^({self.text(exponent, of)})"
@@ -353,8 +356,7 @@ class _Reader:
                 out.parameter(name, self.number(node, of), "constant rate" if name not in self.formulas else "constant")
         for name, one in self.known.items():
             if name not in out.rights and name not in out.formulas and name not in out.parameters:
-                is_free = one.getElementName() == "parameter" and not one.isSetValue() and name not in self.initial
-                if not is_free:
+                if not self.is_free(name):
                     out.parameter(name, self.value(name), self._meaning(name))
                     if name in self.initial:
                         formula = self.lib.formulaToL3String(self.initial[name].getMath())

@@ -5,41 +5,41 @@ from __future__ import annotations
 import json
 import re
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any, cast
 
 import numpy as np
 
-from ._answer import Answer, _short
+from ._answer import Answer
 from ._arrays import by_name, constants, flat, named, one_order, read
 from ._basis import Basis
+from ._charts import Range, axes_of, colors, observable, size
 from ._coefficients import Entries, coefficients, dense
 from ._derivatives import differentiable, in_order
+from ._discovery import Discovery
 from ._errors import CHOICES, FieldError, choice, spelled, unknown
-from ._exact import Number, _number, answer, exact, half_step, nearest, point, whole
+from ._exact import Number, answer, exact, half_step, nearest, point, whole
+from ._formulas import Formulas
 from ._kahan import Field, is_family
-from ._formula import Formula, Symbols
 from ._lattice import Lattice
 from ._lifted import Lift, Lifted, lifting
 from ._orbit import Array, Chart, Ensemble, Orbit, Section
+from ._progress import listener
 from ._rhs import RightSide
 
-__all__ = ["Discovery", "System"]
-
-Range = str | tuple[Number, Number, int]
-"""Values with both ends: (low, high, count), or text in the grammar of the command, as "0:1:/20"."""
+__all__ = ["Family", "System"]
 
 
 @spelled
-class System(Field):
+class System(Formulas):
     """A quadratic vector field x' = f(x) with its Kahan map.
 
     ``field`` is the text of the equations in the language of ``kahan!`` or as one writes them, such as
     ``x' = y, y' = -x``, or equations of SymPy: a mapping of symbols to expressions, a pair (symbols, expressions),
-    or a list of ``Eq(x(t).diff(t), …)``. ``notes`` says what was read in an unusual way.
-    Free names are parameters; their values are given by name, exactly where they are integers, fractions or text. A float
+    or a list of ``Eq(x(t).diff(t), …)``. ``notes`` reports unusual readings.
+    Free names are parameters, whose values are given by name: as integers, fractions or text, or as a float, which
     means the decimal that Python prints.
     ``sites`` writes out a chain of a family ``for i in … { … }``.
 
@@ -159,8 +159,7 @@ class System(Field):
         return (self.name, self.text, self.variables, *self.parameters.items())
 
     def __call__(self, *, sites: int | None = None, **parameters: Number) -> System:
-        """The same field with these values of its parameters, beside those that it has; of a chain with
-        another number of ``sites``.
+        """This field with further or other values of parameters; a chain may have another number of ``sites``.
 
         >>> import kahan
         >>> kahan.catalog.euler(a1=1, a2=-3, a3=1).parameters["a2"]
@@ -171,7 +170,7 @@ class System(Field):
             parameters["sites"], sites = sites, None
         given = {name: exact(value, name) for name, value in parameters.items()}
         sites = own_sites if sites is None else sites
-        # A lift is made for values of parameters, and a chain for its sites; else all is made already.
+        # The new field shares code with this one, except a lift, made for values of parameters, and a chain of other sites.
         known = self if self._lifting is None and sites == own_sites else None
         return self._of(text, is_name, sites, own | given, self._lifting, known)
 
@@ -191,138 +190,14 @@ class System(Field):
         return None if text is None else Lifted(self, text)
 
     @property
-    def parameters(self) -> dict[str, Any]:
-        """The parameters with their values as fractions: those given, or else those of the text, ``None``
-        for one that has none. Values of the text count where numbers are needed; formulas keep their names.
-
-        >>> import kahan
-        >>> s = kahan.System("par a=2\\ninit x=1, y=0\\nx' = y\\ny' = -a*x")
-        >>> s.parameters, s.start, s.text
-        ({'a': Fraction(2, 1)}, (Fraction(1, 1), Fraction(0, 1)), 'xdot = y;\\nydot = -a*x;')
-        """
-        return {name: None if value is None else _number(value) for name, value in self._given}
-
-    @property
     def start(self) -> tuple[Fraction, ...] | None:
         """The first point that the text gives, ``x(0) = 1`` or ``init x=1``; ``None`` where it gives none."""
         return None if self._start is None else tuple(Fraction(value) for value in self._start)
 
     @property
     def source(self) -> str:
-        """The text as it was given or made of a model's file, with values, starts and comments: it may be saved, and read again."""
+        """The text of the field as given, or as made from a model file, with values, starts and comments. ``read`` reads it again."""
         return self._call[0] if isinstance(self._call[0], str) else self.text
-
-    # Formulas.
-
-    def _sheet(self, form: str) -> dict[str, Any]:
-        """All formulas of a notation, read once."""
-        sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
-        if form not in sheets:
-            sheets[form] = json.loads(self._answer(json.dumps({"ask": "show", "as": form, "jacobian": True})))
-        return sheets[form]
-
-    def _formula(self, key: str) -> Formula:
-        if self._sheet("text").get(key) is None:
-            raise ValueError(f"{self.name} has no {key} as a formula: it is beyond the budget of terms")
-        return Formula(lambda form: self._sheet(form)[key], self._symbols)
-
-    @cached_property
-    def _symbols(self) -> Symbols:
-        sheet = self._sheet("text")
-        constants = re.findall(r"^ *const (\w+) = (.+);$", sheet["macro"], re.MULTILINE)
-        functions = {claim["name"]: _right(claim) for claim in sheet["claims"] if claim["kind"] != "bracket"}
-        return Symbols(tuple(self._all_variables), self.parameters, dict(constants) | functions)
-
-    @property
-    def field(self) -> Formula:
-        """f(x), a vector."""
-        return self._formula("field")
-
-    @property
-    def field_jacobian(self) -> Formula:
-        """f'(x), a matrix."""
-        return self._formula("field_jacobian")
-
-    @property
-    def A(self) -> Formula:
-        """The matrix A(x, eps): the map is the solution of A(x, eps) x~ = b(x, eps)."""
-        return self._formula("A")
-
-    @property
-    def b(self) -> Formula:
-        """The right side b(x, eps), a vector."""
-        return self._formula("b")
-
-    @property
-    def det_A(self) -> Formula:
-        """det A(x, eps), whose zeros are the poles of the map, but for factors that cancel."""
-        return self._formula("det_A")
-
-    @property
-    def map(self) -> Formula:
-        """Kahan's map x -> x~ in lowest terms, a vector."""
-        return self._formula("map")
-
-    @property
-    def jacobian(self) -> Formula:
-        """The Jacobian of the map, dx~/dx, a matrix of fractions in lowest terms."""
-        return self._formula("jacobian")
-
-    def _claims(self, kind: str) -> dict[str, tuple[dict[str, Any], Callable[[str], Any]]]:
-        """The claims of a kind by name, each with the right sides of its equations in a notation."""
-        def sides(place: int) -> Callable[[str], Any]:
-            return lambda form: [right for _, right in self._sheet(form)["claims"][place]["equations"]]
-
-        claims = enumerate(self._sheet("text")["claims"])
-        return {claim["name"]: (claim, sides(k)) for k, claim in claims if claim["kind"] == kind}
-
-    def _single(self, kind: str) -> dict[str, Formula]:
-        def formula(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
-            text = _right(claim)
-            return Formula(lambda form: text if form == "text" else sides(form)[0], self._symbols, claim["name"], claim["when"])
-
-        return {name: formula(*found) for name, found in self._claims(kind).items()}
-
-    @property
-    def integrals(self) -> dict[str, Formula]:
-        """The claimed integrals, by name; each was proved when the field was read."""
-        return self._single("integral")
-
-    @property
-    def densities(self) -> dict[str, Formula]:
-        """The claimed invariant densities, by name: the map keeps the volume form density dx."""
-        return self._single("density")
-
-    @property
-    def brackets(self) -> dict[str, Formula]:
-        """The claimed Poisson brackets, by name, each an antisymmetric matrix: brackets["P"]["x", "y"] is {x, y}."""
-        def matrix(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
-            stated = re.findall(r"\{(\w+), ?(\w+)\} = (.*?);", claim["statement"])
-
-            def read(form: str) -> list[list[str]]:
-                names = self._all_variables
-                entries = [["0"] * len(names) for _ in names]
-                texts = [text for _, _, text in stated] if form == "text" else sides(form)
-                for (x, y, _), text in zip(stated, texts):
-                    i, j = names.index(x), names.index(y)
-                    entries[i][j], entries[j][i] = text, rf"-\left({text}\right)" if form == "latex" else f"-({text})"
-                return entries
-
-            return Formula(read, self._symbols, claim["name"], claim["when"])
-
-        return {name: matrix(*found) for name, found in self._claims("bracket").items()}
-
-    def _repr_latex_(self) -> str:
-        """The field, its map where that is short, and the integrals that are known."""
-        def lines(accent: str, formula: Formula) -> list[str]:
-            return [rf"\{accent}{{{name}}} &= {right.latex}" for name, right in zip(self._all_variables, formula)]
-
-        rows = lines("dot", self.field)
-        if self._sheet("text")["map"] is not None and len(str(self.map)) < 400:
-            rows += lines("widetilde", self.map)
-        known = self.__dict__.get("_found", self)
-        rows += [f"{formula.name} &= {formula.latex}" for formula in known.integrals.values()]
-        return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
 
     # What is called in loops: arrays in, arrays out.
 
@@ -332,8 +207,7 @@ class System(Field):
         return [*self.variables, *self.parameters, "eps"]
 
     def _at(self, x: Any) -> Any:
-        """A point, or points, in the order of the variables, whose names decide where columns have some; ``None`` is the
-        start of the text."""
+        """A point, or points, in the order of the variables, by names if there are some; for ``None`` the start of the text."""
         if x is None:
             start = self.start
             if start is None:
@@ -342,7 +216,7 @@ class System(Field):
         return named(x, self)
 
     def _one(self, x: Any) -> Any:
-        """A point in the order of the variables; a table of one row is one."""
+        """A point in the order of the variables; a table of one row is a point."""
         at = self._at(x)
         is_row = at is not x and isinstance(at, np.ndarray) and at.ndim == 2 and len(at) == 1
         return at[0] if is_row else at
@@ -422,12 +296,12 @@ class System(Field):
         hold exactly, and energies do not drift; a step takes 2 to 16 steps of the map.
         ``out`` of shape (1 + steps // every, variables) takes the rows in place of a new array.
 
-        ``derivatives`` names parameters, variables, for the derivative by their first value, and ``"eps"``:
-        ``o.derivatives["a"][k]`` is the derivative of ``o.x[k]`` by ``a``, exact but for rounding, as the derivative of
-        the map is itself a map. The points keep their bits. It is for f64 and f32, also composed or compensated, of
-        fields that are not lifted. One that is beyond the range of floats is infinite or NaN, while the orbit goes on; by
-        ``eps`` it is NaN at eps = 0. Costs about a step of the map more for each name and step, and the first time some
-        tens of milliseconds, once for all values of parameters: ``s(a=2)`` shares what was compiled for ``s``.
+        ``derivatives`` has names of parameters, of variables (the derivative by their first value) and ``"eps"``:
+        ``o.derivatives["a"][k]`` is the derivative of ``o.x[k]`` by ``a``, exact up to rounding. Derivatives leave the
+        points as they are. They exist for f64 and f32, also composed or compensated, of fields that are not lifted. A
+        derivative beyond the range of floats is infinite or NaN, while the orbit goes on; by ``eps`` it is NaN at
+        eps = 0. Each name costs about one more step of the map per step. The first call also compiles for some tens of
+        milliseconds; ``s(a=2)`` shares this code with ``s``.
 
         >>> import kahan
         >>> s = kahan.System("xdot = a*x^2;", a=3)
@@ -444,7 +318,7 @@ class System(Field):
         steps, every, order = whole(steps, "steps"), whole(every, "every"), whole(order, "order")
         x = self._one(x)
         scalar, method = choice(scalar, "scalar"), choice(method, "method")
-        by = differentiable(self, derivatives)
+        by = differentiable(self, derivatives, "derivatives")
         if by and (scalar not in ("f64", "f32") or method != "kahan" or projective):
             raise ValueError("derivatives are for orbits of Kahan's map in f64 and f32")
         if scalar in ("f64", "f32") and method == "kahan" and not projective:
@@ -453,7 +327,7 @@ class System(Field):
             begun = self._in_all(x)
             rows, made, ended, why = self._points(
                 begun, half, steps, every=every, order=order, compensated=compensated, reembed=reembed,
-                out=out if self._lifting is None else None, listener=_listener(progress)
+                out=out if self._lifting is None else None, listener=listener(progress)
             )
             if not reembed:
                 self._judge(begun, half)
@@ -464,14 +338,14 @@ class System(Field):
             orbit._order = None if reembed else order
             if by:
                 found = self._derivatives(rows, half, by, every=every, order=order, compensated=compensated,
-                                          listener=_listener(progress))
+                                          listener=listener(progress))
                 orbit.derivatives = in_order(by, *found)
             return orbit
         if compensated or out is not None:
             raise ValueError("compensated and out are for orbits of Kahan's map in f64 and f32")
         question = {"ask": "orbit", "at": self._point(x), "eps": exact(eps, "eps"), "steps": steps, "every": every,
                     "scalar": scalar, "order": order, "method": method, "projective": projective, "reembed": reembed}
-        columns, ended, last = self._table(json.dumps(question), listener=_listener(progress))
+        columns, ended, last = self._table(json.dumps(question), listener=listener(progress))
         count = len(self.variables)
         values = [np.array(value, dtype=object) if isinstance(value, list) else value for _, _, value in columns]
         states = np.stack(values[2 : 2 + count], axis=1)
@@ -518,10 +392,10 @@ class System(Field):
         NaN where there is none. ``reembed`` projects the steps of a lifted field, as in ``orbit``; drift, extrema,
         rotation and escape can be observed of them.
 
-        ``derivatives`` names parameters, variables and ``"eps"``, as in ``orbit``: ``r.derivatives["a"]`` has shape
-        (trajectories, variables), a row the derivative of that last point by the trajectory's own ``a``. It is NaN
-        where the trajectory ended early, or one of its derivatives is beyond the range of floats. It goes without
-        observers and ``reembed``.
+        ``derivatives`` has names of parameters, variables and ``"eps"``, as in ``orbit``. ``r.derivatives["a"]`` has
+        shape (trajectories, variables): row k is the derivative of ``r.x[k]`` by the ``a`` of that trajectory, and NaN
+        if the trajectory ended early or a derivative is beyond the range of floats. Derivatives exclude observers and
+        ``reembed``.
 
         Work is spread over ``threads``, by default all processors; the numbers do not depend on how
         many. ``ended`` says how each trajectory ended, which is how its ``orbit`` ends, and ``steps``
@@ -538,7 +412,7 @@ class System(Field):
         steps, order = whole(steps, "steps"), whole(order, "order")
         threads = _whole(threads, "threads")
         begun = self._in_all(points, given)
-        by = differentiable(self, derivatives)
+        by = differentiable(self, derivatives, "derivatives")
         if by and (observe or reembed):
             raise ValueError("derivatives are for ensembles without observers and reembed")
         if not observe and not reembed:
@@ -546,11 +420,11 @@ class System(Field):
             if out is not None and start.ndim > 2 and out.shape == start.shape and out.flags.c_contiguous:
                 into = out.reshape(points.shape)
             x, ends = self._advance(begun, eps, steps, parameters=given, order=order, threads=threads,
-                              out=into if self._lifting is None else None, listener=_listener(progress))
+                              out=into if self._lifting is None else None, listener=listener(progress))
             ensemble = Ensemble(self, start, inputs, self._out_of_all(x, into), ends, {})
             if by:
                 found = self._last_derivatives(begun, eps, steps, by, parameters=given, order=order, threads=threads,
-                                               listener=_listener(progress))
+                                               listener=listener(progress))
                 found[1][:, np.ravel(ensemble.ended) != "complete"] = np.nan
                 in_shape = {name: one.reshape(ensemble.x.shape) for name, one in in_order(by, *found).items()}
                 ensemble.derivatives = in_shape
@@ -563,7 +437,7 @@ class System(Field):
         of = ["final", *(choice(name, "observable") for name in observe if name != "final")]
         seen, values, ends = self._observed(begun, eps, steps, of, parameters=given, order=order,
                                             every=whole(every, "every"), escape=escape, reembed=reembed,
-                                            threads=threads, listener=_listener(progress))
+                                            threads=threads, listener=listener(progress))
         count = len(self.variables)
         x = values[:, :count]
         if out is not None:
@@ -607,7 +481,7 @@ class System(Field):
     # Questions.
 
     def _ask(self, ask: str, progress: bool = False, **fields: Any) -> dict[str, Any]:
-        return answer(self._answer(_question(ask, **fields), listener=_listener(progress)))
+        return answer(self._answer(_question(ask, **fields), listener=listener(progress)))
 
     def evaluate(self, x: Any, eps: Number | None = None, *, dt: Number | None = None, exact: bool = False) -> Answer:
         """Every object of the field and of its map at a point, by the names of ``kahan eval --json``.
@@ -704,25 +578,25 @@ class System(Field):
         """
         if not over:
             raise ValueError("over: a chart goes through something, as over={\"eps\": (0.01, 0.1, 50)}")
-        axes = _axes(over)
+        axes = axes_of(over)
         eps = half_step(eps, dt, is_needed="eps" not in over)
         if eps is None:
             eps = axes[list(over).index("eps")].get("values", [1])[0]
-        observable, column = _observable(color)
-        if observable not in CHOICES["observable"]:
-            raise ValueError(f"color: {unknown('column', color, self._colors())}")
-        self._has_drift("color", [observable])
+        seen, column = observable(color)
+        if seen not in CHOICES["observable"]:
+            raise ValueError(f"color: {unknown('column', color, colors(self.variables, self.integrals))}")
+        self._has_drift("color", [seen])
         question = {"ask": "observe", "at": self._point(x), "eps": exact(eps, "eps"), "steps": whole(steps, "steps"),
                     "order": whole(order, "order"), "escape": escape, "reembed": reembed,
-                    "of": [observable]}
+                    "of": [seen]}
         columns, _, _ = self._table(json.dumps({"ask": "over", "axes": axes, "question": question}),
-                                    threads=_whole(threads, "threads"), listener=_listener(progress))
+                                    threads=_whole(threads, "threads"), listener=listener(progress))
         found = {name: values for name, _, values in columns}
         meanings = {name: meaning for name, meaning, _ in columns}
         if column not in found:
-            raise ValueError(f"color: {unknown('column', color, self._colors())}")
+            raise ValueError(f"color: {unknown('column', color, colors(self.variables, self.integrals))}")
         # Cells are numbered with the last axis fastest; what has one value only is no column.
-        sizes = [_size(values) or len(np.unique(found[name])) for name, values in over.items()]
+        sizes = [size(values) or len(np.unique(found[name])) for name, values in over.items()]
         along = {}
         for k, name in enumerate(over):
             places = found[name].reshape(sizes) if name in found else np.full(sizes, np.nan)
@@ -730,15 +604,9 @@ class System(Field):
         of = ", ".join(([] if "eps" in over else [f"eps = {eps}"]) + [f"{steps} steps"])
         ended, ended_step = np.array(found["ended"], dtype=object).reshape(sizes), found["ended_step"].reshape(sizes)
         chart = Chart(self, along, color, found[column].reshape(sizes), ended, ended_step, meanings[column], of)
-        if observable == "escape":
+        if seen == "escape":
             chart.values = chart.escaped
         return chart
-
-    def _colors(self) -> list[str]:
-        """The columns that a chart can show."""
-        of: dict[str, Iterable[Any]] = {name: self.variables for name in ("final", "least", "greatest", "rotation")}
-        of |= {"drift": self.integrals, "spectrum": range(1, 1 + len(self.variables))}
-        return [*_SINGLE, *(f"{start}_{name}" for start, names in of.items() for name in names)]
 
     def verify(self, *, progress: bool = False) -> Answer:
         """Whether the claims of the field hold: each is proved, as when it was read; of a system of
@@ -748,7 +616,7 @@ class System(Field):
     def periodic(self, x: Any, eps: Number | None = None, *, dt: Number | None = None, period: int = 1,
                  over: Mapping[str, Range] | None = None) -> Answer:
         """The cycle near a point, its multipliers and stability; ``over`` follows it along a parameter or eps."""
-        axes = _axes(over, has_lists=False)
+        axes = axes_of(over, has_lists=False)
         if len(axes) > 1:
             raise ValueError("over: a cycle is followed along one parameter")
         return Answer(self._ask("periodic", at=self._point(x), eps=_exact(half_step(eps, dt, is_needed=False), "eps"), period=whole(period, "period"),
@@ -773,7 +641,7 @@ class System(Field):
         search goes on to higher degrees until ``seconds`` are over, 60 by default.
         """
         asked = _question("discover", eps=_exact(half_step(eps, dt, is_needed=False), "eps"), degree=_whole(degree, "degree"), seconds=seconds)
-        text, relations = self._discovered(asked, listener=_listener(progress))
+        text, relations = self._discovered(asked, listener=listener(progress))
         bases = [Basis(one, relation) for one, relation in zip(json.loads(text)["bases"], relations)]
         discovery = Discovery(answer(text) | {"bases": bases}, self)
         self.__dict__["_found"] = discovery
@@ -787,7 +655,7 @@ class System(Field):
         ``special`` has these values, and ``points`` for each value that was tried what was seen there, its
         ``sight``: how many integrals are independent, and the degrees. ``generic`` is the sight elsewhere.
         """
-        return Answer(self._ask("scan", progress, axes=_axes(over, has_lists=False), eps=_exact(half_step(eps, dt, is_needed=False), "eps"),
+        return Answer(self._ask("scan", progress, axes=axes_of(over, has_lists=False), eps=_exact(half_step(eps, dt, is_needed=False), "eps"),
                                 degree=_whole(degree, "degree"), seconds=seconds))
 
     def trade(self, x: Any, horizon: Number, *, need: str = "trajectory", tolerance: Number = 1e-8, seconds: float = 10.0,
@@ -801,7 +669,7 @@ class System(Field):
 
         Steps are judged by exact arithmetic; ``trials`` of each scalar.
         """
-        judged = self._judged(whole(trials, "trials"), whole(seed, "seed"), listener=_listener(progress))
+        judged = self._judged(whole(trials, "trials"), whole(seed, "seed"), listener=listener(progress))
         return Answer(answer(judged))
 
 
@@ -833,88 +701,8 @@ class Family:
         return f"<Family {self.name}>"
 
 
-class Discovery(Answer):
-    """What a map preserves, as it was found: by the names of ``kahan discover --json``.
-
-    ``integrals``, ``densities`` and ``brackets`` are formulas by name, and ``claims`` the same as lines
-    of the language of ``kahan!``; ``claimed`` is the field that has them. Integrals whose formulas are
-    too long to write are in ``bases``.
-    """
-
-    bases: list[Basis]
-    """Sets of monomials with one linear relation along every orbit, whose coefficients are integrals."""
-
-    claims: list[str]
-    """What was found and proved, a line each, ready to stand in a field's text."""
-
-    sentences: list[str]
-    """What was looked for, how far, and what is known of what was not found."""
-
-    def __init__(self, found: Mapping[str, Any], of: System) -> None:
-        kinds = ("integrals", "densities", "brackets")
-        super().__init__({name: value for name, value in found.items() if name not in kinds})
-        self.__dict__["_names"] = (*found, "claims")
-        self.__dict__["claims"] = [line for kind in kinds for line in found[kind]]
-        self.__dict__["_of"] = of
-
-    def __repr__(self) -> str:
-        found = [*self.claims, *(f"basis {', '.join(basis.monomials)}" for basis in self.bases)]
-        return "\n".join([f"Discovery of {self.system}:", *self.sentences, *(f"  {_short(line)}" for line in found)])
-
-    @cached_property
-    def claimed(self) -> System:
-        """The field with what was found as its claims, which are proved once more; it steps and plots.
-
-        Its parameters have the values with which it was searched, ``when`` which the claims are made.
-        """
-        text, is_name, sites, given = self._of._call
-        field = System._of(text, is_name, sites, {}, self._of._lifting)._sheet("text")["field"]
-        equations = "\n".join(f"{name}dot = {right};" for name, right in zip(self.variables, field))
-        names = set(re.findall(r"\w+", equations))
-        of_text = self._of.parameters.items()
-        own = [f"{name} = {value};" for name, value in of_text if value is not None and name in names - set(given)]
-        given = {name: value for name, value in given.items() if name in names}
-        return System._of("\n".join([*own, equations, *self.claims]), False, None, given)
-
-    @property
-    def integrals(self) -> dict[str, Formula]:
-        """The integrals, by name; each is proved."""
-        return self.claimed.integrals
-
-    @property
-    def densities(self) -> dict[str, Formula]:
-        """The invariant densities, by name."""
-        return self.claimed.densities
-
-    @property
-    def brackets(self) -> dict[str, Formula]:
-        """The invariant Poisson brackets, by name, each an antisymmetric matrix."""
-        return self.claimed.brackets
-
-
 def _integral_value(system: System, name: str, eps: Number, x: Any) -> Array:
     return system.integral_values(x, eps)[name]
-
-
-def _right(claim: dict[str, Any]) -> str:
-    """The right side of a claim that is a function."""
-    text: str = claim["statement"].partition(" = ")[2].rstrip(";")
-    return text.partition(" when ")[0]
-
-
-_SINGLE = ("sali", "fli", "megno", "lyapunov", "lyapunov_error", "mean_log_det", "escape", "passed_poles")
-"""The colors of charts that a field has whatever its names are."""
-
-_COLUMNS = {"escape": "escaped", "log_det": "mean_log_det"}
-
-
-def _observable(color: str) -> tuple[str, str]:
-    """The observable that has a column, and the column."""
-    for start, observable in (("drift", "drift"), ("spectrum_", "spectrum"), ("least_", "extrema"), ("greatest_", "extrema"),
-                              ("rotation_", "rotation"), ("final_", "final"), ("mean_log_det", "log_det")):
-        if color.startswith(start):
-            return observable, color
-    return ("lyapunov" if color == "lyapunov_error" else color), _COLUMNS.get(color, color)
 
 
 def _question(ask: str, **fields: Any) -> str:
@@ -927,33 +715,3 @@ def _exact(value: Number | None, name: str) -> str | None:
 
 def _whole(value: int | None, name: str) -> int | None:
     return None if value is None else whole(value, name)
-
-
-def _size(values: Range | Array) -> int | None:
-    """How many values an axis has; of text the library counts them."""
-    if isinstance(values, str):
-        return None
-    return int(values[2]) if isinstance(values, tuple) else np.asarray(values).size
-
-
-def _axes(over: Mapping[str, Range | Array] | None, has_lists: bool = True) -> list[dict[str, Any]]:
-    def axis(name: str, values: Range | Array) -> dict[str, Any]:
-        if isinstance(values, str):
-            return {"name": name, "range": values}
-        if not isinstance(values, tuple) and has_lists:
-            return {"name": name, "values": [exact(value, name) for value in np.asarray(values).ravel()]}
-        if not isinstance(values, tuple) or len(values) != 3:
-            lists = "an array, " if has_lists else ""
-            raise TypeError(f'over: {name} is (low, high, count), {lists}or text as "0:1:+1/10"')
-        low, high, count = values
-        return {"name": name, "range": f"{exact(low, name)}:{exact(high, name)}:{whole(count, name)}"}
-
-    return [axis(name, values) for name, values in (over or {}).items()]
-
-
-def _listener(progress: bool) -> Any:
-    if not progress:
-        return None
-    from ._progress import listener
-
-    return listener()

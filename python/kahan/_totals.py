@@ -10,7 +10,7 @@ __all__ = ["conserved"]
 
 
 def conserved(columns: Mapping[str, Mapping[str, Fraction]], most: int = 400) -> list[dict[str, Fraction]]:
-    """A basis of the sums of species whose rows in all reactions cancel, with few terms, in the order of species.
+    """A basis of the weighted sums of species that every reaction keeps, in the order of species.
 
     >>> from fractions import Fraction
     >>> conserved({"A": {"r": Fraction(-1)}, "B": {"r": Fraction(1)}})

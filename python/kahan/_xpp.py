@@ -1,4 +1,4 @@
-"""Files of XPP, in the manner of the texts that the package reads."""
+"""Files of XPP as texts that the package reads."""
 
 from __future__ import annotations
 
@@ -21,8 +21,9 @@ _START = re.compile(r"(\w+)\s*\(0\)\s*=|^\s*(?:init|i)\s+(.*)", re.MULTILINE)
 
 
 def xpp_text(text: str) -> str:
-    """The text with one spelling for each name, since XPP does not tell upper from lower case, and a start for every state,
-    since XPP begins at 0.
+    """The text with one spelling for each name and a start for every state.
+
+    XPP ignores the case of letters, and begins at 0 without a start.
 
     >>> print(xpp_text("par Eps=.1\\ninit X=1\\nx'=y\\ndY/dt=-EPS*x"), end="")
     # `eps` means something else in a text, and is called Eps_
@@ -61,5 +62,5 @@ def xpp_text(text: str) -> str:
              if name.lower() == key + "_"]
     if missing:
         notes.append(f"# no start is given for {', '.join(missing)}: it is 0")
-    # A line behind `done` would not be read.
+    # Starts stand before `done`, which ends the text.
     return "\n".join([*notes, *lines, *(f"init {state}=0" for state in missing), *ended]) + "\n"

@@ -162,7 +162,7 @@ def test_arrays_in_a_file_are_a_field(tmp_path):
 
 
 @pytest.mark.parametrize(("arrays", "message"), [
-    ({"c": [1.0], "D": [1.0]}, "no place for an array `D`"),
+    ({"c": [1.0], "D": [1.0]}, "has an array `D`"),
     ({"B_data": [1.0]}, "a sparse B is B_data, B_indices and B_indptr"),
     ({"B": [[1.0]], "B_data": [1.0], "B_indices": [0], "B_indptr": [0, 1]}, "without B itself"),
 ])

@@ -141,7 +141,7 @@ def test_what_cannot_be_differentiated_by_is_said():
     s = kahan.System(PREY, a=1, b=1, c=1, d=1)
     for call in (s.orbit, s.ensemble):
         x = [1.0, 2.0] if call == s.orbit else [[1.0, 2.0]]
-        with pytest.raises(ValueError, match="no `q`; there are the parameters a, b, c, d, the variables x, y, and eps"):
+        with pytest.raises(ValueError, match="derivatives: there is no parameter or variable `q`; there is x, y, a, b, c, d, eps"):
             call(x, 0.01, 10, derivatives=["a", "q"])
     for settings in ({"scalar": "dd"}, {"scalar": "exact"}, {"method": "rk4"}, {"projective": True}):
         with pytest.raises(ValueError, match="derivatives are for orbits of Kahan's map in f64 and f32"):

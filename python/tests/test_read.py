@@ -168,7 +168,7 @@ def test_texts_are_read_by_their_ending(tmp_path):
     for text in ("pub struct Own { a }\nxdot = a*y;\nydot = -x;", "x' = a*y\ny' = -x\npar a=1"):
         assert read("own.kahan", text, a=3).parameters["a"] == 3
     assert read("root.txt", "x' = -x/(1 + x)\ninit x=1").lifted.order > 0
-    with pytest.raises(ValueError, match="ending is none of"):
+    with pytest.raises(ValueError, match="ending says what is in a file; it must be one of"):
         read("own.toml", "x' = y")
     with pytest.raises(kahan.FieldError, match="`abs"):
         read("own.ode", "x'=-abs(x)\ninit x=1\ndone")

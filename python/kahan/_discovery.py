@@ -1,0 +1,77 @@
+"""What a map preserves."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from ._answer import Answer, _short
+from ._basis import Basis
+from ._formula import Formula
+
+if TYPE_CHECKING:
+    from ._system import System
+
+__all__ = ["Discovery"]
+
+
+class Discovery(Answer):
+    """What a map preserves, as it was found: by the names of ``kahan discover --json``.
+
+    ``integrals``, ``densities`` and ``brackets`` are formulas by name, and ``claims`` the same as lines
+    of the language of ``kahan!``; ``claimed`` is the field that has them. Integrals whose formulas are
+    too long to write are in ``bases``.
+    """
+
+    bases: list[Basis]
+    """Sets of monomials with one linear relation along every orbit, whose coefficients are integrals."""
+
+    claims: list[str]
+    """What was found and proved, a line each, ready to stand in a field's text."""
+
+    sentences: list[str]
+    """What was looked for, how far, and what is known of what was not found."""
+
+    def __init__(self, found: Mapping[str, Any], of: System) -> None:
+        kinds = ("integrals", "densities", "brackets")
+        super().__init__({name: value for name, value in found.items() if name not in kinds})
+        self.__dict__["_names"] = (*found, "claims")
+        self.__dict__["claims"] = [line for kind in kinds for line in found[kind]]
+        self.__dict__["_searched"] = of
+
+    def __repr__(self) -> str:
+        found = [*self.claims, *(f"basis {', '.join(basis.monomials)}" for basis in self.bases)]
+        return "\n".join([f"Discovery of {self.system}:", *self.sentences, *(f"  {_short(line)}" for line in found)])
+
+    @cached_property
+    def claimed(self) -> System:
+        """The field with what was found as its claims, which are proved once more; it steps and plots.
+
+        Its parameters have the values with which it was searched, ``when`` which the claims are made.
+        """
+        searched: System = self.__dict__["_searched"]
+        text, is_name, sites, given = searched._call
+        field = searched._of(text, is_name, sites, {}, searched._lifting)._sheet("text")["field"]
+        equations = "\n".join(f"{name}dot = {right};" for name, right in zip(self.variables, field))
+        names = set(re.findall(r"\w+", equations))
+        of_text = searched.parameters.items()
+        own = [f"{name} = {value};" for name, value in of_text if value is not None and name in names - set(given)]
+        given = {name: value for name, value in given.items() if name in names}
+        return searched._of("\n".join([*own, equations, *self.claims]), False, None, given)
+
+    @property
+    def integrals(self) -> dict[str, Formula]:
+        """The integrals, by name; each is proved."""
+        return self.claimed.integrals
+
+    @property
+    def densities(self) -> dict[str, Formula]:
+        """The invariant densities, by name."""
+        return self.claimed.densities
+
+    @property
+    def brackets(self) -> dict[str, Formula]:
+        """The invariant Poisson brackets, by name, each an antisymmetric matrix."""
+        return self.claimed.brackets

@@ -1,0 +1,147 @@
+"""The parameters and formulas of a field."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
+
+from ._exact import _number
+from ._formula import Formula, Symbols
+from ._kahan import Field
+
+__all__ = ["Formulas"]
+
+
+class Formulas(Field):
+    """A field with its parameters, formulas and claims by name."""
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """The parameters with their values as fractions: those given, or else those of the text, ``None``
+        for one that has none. Values of the text count where numbers are needed; formulas keep their names.
+
+        >>> import kahan
+        >>> s = kahan.System("par a=2\\ninit x=1, y=0\\nx' = y\\ny' = -a*x")
+        >>> s.parameters, s.start, s.text
+        ({'a': Fraction(2, 1)}, (Fraction(1, 1), Fraction(0, 1)), 'xdot = y;\\nydot = -a*x;')
+        """
+        return {name: None if value is None else _number(value) for name, value in self._given}
+
+    def _sheet(self, form: str) -> dict[str, Any]:
+        """All formulas of a notation, read once."""
+        sheets: dict[str, dict[str, Any]] = self.__dict__.setdefault("_sheets", {})
+        if form not in sheets:
+            sheets[form] = json.loads(self._answer(json.dumps({"ask": "show", "as": form, "jacobian": True})))
+        return sheets[form]
+
+    def _formula(self, key: str) -> Formula:
+        if self._sheet("text").get(key) is None:
+            raise ValueError(f"{self.name} has no {key} as a formula: it is beyond the budget of terms")
+        return Formula(lambda form: self._sheet(form)[key], self._symbols)
+
+    @cached_property
+    def _symbols(self) -> Symbols:
+        sheet = self._sheet("text")
+        constants = re.findall(r"^ *const (\w+) = (.+);$", sheet["macro"], re.MULTILINE)
+        functions = {claim["name"]: _right(claim) for claim in sheet["claims"] if claim["kind"] != "bracket"}
+        return Symbols(tuple(self._all_variables), self.parameters, dict(constants) | functions)
+
+    @property
+    def field(self) -> Formula:
+        """f(x), a vector."""
+        return self._formula("field")
+
+    @property
+    def field_jacobian(self) -> Formula:
+        """f'(x), a matrix."""
+        return self._formula("field_jacobian")
+
+    @property
+    def A(self) -> Formula:
+        """The matrix A(x, eps): the map is the solution of A(x, eps) x~ = b(x, eps)."""
+        return self._formula("A")
+
+    @property
+    def b(self) -> Formula:
+        """The right side b(x, eps), a vector."""
+        return self._formula("b")
+
+    @property
+    def det_A(self) -> Formula:
+        """det A(x, eps), whose zeros are the poles of the map, but for factors that cancel."""
+        return self._formula("det_A")
+
+    @property
+    def map(self) -> Formula:
+        """Kahan's map x -> x~ in lowest terms, a vector."""
+        return self._formula("map")
+
+    @property
+    def jacobian(self) -> Formula:
+        """The Jacobian of the map, dx~/dx, a matrix of fractions in lowest terms."""
+        return self._formula("jacobian")
+
+    def _claims(self, kind: str) -> dict[str, tuple[dict[str, Any], Callable[[str], Any]]]:
+        """The claims of a kind by name, each with the right sides of its equations in a notation."""
+        def sides(place: int) -> Callable[[str], Any]:
+            return lambda form: [right for _, right in self._sheet(form)["claims"][place]["equations"]]
+
+        claims = enumerate(self._sheet("text")["claims"])
+        return {claim["name"]: (claim, sides(k)) for k, claim in claims if claim["kind"] == kind}
+
+    def _single(self, kind: str) -> dict[str, Formula]:
+        def formula(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
+            text = _right(claim)
+            return Formula(lambda form: text if form == "text" else sides(form)[0], self._symbols, claim["name"], claim["when"])
+
+        return {name: formula(*found) for name, found in self._claims(kind).items()}
+
+    @property
+    def integrals(self) -> dict[str, Formula]:
+        """The claimed integrals, by name; each was proved when the field was read."""
+        return self._single("integral")
+
+    @property
+    def densities(self) -> dict[str, Formula]:
+        """The claimed invariant densities, by name: the map keeps the volume form density dx."""
+        return self._single("density")
+
+    @property
+    def brackets(self) -> dict[str, Formula]:
+        """The claimed Poisson brackets, by name, each an antisymmetric matrix: brackets["P"]["x", "y"] is {x, y}."""
+        def matrix(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
+            stated = re.findall(r"\{(\w+), ?(\w+)\} = (.*?);", claim["statement"])
+
+            def read(form: str) -> list[list[str]]:
+                names = self._all_variables
+                entries = [["0"] * len(names) for _ in names]
+                texts = [text for _, _, text in stated] if form == "text" else sides(form)
+                for (x, y, _), text in zip(stated, texts):
+                    i, j = names.index(x), names.index(y)
+                    entries[i][j], entries[j][i] = text, rf"-\left({text}\right)" if form == "latex" else f"-({text})"
+                return entries
+
+            return Formula(read, self._symbols, claim["name"], claim["when"])
+
+        return {name: matrix(*found) for name, found in self._claims("bracket").items()}
+
+    def _repr_latex_(self) -> str:
+        """The field, its map where that is short, and the integrals that are known."""
+        def lines(accent: str, formula: Formula) -> list[str]:
+            return [rf"\{accent}{{{name}}} &= {right.latex}" for name, right in zip(self._all_variables, formula)]
+
+        rows = lines("dot", self.field)
+        if self._sheet("text")["map"] is not None and len(str(self.map)) < 400:
+            rows += lines("widetilde", self.map)
+        known = self.__dict__.get("_found", self)
+        rows += [f"{formula.name} &= {formula.latex}" for formula in known.integrals.values()]
+        return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
+
+
+def _right(claim: dict[str, Any]) -> str:
+    """The right side of a claim that is a function."""
+    text: str = claim["statement"].partition(" = ")[2].rstrip(";")
+    return text.partition(" when ")[0]
