@@ -131,8 +131,8 @@ def compared(path: Path, python: str, horizon: float, error: float) -> dict[str,
 
 def table(folder: Path, python: str, horizon: float = 10.0, error: float = 1e-8) -> tuple[float, dict[str, Any]]:
     """Prints the table of a folder's models; returns the largest error and libroadrunner's solutions."""
-    print(f"To the time {horizon:g}, at order 8; times are those of the cheapest settings whose error is {error:g}, and behind them "
-          "their ratio; below 1, in bold: kahan is slower.\n")
+    print(f"Solutions up to the time {horizon:g}; kahan has order 8. Times are those of the fastest settings with an error of at most "
+          f"{error:g}.\nThe ratio is libroadrunner's time to kahan's; below 1, in bold, kahan is slower.\n")
     print("| model | states + new | read, CPU s | largest error | steps | kahan, ms | libroadrunner, ms | ratio |")
     print("|---|---:|---:|---:|---:|---:|---:|---:|")
     recorded, worst, wins = {}, 0.0, 0
