@@ -4,9 +4,9 @@
     python benchmarks/fit.py
 
 Two models are fitted to 200 data points by `scipy.optimize.least_squares`, from the same first guess and with the same
-tolerances: predator and prey with two unknown rates, and a network of mass action with ten. What is compared takes turns in
-one run, and all fits find the rates. Orbits are of order 4, a step from point to point; their errors, and those of `solve_ivp`
-at its tolerance, are below the noise of the data and printed.
+tolerances: predator and prey with two unknown rates, and a network of mass action with ten. The methods take turns in one
+run, and all fits find the rates. Orbits have order 4 and one step from point to point. Their errors, and those of `solve_ivp`
+at its tolerance, are printed; they are below the noise of the data.
 
 With exact derivatives one orbit gives residuals and Jacobian: `least_squares` asks for the Jacobian where it has just asked for
 the residuals, so the last orbit is kept.
@@ -26,7 +26,7 @@ from peers import is_here
 POINTS, ROUNDS, NOISE, TOLERANCE = 200, 25, 1e-3, 1e-6
 
 PREY = "xdot = a*x - x*y; ydot = b*x*y - y;"
-# A binds B to C, which turns into D and E; these bind back, and all is fed and washed out.
+# A and B bind to C, which turns into D and E and back; all species are fed and washed out.
 NETWORK = """
     Adot = k0 - k1*A*B + k2*C - k3*A;
     Bdot = k4 - k1*A*B + k2*C - k3*B;

@@ -1,7 +1,7 @@
 """A reduced-order model of Burgers' equation that `opinf` has inferred, beside the model's own `predict`.
 
-At equal error: each method takes the loosest tolerance, ours the largest step, of those that reach it. Printed are the times
-of a call, their ratio, and how far the energy is from that of the exact solution. `python rom.py` needs opinf.
+At equal error: each method takes its loosest tolerance, kahan its largest step, that reaches the error. It prints the times
+of a call, their ratio, and the distance of the energy from that of the exact solution. `python rom.py` needs opinf.
 """
 
 import sys

@@ -55,7 +55,7 @@ def batch(columns: dict[str, Any]) -> Any:
 
 
 class Stream:
-    """What has Arrow's capsule and nothing else."""
+    """A table with Arrow's capsule alone."""
 
     def __init__(self, of: Any) -> None:
         self.of = of

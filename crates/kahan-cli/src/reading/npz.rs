@@ -36,7 +36,7 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
         .filter_map(|name| part(&mut files, name).transpose())
         .collect::<Result<_, _>>()?;
     let n = parts.first().and_then(|part| part.sizes.first().copied()).filter(|n| *n > 0);
-    let n = n.ok_or("has none of the arrays c, B and Q, or an empty one")?;
+    let n = n.ok_or("lacks arrays c, B and Q, or has an empty one")?;
     let [names, order] = ["names", "order"].map(|name| {
         let file = files.remove(name);
         file.map(|file| words(&file).map_err(|why| format!("has an array {name}, and {why}"))).transpose()

@@ -130,7 +130,7 @@ fn columns_of_products_have_two_orders() {
 fn what_is_no_field_is_refused_with_its_reason() {
     let pair = || Npz::new().numbers("c", "(2,)", &[1.0, 2.0]);
     for (file, reason) in [
-        (Npz::new(), "has none of the arrays c, B and Q"),
+        (Npz::new(), "lacks arrays c, B and Q"),
         (pair().numbers("D", "(1,)", &[1.0]), "has an array `D`"),
         (pair().numbers("B", "(2,)", &[1.0, 2.0]), "has an array B of 2, and with 2 variables it is (2, 2)"),
         (
