@@ -60,7 +60,7 @@ def by_roadrunner(path: str, horizon: float) -> None:
 
 
 def asked(python: str, path: Path, horizon: float) -> dict[str, Any]:
-    """What libroadrunner finds, by its own interpreter."""
+    """The solution of libroadrunner, which has an interpreter of its own."""
     path = path.with_suffix(".ant") if path.suffix == ".ode" else path
     done = subprocess.run([python, __file__, "--one", path, "--time", str(horizon)], capture_output=True, text=True)
     if done.returncode:

@@ -1,4 +1,4 @@
-"""What a map preserves."""
+"""Integrals, densities and brackets that a map preserves."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["Discovery"]
 
 
 class Discovery(Answer):
-    """What a map preserves, as it was found: by the names of ``kahan discover --json``.
+    """Integrals, densities and brackets that a map preserves, by the names of ``kahan discover --json``.
 
     ``integrals``, ``densities`` and ``brackets`` are formulas by name, and ``claims`` the same as lines
     of the language of ``kahan!``; ``claimed`` is the field that has them. Integrals whose formulas are
@@ -29,10 +29,10 @@ class Discovery(Answer):
     """Sets of monomials with one linear relation along every orbit, whose coefficients are integrals."""
 
     claims: list[str]
-    """What was found and proved, a line each, ready to stand in a field's text."""
+    """The claims that were found and proved, as lines for the text of a field."""
 
     sentences: list[str]
-    """What was looked for, how far, and what is known of what was not found."""
+    """The extent of the search, and its result where something is missing."""
 
     def __init__(self, found: Mapping[str, Any], of: System) -> None:
         kinds = ("integrals", "densities", "brackets")

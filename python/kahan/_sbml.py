@@ -434,7 +434,7 @@ class _Reader:
         return compartment not in {*self.rates, *self.formulas, *self._named} and self.value(compartment) == 1
 
     def _volume_of(self, name: str) -> str:
-        """The volume by which a species' value is multiplied for its amount; empty where there is none."""
+        """The volume whose product with a species' value is the amount; empty if the value is the amount."""
         species = self.known[name]
         volume = None if species.getHasOnlySubstanceUnits() else self.compartment(species)
         return "" if volume is None or self._is_one(volume.getId()) else str(volume.getId())

@@ -52,7 +52,7 @@ def from_sindy(model: Any, *, lift: bool | str | None = None, **values: Any) -> 
         factors = powers[k]
         if factors is None or len(factors) > 2:
             raise ValueError(f"{names[i]}' has the term {coefficients[i, k]:.6g} * {terms[k]}, which is not quadratic; lift=True lifts "
-                             "the field to a quadratic one, and a library of polynomials of degree 2 has none of these terms")
+                             "the field to a quadratic one, or fit with a library of polynomials of degree 2")
     c, B, Q = np.zeros(n), np.zeros((n, n)), np.zeros((n, n * n))
     for k, factors in powers.items():
         match factors:

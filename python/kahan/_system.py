@@ -199,7 +199,7 @@ class System(Formulas):
         """The text of the field as given, or as made from a model file, with values, starts and comments. ``read`` reads it again."""
         return self._call[0] if isinstance(self._call[0], str) else self.text
 
-    # What is called in loops: arrays in, arrays out.
+    # Arrays in, arrays out.
 
     @property
     def _names(self) -> list[str]:
@@ -376,13 +376,13 @@ class System(Formulas):
         out: Array | None = None,
         progress: bool = False,
     ) -> Ensemble:
-        """Many trajectories: their points after so many steps, and what is observed on the way.
+        """Many trajectories: their last points, and observables of their orbits.
 
         ``points`` has shape (trajectories, variables), or more axes, (40, 40, variables), which all arrays of the
-        result keep; or it is a table, used by its columns' names: a ``DataFrame`` of pandas or polars, a table of Arrow,
-        a structured array or a dict of arrays with a column for each variable, and for parameters and ``eps`` if you
-        like, in place of the argument. A column of another name is an error. ``params`` is a dict or a table of parameters.
-        ``eps`` and each parameter are one number or one for each start, (trajectories,). ``observe`` names what is seen of each orbit, and nothing
+        result keep. Or it is a table with a column for each variable: a ``DataFrame`` of pandas or polars, a table of
+        Arrow, a structured array or a dict of arrays. The table may also have columns of parameters and of ``eps``, which
+        replace these arguments; a column of another name is an error. ``params`` is a dict or a table of parameters.
+        ``eps`` and each parameter are one number, or one for each start. ``observe`` names the observables, and nothing
         else is computed: drift (of ``Orbit.integrals``), extrema, lyapunov (the largest exponent, per unit
         of time), spectrum (all, in descending order, of shape (trajectories, variables)), log_det (their sum),
         fli, megno, sali, rotation, escape, passed_poles (steps over a pole, a lower bound where
