@@ -3,8 +3,10 @@
 //! In: the prepared stages of a step and columns. Out: the columns some steps later, by the widest
 //! registers that the scalar has.
 
+#[cfg(target_arch = "x86_64")]
+use crate::PreparedStep;
 use crate::composition::Staged;
-use crate::{KahanMap, PreparedStep, Scalar, WideStep};
+use crate::{KahanMap, Scalar, WideStep};
 
 use super::columns::Group;
 use super::lanes::{InLanes, OverLanes};
