@@ -86,7 +86,7 @@ def read(given: Any, of: Columns, name: str = "x", varies: bool = False) -> tupl
     if found is None:
         return given, {}
     states, others = of._matched([label for label, _ in found], name, varies)
-    one_order(found[k][1] for k in states)
+    one_order(found[k][1] for k in (*states, *(k for _, k in others)))
     arrays = [_column(*found[k], name) for k in states]
     more = {label: found[k][1] for label, k in others}
     shapes = {array.shape: found[k][0] for array, k in zip(arrays, states)} | {np.shape(value): label for label, value in more.items()}
@@ -147,9 +147,9 @@ def one_order(columns: Iterable[Any]) -> None:
     first = None
     for column in columns:
         index = getattr(column, "index", None)
-        if index is None or callable(index) or not hasattr(index, "equals") or not _labels(index):
+        if index is None or callable(index) or not hasattr(index, "equals"):
             continue
-        if first is not None and not first.equals(index):
+        if first is not None and not first.equals(index) and list(first) != list(index):
             raise ValueError("rows are taken in order, and their labels in these columns are not the same; give columns of one "
                              "table, or their values, as .to_numpy() has them")
         first = index

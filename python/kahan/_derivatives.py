@@ -24,6 +24,8 @@ def differentiable(system: System, names: str | Sequence[str] | None, argument: 
     if asked and system._lifting is not None:
         raise ValueError(f"{argument}: this field is lifted, and its new variables depend on parameters and first values, too; "
                          "differentiate kahan.System(s.text), which has all variables")
+    if "dt" in asked and "dt" not in known:
+        raise ValueError(f"{argument}: give eps for a derivative by the time step; dt = 2 eps, and the derivative by dt is half as large")
     for name in asked:
         if name not in known:
             raise ValueError(f"{argument}: {unknown('parameter or variable', str(name), known)}")

@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._arrays import floats, read
+from ._arrays import by_name, floats, one_order, read
 from ._errors import unknown
-from ._exact import Number, exact
+from ._exact import Number, exact, half_step
 from ._kahan import columns
 
 __all__ = ["Formula", "Symbols"]
@@ -122,16 +122,20 @@ class Formula:
             raise KeyError(unknown("variable", place, self._of.variables))
         return self._of.variables.index(place)
 
-    def __call__(self, x: Any, eps: Number | np.ndarray[Any, Any] | None = None, **parameters: Any) -> Any:
+    def __call__(self, x: Any, eps: Number | np.ndarray[Any, Any] | None = None, *,
+                 dt: Number | np.ndarray[Any, Any] | None = None, **parameters: Any) -> Any:
         """The values at points: ``x`` has shape (variables,) or (points, variables), or columns with the names of the
         variables, and of parameters and ``eps`` if you like. The entries of a vector or a matrix are the last axes of
         what is returned.
 
-        ``eps`` is needed where the formula depends on it, and values for ``parameters`` that have none in
+        ``eps``, or ``dt`` = 2 eps, is needed where the formula depends on it, and values for ``parameters`` that have none in
         the field; each is one number, or one a point. Points with fractions or text among their
         coordinates have exact values, by fractions; at a pole ``ZeroDivisionError`` is raised for them,
         and floats are infinite or NaN there. Costs the operations of the formula in NumPy's arithmetic.
         """
+        given = [value for _, value in by_name(x, lambda: self._of._names) or ()]
+        one_order([*given, eps, dt, *parameters.values()])
+        eps = half_step(eps, dt, is_needed=False)
         x, own = read(x, self._of, varies=True)
         eps = own.pop("eps", None) if eps is None else eps
         if own.keys() & parameters.keys() or "eps" in own:

@@ -118,3 +118,14 @@ def test_a_fit_of_many_rates_by_gradients():
     begin = np.array([float(true.parameters[name]) for name in names]) * 1.1
     found = minimize(loss, begin, jac=True, method="L-BFGS-B", options={"maxiter": 200, "ftol": 1e-15, "gtol": 1e-12})
     assert found.fun < 1e-4 * loss(begin)[0]
+
+
+def test_what_has_no_gradient_is_said():
+    o = kahan.System("xdot = a*x;", a=1).orbit([1], 0.05, 3)
+    for names in (["dt"], ["x", "dt"]):
+        with pytest.raises(ValueError, match="by: give eps for a derivative by the time step"):
+            o.gradient(0 * o.x, names)
+    lifted = kahan.System("xdot = -v*x/(k + x);", lift=True, v=1, k=1).orbit([1], 0.05, 3)
+    for names in (None, "k"):
+        with pytest.raises(ValueError, match="by: .* new variables depend on parameters and first values, too"):
+            lifted.gradient(0 * lifted.x, names)

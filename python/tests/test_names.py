@@ -232,7 +232,16 @@ def test_labels_of_pandas() -> None:
             S.ensemble(lettered, 0.01, 5, params=params)
     with pytest.raises(ValueError, match="their labels"):
         FIXED.ensemble(lettered, turned["k"], 5)
-    assert S.ensemble(lettered, 0.01, 5, params=turned.reset_index(drop=True)).x.shape == (4, 3)
+    # A plain index has labels, too, and a table in another order is not paired with it silently.
+    numbered = turned.reset_index(drop=True)
+    for points, params in ((lettered, numbered), (table.sample(frac=1, random_state=1), numbered), (table, turned), (table, numbered[1:])):
+        with pytest.raises(ValueError, match="their labels in these columns are not the same"):
+            S.ensemble(points, 0.01, 5, params=params)
+        with pytest.raises(ValueError, match="their labels in these columns are not the same"):
+            S.map(points, 0.01, k=params["k"], m=1)
+    for points, params in ((lettered, {name: turned[name].to_numpy() for name in "km"}), (table, numbered),
+                           (table.set_axis([0, 1, 2, 3]), numbered)):
+        np.testing.assert_array_equal(S.ensemble(points, 0.01, 5, params=params).x, S.ensemble(ROWS, 0.01, 5, params={"k": K, "m": M}).x)
 
 
 def test_starts_keep_their_shape() -> None:
@@ -331,3 +340,13 @@ def test_the_right_side_takes_arguments() -> None:
     found = solve_ivp(S.rhs(), (0, 2), x, args=(2.0, 0.5), method="Radau", jac=S.rhs().jacobian, rtol=1e-9, atol=1e-9)
     wanted = solve_ivp(S(k=2, m="1/2").rhs(), (0, 2), x, method="Radau", jac=S(k=2, m="1/2").rhs().jacobian, rtol=1e-9, atol=1e-9)
     assert np.array_equal(found.y, wanted.y)
+
+
+def test_formulas_take_the_time_step() -> None:
+    np.testing.assert_array_equal(FIXED.map([1, 2, 3], dt=0.25), FIXED.map([1, 2, 3], eps=0.125))
+    np.testing.assert_array_equal(FIXED.map(ROWS, dt=2 * EPS), FIXED.map(ROWS, EPS))
+    assert FIXED.map(["1/2", 2, 3], dt="1/4").tolist() == FIXED.map(["1/2", 2, 3], "1/8").tolist()
+    with pytest.raises(TypeError, match="eps and dt are both given"):
+        FIXED.map([1, 2, 3], 0.1, dt=0.2)
+    with pytest.raises(TypeError, match="eps: given twice"):
+        FIXED.map({"x": X, "y": Y, "z": Z, "eps": EPS}, dt=0.2)
