@@ -135,6 +135,8 @@ def constants(eps: Any, own: dict[str, Any], params: Any, parameters: Iterable[s
 
 def flat(value: Array, name: str, shape: tuple[int, ...]) -> Array:
     """One number, or one for each start; starts of the sizes ``shape`` are put along one axis."""
+    if value.shape == shape == (0,):
+        return np.zeros(())  # No trajectory uses it.
     if value.ndim == 0 or len(shape) < 2:
         return value
     if value.shape != shape:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arrays import floats
 
-__all__ = ["Entries", "coefficients", "dense", "loaded"]
+__all__ = ["Entries", "coefficients", "dense", "loaded", "named_wrongly"]
 
 Entries = tuple[tuple[str, ...], tuple[str, ...], tuple[np.ndarray[Any, Any], ...]]
 """The states, the parameters, and arrays with the component, two states, parameter and value of each coefficient; -1
@@ -107,6 +107,17 @@ def coefficients(
     return states, known, (*(np.ascontiguousarray(index, dtype=np.int64) for index in indices), values)
 
 
+def named_wrongly(entries: Entries) -> str:
+    """Which name of a state or parameter cannot be one; empty where none is found."""
+    names = [*entries[0], *entries[1]]
+    for name in names:
+        if names.count(name) > 1:
+            return f"names: `{name}` is there twice, and each variable and parameter needs a name of its own"
+        if not name.isidentifier():
+            return f"names: `{name}` cannot be a variable or parameter; a name has letters, digits and _, and begins with no digit"
+    return ""
+
+
 def dense(n: int, entries: Sequence[Any], sparse: bool) -> tuple[Any, Any, Any]:
     """The arrays c, B and Q of coefficients; Q is symmetric, and sparse ones have a row a component."""
     component, j, k, values = (np.asarray(column) for column in entries)
@@ -130,11 +141,16 @@ def dense(n: int, entries: Sequence[Any], sparse: bool) -> tuple[Any, Any, Any]:
 def loaded(path: Any) -> dict[str, Any]:
     """The arguments of ``System.from_arrays`` in a file of ``np.savez``: its arrays c, B, Q, names and order. B and Q may be
     sparse arrays of SciPy by rows, as ``Q_data``, ``Q_indices`` and ``Q_indptr``."""
-    file = np.load(path)
-    if isinstance(file, np.ndarray):
+    with open(path, "rb") as stream:
+        try:
+            file = np.load(stream, allow_pickle=False)
+            arrays = None if isinstance(file, np.ndarray) else {name: file[name] for name in file.files}
+        except Exception as error:
+            # NumPy's own words advise pickles, which run whatever is in a file.
+            why = "it has arrays of Python's objects" if "Object arrays" in str(error) else "it is damaged, or another file"
+            raise ValueError(f"{path} cannot be read as arrays of numbers: {why}; write c, B and Q with np.savez") from None
+    if arrays is None:
         raise ValueError(f"{path} has one array; write c, B and Q with np.savez")
-    with file:
-        arrays = {name: file[name] for name in file.files}
     given: dict[str, Any] = {name: arrays.pop(name) for name in _PARTS if name in arrays}
     for name in ("B", "Q"):
         parts = [arrays.pop(f"{name}_{part}", None) for part in ("data", "indices", "indptr")]
@@ -144,7 +160,10 @@ def loaded(path: Any) -> dict[str, Any]:
             from scipy.sparse import csr_array
 
             n = len(parts[2]) - 1
-            given[name] = csr_array(tuple(parts), shape=(n, n if name == "B" else n * n))
+            try:
+                given[name] = csr_array(tuple(parts), shape=(n, n if name == "B" else n * n))
+            except ValueError as error:
+                raise ValueError(f"{path}: {name}_data, {name}_indices and {name}_indptr are no sparse array: {error}") from None
     if "names" in arrays:
         given["names"] = [str(name) for name in arrays.pop("names").tolist()]
     if "order" in arrays:

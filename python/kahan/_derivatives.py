@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ._errors import unknown
+from ._errors import Named, unknown
 
 if TYPE_CHECKING:
     from ._orbit import Array
@@ -34,4 +34,4 @@ def differentiable(system: System, names: str | Sequence[str] | None, argument: 
 
 def in_order(asked: Sequence[str], names: Sequence[str], arrays: Array) -> dict[str, Array]:
     """The derivatives, of which ``names`` are the first axis, in the order ``asked``."""
-    return {name: arrays[names.index(name)] for name in asked}
+    return Named({name: arrays[names.index(name)] for name in asked}, "derivative", 'ask for it by derivatives=["{name}"]')

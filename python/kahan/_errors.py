@@ -5,11 +5,12 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterable
 from functools import wraps
+from importlib import import_module
 from typing import Any, NamedTuple, TypeVar
 
 from ._kahan import names, nearest
 
-__all__ = ["CHOICES", "FieldError", "Mistake", "SingularStep", "choice", "spelled", "unknown"]
+__all__ = ["CHOICES", "FieldError", "Mistake", "Named", "SingularStep", "choice", "needed", "spelled", "unknown"]
 
 CHOICES: dict[str, list[str]] = dict(names())
 """The names that arguments of one kind may have, by that kind."""
@@ -79,6 +80,30 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> str:
     known = list(known)
     near = nearest(name, known)
     return f"there is no {kind} `{name}`; " + (f"did you mean `{near}`?" if near else f"there is {', '.join(known) or 'none'}")
+
+
+class Named(dict[str, Any]):
+    """Values by name, which say of a missing name which names there are, and what to do: ``advice``, in which {name} is that name."""
+
+    def __init__(self, values: Any, kind: str, advice: str) -> None:
+        super().__init__(values)
+        self._kind, self._advice = kind, advice
+
+    def __missing__(self, name: str) -> Any:
+        raise KeyError(f"{unknown(self._kind, str(name), self)}; {self._advice.format(name=name)}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Named, (dict(self), self._kind, self._advice)
+
+
+def needed(package: str, extra: str = "", project: str = "") -> Any:
+    """A package that is not always there, imported; ``ImportError`` says how to install it."""
+    name = project or package
+    try:
+        return import_module(package)
+    except ImportError:
+        how = f"pip install {name}" + (f", or pip install 'kahan[{extra}]'" if extra else "")
+        raise ImportError(f"the package {name} is needed for this: {how}") from None
 
 
 def choice(value: str, kind: str) -> str:

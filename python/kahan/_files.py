@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from ._coefficients import loaded
-from ._errors import FieldError
+from ._errors import FieldError, needed
 from ._exact import Number
 from ._model import Place, Refused
 from ._sbml import sbml_model
@@ -41,36 +40,36 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
     >>> s.orbit(eps=0.05, steps=100).x.shape
     (101, 2)
     """
-    path = Path(path)
-    if path.suffix == ".npz":
+    given, path = str(path), Path(path)
+    ending = path.suffix.lower()
+    if ending == ".npz":
         arrays: dict[str, Any] = {**loaded(path), **parameters}
-        return System.from_arrays(**arrays)
-    if path.suffix not in _ENDINGS:
-        raise ValueError(f"{path}: the ending says what is in a file; it must be one of {', '.join(_ENDINGS)} and .npz")
-    if path.suffix in (".xml", ".sbml"):
-        lib = _package("libsbml", "python-libsbml")
+        try:
+            return System.from_arrays(**arrays)
+        except FieldError as error:
+            raise FieldError(f"{path}: {error.args[0]}", [*error.mistakes]) from None
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}") from None
+    if ending not in _ENDINGS:
+        hint = "; Antimony's is .ant" if ending == ".antimony" else ""
+        hint = "; equations as text go to kahan.System(text)" if re.search(r"[=\n]", given) else hint
+        raise ValueError(f"{path}: the ending says what is in a file; it must be one of {', '.join(_ENDINGS)} and .npz{hint}")
+    if ending in (".xml", ".sbml"):
+        lib = needed("libsbml", "sbml", "python-libsbml")
         path.stat()
         return _system(sbml_model(lib, lib.readSBMLFromFile(str(path)), Place(str(path))).text(), lift, parameters)
     text = path.read_text(encoding="utf-8", errors="replace")
-    if path.suffix == ".ode":
+    if ending == ".ode":
         text = xpp_text(text)
-    elif path.suffix == ".ant":
-        lib = _package("libsbml", "python-libsbml")
+    elif ending == ".ant":
+        lib = needed("libsbml", "sbml", "python-libsbml")
         text = sbml_model(lib, lib.readSBMLFromString(_from_antimony(path)), Place(str(path), text)).text()
     return _system(text, lift, parameters)
 
 
-def _package(name: str, project: str) -> Any:
-    try:
-        return import_module(name)
-    except ImportError:
-        how = f"pip install {project}, or pip install 'kahan[sbml]'"
-        raise ImportError(f"the package {project} is needed for this file: {how}") from None
-
-
 def _from_antimony(path: Path) -> str:
     """The model of a file in Antimony as SBML; submodels are written out."""
-    antimony = _package("antimony", "antimony")
+    antimony = needed("antimony", "sbml")
     antimony.clearPreviousLoads()
     if antimony.loadAntimonyFile(str(path)) < 0:
         raise ValueError(f"{path}: {antimony.getLastError().strip()}")

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ._arrays import by_name, floats, one_order, read
-from ._errors import unknown
+from ._errors import needed, unknown
 from ._exact import Number, exact, half_step
 from ._kahan import columns
 
@@ -201,9 +201,7 @@ class Formula:
         found = self._read("sympy")
         if not isinstance(found, list):
             return expression(found)
-        import sympy
-
-        return sympy.Matrix([
+        return needed("sympy", "sympy").Matrix([
             [expression(entry) for entry in row] if isinstance(row, list) else [expression(row)] for row in found
         ])
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._derivatives import differentiable
-from ._errors import spelled, unknown
+from ._derivatives import differentiable, in_order
+from ._errors import Named, needed, spelled, unknown
 from ._kahan import arrow
 from ._progress import listener
 
@@ -75,9 +75,7 @@ class Table(ABC):
 
     def to_pandas(self) -> Any:
         """A data frame of the columns. Needs pandas."""
-        import pandas
-
-        return pandas.DataFrame(self.columns())
+        return needed("pandas").DataFrame(self.columns())
 
     def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
         """The columns as Arrow's stream: ``pyarrow.table(this)``, ``polars.DataFrame(this)``. Fractions are text."""
@@ -121,7 +119,7 @@ class Orbit(Table):
         integrals: float | dict[str, Array], in_all: Array | None = None,
     ) -> None:
         self.system, self.eps, self.x, self.every = system, eps, x, every
-        self.steps, self.ended, self.derivatives = steps, ended, {}
+        self.steps, self.ended, self.derivatives = steps, ended, in_order((), (), x)
         self._integrals, self._in_all = integrals, in_all
 
     @property
@@ -150,7 +148,8 @@ class Orbit(Table):
         """
         given = self._integrals
         in_all = self.x if self._in_all is None else self._in_all
-        return given if isinstance(given, dict) else self.system._integrals_in_all(in_all, given)
+        found = given if isinstance(given, dict) else self.system._integrals_in_all(in_all, given)
+        return Named(found, "claimed integral", "`s.discover().claimed` has those found")
 
     def gradient(self, weights: Any, by: str | Sequence[str] | None = None, *, progress: bool = False) -> dict[str, float]:
         """The gradient of a scalar L of the orbit: its derivatives by the start, the parameters and eps.
@@ -246,7 +245,7 @@ class Ensemble(Table):
         self.system, self.start, self.given, self.x = system, start, given, shaped(x)
         self._words, self._places, self.steps = ends[0], shaped(ends[1]), shaped(ends[2])
         self.observed = {name: shaped(values) for name, values in observed.items()}
-        self.derivatives = {}
+        self.derivatives = in_order((), (), x)
 
     @cached_property
     def ended(self) -> Array:

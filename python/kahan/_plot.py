@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._errors import unknown
+from ._errors import needed, unknown
 from ._kahan import picture_scale
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ def _over(found: Table, names: tuple[str, ...], usual: list[str], ax: Axes | Non
             raise ValueError(unknown("axis", name, columns))
     drawn: Any = ax
     if ax is None:
+        needed("matplotlib", "plot")
         import matplotlib.pyplot as plt
 
         drawn = plt.figure().add_subplot(projection="3d" if len(names) == 3 else None)
@@ -86,6 +87,7 @@ def chart(found: Chart, ax: Axes | None, style: dict[str, Any]) -> Axes:
     label, shown = _scaled(found.color, found.meaning, found.values)
     axes: Any = ax
     if ax is None:
+        needed("matplotlib", "plot")
         import matplotlib.pyplot as plt
 
         axes = plt.figure().add_subplot()

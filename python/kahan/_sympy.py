@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from ._errors import needed
+
 __all__ = ["expression", "field_text"]
 
 
@@ -14,7 +16,7 @@ def field_text(equations: Any, expands: bool = True) -> str:
 
     Raises ``ValueError`` for what a field's exact numbers and names cannot say.
     """
-    import sympy
+    sympy = needed("sympy", "sympy")
     from sympy.core.function import AppliedUndef
     from sympy.printing.str import StrPrinter
 
@@ -40,7 +42,7 @@ def field_text(equations: Any, expands: bool = True) -> str:
 
 def _entries(given: Any) -> list[Any]:
     """The entries of a list, a matrix or a single thing, of sympy's."""
-    import sympy
+    sympy = needed("sympy", "sympy")
 
     given = sympy.sympify(given)
     return list(given) if hasattr(given, "__len__") else [given]
@@ -48,7 +50,7 @@ def _entries(given: Any) -> list[Any]:
 
 def _rates(equations: Any) -> list[tuple[Any, int, Any]]:
     """Of each equation the variable as a symbol, the order of its derivative, and what that is."""
-    import sympy
+    sympy = needed("sympy", "sympy")
 
     if isinstance(equations, Mapping):
         return [(sympy.sympify(variable), 1, sympy.sympify(rate)) for variable, rate in equations.items()]
@@ -92,7 +94,7 @@ def expression(text: str) -> Any:
     """A formula that is written for SymPy as its expression, the names as symbols."""
     import re
 
-    import sympy
+    sympy = needed("sympy", "sympy")
 
     # A name beyond ASCII is a symbol to SymPy unasked. It must not be given: Python looks ``ϕ`` up
     # as ``φ``.

@@ -16,7 +16,7 @@ from ._answer import Answer
 from ._arrays import by_name, constants, flat, named, one_order, read
 from ._basis import Basis
 from ._charts import Range, axes_of, colors, observable, size
-from ._coefficients import Entries, coefficients, dense
+from ._coefficients import Entries, coefficients, dense, named_wrongly
 from ._derivatives import differentiable, in_order
 from ._discovery import Discovery
 from ._errors import CHOICES, FieldError, choice, spelled, unknown
@@ -121,7 +121,14 @@ class System(Formulas):
         'xdot = r*x - r*x^2;'
         """
         given = {name: exact(value, name) for name, value in values.items()}
-        return cls._of(coefficients((c, B, Q), names, parameters, order), False, None, given)
+        entries = coefficients((c, B, Q), names, parameters, order)
+        try:
+            return cls._of(entries, False, None, given)
+        except FieldError:
+            wrong = named_wrongly(entries)
+            if wrong:
+                raise FieldError(wrong, [(wrong, 1, 1, "")]) from None
+            raise
 
     def arrays(self, *, sparse: bool = False) -> tuple[Any, Any, Any]:
         """The arrays (c, B, Q) of the field at its parameters, as floats: ẋ = c + Bx + Q(x, x).
@@ -236,6 +243,14 @@ class System(Formulas):
         out[...] = shown
         return out
 
+    def _has_values(self, begun: Any) -> None:
+        """Raises ``ValueError`` where a new variable of a lifted field has no value at a point, all of whose coordinates are finite."""
+        if self._lifting is not None and np.isfinite(begun[..., self._places]).all():
+            for name, value in zip(self._all_variables, begun):
+                if not np.isfinite(value):
+                    of = self.lifted.new.get(name) if self.lifted else None
+                    raise ValueError(f"x: the new variable {name}{f' = {of}' if of else ''} has no value there; choose another point")
+
     def _judge(self, x: Any, eps: float) -> None:
         """Warns once where a lift that was chosen without a start is wrong along an orbit of all variables."""
         if self._lifting is None or self._lifting[1] is not None or "_is_judged" in self.__dict__:
@@ -325,6 +340,7 @@ class System(Formulas):
             x = np.asarray(x, dtype=np.float32) if scalar == "f32" else x
             half = nearest(eps, "eps")
             begun = self._in_all(x)
+            self._has_values(begun)
             rows, made, ended, why = self._points(
                 begun, half, steps, every=every, order=order, compensated=compensated, reembed=reembed,
                 out=out if self._lifting is None else None, listener=listener(progress)
@@ -360,7 +376,7 @@ class System(Formulas):
 
     def ensemble(
         self,
-        points: Any,
+        points: Any = None,
         eps: Number | Array | None = None,
         steps: int | None = None,
         *,
@@ -401,6 +417,9 @@ class System(Formulas):
         many. ``ended`` says how each trajectory ended, which is how its ``orbit`` ends, and ``steps``
         after how many steps. Where one ended early its numbers are NaN.
         """
+        if points is None:
+            how = "[s.start]" if self.start else f"[[{', '.join('1' for _ in self.variables)}]]"
+            raise TypeError(f"points is missing: give the first points, a row each, as s.ensemble({how}, eps=…, steps=…)")
         tables = [value for table in (points, params) for _, value in by_name(table, lambda: self._names) or ()]
         one_order([*tables, eps, dt])
         eps = half_step(eps, dt, is_needed=False)
@@ -426,8 +445,8 @@ class System(Formulas):
                 found = self._last_derivatives(begun, eps, steps, by, parameters=given, order=order, threads=threads,
                                                listener=listener(progress))
                 found[1][:, np.ravel(ensemble.ended) != "complete"] = np.nan
-                in_shape = {name: one.reshape(ensemble.x.shape) for name, one in in_order(by, *found).items()}
-                ensemble.derivatives = in_shape
+                names, arrays = found
+                ensemble.derivatives = in_order(by, names, arrays.reshape(-1, *ensemble.x.shape))
             return ensemble
         if isinstance(observe, str):
             observe = (observe,)

@@ -200,3 +200,40 @@ def test_an_inferred_model_is_a_field():
     np.testing.assert_allclose(s.rhs()(0.0, states[:, 7]), model.rhs(0.0, states[:, 7]), rtol=1e-13)
     for found, wanted in zip(s.arrays(), truth.arrays()):
         np.testing.assert_allclose(found, wanted, atol=1e-9)
+
+
+def test_damaged_files_are_named(tmp_path):
+    path = tmp_path / "model.npz"
+
+    def refused(match):
+        with pytest.raises(ValueError, match=match) as raised:
+            kahan.read(path)
+        assert "model.npz" in str(raised.value) and "pickle" not in str(raised.value)
+
+    np.savez(path, B=np.eye(2))
+    whole = path.read_bytes()
+    flipped = bytearray(whole)
+    flipped[170] ^= 255
+    for content in (b"", b"no zip", pickle.dumps([1]), b"PK\x03\x04", whole[:200], bytes(flipped)):
+        path.write_bytes(content)
+        refused("cannot be read as arrays of numbers: it is damaged")
+    for arrays, said in (
+        ({"B": np.array([[1, None], [2, 3]], dtype=object)}, "Python's objects"),
+        ({"B": [[1, np.nan], [2, 3]]}, "entry .* is nan"),
+        ({"B": np.ones((2, 3))}, r"has the shape \(2, 3\)"),
+        ({"B": np.eye(2), "names": ["a", "c d"]}, "names: `c d` cannot be a variable"),
+        ({"B": np.array(["a", "b"])}, "`a` is not a number"),
+    ):
+        np.savez(path, **arrays)
+        refused(said)
+    path.rename(tmp_path / "OTHER.NPZ").write_bytes(whole)
+    assert kahan.read(tmp_path / "OTHER.NPZ").variables == ("x1", "x2")
+
+
+@pytest.mark.parametrize("names, said", [
+    (["a", "b", "c d"], "`c d` cannot be a variable"), (["a", "b", ""], "`` cannot be"), (["a", "b", "a"], "`a` is there twice"),
+])
+def test_wrong_names_are_said(names, said):
+    with pytest.raises(kahan.FieldError, match=said) as raised:
+        kahan.System.from_arrays(B=np.eye(3), names=names)
+    assert said in raised.value.message

@@ -155,7 +155,7 @@ def test_first_values_may_have_jumps(antimony):
 def test_a_package_that_is_missing_is_named(tmp_path, monkeypatch):
     real = builtins.__import__
     (tmp_path / "m.xml").write_text("<sbml/>")
-    monkeypatch.setattr("kahan._files.import_module", lambda name: real("no_such_package_" + name))
+    monkeypatch.setattr("kahan._errors.import_module", lambda name: real("no_such_package_" + name))
     with pytest.raises(ImportError, match="pip install python-libsbml"):
         kahan.read(tmp_path / "m.xml")
 
@@ -195,3 +195,13 @@ def test_an_orbit_begins_at_the_start_of_the_text():
         kahan.System("x' = y, y' = -x").orbit(eps=0.1, steps=3)
     with pytest.raises(TypeError, match="steps: a whole number is needed"):
         s.orbit(eps=0.1)
+
+
+def test_endings_have_no_case_and_hints(tmp_path: Path) -> None:
+    for name, text in (("M.KAHAN", "xdot = x;"), ("M.Ode", "x'=x\ndone\n")):
+        (tmp_path / name).write_text(text)
+        assert kahan.read(tmp_path / name).variables == ("x",)
+    with pytest.raises(ValueError, match="Antimony's is .ant$"):
+        kahan.read("model.antimony")
+    with pytest.raises(ValueError, match=r"kahan.System\(text\)$"):
+        kahan.read("xdot = x;")

@@ -1,6 +1,7 @@
 """What is refused is said in words that tell what to write instead."""
 
 import inspect
+import pickle
 import sys
 from decimal import Decimal
 from fractions import Fraction
@@ -148,3 +149,43 @@ def test_progress_is_shown_or_what_it_needs(work, capsys, monkeypatch):
     monkeypatch.setitem(sys.modules, "tqdm.auto", None)
     with pytest.warns(UserWarning, match="pip install tqdm"):
         E6.orbit([1, 2, 3], 0.1, 3, progress=True)
+
+
+def test_a_missing_name_says_which_there_are() -> None:
+    o = kahan.System("xdot = a*y; ydot = -a*x; integral H = x^2 + y^2;", a=1).orbit([1, 0], 0.1, 3, derivatives=["a"])
+    for orbit in (o, pickle.loads(pickle.dumps(o))):
+        with pytest.raises(KeyError, match=r"no claimed integral `E`; there is H; `s.discover\(\).claimed`"):
+            orbit.integrals["E"]
+        with pytest.raises(KeyError, match=r'no derivative `x`; there is a; ask for it by derivatives=\["x"\]'):
+            orbit.derivatives["x"]
+        assert orbit.integrals.get("E") is None and list(orbit.derivatives) == ["a"]
+    many = o.system.ensemble([[1, 0]], 0.1, 3)
+    with pytest.raises(KeyError, match="no derivative `a`; there is none"):
+        many.derivatives["a"]
+
+
+def test_a_new_variable_without_a_value_is_named() -> None:
+    m = kahan.System("xdot = -v*x/(k + x);", lift=True, v=1, k=1)
+    with pytest.raises(ValueError, match=r"the new variable \w+ = 1/\(x \+ k\) has no value there"):
+        m.orbit([-1], 0.05, 5)
+    with pytest.raises(ValueError, match="x: NaN is no number"):
+        m.orbit([float("nan")], 0.05, 5)
+
+
+def test_ensembles_without_starts() -> None:
+    s = kahan.System("xdot = a*x;")
+    for eps, a in ((0.1, np.zeros(0)), (np.zeros(0), 1), (np.zeros(0), np.zeros(0))):
+        assert s.ensemble(np.zeros((0, 1)), eps, 3, params={"a": a}).x.shape == (0, 1)
+    with pytest.raises(TypeError, match=r"points is missing: .* s.ensemble\(\[\[1\]\], "):
+        s.ensemble(dt=0.1, steps=3, params={"a": 1})
+    with pytest.raises(TypeError, match=r"points is missing: .* s.ensemble\(\[s.start\], "):
+        kahan.System("x' = x; init x=1").ensemble(dt=0.1, steps=3)
+
+
+def test_packages_that_are_not_there_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    o = kahan.System("xdot = y; ydot = -x;").orbit([1, 0], 0.1, 3)
+    for package, how, call in (("pandas", "pip install pandas", o.to_pandas), ("sympy", r"kahan\[sympy\]", o.system.map.sympy),
+                               ("sympy", r"kahan\[sympy\]", o.system.map[0].sympy), ("matplotlib", r"kahan\[plot\]", o.plot)):
+        with monkeypatch.context() as patch, pytest.raises(ImportError, match=f"the package {package} is needed .*{how}"):
+            patch.setitem(sys.modules, package, None)
+            call()
