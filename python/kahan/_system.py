@@ -245,7 +245,7 @@ class System(Formulas):
 
     def _has_values(self, begun: Any) -> None:
         """Raises ``ValueError`` where a new variable of a lifted field has no value at a point, all of whose coordinates are finite."""
-        if self._lifting is not None and np.isfinite(begun[..., self._places]).all():
+        if self._lifting is not None and begun.ndim == 1 and np.isfinite(begun[..., self._places]).all():
             for name, value in zip(self._all_variables, begun):
                 if not np.isfinite(value):
                     of = self.lifted.new.get(name) if self.lifted else None
