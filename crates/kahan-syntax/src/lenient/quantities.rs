@@ -88,12 +88,20 @@ impl Reader<'_> {
             };
             let number = Rational::parse(&right.map(|place| self.at(place)).collect::<String>());
             let shown = &self.text[self.bytes(item.tokens.start..left.right)];
-            let help = match target {
-                Some(_) => format!("write `{shown} 1/2`, once, or leave it out"),
-                None => "no equation needs it: leave it out, or write the equation".to_owned(),
+            let other = self.states.keys().filter(|state| state.to_lowercase() == name.to_lowercase()).min();
+            let number_wanted = || format!("`{shown}` gives a value, which is one number");
+            let (message, help) = match (target, other) {
+                (Some(_), _) => (number_wanted(), format!("write `{shown} 1/2`, once, or leave it out")),
+                (None, Some(other)) if other != name => (
+                    format!("there is no `{name}`, but there is `{other}`: names differ by case"),
+                    format!("write `{}`", shown.replacen(name, other, 1)),
+                ),
+                _ => {
+                    let help = "no equation needs it: leave it out, or write the equation";
+                    (number_wanted(), help.to_owned())
+                }
             };
             let value = target.map(str::to_owned).filter(|target| known.insert(target.clone())).zip(number);
-            let message = format!("`{shown}` gives a value, which is one number");
             let mistake = || mistake(&self.bytes(item.tokens.clone()), message, help);
             instead[place] = Some(Vec::from_iter(value.is_none().then(mistake)));
             let values = if is_start { &mut self.read.start } else { &mut self.read.parameters };
