@@ -50,14 +50,15 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
     if path.suffix in (".xml", ".sbml"):
         lib = _package("libsbml", "python-libsbml")
         path.stat()
-        return _system(sbml_model(lib, lib.readSBMLFromFile(str(path)), Place(str(path))).text(), lift, parameters)
-    text = path.read_text(encoding="utf-8", errors="replace")
+        return _system(sbml_model(lib, lib.readSBMLFromFile(str(path)), Place(str(path))).text(), f"text made from {path}", lift, parameters)
+    text, origin = path.read_text(encoding="utf-8", errors="replace"), str(path)
     if path.suffix == ".ode":
         text = xpp_text(text)
     elif path.suffix == ".ant":
         lib = _package("libsbml", "python-libsbml")
         text = sbml_model(lib, lib.readSBMLFromString(_from_antimony(path)), Place(str(path), text)).text()
-    return _system(text, lift, parameters)
+        origin = f"text made from {path}"
+    return _system(text, origin, lift, parameters)
 
 
 def _package(name: str, project: str) -> Any:
@@ -78,8 +79,8 @@ def _from_antimony(path: Path) -> str:
     return found
 
 
-def _system(text: str, wanted: str | None, parameters: dict[str, Any]) -> System:
-    """The field of a text, lifted where it is not quadratic."""
+def _system(text: str, origin: str, wanted: str | None, parameters: dict[str, Any]) -> System:
+    """The field of a text, lifted where it is not quadratic; mistakes have their places in ``origin``."""
     try:
         return System(text, **parameters)
     except FieldError as error:
@@ -93,4 +94,7 @@ def _system(text: str, wanted: str | None, parameters: dict[str, Any]) -> System
             return System(of, lift=lift, **parameters)
         except ValueError as error:
             failed = error if failed is plain else failed
+    if isinstance(failed, FieldError):
+        report, mistakes = failed.args
+        failed.args = (re.sub(r"^( *--> )field(?=:\d)", lambda arrow: arrow[1] + origin, report, flags=re.MULTILINE), mistakes)
     raise failed
