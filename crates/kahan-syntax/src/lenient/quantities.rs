@@ -66,7 +66,10 @@ impl Reader<'_> {
                 self.functions.entry(name.to_owned()).or_insert(function);
                 continue;
             }
-            let is_start = left.is_first || self.is_state(name);
+            let has_name = |state: &&String| *state != name && state.to_lowercase() == name.to_lowercase();
+            let other = self.states.keys().filter(has_name).min();
+            let is_lost = self.at(item.tokens.start) == "init" && other.is_some() && !used.contains(name);
+            let is_start = left.is_first || self.is_state(name) || is_lost;
             let is_number = self.names_in(right.clone()).next().is_none();
             match (is_start, used.contains(name)) {
                 (false, true) if !is_number => {
@@ -88,11 +91,10 @@ impl Reader<'_> {
             };
             let number = Rational::parse(&right.map(|place| self.at(place)).collect::<String>());
             let shown = &self.text[self.bytes(item.tokens.start..left.right)];
-            let other = self.states.keys().filter(|state| state.to_lowercase() == name.to_lowercase()).min();
             let number_wanted = || format!("`{shown}` gives a value, which is one number");
             let (message, help) = match (target, other) {
                 (Some(_), _) => (number_wanted(), format!("write `{shown} 1/2`, once, or leave it out")),
-                (None, Some(other)) if other != name => (
+                (None, Some(other)) => (
                     format!("there is no `{name}`, but there is `{other}`: names differ by case"),
                     format!("write `{}`", shown.replacen(name, other, 1)),
                 ),
