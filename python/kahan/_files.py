@@ -50,7 +50,8 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
     if path.suffix in (".xml", ".sbml"):
         lib = _package("libsbml", "python-libsbml")
         path.stat()
-        return _system(sbml_model(lib, lib.readSBMLFromFile(str(path)), Place(str(path))).text(), f"text made from {path}", lift, parameters)
+        text = sbml_model(lib, lib.readSBMLFromFile(str(path)), Place(str(path))).text()
+        return _system(text, f"text made from {path}", lift, parameters)
     text, origin = path.read_text(encoding="utf-8", errors="replace"), str(path)
     if path.suffix == ".ode":
         text = xpp_text(text)

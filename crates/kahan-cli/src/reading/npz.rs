@@ -36,9 +36,10 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
         .filter_map(|name| part(&mut files, name).transpose())
         .collect::<Result<_, _>>()?;
     let n = parts.first().and_then(|part| part.sizes.first().copied()).filter(|n| *n > 0);
-    let n = n.ok_or_else(|| match files.is_empty() {
-        true => "lacks arrays c, B and Q, or has an empty one".to_owned(),
-        false => others(&files),
+    let n = n.ok_or_else(|| {
+        files.retain(|name, _| name != "names" && name != "order");
+        let lacks = "lacks arrays c, B and Q, or has an empty one";
+        if files.is_empty() { lacks.to_owned() } else { others(&files) }
     })?;
     let [names, order] = ["names", "order"].map(|name| {
         let file = files.remove(name);

@@ -131,6 +131,7 @@ fn what_is_no_field_is_refused_with_its_reason() {
     let pair = || Npz::new().numbers("c", "(2,)", &[1.0, 2.0]);
     for (file, reason) in [
         (Npz::new(), "lacks arrays c, B and Q"),
+        (Npz::new().words("names", "(1,)", &["x"]), "lacks arrays c, B and Q"),
         (pair().numbers("D", "(1,)", &[1.0]), "has an array `D`"),
         (
             Npz::new().numbers("b", "(1,)", &[1.0]).numbers("A", "(1, 1)", &[1.0]),

@@ -66,8 +66,8 @@ impl Reader<'_> {
                 self.functions.entry(name.to_owned()).or_insert(function);
                 continue;
             }
-            let has_name = |state: &&String| *state != name && state.to_lowercase() == name.to_lowercase();
-            let other = self.states.keys().filter(has_name).min();
+            let has_name = |state: &&String| state.to_lowercase() == name.to_lowercase();
+            let other = if self.is_state(name) { None } else { self.states.keys().filter(has_name).min() };
             let is_lost = self.at(item.tokens.start) == "init" && other.is_some() && !used.contains(name);
             let is_start = left.is_first || self.is_state(name) || is_lost;
             let is_number = self.names_in(right.clone()).next().is_none();
@@ -92,11 +92,12 @@ impl Reader<'_> {
             let number = Rational::parse(&right.map(|place| self.at(place)).collect::<String>());
             let shown = &self.text[self.bytes(item.tokens.start..left.right)];
             let number_wanted = || format!("`{shown}` gives a value, which is one number");
+            let (before, behind) = shown.rsplit_once(name).unwrap_or(("", " ="));
             let (message, help) = match (target, other) {
                 (Some(_), _) => (number_wanted(), format!("write `{shown} 1/2`, once, or leave it out")),
                 (None, Some(other)) => (
                     format!("there is no `{name}`, but there is `{other}`: names differ by case"),
-                    format!("write `{}`", shown.replacen(name, other, 1)),
+                    format!("write `{before}{other}{behind}`"),
                 ),
                 _ => {
                     let help = "no equation needs it: leave it out, or write the equation";
