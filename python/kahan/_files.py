@@ -57,14 +57,16 @@ def read(path: str | os.PathLike[str], *, lift: str | None = None, **parameters:
     if ending in (".xml", ".sbml"):
         lib = needed("libsbml", "sbml", "python-libsbml")
         path.stat()
-        return _system(sbml_model(lib, lib.readSBMLFromFile(str(path)), Place(str(path))).text(), lift, parameters)
-    text = path.read_text(encoding="utf-8", errors="replace")
+        text = sbml_model(lib, lib.readSBMLFromFile(str(path)), Place(str(path))).text()
+        return _system(text, f"text made from {path}", lift, parameters)
+    text, origin = path.read_text(encoding="utf-8", errors="replace"), str(path)
     if ending == ".ode":
         text = xpp_text(text)
     elif ending == ".ant":
         lib = needed("libsbml", "sbml", "python-libsbml")
         text = sbml_model(lib, lib.readSBMLFromString(_from_antimony(path)), Place(str(path), text)).text()
-    return _system(text, lift, parameters)
+        origin = f"text made from {path}"
+    return _system(text, origin, lift, parameters)
 
 
 def _from_antimony(path: Path) -> str:
@@ -77,8 +79,8 @@ def _from_antimony(path: Path) -> str:
     return found
 
 
-def _system(text: str, wanted: str | None, parameters: dict[str, Any]) -> System:
-    """The field of a text, lifted where it is not quadratic."""
+def _system(text: str, origin: str, wanted: str | None, parameters: dict[str, Any]) -> System:
+    """The field of a text, lifted where it is not quadratic; mistakes have their places in ``origin``."""
     try:
         return System(text, **parameters)
     except FieldError as error:
@@ -92,4 +94,7 @@ def _system(text: str, wanted: str | None, parameters: dict[str, Any]) -> System
             return System(of, lift=lift, **parameters)
         except ValueError as error:
             failed = error if failed is plain else failed
+    if isinstance(failed, FieldError):
+        report, mistakes = failed.args
+        failed.args = (re.sub(r"^( *--> )field(?=:\d)", lambda arrow: arrow[1] + origin, report, flags=re.MULTILINE), mistakes)
     raise failed

@@ -26,13 +26,13 @@ def xpp_text(text: str) -> str:
     XPP ignores the case of letters, and begins at 0 without a start.
 
     >>> print(xpp_text("par Eps=.1\\ninit X=1\\nx'=y\\ndY/dt=-EPS*x"), end="")
-    # `eps` means something else in a text, and is called Eps_
-    # no start is given for y: it is 0
     par Eps_=.1
     init X=1
     X'=y
     dy/dt=-Eps_*X
     init y=0
+    # `eps` means something else in a text, and is called Eps_
+    # no start is given for y: it is 0
     """
     spelled: dict[str, str] = {}
 
@@ -62,5 +62,5 @@ def xpp_text(text: str) -> str:
              if name.lower() == key + "_"]
     if missing:
         notes.append(f"# no start is given for {', '.join(missing)}: it is 0")
-    # Starts stand before `done`, which ends the text.
-    return "\n".join([*notes, *lines, *(f"init {state}=0" for state in missing), *ended]) + "\n"
+    # Starts stand before `done`, which ends the text, and behind the lines of the file, which keep their numbers.
+    return "\n".join([*lines, *(f"init {state}=0" for state in missing), *notes, *ended]) + "\n"

@@ -188,6 +188,26 @@ def test_xpp_knows_no_case_and_begins_at_0(tmp_path):
     assert s.orbit(eps=0.05, steps=20, order=8).x[-1] == pytest.approx([np.cos(2), -2 * np.sin(2)], rel=1e-9)
 
 
+@pytest.mark.parametrize(("name", "text", "place"), [
+    ("own.ode", "par a=1\nx'=y\ny'=-heav(x)", [3, 5]),
+    ("own.ode", "par eps=1\nx'=y\ny'=-foo(x)\ndone\n", [3, 5]),
+    ("own.kahan", "xdot = y;\nydot = -foo(x);", [2, 9]),
+    ("own.kahan", "x' = y\ny' = -x\nintegral H = x^2", [3, 10]),
+])
+def test_a_mistake_has_its_file_and_its_line_there(tmp_path, name, text, place):
+    (tmp_path / name).write_text(text)
+    with pytest.raises(kahan.FieldError) as caught:
+        kahan.read(tmp_path / name)
+    assert [caught.value.line, caught.value.column] == place
+    assert f"\n --> {tmp_path / name}:{place[0]}:{place[1]}\n" in str(caught.value)
+
+
+def test_a_mistake_of_a_made_text_has_its_line_in_that(antimony):
+    with pytest.raises(kahan.FieldError, match=r"--> text made from .*model\.ant:\d+:\d+\n") as caught:
+        antimony("model own()\nx' = 1/(x - 2); x = 1\nend", lift="energy")
+    assert "field:" not in str(caught.value)
+
+
 def test_an_orbit_begins_at_the_start_of_the_text():
     s = kahan.System("x' = y, y' = -x, init x=1, y=0")
     np.testing.assert_array_equal(s.orbit(eps=0.1, steps=3).x, s.orbit([1, 0], 0.1, 3).x)

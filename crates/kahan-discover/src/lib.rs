@@ -5,11 +5,11 @@
 //!
 //! [`discover`] answers what can be asked of a new field: how fast the degrees of the map's
 //! iterates grow, how many independent algebraic integrals its orbits show, their formulas, an
-//! invariant density and the Poisson brackets that it makes with integrals, the Hamiltonian
-//! structure of the field, and which integrals survive composition. Everything is found modulo
-//! primes, from orbits, by linear algebra and interpolation; a formula is returned only once the
-//! prover of `kahan-algebra` has proved its text. An integral whose formula would fill pages is
-//! given by a Hirota–Kimura [`Basis`], which evaluates it.
+//! invariant density, Poisson brackets, the Hamiltonian structure of the field, and which integrals
+//! survive composition. Everything is found modulo primes, from orbits, by linear algebra and
+//! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its text.
+//! An integral whose formula would fill pages is given by a Hirota–Kimura [`Basis`], which evaluates
+//! it.
 //!
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`],
 //! [`watch`] (the tools);

@@ -120,6 +120,22 @@ fn texts_of_other_tools_are_read() {
 }
 
 #[test]
+fn a_start_of_another_case_names_the_state() {
+    let said = |text: &str| {
+        let wrong = mistakes(&read(text).lexed.tokens);
+        let [wrong, ..] = &wrong[..] else { panic!("{text}: {}", read(text).canonical()) };
+        format!("{}; {}", wrong.message, wrong.help)
+    };
+    let other = "there is no `x`, but there is `X`: names differ by case; write `X(0) =`";
+    assert_eq!(said("dX/dt = -X\nx(0) = .5"), other);
+    assert!(said("dX/dt = -X\ninit x=1").starts_with("there is no `x`, but there is `X`"));
+    assert!(said("dN/dt = -N\ninit n=1").ends_with("write `init N=`"));
+    assert_eq!(reading("dX/dt = -x*X\ninit x=1"), "x=1 Xdot = -x*X;");
+    assert!(said("dX/dt = -X\ny(0)=.5").contains("gives a value, which is one number; no equation needs it"));
+    assert!(said("dX/dt = -X\nX(0)=a").contains("gives a value, which is one number; write `X(0)= 1/2`"));
+}
+
+#[test]
 fn what_was_read_in_an_unusual_way_is_noted() {
     for (text, note) in [
         ("x'' = -x", "`x''` is read with `xdot = v`: `v` is a new state"),

@@ -24,6 +24,9 @@ thread_local! {
     static LAST: RefCell<Option<Block>> = const { RefCell::new(None) };
 }
 
+/// Endings of models that are read in Python, by libraries of others.
+const MODELS: [&str; 3] = ["xml", "sbml", "ant"];
+
 /// A text with a block in it.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
@@ -150,10 +153,19 @@ pub(super) fn read_file(path: &Path) -> Result<(String, String), Refusal> {
     let origin = if is_input { "standard input".to_owned() } else { path.display().to_string() };
     let read = if is_input { io::read_to_string(io::stdin()) } else { fs::read_to_string(path) };
     let what = if is_input { "" } else { "the file " };
-    match read {
-        Ok(text) => Ok((text, origin)),
-        Err(error) => Err(Refusal::new(format!("cannot read {what}{origin}: {error}"))),
-    }
+    let ending = path.extension().filter(|_| !is_input).unwrap_or_default();
+    let is_of_system = |error: &io::Error| error.kind() != io::ErrorKind::InvalidData;
+    Err(Refusal::new(match read {
+        Err(error) if is_of_system(&error) => format!("cannot read {what}{origin}: {error}"),
+        _ if MODELS.iter().any(|model| ending.eq_ignore_ascii_case(model)) => format!(
+            "{origin} is a model that Python reads: kahan.read(\"{origin}\"); its `source` is a text for --file"
+        ),
+        Err(_) => format!(
+            "{origin} is no text in UTF-8; arrays c, B and Q come in a file F.npz: \
+             np.savez(\"F.npz\", c=c, B=B, Q=Q)"
+        ),
+        Ok(text) => return Ok((text, origin)),
+    }))
 }
 
 /// Where the field stands: all of the text, or one call of `kahan!`, by its name or line if there

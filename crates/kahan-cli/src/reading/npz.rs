@@ -36,7 +36,11 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
         .filter_map(|name| part(&mut files, name).transpose())
         .collect::<Result<_, _>>()?;
     let n = parts.first().and_then(|part| part.sizes.first().copied()).filter(|n| *n > 0);
-    let n = n.ok_or("lacks arrays c, B and Q, or has an empty one")?;
+    let n = n.ok_or_else(|| {
+        files.retain(|name, _| name != "names" && name != "order");
+        let lacks = "lacks arrays c, B and Q, or has an empty one";
+        if files.is_empty() { lacks.to_owned() } else { others(&files) }
+    })?;
     let [names, order] = ["names", "order"].map(|name| {
         let file = files.remove(name);
         file.map(|file| words(&file).map_err(|why| format!("has an array {name}, and {why}"))).transpose()
@@ -54,8 +58,8 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
             ));
         }
     };
-    if let Some(other) = files.keys().next() {
-        return Err(format!("has an array `{other}`, and a field has c, B, Q, names and order"));
+    if !files.is_empty() {
+        return Err(others(&files));
     }
     let triangle: Vec<States> = match is_lower {
         true => (0..n).flat_map(|j| (0..=j).map(move |k| [Some(j), Some(k)])).collect(),
@@ -89,6 +93,15 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
         }
     }
     Ok(field)
+}
+
+/// That these arrays are none of a field.
+fn others(files: &Files) -> String {
+    let what = if files.len() == 1 { "an array" } else { "arrays" };
+    let names = joined(files.keys().map(|name| format!("`{name}`")), ", ");
+    format!(
+        "has {what} {names}, and a field has c, B, Q, names and order: np.savez(\"F.npz\", c=c, B=B, Q=Q)"
+    )
 }
 
 fn wrong_names(mistakes: &Diagnostics) -> String {

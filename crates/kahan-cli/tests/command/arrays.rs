@@ -131,7 +131,13 @@ fn what_is_no_field_is_refused_with_its_reason() {
     let pair = || Npz::new().numbers("c", "(2,)", &[1.0, 2.0]);
     for (file, reason) in [
         (Npz::new(), "lacks arrays c, B and Q"),
+        (Npz::new().words("names", "(1,)", &["x"]), "lacks arrays c, B and Q"),
         (pair().numbers("D", "(1,)", &[1.0]), "has an array `D`"),
+        (
+            Npz::new().numbers("b", "(1,)", &[1.0]).numbers("A", "(1, 1)", &[1.0]),
+            "has arrays `A`, `b`, and a field has c, B, Q, names and order",
+        ),
+        (Npz::new().numbers("arr_0", "(1,)", &[1.0]), "has an array `arr_0`, and a field has c, B, Q"),
         (pair().numbers("B", "(2,)", &[1.0, 2.0]), "has an array B of 2, and with 2 variables it is (2, 2)"),
         (
             pair().numbers("Q", "(2, 2)", &ROTATED),
@@ -164,4 +170,42 @@ fn what_is_no_field_is_refused_with_its_reason() {
     std::fs::write(&path, "xdot = x;").expect("a file");
     let said = refusal(&["show", "--file", path.to_str().expect("a path of letters")]);
     assert!(said.contains("text.npz is no file of np.savez"), "{said}");
+}
+
+#[test]
+fn files_of_other_kinds_are_refused_with_the_way_to_read_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let savez = "np.savez(\"F.npz\", c=c, B=B, Q=Q)";
+    for (name, bytes, reason) in [
+        ("mine.xml", &b"<?xml version='1.0'?><sbml/>"[..], "kahan.read(\""),
+        ("mine.SBML", b"<sbml/>", "kahan.read(\""),
+        ("latin.xml", b"<sbml name='\xe9'/>", "kahan.read(\""),
+        ("mine.ant", b"J0: A -> B; k*A", "kahan.read(\""),
+        ("arr.npy", b"\x93NUMPY\x01\x00v\x00", savez),
+        ("model.dat", b"\xff\xfe", savez),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).expect("a file");
+        let said = refusal(&[
+            "orbit",
+            "--file",
+            path.to_str().expect("a path of letters"),
+            "--eps",
+            "0.1",
+            "--steps",
+            "1",
+        ]);
+        assert!(said.contains(reason) && said.contains(name), "{said}");
+        std::fs::remove_file(&path).expect("the file");
+        let said = refusal(&[
+            "orbit",
+            "--file",
+            path.to_str().expect("a path of letters"),
+            "--eps",
+            "0.1",
+            "--steps",
+            "1",
+        ]);
+        assert!(said.contains("cannot read the file"), "{said}");
+    }
 }

@@ -66,7 +66,10 @@ impl Reader<'_> {
                 self.functions.entry(name.to_owned()).or_insert(function);
                 continue;
             }
-            let is_start = left.is_first || self.is_state(name);
+            let has_name = |state: &&String| state.to_lowercase() == name.to_lowercase();
+            let other = if self.is_state(name) { None } else { self.states.keys().filter(has_name).min() };
+            let is_lost = self.at(item.tokens.start) == "init" && other.is_some() && !used.contains(name);
+            let is_start = left.is_first || self.is_state(name) || is_lost;
             let is_number = self.names_in(right.clone()).next().is_none();
             match (is_start, used.contains(name)) {
                 (false, true) if !is_number => {
@@ -88,12 +91,20 @@ impl Reader<'_> {
             };
             let number = Rational::parse(&right.map(|place| self.at(place)).collect::<String>());
             let shown = &self.text[self.bytes(item.tokens.start..left.right)];
-            let help = match target {
-                Some(_) => format!("write `{shown} 1/2`, once, or leave it out"),
-                None => "no equation needs it: leave it out, or write the equation".to_owned(),
+            let number_wanted = || format!("`{shown}` gives a value, which is one number");
+            let (before, behind) = shown.rsplit_once(name).unwrap_or(("", " ="));
+            let (message, help) = match (target, other) {
+                (Some(_), _) => (number_wanted(), format!("write `{shown} 1/2`, once, or leave it out")),
+                (None, Some(other)) => (
+                    format!("there is no `{name}`, but there is `{other}`: names differ by case"),
+                    format!("write `{before}{other}{behind}`"),
+                ),
+                _ => {
+                    let help = "no equation needs it: leave it out, or write the equation";
+                    (number_wanted(), help.to_owned())
+                }
             };
             let value = target.map(str::to_owned).filter(|target| known.insert(target.clone())).zip(number);
-            let message = format!("`{shown}` gives a value, which is one number");
             let mistake = || mistake(&self.bytes(item.tokens.clone()), message, help);
             instead[place] = Some(Vec::from_iter(value.is_none().then(mistake)));
             let values = if is_start { &mut self.read.start } else { &mut self.read.parameters };
