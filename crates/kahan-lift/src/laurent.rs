@@ -82,10 +82,12 @@ impl Monomial {
         self.powers().all(|(coordinate, exponent)| coordinate < states && exponent > 0)
     }
 
-    /// Whether `divisor`, which has no negative exponents, divides this without making an exponent
-    /// negative.
+    /// Whether each exponent is as far from 0 as that of `divisor`, on the same side.
     pub(crate) fn is_multiple_of(&self, divisor: &Self) -> bool {
-        divisor.powers().all(|(coordinate, exponent)| self.exponent(coordinate) >= exponent)
+        divisor.powers().all(|(coordinate, exponent)| match self.exponent(coordinate) {
+            own if exponent < 0 => own <= exponent,
+            own => own >= exponent,
+        })
     }
 }
 

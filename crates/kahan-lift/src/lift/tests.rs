@@ -267,6 +267,23 @@ fn lifts_of_two_thousand_random_fields_restrict_to_them() {
     check_random_fields(60..2060);
 }
 
+/// Roots of 1 ± 1/x²: a relation is solved for the term with the negative exponent.
+#[test]
+fn roots_of_sums_with_poles_are_read() {
+    for text in [
+        "x' = asinh(1/x)",
+        "x' = asin(1/x)",
+        "x' = acosh(2/x)",
+        "x' = sqrt(1 + 1/x^2)",
+        "x' = 1/sqrt(1 + 1/x)",
+    ] {
+        if let Ok(lift) = lifted(text, &Options { which: Which::Smallest, ..Options::default() }) {
+            check_restriction(&lift, text);
+        }
+    }
+    assert!(lifted("x' = 1/sqrt(1 + 1/x)", &Options::default()).is_ok());
+}
+
 #[test]
 fn what_cannot_be_lifted_is_refused_with_its_reason() {
     for (text, reason) in [
