@@ -178,7 +178,7 @@ pub(crate) struct Many<T: Float> {
 }
 
 impl<T: Float> Many<T> {
-    /// These trajectories with vectors of derivatives beside each point.
+    /// Returns the trajectories with vectors of derivatives beside each point.
     pub(crate) fn sensitivities(&self, by: &[By]) -> Self {
         let (at, mut constants) = (self.at.sensitivities(by), self.constants.clone());
         if by.contains(&By::Epsilon) {

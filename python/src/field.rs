@@ -305,8 +305,8 @@ impl Field {
         self.study.shown().iter().map(String::as_str).collect()
     }
 
-    /// Finds the columns of the variables among these names. With `varies`, parameters and `eps` may
-    /// have columns, too. `name` is the argument of the caller.
+    /// Finds the columns of the variables among these names. With `varies`, parameters and `eps`
+    /// may have columns, too. `name` is the argument of the caller.
     #[pyo3(name = "_matched")]
     fn columns(&self, names: Vec<String>, name: &str, varies: bool) -> PyResult<Places> {
         let states = (self.study.shown(), self.study.coordinates().len());

@@ -47,9 +47,9 @@ impl Field {
         Ok((vectors.names, derivatives?))
     }
 
-    /// Differentiates the last points of an ensemble by the names in `by`; other arguments are those
-    /// of `_advance`. Returns the names in the order of the array, and the array of shape (names,
-    /// trajectories, variables).
+    /// Differentiates the last points of an ensemble by the names in `by`; other arguments are
+    /// those of `_advance`. Returns the names in the order of the array, and the array of shape
+    /// (names, trajectories, variables).
     #[pyo3(name = "_last_derivatives", signature = (points, eps, steps, by, *, parameters = Vec::new(), order = 2, threads = None, listener = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn last_derivatives<'py>(

@@ -27,9 +27,10 @@ const MOST_BRACKETS: usize = 3;
 /// A bracket of more characters is not written.
 const MOST_CHARACTERS: usize = 2_500;
 
-/// Proved brackets with their ranks, as claims of the language of `kahan!`: those with the tensors
-/// given, whose number stands beside, then those of a density with n − 2 integrals, the shortest
-/// first. Those that are too long are left out.
+/// Proves brackets and returns them with their ranks, as claims of the language of `kahan!`: first
+/// those with the given tensors, whose number is returned, too. If none of them has full rank,
+/// those of a density with n − 2 integrals follow, the shortest first. A bracket of more than 2500
+/// characters is left out.
 pub(crate) fn brackets(
     claims: &Claims<'_>,
     symbols: &Symbols,
@@ -46,8 +47,18 @@ pub(crate) fn brackets(
         let entries = claims.bracket_entries(symbols, tensor);
         (entries.len() <= MOST_CHARACTERS).then_some(entries)
     };
+    let claim =
+        |index: usize, (rank, entries): (usize, String)| Some((rank, claims.bracket(index, &entries)?));
+    let polynomial = tensors.iter().filter_map(|tensor| {
+        let entries: Vec<RationalFunction> = tensor.entries.iter().cloned().map(Into::into).collect();
+        Some((tensor.rank, written(&entries)?))
+    });
+    let mut proved: Vec<(usize, String)> =
+        (1..).zip(polynomial).filter_map(|(index, bracket)| claim(index, bracket)).collect();
+    let count = proved.len();
+    let is_full = proved.first().is_some_and(|(rank, _)| rank + 1 >= n);
     let mut found: Vec<String> = Vec::new();
-    if let Some(density) = density {
+    if let Some(density) = density.filter(|_| !is_full) {
         for chosen in choices(integrals.len(), n - 2).into_iter().take(MOST_CHOICES) {
             if deadline.passed() {
                 break;
@@ -56,15 +67,6 @@ pub(crate) fn brackets(
         }
     }
     found.sort_by_key(String::len);
-    let polynomial = tensors.iter().filter_map(|tensor| {
-        let entries: Vec<RationalFunction> = tensor.entries.iter().cloned().map(Into::into).collect();
-        Some((tensor.rank, written(&entries)?))
-    });
-    let claim =
-        |index: usize, (rank, entries): (usize, String)| Some((rank, claims.bracket(index, &entries)?));
-    let mut proved: Vec<(usize, String)> =
-        (1..).zip(polynomial).filter_map(|(index, bracket)| claim(index, bracket)).collect();
-    let count = proved.len();
     let made = found.into_iter().take(MOST_BRACKETS).map(|entries| (2, entries));
     proved.extend((count + 1..).zip(made).filter_map(|(index, bracket)| claim(index, bracket)));
     (proved, count)

@@ -49,10 +49,10 @@ pub fn is_within_reach(n: usize) -> bool {
     Monomials::count(n, 3) <= MOST_COEFFICIENTS
 }
 
-/// All K of a reduced basis with f = K∇H, each with its H, by linear algebra: f′(x)K is symmetric
-/// for all x, which is linear in K; then H is cubic, which is linear in H. Where none of the basis
-/// has an H, the sum of the basis is tried. Empty where that has none, where H has more than 400
-/// coefficients, or where the field is zero.
+/// Finds the K of a reduced basis with f = K∇H, each with its H, by linear algebra: f′(x)K is
+/// symmetric for all x, which is linear in K; then f = K∇H is linear in the coefficients of a cubic
+/// H. If no K of the basis has an H, the sum of the basis is tried. The list is empty if the sum
+/// has no H, if H has more than 400 coefficients, or if the field is zero.
 pub fn hamiltonians(
     searched: &SearchField,
     random: &mut SplitMix64,

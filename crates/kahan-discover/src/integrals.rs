@@ -38,7 +38,8 @@ pub struct Aims<'a> {
     pub further: (&'a [(Polynomial, Polynomial)], &'a Deadline<'a>),
     /// How many there are, and in which degrees orbits show them; without it nothing is looked for.
     pub hilbert: Option<&'a Hilbert>,
-    /// Integrals P/Q that need not be looked for, each kept unless others are found below its degree.
+    /// Integrals P/Q that need not be looked for, each kept unless others are found below its
+    /// degree.
     pub known: &'a [(Polynomial, Polynomial)],
     /// How large formulas may be.
     pub reach: Reach,

@@ -7,19 +7,19 @@
 //! iterates grow, how many independent algebraic integrals its orbits show, their formulas, an
 //! invariant density, Poisson brackets, the Hamiltonian structure of the field, and which integrals
 //! survive composition. Everything is found modulo primes, from orbits, by linear algebra and
-//! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its text.
-//! An integral whose formula would fill pages is given by a Hirota–Kimura [`Basis`], which evaluates
-//! it.
+//! interpolation; a formula is returned only once the prover of `kahan-algebra` has proved its
+//! text. An integral whose formula would fill pages is given by a Hirota–Kimura [`Basis`], which
+//! evaluates it.
 //!
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`],
 //! [`watch`] (the tools);
-//! [`stepping`], [`family`], [`map`], [`search_field`] (the maps looked at); [`thiele`], [`degrees`],
-//! [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`], [`weights`],
-//! [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`], [`chart`],
-//! [`constrained`], [`independent`], `reduction`, `collector`, [`integrals`]; [`darboux`],
-//! `brackets`; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`]; `writing`,
-//! [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid, [`mod@poles`] follows
-//! what the map sends to infinity or blows down.
+//! [`stepping`], [`family`], [`map`], [`search_field`] (the maps looked at); [`thiele`],
+//! [`degrees`], [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`],
+//! [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`],
+//! [`chart`], [`constrained`], [`independent`], `reduction`, `collector`, [`integrals`];
+//! [`darboux`], `brackets`; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`];
+//! `writing`, [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid,
+//! [`mod@poles`] follows what the map sends to infinity or blows down.
 //!
 //! ```
 //! use kahan_algebra::{lexer, read};

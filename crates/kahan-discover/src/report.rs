@@ -172,8 +172,8 @@ pub struct Report {
     pub bases: Vec<Basis>,
     /// Invariant densities, proved; the first of least degree.
     pub densities: Vec<Formula>,
-    /// Invariant Poisson brackets, proved, each a claim of the language of `kahan!`: with polynomial
-    /// entries, the highest rank first, then from the density and the integrals.
+    /// Invariant Poisson brackets, proved, each a claim of the language of `kahan!`: with
+    /// polynomial entries, the highest rank first, then from the density and the integrals.
     pub brackets: Vec<String>,
     /// The rank of each of these brackets at a general point.
     pub bracket_ranks: Vec<usize>,

@@ -264,7 +264,7 @@ struct Search<'a> {
     field: &'a Field,
     claims: &'a Claims<'a>,
     hamiltonian: Option<&'a Hamiltonian>,
-    /// The modified Hamiltonians of all K that are not too long; the first is that of `hamiltonian`.
+    /// The short modified Hamiltonians of all K; the first is that of `hamiltonian`.
     modified: &'a [(Polynomial, Polynomial)],
     /// Integrals of the map that the field shows at once, proved.
     proved: &'a [Formula],
@@ -424,9 +424,7 @@ impl Search<'_> {
             ),
         };
         densities.iter().for_each(tell);
-        // A bracket of full rank leaves nothing to say by those of rank 2.
-        let is_full = tensors.first().is_some_and(|tensor| tensor.rank + 1 >= searched.dimension());
-        let density = densities.first().filter(|_| !is_full);
+        let density = densities.first();
         let (brackets, polynomial_brackets) =
             brackets(self.claims, symbols, &tensors, &integrals, density, &until.densities);
         brackets.iter().for_each(|(_, bracket)| (self.tell)(ClaimKind::Bracket, bracket));

@@ -162,8 +162,8 @@ impl Context<'_> {
         }
     }
 
-    /// Expands to `fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], …) { … }`: the
-    /// results of a plan, written to these places of these slices.
+    /// Expands to `fn rows<L: Scalar>(constants: &[L], x: &[L], c: &[L], f: &mut [L], …) { … }`:
+    /// the results of a plan, written to these places of these slices.
     fn emit_line(&self, name: &str, plan: &Plan, results_at: &[(&str, Vec<usize>)]) -> TokenStream {
         let (name, scalar) = (format_ident!("{name}"), &self.line_scalar);
         let inputs = self.emit_inputs(plan, &self.lines.symbols);

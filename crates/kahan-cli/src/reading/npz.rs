@@ -95,7 +95,7 @@ pub(super) fn coefficients(bytes: &[u8]) -> Result<Coefficients, String> {
     Ok(field)
 }
 
-/// That these arrays are none of a field.
+/// Refuses a file whose arrays have other names than those of a field.
 fn others(files: &Files) -> String {
     let what = if files.len() == 1 { "an array" } else { "arrays" };
     let names = joined(files.keys().map(|name| format!("`{name}`")), ", ");

@@ -186,26 +186,12 @@ fn files_of_other_kinds_are_refused_with_the_way_to_read_them() {
     ] {
         let path = folder.path().join(name);
         std::fs::write(&path, bytes).expect("a file");
-        let said = refusal(&[
-            "orbit",
-            "--file",
-            path.to_str().expect("a path of letters"),
-            "--eps",
-            "0.1",
-            "--steps",
-            "1",
-        ]);
+        let file = path.to_str().expect("a path of letters");
+        let of_file = || refusal(&["orbit", "--file", file, "--eps", "0.1", "--steps", "1"]);
+        let said = of_file();
         assert!(said.contains(reason) && said.contains(name), "{said}");
         std::fs::remove_file(&path).expect("the file");
-        let said = refusal(&[
-            "orbit",
-            "--file",
-            path.to_str().expect("a path of letters"),
-            "--eps",
-            "0.1",
-            "--steps",
-            "1",
-        ]);
+        let said = of_file();
         assert!(said.contains("cannot read the file"), "{said}");
     }
 }

@@ -1,9 +1,9 @@
 //! Invariant Poisson brackets with polynomial entries, of any rank.
 //!
-//! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant where J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is linear
-//! in the coefficients of P. Jacobi's identity is quadratic in them: where the invariant tensors
-//! form a space of more than one dimension, the elements of a reduced basis and the sums of two of
-//! them are tried.
+//! A bracket {xᵢ, xⱼ} = Pᵢⱼ(x) is invariant where J P(x) Jᵀ = P(x̃) with J = ∂x̃/∂x, which is
+//! linear in the coefficients of P. Jacobi's identity is quadratic in them: where the invariant
+//! tensors form a space of more than one dimension, the elements of a reduced basis and the sums of
+//! two of them are tried.
 
 use std::cmp::Reverse;
 
@@ -83,9 +83,10 @@ struct Candidate {
     coefficients: Vec<u64>,
 }
 
-/// Independent invariant brackets of the least degree at which there is one, at most three, the
-/// highest rank first and of equal ranks the one with fewer terms. Entries have degree 4 at most, and
-/// 600 coefficients (up to degree 2, 1300). Empty where there is none, and where the deadline passes.
+/// Returns at most three independent invariant brackets, all of the least degree that has one. The
+/// highest rank comes first, and among equal ranks the fewest terms. The degree is at most 4, and
+/// all entries together have at most 600 coefficients, or 1300 up to degree 2. The list is empty if
+/// no bracket is found before the deadline.
 pub(crate) fn polynomial_tensors(
     searched: &SearchField,
     random: &mut SplitMix64,
@@ -258,7 +259,8 @@ impl Tensor {
         Echelon::of(modulus, self.entries.clone(), self.entries.len()).rank()
     }
 
-    /// Whether Σₗ Pᵢₗ ∂ₗPⱼₖ, summed over the cyclic permutations of (i, j, k), is 0 for all of them.
+    /// Whether Σₗ Pᵢₗ ∂ₗPⱼₖ, summed over the cyclic permutations of (i, j, k), is 0 for all of
+    /// them.
     fn satisfies_jacobi(&self, modulus: &Modulus) -> bool {
         let n = self.entries.len();
         let along = |i: usize, j: usize, k: usize| {
