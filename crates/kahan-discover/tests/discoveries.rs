@@ -444,6 +444,7 @@ fn a_bracket_of_full_rank_has_a_density() {
     assert_eq!(found.densities[0].text, "density rho = 1/(x1*x2*x3*x4*x5*x6);");
     assert_eq!((found.bracket_ranks, found.polynomial_brackets), (vec![6], 1));
     assert!(found.sentences.iter().any(|said| said.contains("Poisson bracket of rank 6")));
+    assert!(found.sentences.iter().all(|said| !said.contains("too long")));
 }
 
 /// Petrera and Suris (2017): with the complex structure, the real and the imaginary part of the
