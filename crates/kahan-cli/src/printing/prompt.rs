@@ -7,11 +7,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use kahan_discover::{Progress, Watch};
+use kahan_discover::{Finding, Progress, Watch};
 use kahan_runtime::threads;
 
-/// The user, who sees how far long work is, and what it found once it is done. The bar is removed
-/// when this ends.
+/// The user, who sees how far long work is, and each finding as soon as it is proved. The bar is
+/// removed when this ends.
 pub(crate) struct Prompt {
     bar: ProgressBar,
     since: Instant,
@@ -105,6 +105,11 @@ impl Watch for Prompt {
             (None, _) => self.say(&progress.to_string()),
         }
         ControlFlow::Continue(())
+    }
+
+    /// Prints the finding above the spinner, with the seconds that it took.
+    fn found(&self, finding: &Finding) {
+        self.bar.println(format!("{:.1} s: {finding}", self.since.elapsed().as_secs_f64()));
     }
 
     fn threads(&self) -> usize {

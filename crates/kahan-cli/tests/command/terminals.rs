@@ -124,8 +124,17 @@ mod on_a_terminal {
 
     use super::WIDE;
 
-    /// What a terminal of so many columns shows.
+    /// What a terminal of so many columns shows of standard output.
     fn shown(columns: u16, arguments: &[&str]) -> String {
+        on_terminal(columns, arguments, |command, screen| command.stdout(screen).stderr(Stdio::piped()))
+    }
+
+    /// What a terminal shows of the streams that `connect` gives it.
+    fn on_terminal(
+        columns: u16,
+        arguments: &[&str],
+        connect: impl FnOnce(&mut Command, File) -> &mut Command,
+    ) -> String {
         let terminal = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a terminal");
         grantpt(&terminal).expect("a terminal");
         unlockpt(&terminal).expect("a terminal");
@@ -133,13 +142,11 @@ mod on_a_terminal {
         let size = Winsize { ws_row: 24, ws_col: columns, ws_xpixel: 0, ws_ypixel: 0 };
         tcsetwinsize(&terminal, size).expect("its size");
         let screen = File::options().read(true).write(true).open(name).expect("its other side");
-        let mut child = Command::new(env!("CARGO_BIN_EXE_kahan"))
-            .args(arguments)
-            .stdin(Stdio::null())
-            .stdout(screen)
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the command runs");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_kahan"));
+        command.args(arguments).stdin(Stdio::null());
+        let mut child = connect(&mut command, screen).spawn().expect("the command runs");
+        // It holds the screen open otherwise.
+        drop(command);
         let mut read = Vec::new();
         // The last reader of the screen is gone when the command is: Linux then says so by an
         // error.
@@ -171,6 +178,19 @@ mod on_a_terminal {
                     assert_eq!(words(&page), words(&super::answer(arguments)), "something is lost");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn findings_appear_while_the_search_goes_on() {
+        let arguments = ["discover", "e6", "--seconds", "5"];
+        let page =
+            on_terminal(80, &arguments, |command, screen| command.stderr(screen).stdout(Stdio::null()));
+        let claims = super::answer(&arguments);
+        let claims: Vec<&str> = claims.lines().filter(|line| line.starts_with("integral ")).collect();
+        assert_eq!(claims.len(), 2);
+        for claim in claims {
+            assert!(page.contains(&format!(" s: {claim}")), "{claim}: {page}");
         }
     }
 
