@@ -1,0 +1,102 @@
+//! Compares what `discover` finds with what is published: reads cases, one JSON object a line, and
+//! prints a row for each. `cargo run --release -p kahan-discover --example literature -- --help`
+
+mod case;
+mod outcome;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use case::Case;
+use clap::Parser;
+use outcome::Outcome;
+
+/// The cases of the repository.
+const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/literature/cases.jsonl");
+
+/// Compares what `discover` finds with what is published, case by case.
+///
+/// A case is a JSON object on a line of its own, with `name`, `source` and `field`. `params` fixes
+/// parameters. `known` says what is published: `independent_integrals` and `growth` exactly,
+/// `densities` and `drifts` at least, `bracket_ranks` each, and `seconds`, the time that the
+/// discovery may take. `shortest` lists the claims in their shortest known form. Each is proved
+/// before it is compared, and as many of its kind must be found. `limit` names the reason why
+/// something that is known is out of reach. `comment` is for readers.
+///
+/// A row says how many independent integrals there are and how many of them are written, the growth
+/// of degrees, the numbers of densities and drifts, the ranks of the brackets, the seconds to the
+/// last finding and in all, and the characters of what is printed divided by those of the shortest
+/// form; spaces and names do not count. The exit status is 1 if a case disagrees.
+#[derive(Parser, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo run --release -p kahan-discover --example literature
+  cargo run --release -p kahan-discover --example literature -- --only weierstrass --only e6
+  cargo run --release -p kahan-discover --example literature -- --seconds 10 cases.jsonl")]
+struct Arguments {
+    /// The file of cases; those of the repository if it is not given.
+    #[arg(default_value = CASES, hide_default_value = true)]
+    file: PathBuf,
+
+    /// The time that the search may take for each case.
+    #[arg(long, value_name = "S", default_value_t = 60.0)]
+    seconds: f64,
+
+    /// Look at the case of this name alone; may be repeated.
+    #[arg(long, value_name = "NAME")]
+    only: Vec<String>,
+
+    /// Print what is found, too.
+    #[arg(long)]
+    found: bool,
+}
+
+fn main() -> ExitCode {
+    match compared(&Arguments::parse()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Prints the table; whether no case disagrees.
+fn compared(arguments: &Arguments) -> Result<bool, String> {
+    let path = arguments.file.display();
+    let text = std::fs::read_to_string(&arguments.file).map_err(|error| format!("{path}: {error}"))?;
+    let lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+    let cases = lines.map(|(row, line)| Case::read(line).map_err(|why| format!("{path}:{}: {why}", row + 1)));
+    let mut cases = cases.collect::<Result<Vec<Case>, String>>()?;
+    if let Some(name) = arguments.only.iter().find(|name| cases.iter().all(|case| case.name != **name)) {
+        return Err(format!("no case of {path} is called `{name}`"));
+    }
+    cases.retain(|case| arguments.only.is_empty() || arguments.only.contains(&case.name));
+    println!("{}", Outcome::HEAD);
+    let [mut agree, mut limited, mut disagree] = [0; 3];
+    let (mut ratios, mut with_shortest) = (Vec::new(), 0);
+    for case in &cases {
+        let outcome = Outcome::of(case, arguments.seconds);
+        println!("{outcome}");
+        if arguments.found {
+            outcome.printed.iter().for_each(|claim| println!("    {claim}"));
+        }
+        match (outcome.differences.is_empty(), &case.limit) {
+            (true, _) => agree += 1,
+            (false, Some(_)) => limited += 1,
+            (false, None) => disagree += 1,
+        }
+        with_shortest += usize::from(!case.shortest.is_empty());
+        ratios.extend(outcome.ratio);
+    }
+    println!("\n{} cases: {agree} agree, {limited} have a known limit, {disagree} disagree", cases.len());
+    if with_shortest > 0 {
+        // A case whose shortest form is not found at all counts as infinitely long.
+        ratios.resize(with_shortest, f64::INFINITY);
+        ratios.sort_unstable_by(f64::total_cmp);
+        let median = (ratios[(with_shortest - 1) / 2] + ratios[with_shortest / 2]) / 2.0;
+        println!("printed/shortest: median {median:.2} of {with_shortest} cases");
+    }
+    Ok(disagree == 0)
+}

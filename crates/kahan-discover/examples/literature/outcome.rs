@@ -1,0 +1,186 @@
+//! What `discover` finds of a case, and how it differs from what is known.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+use kahan_algebra::render::Text;
+use kahan_discover::report::ModifiedPlace;
+use kahan_discover::{Finding, Options, Report, Watch, discover};
+
+use crate::case::Case;
+
+/// The row of a case.
+pub(crate) struct Outcome<'a> {
+    case: &'a Case,
+    /// What the report counts, each in a column.
+    counts: [String; 5],
+    last_finding: f64,
+    total: f64,
+    /// The claims that the command prints.
+    pub(crate) printed: Vec<String>,
+    /// Characters printed by those of the shortest form; `None` where not all of it is found.
+    pub(crate) ratio: Option<f64>,
+    /// How the discovery differs from what is known.
+    pub(crate) differences: Vec<String>,
+}
+
+/// A watch with a clock and all processors, which notes when something was found.
+struct Clock {
+    begun: Instant,
+    found: Mutex<Vec<(Duration, String)>>,
+}
+
+impl Watch for Clock {
+    fn now(&self) -> Option<Duration> {
+        Some(self.begun.elapsed())
+    }
+
+    fn found(&self, finding: &Finding) {
+        self.found.lock().expect("no thread panics").push((self.begun.elapsed(), finding.text.clone()));
+    }
+
+    fn threads(&self) -> usize {
+        std::thread::available_parallelism().map_or(1, usize::from)
+    }
+}
+
+impl<'a> Outcome<'a> {
+    pub(crate) const HEAD: &'static str = "\
+case             integrals written growth      densities drifts ranks          last     all  ratio";
+
+    /// Discovers what the map of a case keeps.
+    pub(crate) fn of(case: &'a Case, seconds: f64) -> Self {
+        let options = Options { parameters: case.parameters.clone(), seconds, ..Options::default() };
+        let clock = Clock { begun: Instant::now(), found: Mutex::default() };
+        let report = discover(&case.system, &options, &clock);
+        let total = clock.begun.elapsed().as_secs_f64();
+        let found = clock.found.into_inner().expect("no thread panics");
+        let last_finding = found.last().map_or(0.0, |(at, _)| at.as_secs_f64());
+        let mut outcome = Outcome {
+            case,
+            counts: Default::default(),
+            last_finding,
+            total,
+            printed: Vec::new(),
+            ratio: None,
+            differences: Vec::new(),
+        };
+        match report {
+            Ok(report) => outcome.compare(&report, found.into_iter().map(|(_, text)| text).collect()),
+            Err(error) => outcome.differences.push(error.to_string()),
+        }
+        outcome
+    }
+
+    fn compare(&mut self, report: &Report, found: Vec<String>) {
+        let known = &self.case.known;
+        self.printed = printed(report, found);
+        let printed = by_kind(&self.printed);
+        let written = printed.get("integral").map_or(0, Vec::len);
+        let drifts = printed.get("drift").map_or(0, Vec::len);
+        let mut differences = Vec::new();
+        let mut differs = |is_so: bool, text: String| differences.extend(is_so.then_some(text));
+        let independent = report.independent_integrals();
+        if let Some(known) = known.independent_integrals {
+            differs(independent != known, format!("{independent} independent integrals, known {known}"));
+        }
+        differs(report.not_reached() > 0, format!("{} integrals not reached", report.not_reached()));
+        let growth = report.growth.growth.word();
+        if let Some(known) = &known.growth {
+            differs(growth != known, format!("growth {growth}, known {known}"));
+        }
+        for (found, known, what) in
+            [(report.densities.len(), known.densities, "densities"), (drifts, known.drifts, "drifts")]
+        {
+            differs(found < known, format!("{found} {what}, known {known}"));
+        }
+        let missing = known.bracket_ranks.iter().filter(|rank| !report.bracket_ranks.contains(rank));
+        for rank in missing {
+            differs(true, format!("no bracket of rank {rank}"));
+        }
+        if let Some(most) = known.seconds {
+            differs(self.total > most, format!("{:.1} s, at most {most} s wanted", self.total));
+        }
+        let [mut all, mut least] = [0; 2];
+        for (kind, shortest) in by_kind(&self.case.shortest) {
+            let found = printed.get(kind).map_or(&[][..], Vec::as_slice);
+            let (count, wanted) = (found.len(), shortest.len());
+            differs(count < wanted, format!("{count} of {wanted} claims `{kind}` written"));
+            all += found.iter().take(wanted).sum::<usize>();
+            least += shortest.iter().sum::<usize>();
+            if count < wanted {
+                // What is not found has no length.
+                least = 0;
+                break;
+            }
+        }
+        self.ratio = (least > 0).then(|| all as f64 / least as f64);
+        let mut ranks = report.bracket_ranks.clone();
+        ranks.dedup();
+        self.counts = [
+            format!("{independent:>9} {written:>7}"),
+            format!("{growth:11}"),
+            format!("{:>9}", report.densities.len()),
+            format!("{drifts:>6}"),
+            format!("{:12}", format!("{ranks:?}")),
+        ];
+        self.differences = differences;
+    }
+}
+
+/// The claims that the command prints: those of the report, the modified Hamiltonian in its compact
+/// form where this stands for a formula, and findings that are of another kind.
+fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
+    let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
+    if let Some(hamiltonian) = report.compact() {
+        let compact = format!("integral H~ = {};", hamiltonian.modified(&Text));
+        match hamiltonian.place {
+            ModifiedPlace::InsteadOf(index) => printed[index] = compact,
+            _ => printed.push(compact),
+        }
+    }
+    printed.extend(report.densities.iter().map(|formula| formula.text.clone()));
+    printed.extend(report.brackets.iter().cloned());
+    printed
+        .extend(found.into_iter().filter(|text| !["integral", "density", "bracket"].contains(&kind(text))));
+    printed
+}
+
+/// The word that a claim begins with.
+fn kind(claim: &str) -> &str {
+    claim.split_whitespace().next().unwrap_or_default()
+}
+
+/// For each kind of claim the characters of each, ascending, without its name and without spaces.
+fn by_kind(claims: &[String]) -> BTreeMap<&str, Vec<usize>> {
+    let mut lengths: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for claim in claims {
+        let formula = claim.split_once(['=', '{']).map_or("", |(_, formula)| formula);
+        lengths.entry(kind(claim)).or_default().push(formula.chars().filter(|c| !c.is_whitespace()).count());
+    }
+    lengths.values_mut().for_each(|lengths| lengths.sort_unstable());
+    lengths
+}
+
+impl fmt::Display for Outcome<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ratio = match (self.ratio, self.case.shortest.is_empty()) {
+            (Some(ratio), _) => format!("{ratio:.2}"),
+            (None, true) => "-".to_owned(),
+            (None, false) => "inf".to_owned(),
+        };
+        let counts = self.counts.join(" ");
+        write!(
+            f,
+            "{:16} {counts} {:>6.1} {:>7.1} {ratio:>6}",
+            self.case.name, self.last_finding, self.total
+        )?;
+        match (&self.differences[..], &self.case.limit) {
+            ([], _) => Ok(()),
+            (differences, Some(limit)) => write!(f, "  known limit ({limit}): {}", differences.join("; ")),
+            (differences, None) => write!(f, "  DISAGREES: {}", differences.join("; ")),
+        }
+    }
+}
