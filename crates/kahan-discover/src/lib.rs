@@ -58,6 +58,7 @@ pub mod leaf;
 mod limit;
 pub mod map;
 pub mod matrix;
+mod modified;
 pub mod modulus;
 pub mod monomials;
 pub mod parity;

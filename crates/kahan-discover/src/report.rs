@@ -65,8 +65,9 @@ pub struct StructureReport {
     pub flow_degree: u32,
     /// How many of these the map keeps as they stand.
     pub kept: usize,
-    /// K and H with f = K∇H, where they were found.
-    pub hamiltonian: Option<HamiltonianReport>,
+    /// The K of a reduced basis with f = K∇H, each with its H, as far as they were found; the
+    /// shortest modified Hamiltonian comes first.
+    pub hamiltonians: Vec<HamiltonianReport>,
 }
 
 /// How a search for densities 1/P ended where it came to none that is proved.
@@ -81,11 +82,13 @@ pub struct DensitySearch {
 /// f = K∇H.
 #[derive(Clone, Debug)]
 pub struct HamiltonianReport {
+    /// The number of this K, from 1; `None` where there is no other.
+    pub number: Option<usize>,
     /// K, row by row.
     pub tensor: Vec<Vec<String>>,
     /// H
     pub hamiltonian: String,
-    /// Whether the modified Hamiltonian was written out and proved as a claim.
+    /// Whether the modified Hamiltonian was written out, and proved as a claim.
     pub modified_is_proved: bool,
     /// How it is to be given, beside or instead of formulas.
     pub place: ModifiedPlace,
@@ -99,6 +102,12 @@ impl HamiltonianReport {
     #[must_use]
     pub fn modified(&self, notation: &dyn Notation) -> String {
         self.found.compact(&self.symbols, notation)
+    }
+
+    /// `K` with the number of this K, or another letter in its place.
+    #[must_use]
+    pub fn label(&self, letter: &str) -> String {
+        self.number.map_or_else(|| letter.to_owned(), |number| format!("{letter}{number}"))
     }
 }
 
@@ -207,27 +216,32 @@ impl Report {
         self.bases.iter().map(|basis| basis.integrals.len()).sum()
     }
 
-    /// The modified Hamiltonian, where it is to be given in its compact form.
-    #[must_use]
-    pub fn compact(&self) -> Option<&HamiltonianReport> {
-        self.structure.hamiltonian.as_ref().filter(|found| found.place != ModifiedPlace::Implied)
+    /// The modified Hamiltonians that are to be given in their compact forms.
+    pub fn compact(&self) -> impl Iterator<Item = &HamiltonianReport> {
+        self.structure.hamiltonians.iter().filter(|found| found.place != ModifiedPlace::Implied)
     }
 
-    /// The formula, by its index, in whose place the compact form of the modified Hamiltonian is to
-    /// be given.
+    /// Those of them that no formula says.
+    pub fn alone(&self) -> impl Iterator<Item = &HamiltonianReport> {
+        self.compact().filter(|found| found.place == ModifiedPlace::Alone)
+    }
+
+    /// The formulas, by their indices, in whose place the compact form of a modified Hamiltonian is
+    /// to be given.
     #[must_use]
-    pub fn replaced(&self) -> Option<usize> {
-        match self.structure.hamiltonian.as_ref()?.place {
+    pub fn replaced(&self) -> Vec<usize> {
+        let replaced = |found: &HamiltonianReport| match found.place {
             ModifiedPlace::InsteadOf(index) => Some(index),
             _ => None,
-        }
+        };
+        self.compact().filter_map(replaced).collect()
     }
 
     /// How many of the independent integrals have no formula, and no basis gives them.
     #[must_use]
     pub fn not_reached(&self) -> usize {
-        let alone = self.compact().is_some_and(|found| found.place == ModifiedPlace::Alone);
-        self.independent.saturating_sub(self.integrals.len() + self.integrals_in_bases() + usize::from(alone))
+        let given = self.integrals.len() + self.integrals_in_bases() + self.alone().count();
+        self.independent.saturating_sub(given)
     }
 }
 

@@ -19,11 +19,11 @@ use crate::deadline::{Deadline, Work};
 use crate::degrees::{DegreeLimits, degrees};
 use crate::densities::{densities, pfaffian_density};
 use crate::growth::GrowthVerdict;
-use crate::hamiltonian::{Hamiltonian, hamiltonians};
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL, default_degree};
-use crate::independent::{Independent, quotient_gradient};
+use crate::independent::quotient_gradient;
 use crate::integrals::{Aims, integrals};
 use crate::matrix::Echelon;
+use crate::modified::{Gradients, Modified, add_modified};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
 use crate::relations::Relations;
@@ -33,22 +33,13 @@ use crate::report::{
 };
 use crate::search::Reach;
 use crate::search_field::{SampledStep, SearchField};
-use crate::space::tidy;
 use crate::stepping::Stepping;
 use crate::structure::{ByRules, FlowIntegrals, by_rules, divergence, flow_integrals, is_even};
 use crate::watch::{Progress, Watch};
 use crate::words::sentences;
-use crate::writing::factors_of;
 
 /// A formula of more characters is left to a basis, where there is one.
 const MOST_CHARACTERS: usize = 4000;
-
-/// A formula of more characters is given by the compact form of the modified Hamiltonian, where
-/// that says the same and is shorter by far.
-const LONG: usize = 1000;
-
-/// What is shorter by this factor is shorter by far.
-const FAR_SHORTER: usize = 4;
 
 /// Finds what the Kahan map of a system's field preserves. The claims of the system are not looked
 /// at, so that nothing is found but from the equations. `watch` is told of every stage as it
@@ -117,18 +108,7 @@ pub(crate) fn discover_within(
 
     begins("structure of the field");
     let mut structure = structure(&searched, &fixed, &of_flow, random);
-    let mut hamiltonians = hamiltonians(&searched, random, &for_structure);
-    hamiltonians.retain(|found| found.holds(&fixed.field));
-    let written = |found: &Hamiltonian| {
-        let (above, below) = found.modified(&searched, &fixed.field)?;
-        Some((tidy(symbols, &above), tidy(symbols, &below)))
-    };
-    let mut structures: Vec<_> = hamiltonians.iter().map(|found| (found, written(found))).collect();
-    // The shortest first; one that is too long to be written last.
-    let terms = |(above, below): &(Polynomial, Polynomial)| above.terms().count() + below.terms().count();
-    structures.sort_by_key(|(_, written)| written.as_ref().map_or(usize::MAX, terms));
-    let hamiltonian = structures.first().map(|(found, _)| *found);
-    let modified: Vec<_> = structures.iter().filter_map(|(_, written)| written.clone()).collect();
+    let modified = Modified::all(&searched, &fixed.field, random, &for_structure);
     let place = sample.step(random).ok_or(DiscoverError::NoMap)?;
     let kept = of_flow.kept(&searched, random);
     structure.kept = kept.len();
@@ -137,7 +117,6 @@ pub(crate) fn discover_within(
         searched: &searched,
         field: &fixed.field,
         claims: &claims,
-        hamiltonian,
         modified: &modified,
         proved: &proved,
         kept: &kept,
@@ -193,14 +172,23 @@ pub(crate) fn discover_within(
         }
     };
 
-    structure.hamiltonian = hamiltonian.map(|hamiltonian| HamiltonianReport {
-        tensor: hamiltonian.tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
-        hamiltonian: text(symbols, &hamiltonian.hamiltonian),
-        modified_is_proved: found.modified_is_proved,
-        found: hamiltonian.clone(),
-        symbols: symbols.clone(),
-        place: found.modified_place,
-    });
+    let count = modified.len();
+    structure.hamiltonians = (1..)
+        .zip(modified)
+        .zip(&found.modified)
+        .map(|((number, modified), &(is_proved, place))| {
+            let tensor = &modified.found.tensor;
+            HamiltonianReport {
+                number: (count > 1).then_some(number),
+                tensor: tensor.iter().map(|row| row.iter().map(|k| text(symbols, k)).collect()).collect(),
+                hamiltonian: text(symbols, &modified.found.hamiltonian),
+                modified_is_proved: is_proved,
+                found: modified.found,
+                symbols: symbols.clone(),
+                place,
+            }
+        })
+        .collect();
     let (bracket_ranks, brackets) = found.brackets.into_iter().unzip();
     let mut report = Report {
         variables: symbols.states.clone(),
@@ -263,9 +251,8 @@ struct Search<'a> {
     searched: &'a SearchField,
     field: &'a Field,
     claims: &'a Claims<'a>,
-    hamiltonian: Option<&'a Hamiltonian>,
-    /// The short modified Hamiltonians of all K; the first is that of `hamiltonian`.
-    modified: &'a [(Polynomial, Polynomial)],
+    /// The modified Hamiltonians of all K.
+    modified: &'a [Modified],
     /// Integrals of the map that the field shows at once, proved.
     proved: &'a [Formula],
     /// Integrals of the flow that the map keeps.
@@ -286,8 +273,8 @@ struct Found {
     bases: Vec<Basis>,
     /// How many independent integrals there are, with those that only orbits show.
     independent: usize,
-    modified_is_proved: bool,
-    modified_place: ModifiedPlace,
+    /// For each modified Hamiltonian, whether it is proved as a claim, and how it is to be given.
+    modified: Vec<(bool, ModifiedPlace)>,
     densities: Vec<Formula>,
     density_search: DensitySearch,
     /// The tensors of the polynomial brackets.
@@ -303,7 +290,8 @@ impl Found {
     /// How many integrals have a formula, a compact form, or stand in a basis.
     fn said(&self) -> usize {
         let in_bases: usize = self.bases.iter().map(|basis| basis.integrals.len()).sum();
-        self.integrals.len() + in_bases + usize::from(self.modified_place == ModifiedPlace::Alone)
+        let alone = self.modified.iter().filter(|(_, place)| *place == ModifiedPlace::Alone);
+        self.integrals.len() + in_bases + alone.count()
     }
 }
 
@@ -339,26 +327,28 @@ impl Search<'_> {
                 tell(formula);
             }
         };
+        let known: Vec<_> = self.modified.iter().filter_map(|modified| modified.written.clone()).collect();
         let aims = Aims {
             proved: self.proved,
             kept: self.kept,
             further: (self.further, &until.end),
             hilbert,
-            known: self.modified,
+            known: &known,
             reach,
             tell: &tell_if_short,
         };
         let mut all_integrals = integrals(searched, self.claims, &aims, random, &until.integrals);
-        let modified_is_proved = self.add_modified(&mut all_integrals, random);
-        // Each but the modified Hamiltonian was told; none is told twice.
+        let are_proved =
+            add_modified(self.modified, searched, self.claims, symbols, &mut all_integrals, random);
+        // Each but the modified Hamiltonians was told; none is told twice.
         all_integrals.iter().for_each(tell_if_short);
 
-        let own = self
-            .hamiltonian
-            .and_then(|found| found.modified_gradient(searched, &self.place.sample, &self.place.here));
+        let SampledStep { sample, here, .. } = self.place;
+        let of_modified = |modified: &Modified| modified.found.modified_gradient(searched, sample, here);
+        let own: Vec<Option<Vec<u64>>> = self.modified.iter().map(of_modified).collect();
         let mut gradients: Vec<Vec<u64>> =
             all_integrals.iter().filter_map(|formula| self.gradient(formula)).collect();
-        gradients.extend(own.clone());
+        gradients.extend(own.iter().flatten().cloned());
         gradients.extend(defining.map_or_else(Vec::new, |degree| self.normals(degree, &until.integrals)));
         let independent = self.rank(&gradients).max(shown);
 
@@ -373,15 +363,18 @@ impl Search<'_> {
                 integrals.push(formula);
             }
         };
+        // Whether the modified Hamiltonians say what a formula says, and more than those before.
         let says_the_same = |formula: &Formula| {
-            let rows = gradients.iter().cloned().chain(own.clone()).chain(self.gradient(formula));
-            own.is_some() && self.rank(&rows.collect::<Vec<_>>()) == gradients.len() + 1
+            let mut rows = [&gradients[..], &own.iter().flatten().cloned().collect::<Vec<_>>()].concat();
+            let rank = self.rank(&rows);
+            rows.extend(self.gradient(formula));
+            rank > gradients.len() && self.rank(&rows) == rank
         };
         let (same, long): (Vec<Formula>, Vec<Formula>) = long.into_iter().partition(says_the_same);
         for formula in same {
             add(&mut gradients, formula);
         }
-        if let Some(own) = &own {
+        for own in own.iter().flatten() {
             self.extends(&mut gradients, own.clone());
         }
         let mut bases = completing(&candidates, independent, self.place, &mut gradients, &until.densities);
@@ -392,7 +385,14 @@ impl Search<'_> {
         for formula in long {
             add(&mut gradients, formula);
         }
-        let modified_place = self.modified_place(&integrals, &bases, own.as_ref());
+        let in_bases = bases.iter().filter_map(|basis| basis.gradients(&sample.map, here)).flatten();
+        let known = Gradients {
+            formulas: integrals.iter().map(|formula| self.gradient(formula)).collect(),
+            in_bases: in_bases.collect(),
+            modified: &own,
+            rank: &|gradients| self.rank(gradients),
+        };
+        let places = known.places(self.modified, &integrals, symbols);
 
         (self.begins)("invariant Poisson brackets");
         // In the plane and in space the density and the integrals say all, where there are enough.
@@ -437,8 +437,7 @@ impl Search<'_> {
             integrals,
             bases,
             independent,
-            modified_is_proved,
-            modified_place,
+            modified: are_proved.into_iter().zip(places).collect(),
             densities,
             density_search,
             tensors,
@@ -446,26 +445,6 @@ impl Search<'_> {
             polynomial_brackets,
             survivors,
         }
-    }
-
-    /// Adds the modified Hamiltonians that are proved and independent of the others; whether the
-    /// first is proved.
-    fn add_modified(&self, integrals: &mut Vec<Formula>, random: &mut SplitMix64) -> bool {
-        let symbols = &self.field.symbols;
-        let mut is_proved = self.modified.iter().map(|(above, below)| {
-            let is_listed = |known: &Formula| known.numerator == *above && known.denominator == *below;
-            if integrals.iter().any(is_listed) {
-                return true;
-            }
-            let factors = factors_of(integrals);
-            let formula = self.claims.integral(symbols, integrals.len() + 1, above, below, &factors);
-            let is_proved = formula.is_some();
-            add_if_independent(self.searched, integrals, formula, random);
-            is_proved
-        });
-        let of_first = is_proved.next();
-        is_proved.for_each(drop);
-        of_first == Some(true)
     }
 
     /// The gradient of a formula, up to a factor.
@@ -496,41 +475,6 @@ impl Search<'_> {
         let monomials = Monomials::new(self.searched.dimension(), degree);
         Relations::on_orbit(&sample.map, here.clone(), &monomials, deadline)
             .map_or_else(Vec::new, |relations| relations.normals(sample.map.modulus(), &monomials))
-    }
-
-    /// How the modified Hamiltonian, whose gradient is `own`, is to be given beside these.
-    fn modified_place(
-        &self,
-        integrals: &[Formula],
-        bases: &[Basis],
-        own: Option<&Vec<u64>>,
-    ) -> ModifiedPlace {
-        let (Some(own), Some(found)) = (own, self.hamiltonian) else { return ModifiedPlace::Implied };
-        let map = &self.place.sample.map;
-        let in_bases = bases.iter().filter_map(|basis| basis.gradients(map, &self.place.here)).flatten();
-        let in_bases: Vec<Vec<u64>> = in_bases.collect();
-        // The rank of all formulas but one, of the bases, and perhaps of H̃.
-        let rank = |but: Option<usize>, with_own: bool| {
-            let kept = (0..integrals.len()).filter(|&index| Some(index) != but);
-            let rows = kept.filter_map(|index| self.gradient(&integrals[index]));
-            let rows: Vec<Vec<u64>> =
-                rows.chain(in_bases.clone()).chain(with_own.then(|| own.clone())).collect();
-            self.rank(&rows)
-        };
-        let all = rank(None, false);
-        if rank(None, true) > all {
-            return ModifiedPlace::Alone;
-        }
-        let compact = found.compact(&self.field.symbols, &Text).len();
-        let long = |index: &usize| {
-            let length = integrals[*index].text.len();
-            length > LONG && length > FAR_SHORTER * compact
-        };
-        let replaced = (0..integrals.len()).filter(long).filter(|&index| rank(Some(index), true) == all);
-        match replaced.max_by_key(|&index| integrals[index].text.len()) {
-            Some(index) => ModifiedPlace::InsteadOf(index),
-            None => ModifiedPlace::Implied,
-        }
     }
 }
 
@@ -570,7 +514,7 @@ fn structure(
         quadratic_integrals: written(2),
         flow_degree: of_flow.degree,
         kept: 0,
-        hamiltonian: None,
+        hamiltonians: Vec::new(),
     }
 }
 
@@ -579,22 +523,5 @@ fn text(symbols: &Symbols, function: &RationalFunction) -> String {
     match function.as_polynomial() {
         Some(_) => above,
         None => Text.quotient(&above, &Text.polynomial(symbols, function.denominator())),
-    }
-}
-
-/// A formula that depends on the others adds nothing; one that replaces nothing is kept.
-fn add_if_independent(
-    searched: &SearchField,
-    integrals: &mut Vec<Formula>,
-    formula: Option<Formula>,
-    random: &mut SplitMix64,
-) {
-    let Some(formula) = formula else { return };
-    let mut independent = Independent::new(searched, random);
-    for known in integrals.iter() {
-        independent.keep(&known.numerator, &known.denominator);
-    }
-    if independent.admits(&formula.numerator, &formula.denominator) {
-        integrals.push(formula);
     }
 }

@@ -7,7 +7,7 @@ use kahan_algebra::render::Text;
 use crate::basis::Basis;
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL};
 use crate::reconstruct::MOST_DIGITS;
-use crate::report::{Bound, ModifiedPlace, Report};
+use crate::report::{Bound, HamiltonianReport, ModifiedPlace, Report};
 
 use structure::structure;
 
@@ -172,7 +172,7 @@ fn formulas(report: &Report) -> Vec<String> {
     let shown = report.hilbert.as_ref().map_or(0, |hilbert| hilbert.integrals);
     let formulas = report.integrals.len();
     let in_bases = report.integrals_in_bases();
-    let is_alone = report.compact().is_some_and(|found| found.place == ModifiedPlace::Alone);
+    let alone: Vec<&HamiltonianReport> = report.alone().collect();
     let mut sentences = Vec::new();
     if formulas > 0 {
         sentences.push(format!(
@@ -181,24 +181,34 @@ fn formulas(report: &Report) -> Vec<String> {
                 1 => "A formula of one integral is".to_owned(),
                 _ => format!("Formulas of {formulas} independent integrals are"),
             },
-            match report.independent.saturating_sub(shown + usize::from(is_alone)) {
+            match report.independent.saturating_sub(shown + alone.len()) {
                 0 => String::new(),
                 1 => "; one is of a higher degree than the relations looked at".to_owned(),
                 more => format!("; {more} are of a higher degree than the relations looked at"),
             }
         ));
     }
-    if is_alone {
-        sentences
-            .push("One more integral, the modified Hamiltonian, is given in its compact form.".to_owned());
+    match &alone[..] {
+        [] => {}
+        [one] => {
+            sentences.push(format!("One more integral, {}, is given in its compact form.", modified(&[one])))
+        }
+        several => sentences.push(format!(
+            "{} more integrals, {}, are given in their compact forms.",
+            several.len(),
+            modified(several)
+        )),
     }
-    if let Some(index) = report.replaced() {
-        let replaced = &report.integrals[index];
-        sentences.push(format!(
-            "In place of {}, whose text has {} characters, the modified Hamiltonian stands in its compact form.",
-            replaced.name().unwrap_or_default(),
-            replaced.text.len()
-        ));
+    for found in report.compact() {
+        if let ModifiedPlace::InsteadOf(index) = found.place {
+            let replaced = &report.integrals[index];
+            sentences.push(format!(
+                "In place of {}, whose text has {} characters, {} stands in its compact form.",
+                replaced.name().unwrap_or_default(),
+                replaced.text.len(),
+                modified(&[found])
+            ));
+        }
     }
     if in_bases > 0 {
         let list = |basis: &Basis| {
@@ -231,6 +241,17 @@ fn formulas(report: &Report) -> Vec<String> {
         ));
     }
     sentences
+}
+
+/// `the modified Hamiltonian`, `the modified Hamiltonians of K1 and K2`.
+fn modified(of: &[&HamiltonianReport]) -> String {
+    let numbers = of.iter().filter(|found| found.number.is_some());
+    let labels: Vec<String> = numbers.map(|found| found.label("K")).collect();
+    match &labels[..] {
+        [] => "the modified Hamiltonian".to_owned(),
+        [one] => format!("the modified Hamiltonian of {one}"),
+        [others @ .., last] => format!("the modified Hamiltonians of {} and {last}", others.join(", ")),
+    }
 }
 
 fn polynomial_brackets(report: &Report) -> Option<String> {

@@ -201,17 +201,17 @@ fn the_lattice_of_four_sites_has_three_integrals() {
 
 #[test]
 fn hamiltonian_structure_is_found_with_its_tensor() {
-    let structure = report(HENON_HEILES, &options()).structure;
+    let mut structure = report(HENON_HEILES, &options()).structure;
     assert!(structure.is_even);
     assert_eq!(structure.divergence, "0");
-    let hamiltonian = structure.hamiltonian.expect("f = K grad H");
+    let hamiltonian = structure.hamiltonians.pop().expect("f = K grad H");
     assert!(hamiltonian.modified_is_proved);
     // K is determined up to a factor, which is chosen so that its first entry is 1.
     let expected = [["0", "0", "1", "0"], ["0", "0", "0", "1"], ["-1", "0", "0", "0"], ["0", "-1", "0", "0"]];
     assert_eq!(hamiltonian.tensor, expected);
     assert_eq!(hamiltonian.hamiltonian, "1/2*p^2 + 1/2*q^2 + x^2*y + 1/2*a*x^2 + 1/2*b*y^2 - 1/3*c*y^3");
     let structure = report(EULER, &options()).structure;
-    assert!(structure.hamiltonian.is_none() && !structure.is_even);
+    assert!(structure.hamiltonians.is_empty() && !structure.is_even);
     assert_eq!(structure.quadratic_integrals.len(), 2);
 }
 
@@ -287,7 +287,7 @@ fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
     let found = report(&text, &options());
     assert_eq!(found.hilbert.as_ref().map(|hilbert| hilbert.integrals), Some(1));
     assert_eq!((found.independent_integrals(), found.integrals.len(), found.not_reached()), (2, 2, 0));
-    let hamiltonian = found.structure.hamiltonian.as_ref().expect("f = K grad H");
+    let hamiltonian = found.structure.hamiltonians.first().expect("f = K grad H");
     // Its line has thousands of characters, and the compact form some hundreds.
     assert_eq!((hamiltonian.modified_is_proved, hamiltonian.place), (true, ModifiedPlace::InsteadOf(1)));
     let modified = hamiltonian.modified(&Text);
@@ -295,7 +295,7 @@ fn a_modified_hamiltonian_beyond_the_degree_looked_at_counts() {
     check_lines(&text, &found);
     // Where the constants do not cancel in the sum there is no Hamiltonian structure.
     let found = report(&chain("1"), &options());
-    assert_eq!((found.independent_integrals(), found.structure.hamiltonian.is_none()), (0, true));
+    assert_eq!((found.independent_integrals(), found.structure.hamiltonians.is_empty()), (0, true));
 }
 
 /// In seven sites the modified Hamiltonian is too long to be written out; it counts all the same.
@@ -309,7 +309,7 @@ fn a_modified_hamiltonian_too_long_to_be_written_counts() {
     };
     let text: String = (0..7).map(equation).collect();
     let found = report(&text, &options());
-    let hamiltonian = found.structure.hamiltonian.as_ref().expect("f = K grad H");
+    let hamiltonian = found.structure.hamiltonians.first().expect("f = K grad H");
     assert_eq!((hamiltonian.modified_is_proved, hamiltonian.place), (false, ModifiedPlace::Alone));
     assert_eq!((found.independent_integrals(), found.integrals.len(), found.not_reached()), (2, 1, 0));
 }

@@ -127,23 +127,29 @@ fn text(found: &Discovered) -> String {
     let report = &found.report;
     let numbers = numbers(found).rows.into_iter().skip(1);
     let numbers = numbers.flat_map(|row| labelled(&row[0], &row[1], KEY_WIDTH));
-    let tensor = report.structure.hamiltonian.iter().map(|hamiltonian| {
-        let rows = matrix(&hamiltonian.tensor, '[', ']', screen_width());
-        iter::once("K =".to_owned()).chain(rows.iter().map(|row| format!("  {row}"))).collect()
+    let tensors = report.structure.hamiltonians.iter().map(|found| {
+        let rows = matrix(&found.tensor, '[', ']', screen_width());
+        iter::once(found.label("K") + " =").chain(rows.iter().map(|row| format!("  {row}"))).collect()
     });
-    let modified = report.compact().map(|hamiltonian| vec![modified(found, hamiltonian)]);
-    let claims = found.claims(found.report.replaced());
+    let modified = modified(found, report.compact());
+    let claims = found.claims(&report.replaced());
     let claims: Vec<String> = claims.iter().map(|claim| (*claim).to_owned()).collect();
-    let groups = [numbers.collect(), report.sentences.clone()].into_iter().chain(tensor).chain(modified);
+    let groups = [numbers.collect(), report.sentences.clone()].into_iter().chain(tensors).chain(modified);
     let groups = groups.chain(bases(found).map(Vec::from));
     paragraphs(groups.chain(Some(claims).filter(|claims| !claims.is_empty())))
 }
 
-/// The modified Hamiltonian in its compact form.
-fn modified(found: &Discovered, hamiltonian: &HamiltonianReport) -> String {
+/// Modified Hamiltonians in their compact forms, and what their signs stand for.
+fn modified<'a>(
+    found: &Discovered,
+    compact: impl Iterator<Item = &'a HamiltonianReport>,
+) -> Option<Vec<String>> {
+    let mut lines: Vec<String> =
+        compact.map(|one| format!("{} = {}", one.label("H~"), one.modified(&Text))).collect();
     let [states, images] = states_and_images(&found.report, &Text);
-    let (formula, condition) = (hamiltonian.modified(&Text), condition(found));
-    format!("H~ = {formula}, where {images} is the image of {states}{condition}")
+    let last = lines.last_mut()?;
+    *last += &format!(", where {images} is the image of {states}{}", condition(found));
+    Some(lines)
 }
 
 /// `, when a = 1, eps = 1/2`, or empty.
@@ -164,9 +170,8 @@ fn bases(found: &Discovered) -> impl Iterator<Item = [String; 2]> {
 
 /// What a block cannot claim, as comments before it.
 fn comments(found: &Discovered, width: usize) -> String {
-    let alone = found.report.compact().filter(|_| found.report.replaced().is_none());
-    let modified = alone.map(|hamiltonian| modified(found, hamiltonian));
-    let texts = modified.into_iter().chain(bases(found).flatten());
+    let modified = modified(found, found.report.alone()).into_iter().flatten();
+    let texts = modified.chain(bases(found).flatten());
     let comment = |text: String| -> String {
         let rows = breakable(&text, width.saturating_sub(3));
         rows.iter().map(|row| format!("// {row}\n")).collect()
@@ -187,9 +192,10 @@ fn latex(found: &Discovered) -> Result<String, Refusal> {
     for claim in &system.claims {
         page.claim(&ClaimShown::of(&system, claim, Some(notation)));
     }
-    if let Some(hamiltonian) = found.report.compact() {
+    for hamiltonian in found.report.compact() {
         page.line(&format!("% modified Hamiltonian{}", condition(found)));
-        let equation = breaking::equation("\\widetilde{H}", &hamiltonian.modified(notation), PAGE_WIDTH);
+        let left = notation.name(&hamiltonian.label("H")).replacen('H', "\\widetilde{H}", 1);
+        let equation = breaking::equation(&left, &hamiltonian.modified(notation), PAGE_WIDTH);
         let [states, images] = states_and_images(&found.report, notation);
         let image = format!("&\\text{{where }} {images} \\text{{ is the image of }} {states}");
         page.display(&aligned(vec![equation, image]));

@@ -1,7 +1,7 @@
 //! The structure of the field in words.
 
 use crate::hamiltonian::is_within_reach;
-use crate::report::Report;
+use crate::report::{HamiltonianReport, Report};
 
 use super::counted;
 
@@ -13,25 +13,38 @@ pub(super) fn structure(report: &Report) -> Vec<String> {
         sentences.push("det A(x,eps) is even in eps, so that 1/det A is an invariant density.".to_owned());
     }
     sentences.push(flow(report));
-    sentences.push(match &structure.hamiltonian {
-        Some(hamiltonian) => format!(
+    let proof = |is_proved: bool| match is_proved {
+        true => "proved",
+        false => "by a theorem (Celledoni, McLachlan, Owren, Quispel 2013)",
+    };
+    sentences.push(match &structure.hamiltonians[..] {
+        [one] => format!(
             "The field is K grad H with a constant antisymmetric K and H = {}; the modified Hamiltonian is an integral of the map, {}.",
-            hamiltonian.hamiltonian,
-            if hamiltonian.modified_is_proved {
-                "proved"
-            } else {
-                "by a theorem (Celledoni, McLachlan, Owren, Quispel 2013)"
-            }
+            one.hamiltonian,
+            proof(one.modified_is_proved)
         ),
-        None if structure.linear_integrals.len() == report.variables.len() => {
+        [_, _, ..] => several(&structure.hamiltonians, proof),
+        [] if structure.linear_integrals.len() == report.variables.len() => {
             "The field is zero: every K grad H with H = 0.".to_owned()
         }
-        None if is_within_reach(report.variables.len()) => "No constant antisymmetric K with f = K grad H was found.".to_owned(),
-        None => {
+        [] if is_within_reach(report.variables.len()) => "No constant antisymmetric K with f = K grad H was found.".to_owned(),
+        [] => {
             "No constant antisymmetric K with f = K grad H is looked for: H would have too many coefficients.".to_owned()
         }
     });
     sentences
+}
+
+/// What several K give.
+fn several(all: &[HamiltonianReport], proof: impl Fn(bool) -> &'static str) -> String {
+    let pairs = all.iter().map(|found| format!("{} with H = {}", found.label("K"), found.hamiltonian));
+    let are_proved = all.iter().all(|found| found.modified_is_proved);
+    format!(
+        "The field is K grad H with {} constant antisymmetric K: {}; the modified Hamiltonian of each is an integral of the map, {}.",
+        all.len(),
+        pairs.collect::<Vec<_>>().join(", "),
+        proof(are_proved)
+    )
 }
 
 /// Linear and quadratic integrals of the flow, as far as they were looked for; their formulas stand

@@ -18,7 +18,7 @@ pub(super) fn html(found: &Discovered) -> Markup {
     let claimed = &found.readable().expect("the search has read the text of its claims");
     let report = &found.report;
     html! {
-        @if claimed.claims.is_empty() && report.bases.is_empty() && report.compact().is_none() {
+        @if claimed.claims.is_empty() && report.bases.is_empty() && report.compact().next().is_none() {
             p { "No integral, density or bracket was found." }
         } @else if !claimed.claims.is_empty() {
             @let named = [&report.variables[..], &report.parameters[..]].concat().join(", ");
@@ -31,14 +31,18 @@ pub(super) fn html(found: &Discovered) -> Markup {
                 (claim(&ClaimShown::of(claimed, one, Some(&Latex)), report.variables.len(), &html! {}))
             }
         }
-        @if let Some(hamiltonian) = &report.structure.hamiltonian {
+        @if !report.structure.hamiltonians.is_empty() {
             p { "The flow is Hamiltonian: f = K ∇H with a constant antisymmetric K." }
-            (display(&format!("K = {}", breaking::matrix("pmatrix", &hamiltonian.tensor, LINE)), LINE))
         }
-        @if let Some(hamiltonian) = report.compact() {
+        @for found in &report.structure.hamiltonians {
+            @let tensor = breaking::matrix("pmatrix", &found.tensor, LINE);
+            (display(&format!("{} = {tensor}", Latex.name(&found.label("K"))), LINE))
+        }
+        @for found in report.compact() {
             @let [states, images] = states_and_images(report, &Text);
+            @let left = Latex.name(&found.label("H")).replacen('H', "\\widetilde{H}", 1);
             p { "The modified Hamiltonian, where " (readable(&images)) " is the image of " (readable(&states)) ":" }
-            (display(&format!("\\widetilde{{H}} = {}", hamiltonian.modified(&Latex)), LINE))
+            (display(&format!("{left} = {}", found.modified(&Latex)), LINE))
         }
         @for basis in &report.bases {
             p { "A Hirota–Kimura basis, " @if basis.proof.is_none() { "as seen modulo primes" } @else { "proved" } ":" }

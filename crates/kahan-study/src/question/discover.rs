@@ -9,6 +9,7 @@ use kahan_discover::basis::Basis;
 use kahan_discover::claims::Formula;
 use kahan_discover::hilbert::{MOST_MONOMIALS_AT_ALL, default_degree};
 use kahan_discover::monomials::Monomials;
+use kahan_discover::report::{HamiltonianReport, ModifiedPlace};
 use kahan_discover::{Options, Report, Unwatched, Watch, discover};
 use kahan_runtime::FieldText;
 use serde::ser::Error;
@@ -150,23 +151,23 @@ fn within_reach(degree: Option<u32>, study: &Study) -> Result<Option<u32>, Study
 }
 
 impl Discovered {
-    /// The claims as text, but for one integral.
+    /// The claims as text, but for these integrals.
     #[must_use]
-    pub fn claims(&self, but: Option<usize>) -> Vec<&str> {
+    pub fn claims(&self, but: &[usize]) -> Vec<&str> {
         let report = &self.report;
-        let integrals = (0..report.integrals.len()).filter(|&index| Some(index) != but);
+        let integrals = (0..report.integrals.len()).filter(|index| !but.contains(index));
         let integrals = integrals.map(|index| &report.integrals[index]);
         let formulas = integrals.chain(&report.densities).map(|formula| formula.text.as_str());
         formulas.chain(report.brackets.iter().map(String::as_str)).collect()
     }
 
-    /// The field with what is to be read as its claims: an integral that the compact form of the
-    /// modified Hamiltonian replaces is left out.
+    /// The field with what is to be read as its claims: integrals that the compact forms of
+    /// modified Hamiltonians replace are left out.
     ///
     /// # Errors
     /// Where the text of the claims has mistakes, which the search excludes.
     pub fn readable(&self) -> Result<System, StudyError> {
-        self.with_claims(self.report.replaced())
+        self.with_claims(&self.report.replaced())
     }
 
     /// The field with all that was found as its claims.
@@ -174,7 +175,7 @@ impl Discovered {
     /// # Errors
     /// Where the text of the claims has mistakes, which the search excludes.
     pub fn claimed(&self) -> Result<System, StudyError> {
-        self.with_claims(None)
+        self.with_claims(&[])
     }
 
     /// All that is claimed, each claim in its parts, and H where the field is K grad H.
@@ -194,15 +195,16 @@ impl Discovered {
             expression: expression(&claim.body),
             name: claim.name.text,
         });
-        let hamiltonian = self.report.structure.hamiltonian.iter().map(|found| Part {
+        // Integrals are named H1, H2, …: the H of K1 is named apart from them.
+        let hamiltonians = self.report.structure.hamiltonians.iter().map(|found| Part {
             kind: "hamiltonian",
-            name: "H".to_owned(),
+            name: found.number.map_or_else(|| "H".to_owned(), |number| format!("H_K{number}")),
             expression: found.hamiltonian.clone(),
         });
-        Ok(claims.chain(hamiltonian).collect())
+        Ok(claims.chain(hamiltonians).collect())
     }
 
-    fn with_claims(&self, but: Option<usize>) -> Result<System, StudyError> {
+    fn with_claims(&self, but: &[usize]) -> Result<System, StudyError> {
         let symbols = &self.field.field.symbols;
         let values = Formulas { field: &self.field.field, map: None, notation: &Text }.field();
         let equations =
@@ -245,7 +247,9 @@ struct Object<'a> {
     bases: Vec<Relation>,
     divergence: &'a str,
     is_even: bool,
+    /// The first of them.
     hamiltonian: Option<Hamiltonian<'a>>,
+    hamiltonians: Vec<Hamiltonian<'a>>,
     survivors: Option<Survivors<'a>>,
     sentences: &'a [String],
     out_of_time: bool,
@@ -260,13 +264,15 @@ struct Part {
     expression: String,
 }
 
-#[derive(Serialize)]
+#[derive(Clone, Serialize)]
 struct Hamiltonian<'a> {
     #[serde(rename = "K")]
     tensor: &'a [Vec<String>],
     #[serde(rename = "H")]
     hamiltonian: &'a str,
     modified_is_proved: bool,
+    /// Whether no integral is given that says as much, or only one that is longer by far.
+    is_compact: bool,
     /// At any point x and its image x~.
     modified: String,
 }
@@ -311,6 +317,18 @@ impl Relation {
     }
 }
 
+impl<'a> Hamiltonian<'a> {
+    fn of(found: &'a HamiltonianReport) -> Self {
+        Hamiltonian {
+            tensor: &found.tensor,
+            hamiltonian: &found.hamiltonian,
+            modified_is_proved: found.modified_is_proved,
+            is_compact: found.place != ModifiedPlace::Implied,
+            modified: found.modified(&Text),
+        }
+    }
+}
+
 impl<'a> Survivors<'a> {
     fn of(report: &'a Report) -> Option<Self> {
         let survivors = report.survivors.as_ref()?;
@@ -336,6 +354,7 @@ impl Serialize for Discovered {
         let fixed = self.fixed.iter().map(|(name, value)| (name.clone(), Some(value.to_string())));
         let generic = report.parameters.iter().map(|name| (name.clone(), None));
         let hilbert = report.hilbert.as_ref();
+        let hamiltonians: Vec<_> = structure.hamiltonians.iter().map(Hamiltonian::of).collect();
         let object = Object {
             system: &self.system,
             variables: &report.variables,
@@ -359,12 +378,8 @@ impl Serialize for Discovered {
             bases: report.bases.iter().map(|basis| Relation::of(basis, &report.variables)).collect(),
             divergence: &structure.divergence,
             is_even: structure.is_even,
-            hamiltonian: structure.hamiltonian.as_ref().map(|found| Hamiltonian {
-                tensor: &found.tensor,
-                hamiltonian: &found.hamiltonian,
-                modified_is_proved: found.modified_is_proved,
-                modified: found.modified(&Text),
-            }),
+            hamiltonian: hamiltonians.first().cloned(),
+            hamiltonians,
             survivors: Survivors::of(report),
             sentences: &report.sentences,
             out_of_time: report.out_of_time,

@@ -1,0 +1,145 @@
+//! The modified Hamiltonians of the map, one for each constant K with f = K∇H, and how each is to
+//! be given beside formulas and bases.
+
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::Polynomial;
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::render::Text;
+use kahan_algebra::symbols::Symbols;
+
+use crate::claims::{Claims, Formula};
+use crate::deadline::Deadline;
+use crate::hamiltonian::{Hamiltonian, hamiltonians};
+use crate::independent::Independent;
+use crate::report::ModifiedPlace;
+use crate::search_field::SearchField;
+use crate::space::tidy;
+use crate::writing::factors_of;
+
+/// A formula of more characters is given by the compact form of a modified Hamiltonian, where that
+/// says the same and is shorter by far.
+const LONG: usize = 1000;
+
+/// What is shorter by this factor is shorter by far.
+const FAR_SHORTER: usize = 4;
+
+/// K and H with f = K∇H, and the integral H̃ that they give.
+pub(crate) struct Modified {
+    pub(crate) found: Hamiltonian,
+    /// H̃ as numerator and denominator, where these are short enough to be written.
+    pub(crate) written: Option<(Polynomial, Polynomial)>,
+}
+
+impl Modified {
+    /// Finds those of a field, the shortest first; one that is too long to be written comes last.
+    pub(crate) fn all(
+        searched: &SearchField,
+        field: &Field,
+        random: &mut SplitMix64,
+        deadline: &Deadline<'_>,
+    ) -> Vec<Modified> {
+        let mut found = hamiltonians(searched, random, deadline);
+        found.retain(|found| found.holds(field));
+        let written = |found: &Hamiltonian| {
+            let (above, below) = found.modified(searched, field)?;
+            Some((tidy(&field.symbols, &above), tidy(&field.symbols, &below)))
+        };
+        let mut all: Vec<Modified> =
+            found.into_iter().map(|found| Modified { written: written(&found), found }).collect();
+        let terms = |(above, below): &(Polynomial, Polynomial)| above.terms().count() + below.terms().count();
+        all.sort_by_key(|modified| modified.written.as_ref().map_or(usize::MAX, terms));
+        all
+    }
+}
+
+/// Adds the modified Hamiltonians that are proved and independent of the others; for each, whether
+/// it is proved.
+pub(crate) fn add_modified(
+    all: &[Modified],
+    searched: &SearchField,
+    claims: &Claims<'_>,
+    symbols: &Symbols,
+    integrals: &mut Vec<Formula>,
+    random: &mut SplitMix64,
+) -> Vec<bool> {
+    let mut add = |modified: &Modified| {
+        let Some((above, below)) = &modified.written else { return false };
+        let is_listed = |known: &Formula| known.numerator == *above && known.denominator == *below;
+        if integrals.iter().any(is_listed) {
+            return true;
+        }
+        let factors = factors_of(integrals);
+        let formula = claims.integral(symbols, integrals.len() + 1, above, below, &factors);
+        let is_proved = formula.is_some();
+        add_if_independent(searched, integrals, formula, random);
+        is_proved
+    };
+    all.iter().map(&mut add).collect()
+}
+
+/// A formula that depends on the others adds nothing; one that replaces nothing is kept.
+fn add_if_independent(
+    searched: &SearchField,
+    integrals: &mut Vec<Formula>,
+    formula: Option<Formula>,
+    random: &mut SplitMix64,
+) {
+    let Some(formula) = formula else { return };
+    let mut independent = Independent::new(searched, random);
+    for known in integrals.iter() {
+        independent.keep(&known.numerator, &known.denominator);
+    }
+    if independent.admits(&formula.numerator, &formula.denominator) {
+        integrals.push(formula);
+    }
+}
+
+/// Integrals whose gradients are known at one point.
+pub(crate) struct Gradients<'a> {
+    /// The gradients of formulas, each up to a factor.
+    pub(crate) formulas: Vec<Option<Vec<u64>>>,
+    /// The gradients of the integrals that bases give.
+    pub(crate) in_bases: Vec<Vec<u64>>,
+    /// The gradient of each modified Hamiltonian.
+    pub(crate) modified: &'a [Option<Vec<u64>>],
+    /// The rank of gradients.
+    pub(crate) rank: &'a dyn Fn(&[Vec<u64>]) -> usize,
+}
+
+impl Gradients<'_> {
+    /// Chooses how each modified Hamiltonian is to be given: alone where nothing before says it,
+    /// in place of the longest formula that it can replace, or not at all.
+    pub(crate) fn places(
+        &self,
+        all: &[Modified],
+        integrals: &[Formula],
+        symbols: &Symbols,
+    ) -> Vec<ModifiedPlace> {
+        let mut kept: Vec<usize> = (0..integrals.len()).collect();
+        let mut compact: Vec<Vec<u64>> = Vec::new();
+        let mut place = |(modified, own): (&Modified, &Option<Vec<u64>>)| {
+            let Some(own) = own else { return ModifiedPlace::Implied };
+            // The rank of the kept formulas but one, the bases, the compact forms, and perhaps H̃.
+            let rank = |but: Option<usize>, with_own: bool| {
+                let formulas = kept.iter().filter(|&&index| Some(index) != but);
+                let formulas = formulas.filter_map(|&index| self.formulas[index].clone());
+                let others = self.in_bases.iter().chain(&compact).cloned();
+                (self.rank)(&formulas.chain(others).chain(with_own.then(|| own.clone())).collect::<Vec<_>>())
+            };
+            let all = rank(None, false);
+            if rank(None, true) > all {
+                compact.push(own.clone());
+                return ModifiedPlace::Alone;
+            }
+            let length = |index: usize| integrals[index].text.len();
+            let shorter = FAR_SHORTER * modified.found.compact(symbols, &Text).len();
+            let long = kept.iter().copied().filter(|&index| length(index) > LONG.max(shorter));
+            let replaced = long.filter(|&index| rank(Some(index), true) == all).max_by_key(|&i| length(i));
+            let Some(index) = replaced else { return ModifiedPlace::Implied };
+            kept.retain(|&known| known != index);
+            compact.push(own.clone());
+            ModifiedPlace::InsteadOf(index)
+        };
+        all.iter().zip(self.modified).map(&mut place).collect()
+    }
+}
