@@ -43,8 +43,8 @@ pub struct Claim {
     pub name: Name,
     /// What was written, for display.
     pub body: ClaimBody,
-    /// The function (one result), or the tensor's entries above the diagonal, row by row (n(n−1)/2
-    /// results).
+    /// The function (one result; of a drift two, F(x) and F(x̃)), or the tensor's entries above the
+    /// diagonal, row by row (n(n−1)/2 results).
     pub plan: Plan,
     /// The specialisation on which the claim is made.
     pub conditions: Vec<Condition>,
@@ -105,6 +105,10 @@ impl Claim {
         match &mut self.body {
             ClaimBody::Function(value) => value.put_values(values),
             ClaimBody::Tensor(entries) => entries.iter_mut().for_each(|entry| entry.value.put_values(values)),
+            ClaimBody::Recurrence { function, next } => {
+                function.put_values(values);
+                next.put_values(values);
+            }
         }
         for Condition { written, .. } in &mut self.conditions {
             written.left.put_values(values);

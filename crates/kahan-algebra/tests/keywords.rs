@@ -31,6 +31,7 @@ fn the_keyword_that_is_meant_is_suggested() {
         ("poisson P { {x,y} = 1; }", "did you mean `bracket P { {x,y} = …; }`?"),
         ("poisson bracket P { {x,y} = 1; };", "did you mean `bracket P …`?"),
         ("brackets P { {x,y} = 1; }", "did you mean `bracket P { {x,y} = …; }`?"),
+        ("recurrence L = x by L;", "did you mean `drift L = … by …;`?"),
         ("let c = 1;", "did you mean `const c = …;`?"),
         ("constant c = 1/2;", "did you mean `const c = …;`?"),
         ("parameter mu;", "parameters stand in the header: `struct Name { mu }`"),

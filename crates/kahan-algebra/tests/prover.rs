@@ -7,6 +7,7 @@ use kahan_algebra::prove::{Refutation, Verdict, points_needed, prove_all, prove_
 use kahan_algebra::{lexer, read, read_unproved, seed};
 
 const E3: &str = "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;";
+const SQUARE: &str = "xdot = x^2;";
 const GROWING: &str = "xdot = 0; ydot = y; zdot = z;";
 const E6: &str = "xdot = y*(2*z - x); ydot = x^2 - z^2; zdot = y*(z - 2*x);";
 
@@ -27,6 +28,13 @@ fn both_provers_agree_on_true_and_on_false_claims() {
         (E3, "integral F = y/x + x;", false),
         (E3, "integral F = (x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));", true),
         (E3, "integral F = (x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2 + z^2));", false),
+        (SQUARE, "drift F = 1/x by F - 2*eps;", true),
+        (SQUARE, "drift F = 1/x by F + 2*eps;", false),
+        (SQUARE, "drift F = x by F/(1 - 2*eps*F);", true),
+        (SQUARE, "drift F = x by F;", false),
+        ("xdot = a*x;", "drift F = x^2 by (1 + a*eps)^2/(1 - a*eps)^2*F;", true),
+        ("xdot = a*x;", "drift F = x by 3*F when a*eps = 1/2;", true),
+        ("xdot = a*x;", "drift F = x by 2*F when a*eps = 1/2;", false),
         (E6, "density F = 1/((x*z + y^2)*(x^2 + y^2 + z^2));", true),
         (E6, "density F = 1/((x*z + y^2)^2*(x^2 + y^2 + z^2));", false),
         (E6, "density F = 1/(x*z + y^2)^2;", true),

@@ -233,6 +233,7 @@ fn an_opened_system_shows_everything_that_is_claimed_of_it() {
                 ClaimKind::Integral => "<p class=\"source\">Integral",
                 ClaimKind::Density => "<p class=\"source\">Invariant density",
                 ClaimKind::Bracket => "<p class=\"source\">Invariant Poisson bracket",
+                ClaimKind::Drift => "<p class=\"source\">Drift",
             };
             assert!(block.contains(kind), "{id}");
             assert_eq!(block.contains(", when "), !claim.conditions.is_empty(), "{id}");
@@ -244,6 +245,7 @@ fn an_opened_system_shows_everything_that_is_claimed_of_it() {
                     assert_eq!(block.contains("every other pair"), formulas < n * (n - 1) / 2, "{id}");
                 }
                 ClaimBody::Function(_) => assert_eq!(formulas, 1, "{id}"),
+                ClaimBody::Recurrence { .. } => assert_eq!(formulas, 2, "{id}"),
             }
             // Every variable of the formula stands in it.
             let words = text_of(block);

@@ -1,5 +1,5 @@
-//! Accessors of claims: `integrals` and one of each integral's own name, `density`, `bracket_NAME`.
-//! What is claimed `when` something holds has one of its own, `density_NAME` for a density, in
+//! Accessors of claims: `integrals` and one of each integral's own name, `density`, `bracket_NAME`,
+//! `drift_NAME`. What is claimed `when` something holds has one of its own, `density_NAME` for a density, in
 //! which the names that the conditions are solved for have their values.
 
 use kahan_algebra::plan::Plan;
@@ -35,7 +35,11 @@ pub(super) fn emit_claims(context: &Context<'_>) -> EmittedClaims {
         let name = format!("bracket_{name}");
         emit_accessor(context, ClaimKind::Bracket, plan, &docs::bracket(claim), &name)
     });
-    emitted.methods.extend(density.into_iter().chain(brackets));
+    let drifts = context.system.accessors(ClaimKind::Drift).zip(&context.derived.drifts);
+    let drifts = drifts.map(|(claim, (name, plan))| {
+        emit_accessor(context, ClaimKind::Drift, plan, &docs::drift(claim), &format!("drift_{name}"))
+    });
+    emitted.methods.extend(density.into_iter().chain(brackets).chain(drifts));
     let integrals = &context.derived.integral_names;
     for (claim, plan) in context.system.conditional().zip(&context.derived.conditional) {
         emitted.methods.extend(emit_conditional(context, claim, plan, integrals));
@@ -125,6 +129,7 @@ fn name_of_integral(name: &str, integrals: &[String]) -> String {
     let is_taken = TAKEN.split_whitespace().chain(items::LISTS).any(|taken| taken == name)
         || name.starts_with("bracket_")
         || name.starts_with("density_")
+        || name.starts_with("drift_")
         || is_of_another
         || syn::parse_str::<Ident>(name).is_err();
     if is_taken { format!("integral_{name}") } else { name.to_owned() }
@@ -137,6 +142,7 @@ fn emit_conditional(context: &Context<'_>, claim: &Claim, plan: &Plan, integrals
         ClaimKind::Integral => name_of_integral(name, integrals),
         ClaimKind::Density => format!("density_{name}"),
         ClaimKind::Bracket => format!("bracket_{name}"),
+        ClaimKind::Drift => format!("drift_{name}"),
     };
     emit_accessor(context, claim.kind, plan, &docs::conditional(context, claim), &method)
 }
@@ -154,6 +160,7 @@ fn emit_accessor(
     let (result, value) = match kind {
         ClaimKind::Integral | ClaimKind::Density => (quote!(#scalar), quote!(#(#results)*)),
         ClaimKind::Bracket => (context.matrix(), quote!(__kahan::antisymmetric([#(#results),*]))),
+        ClaimKind::Drift => (quote!([#scalar; 2]), quote!([#(#results),*])),
     };
     emit_method(context, documentation, name, &result, &quote!(#bindings #value))
 }

@@ -229,6 +229,16 @@ pub(super) fn bracket(claim: &Claim) -> TokenStream {
     emit_lines(&lines)
 }
 
+/// The documentation of `drift_NAME`.
+pub(super) fn drift(claim: &Claim) -> TokenStream {
+    let name = &claim.name.text;
+    let mut lines = vec![format!(
+        " `{name}` at `x`, and its next value, which follows from it alone; `eps` is ε, half the time step."
+    )];
+    push_block(&mut lines, "Namely, `~` for the next value:", &statement(claim));
+    emit_lines(&lines)
+}
+
 fn statement(claim: &Claim) -> Vec<String> {
     claim_statement(claim, &Text).into_iter().map(|(name, value)| format!("{name} = {value}")).collect()
 }

@@ -176,6 +176,10 @@ fn claims(given: &FieldText) -> Result<String, StudyError> {
         let when = conditions(claim);
         Some(match claim.body.as_ref()? {
             ClaimBody::Function(value) => format!("\n{kind} {name} = {}{when};", expression_text(value)),
+            ClaimBody::Recurrence { function, next } => {
+                let [function, next] = [function, next].map(expression_text);
+                format!("\n{kind} {name} = {function} by {next}{when};")
+            }
             ClaimBody::Tensor(entries) => {
                 format!("\n{kind} {name} {{ {} }}{when};", entries.iter().map(entry).collect::<String>())
             }

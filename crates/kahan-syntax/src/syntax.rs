@@ -130,12 +130,14 @@ pub enum ClaimKind {
     Density,
     /// J P(x) Jᵀ = P(x̃), and the Jacobi identity.
     Bracket,
+    /// F(x̃) is a function of F(x).
+    Drift,
 }
 
 impl ClaimKind {
     /// The kind of claim that `word` begins.
     pub fn of_keyword(word: &str) -> Option<Self> {
-        [ClaimKind::Integral, ClaimKind::Density, ClaimKind::Bracket]
+        [ClaimKind::Integral, ClaimKind::Density, ClaimKind::Bracket, ClaimKind::Drift]
             .into_iter()
             .find(|kind| kind.keyword() == word)
     }
@@ -147,12 +149,13 @@ impl ClaimKind {
             ClaimKind::Integral => "integral",
             ClaimKind::Density => "density",
             ClaimKind::Bracket => "bracket",
+            ClaimKind::Drift => "drift",
         }
     }
 }
 
-/// `integral NAME = expr [when];`, `density NAME = expr [when];`, `bracket NAME { {x,y} = expr; … }
-/// [when] [;]`.
+/// `integral NAME = expr [when];`, `density NAME = expr [when];`, `drift NAME = expr by expr
+/// [when];`, `bracket NAME { {x,y} = expr; … } [when] [;]`.
 #[derive(Clone, Debug)]
 pub struct Claim {
     /// What is claimed.
@@ -172,15 +175,23 @@ pub enum ClaimBody {
     Function(Expr),
     /// Of a bracket.
     Tensor(Vec<TensorEntry>),
+    /// Of a drift.
+    Recurrence {
+        /// F(x).
+        function: Expr,
+        /// F(x̃), in which the claim's name stands for F(x).
+        next: Expr,
+    },
 }
 
 impl ClaimBody {
-    /// The function, or the values of the entries.
+    /// The function, and its next value in a drift; or the values of the entries.
     #[must_use]
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {
             ClaimBody::Function(expr) => vec![expr],
             ClaimBody::Tensor(entries) => entries.iter().map(|entry| &entry.value).collect(),
+            ClaimBody::Recurrence { function, next } => vec![function, next],
         }
     }
 }

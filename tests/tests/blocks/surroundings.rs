@@ -9,6 +9,7 @@
 
 mod blocks_in_bodies;
 mod conditional;
+mod drifts;
 mod headers;
 mod included;
 mod items_in_scope;

@@ -40,12 +40,20 @@ pub(super) fn compile_all(
             .as_ref()
             .filter(|body| {
                 // Every expression is looked at, so that all unknown names are reported.
-                let unsound =
-                    body.expressions().into_iter().filter(|expr| !scope.resolve(expr, true, diagnostics));
-                unsound.count() == 0
+                let unsound = match body {
+                    ClaimBody::Recurrence { function, next } => {
+                        let is_known = scope.resolve(function, true, diagnostics);
+                        usize::from(!is_known | !resolve_next(next, claim, &claims, scope, diagnostics))
+                    }
+                    body => {
+                        let expressions = body.expressions().into_iter();
+                        expressions.filter(|expr| !scope.resolve(expr, true, diagnostics)).count()
+                    }
+                };
+                unsound == 0
             })
             .zip(entries)
-            .and_then(|(body, entries)| match compiler.body(body, &entries, scope) {
+            .and_then(|(body, entries)| match compiler.body(&claim.name.text, body, &entries, scope) {
                 Ok(outputs) => Some(outputs),
                 Err(diagnostic) => {
                     diagnostics.push(diagnostic);
@@ -55,7 +63,7 @@ pub(super) fn compile_all(
         scope.claims.push(claim.name.text.clone());
         stand_in.push_claim(claim.kind, &claim.name, claim.conditions.is_empty());
         match outputs.as_deref() {
-            Some([output]) if claim.kind != ClaimKind::Bracket => {
+            Some([output, ..]) if claim.kind != ClaimKind::Bracket => {
                 compiler.functions.insert(claim.name.text.clone(), *output);
             }
             Some(_) => {}
@@ -73,6 +81,40 @@ pub(super) fn compile_all(
         }
     }
     claims
+}
+
+/// Reports the names in the next value of a drift that mean nothing there, where the claim stands
+/// for its function. A state means nothing there, nor does a density: F(x̃) is to follow from F(x).
+fn resolve_next(
+    next: &Expr,
+    claim: &syntax::Claim,
+    earlier: &[Claim],
+    scope: &mut Scope,
+    diagnostics: &mut Diagnostics,
+) -> bool {
+    let name = &claim.name.text;
+    scope.claims.push(name.clone());
+    let mut is_sound = scope.resolve(next, true, diagnostics);
+    scope.claims.pop();
+    next.visit_names(&mut |reference, span| {
+        let used = &*reference.to_string();
+        let is_density = |other: &Claim| other.kind == ClaimKind::Density && other.name.text == used;
+        let what = if scope.symbols.states.iter().any(|state| state == used) {
+            "a state"
+        } else if earlier.iter().any(is_density) {
+            "a density"
+        } else {
+            return;
+        };
+        is_sound = false;
+        diagnostics.report(
+            Kind::Claim,
+            span,
+            format!("`{used}` is {what}, and the next value of `{name}` is to follow from `{name}`"),
+            format!("behind `by` stand `{name}`, parameters, `eps`, and earlier integrals and drifts"),
+        );
+    });
+    is_sound
 }
 
 fn check_density_is_single(claim: &syntax::Claim, earlier: &[Claim], diagnostics: &mut Diagnostics) {
@@ -176,12 +218,18 @@ impl Compiler {
     /// The results of a claim whose names and entries are sound.
     fn body(
         &mut self,
+        name: &str,
         body: &ClaimBody,
         entries: &[(usize, usize)],
         scope: &Scope,
     ) -> Result<Vec<Node>, Diagnostic> {
         match body {
             ClaimBody::Function(expr) => Ok(vec![self.node(expr, scope)?]),
+            ClaimBody::Recurrence { function, next } => {
+                let function = self.node(function, scope)?;
+                self.functions.insert(name.to_owned(), function);
+                Ok(vec![function, self.node(next, scope)?])
+            }
             ClaimBody::Tensor(values) => {
                 let n = scope.symbols.dimension();
                 let zero = self.builder.constant(&Rational::zero());

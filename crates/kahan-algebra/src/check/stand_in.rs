@@ -76,7 +76,11 @@ impl StandIn {
 
     fn claim(&self, (kind, name, is_unconditional): &(ClaimKind, Name, bool)) -> Claim {
         let n = self.symbols.dimension();
-        let results = if *kind == ClaimKind::Bracket { n * (n.max(1) - 1) / 2 } else { 1 };
+        let results = match kind {
+            ClaimKind::Bracket => n * (n.max(1) - 1) / 2,
+            ClaimKind::Drift => 2,
+            ClaimKind::Integral | ClaimKind::Density => 1,
+        };
         let mut builder = PlanBuilder::default();
         let zero = builder.constant(&Rational::zero());
         let expr = || Expr { kind: ExprKind::Number(Rational::zero()), span: name.span };

@@ -57,6 +57,8 @@ pub struct Derived {
     /// The brackets that are claimed without `when`: name, and the entries above the diagonal row
     /// by row.
     pub brackets: Vec<(String, Plan)>,
+    /// The drifts that are claimed without `when`: name, and F(x) with F(x̃).
+    pub drifts: Vec<(String, Plan)>,
     /// The claims that are made `when` something holds, in their order: each where it does, with
     /// the values of the names that are solved for.
     pub conditional: Vec<Plan>,
@@ -105,6 +107,7 @@ pub fn derive(system: &System) -> Derived {
         integral_names: claims(ClaimKind::Integral).map(|(name, _)| name).collect(),
         density: claims(ClaimKind::Density).next().map(|(_, plan)| single(plan)),
         brackets: claims(ClaimKind::Bracket).map(|(name, plan)| (name, single(plan))).collect(),
+        drifts: claims(ClaimKind::Drift).map(|(name, plan)| (name, single(plan))).collect(),
         conditional: system.conditional().map(Claim::where_it_holds).collect(),
         step: OnceLock::new(),
         couplings: OnceLock::new(),
@@ -331,6 +334,7 @@ impl Derived {
         }
         functions.extend(self.density.iter().map(|plan| some("density", plan)));
         functions.extend(self.brackets.iter().map(|(name, plan)| some(&format!("bracket {name}"), plan)));
+        functions.extend(self.drifts.iter().map(|(name, plan)| some(&format!("drift {name}"), plan)));
         functions.extend(
             self.system
                 .conditional()

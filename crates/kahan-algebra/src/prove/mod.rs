@@ -120,7 +120,7 @@ fn report(system: &System, claim: &Claim, verdict: &Verdict, diagnostics: &mut D
         ),
         Verdict::Vacuous => {
             let why = match claim.kind {
-                ClaimKind::Integral => "it depends on no state",
+                ClaimKind::Integral | ClaimKind::Drift => "it depends on no state",
                 ClaimKind::Density | ClaimKind::Bracket => "it is zero",
             };
             let help = "claim something that depends on the states, or remove the claim";

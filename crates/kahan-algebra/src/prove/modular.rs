@@ -23,8 +23,8 @@ pub struct Proof {
 /// What one point says of a claim.
 struct Evidence {
     holds: bool,
-    /// Whether the claim says something at this point: an integral has a gradient, a density or
-    /// bracket is not zero.
+    /// Whether the claim says something at this point: an integral or a drift has a gradient, a
+    /// density or bracket is not zero.
     says_something: bool,
 }
 
@@ -80,7 +80,7 @@ fn examine<A: Arithmetic>(
     let holds = pairs.iter().all(|pair| arithmetic.is_zero(&arithmetic.subtract(&pair.left, &pair.right)));
     let values = gradients(claim, arithmetic, &sample.here, n)?;
     let says_something = values.iter().any(|value| match claim.kind {
-        ClaimKind::Integral => value.gradient.iter().any(|slope| !arithmetic.is_zero(slope)),
+        ClaimKind::Integral | ClaimKind::Drift => value.gradient.iter().any(|slope| !arithmetic.is_zero(slope)),
         ClaimKind::Density | ClaimKind::Bracket => !arithmetic.is_zero(&value.value),
     });
     Some(Evidence { holds, says_something })

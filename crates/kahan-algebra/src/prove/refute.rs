@@ -105,6 +105,9 @@ impl Refutation {
             (Place::Value, ClaimKind::Density) => {
                 format!("at {at} it is {right}, but its next value times the Jacobian determinant is {left}")
             }
+            (Place::Value, ClaimKind::Drift) => {
+                format!("at {at} its next value is {left}, and the formula behind `by` gives {right}")
+            }
             (Place::Value, _) => format!("at {at} it is {right}, and at the next point {left}"),
         }
     }

@@ -3,6 +3,7 @@
 //! | claim | left | right |
 //! |---|---|---|
 //! | integral F | F(x̃) | F(x) |
+//! | drift F by G | F(x̃) | G(F(x)) |
 //! | density ρ | ρ(x̃) det ∂x̃/∂x | ρ(x) |
 //! | bracket P, invariance | Â(x̃,−ε) P(x) Â(x̃,−ε)ᵀ | Â(x,ε) P(x̃) Â(x,ε)ᵀ |
 //! | bracket P, Jacobi | Σ Pᵢₗ ∂ₗPⱼₖ over the cyclic permutations of i, j, k | 0 |
@@ -48,6 +49,9 @@ pub(super) fn pairs<A: Arithmetic>(
     match claim.kind {
         ClaimKind::Integral => {
             Some(vec![Pair { place: Place::Value, left: there[0].clone(), right: here[0].clone() }])
+        }
+        ClaimKind::Drift => {
+            Some(vec![Pair { place: Place::Value, left: there[0].clone(), right: here[1].clone() }])
         }
         ClaimKind::Density => {
             let left = arithmetic.multiply(&there[0], &sample.jacobian_determinant);

@@ -15,6 +15,9 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
     let head = format!("{} {}", claim.kind.keyword(), claim.name.text);
     match &claim.body {
         ClaimBody::Function(expr) => format!("{head} = {}{when};", expression_text(expr)),
+        ClaimBody::Recurrence { function, next } => {
+            format!("{head} = {} by {}{when};", expression_text(function), expression_text(next))
+        }
         ClaimBody::Tensor(entries) => {
             let mut text = format!("{head} {{");
             for entry in entries {
@@ -27,13 +30,17 @@ pub fn claim_text(system: &System, claim: &Claim) -> String {
     }
 }
 
-/// The claim as formulas: name (or entry) and value.
+/// The claim as formulas: name (or entry) and value; of a drift also F(x̃) and its value.
 #[must_use]
 pub fn claim_statement(claim: &Claim, notation: &dyn Notation) -> Vec<(String, String)> {
     match &claim.body {
         ClaimBody::Function(expr) => {
             vec![(notation.name(&claim.name.text), notation.expression(expr))]
         }
+        ClaimBody::Recurrence { function, next } => vec![
+            (notation.name(&claim.name.text), notation.expression(function)),
+            (notation.image(&claim.name.text), notation.expression(next)),
+        ],
         ClaimBody::Tensor(entries) => entries
             .iter()
             .map(|entry| {

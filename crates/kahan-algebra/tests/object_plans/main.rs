@@ -21,7 +21,7 @@ use kahan_algebra::{Derived, derive, read};
 
 use written::Written;
 
-const SYSTEMS: [&str; 5] = [
+const SYSTEMS: [&str; 6] = [
     "xdot = x*(1 - y); ydot = y*(x - 1);",
     "xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;
      integral H = y/x; integral K = 1/2*(x^2 + y^2 + z^2)/(1 + eps^2*(x^2 + y^2));
@@ -31,6 +31,8 @@ const SYSTEMS: [&str; 5] = [
     "struct S { m } xdot = x*y/m; ydot = (x^2 - y)/(1 + m) + 1/3; zdot = x*z;",
     "struct S { u, v, w } adot = (w - v)*y*z; bdot = (u - w)*z*x; cdot = (v - u)*x*y;
      xdot = y*c - z*b; ydot = z*a - x*c; zdot = x*b - y*a;",
+    "struct S { a } xdot = a*x; bydot = by^2;
+     drift F = 1/by by F - 2*eps; drift G = x^2 by ((1 + a*eps)/(1 - a*eps))^2*G;",
 ];
 
 fn system(text: &str) -> System {
@@ -248,9 +250,10 @@ impl Definitions<'_> {
             }
             "density" => self.claims(ClaimKind::Density).remove(0).1,
             name => {
-                let name = name.strip_prefix("bracket ").unwrap_or_else(|| panic!("{name} is not compared"));
-                let brackets = self.claims(ClaimKind::Bracket).into_iter();
-                brackets.filter(|(known, _)| known == name).flat_map(|(_, entries)| entries).collect()
+                let (kind, name) = name.split_once(' ').expect("a claim has a kind and a name");
+                let kind = ClaimKind::of_keyword(kind).unwrap_or_else(|| panic!("{kind} is not compared"));
+                let claims = self.claims(kind).into_iter();
+                claims.filter(|(known, _)| known == name).flat_map(|(_, entries)| entries).collect()
             }
         }
     }

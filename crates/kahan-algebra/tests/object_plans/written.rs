@@ -71,6 +71,9 @@ impl Written {
         let value = |body: &ClaimBody| match body {
             ClaimBody::Function(expr) => Some(vec![self.value(arithmetic, expr, point)?]),
             ClaimBody::Tensor(_) => self.above_the_diagonal(arithmetic, body, point),
+            ClaimBody::Recurrence { function, next } => {
+                Some(vec![self.value(arithmetic, function, point)?, self.value(arithmetic, next, point)?])
+            }
         };
         claims
             .map(|claim| (claim.name.text.clone(), value(claim.body.as_ref().expect("it was read"))))
@@ -170,7 +173,9 @@ impl Written {
         }
         let claim = self.block.claims.iter().find(|claim| claim.name.text == name);
         match claim.and_then(|claim| claim.body.as_ref()) {
-            Some(ClaimBody::Function(expr)) => self.value(arithmetic, expr, point),
+            Some(ClaimBody::Function(expr) | ClaimBody::Recurrence { function: expr, .. }) => {
+                self.value(arithmetic, expr, point)
+            }
             _ => panic!("{name} has no value"),
         }
     }

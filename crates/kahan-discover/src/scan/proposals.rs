@@ -201,7 +201,7 @@ impl<'a> Prover<'a> {
     /// H1, H2, … or rho, rho2, …: the first that nothing has.
     fn free_name(&self, kind: ClaimKind) -> String {
         let name = |index: usize| match (kind, index) {
-            (ClaimKind::Integral, _) => format!("H{index}"),
+            (ClaimKind::Integral | ClaimKind::Drift, _) => format!("H{index}"),
             (_, 1) => "rho".to_owned(),
             _ => format!("rho{index}"),
         };

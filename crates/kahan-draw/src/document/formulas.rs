@@ -50,6 +50,7 @@ pub fn claim(claim: &ClaimShown, variables: usize, besides: &Markup) -> Markup {
     let (kind, index) = match &claim.name {
         name if is(ClaimKind::Bracket) => ("Invariant Poisson bracket", format!("_{{{}}}", Latex.name(name))),
         _ if is(ClaimKind::Density) => ("Invariant density", String::new()),
+        _ if is(ClaimKind::Drift) => ("Drift", String::new()),
         _ => ("Integral", String::new()),
     };
     let formulas = claim.equations.iter().map(|(left, right)| format!("{left}{index} = {right}"));

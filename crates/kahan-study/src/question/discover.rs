@@ -182,6 +182,9 @@ impl Discovered {
     fn parts(&self) -> Result<Vec<Part>, StudyError> {
         let expression = |body: &ClaimBody| match body {
             ClaimBody::Function(value) => Text.expression(value),
+            ClaimBody::Recurrence { function, next } => {
+                format!("{} by {}", Text.expression(function), Text.expression(next))
+            }
             ClaimBody::Tensor(entries) => {
                 let entry = |entry: &TensorEntry| {
                     let (row, column) = (&entry.row.text, &entry.column.text);

@@ -1,4 +1,4 @@
-//! Claims: `integral`, `density` and `bracket`, with their conditions.
+//! Claims: `integral`, `density`, `bracket` and `drift`, with their conditions.
 
 use std::mem;
 
@@ -29,11 +29,13 @@ pub(super) fn hamiltonian<X>(cursor: &mut Cursor<'_>, block: &mut Block<X>) -> P
 
 /// Fills `claim`; its body is set only when all of it was read.
 fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
-    let body = if claim.kind == ClaimKind::Bracket {
-        ClaimBody::Tensor(entries(cursor, &claim.name)?)
-    } else {
-        equals(cursor)?;
-        ClaimBody::Function(parse_expr(cursor)?)
+    let body = match claim.kind {
+        ClaimKind::Bracket => ClaimBody::Tensor(entries(cursor, &claim.name)?),
+        ClaimKind::Drift => recurrence(cursor, &claim.name)?,
+        ClaimKind::Integral | ClaimKind::Density => {
+            equals(cursor)?;
+            ClaimBody::Function(parse_expr(cursor)?)
+        }
     };
     cursor.end = if claim.kind == ClaimKind::Bracket { End::Item } else { End::Semicolon };
     let outcome = conditions(cursor, &mut claim.conditions);
@@ -46,6 +48,22 @@ fn claim_body(cursor: &mut Cursor<'_>, claim: &mut Claim) -> Parsed<()> {
     }
     claim.body = Some(body);
     Ok(())
+}
+
+/// Reads `= expr by expr`. A `by` where an operand stands is a name.
+fn recurrence(cursor: &mut Cursor<'_>, name: &Name) -> Parsed<ClaimBody> {
+    equals(cursor)?;
+    let end = mem::replace(&mut cursor.end, End::By);
+    let function = parse_expr(cursor);
+    cursor.end = end;
+    let function = function?;
+    if cursor.identifier(0) != Some("by") {
+        let help =
+            format!("write the next value behind `by`, as in `drift {0} = … by {0} - 2*eps;`", name.text);
+        return Err(cursor.missing(Kind::Claim, function.span.to(cursor.here()), "`by`", help));
+    }
+    cursor.advance();
+    Ok(ClaimBody::Recurrence { function, next: parse_expr(cursor)? })
 }
 
 /// Reads `{ {x,y} = expr; … }`.

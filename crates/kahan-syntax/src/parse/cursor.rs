@@ -33,6 +33,8 @@ pub(super) enum End {
     Item,
     /// `=`: on the left side of a relation behind `when`.
     Equals,
+    /// `by`: in the function of a drift.
+    By,
     /// Any punctuation that is no operator: there is no block, and the reader of the formula says
     /// what may follow.
     Formula,

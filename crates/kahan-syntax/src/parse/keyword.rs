@@ -5,10 +5,10 @@ use crate::syntax::{Block, Claim, ClaimKind, Constant};
 
 use super::cursor::Cursor;
 
-const KEYWORDS: [&str; 4] = ["integral", "density", "bracket", "const"];
+const KEYWORDS: [&str; 5] = ["integral", "density", "bracket", "drift", "const"];
 
 /// Words of the trade for each keyword, in small letters and without underscores.
-const SYNONYMS: [(&str, &str); 4] = [
+const SYNONYMS: [(&str, &str); 5] = [
     (
         "integral",
         "invariant conserved conserve conserves preserved preserves firstintegral first constantofmotion \
@@ -16,6 +16,7 @@ const SYNONYMS: [(&str, &str); 4] = [
     ),
     ("density", "measure invariantmeasure volume volumeform multiplier jacobimultiplier weight"),
     ("bracket", "poisson poissonbracket poissontensor liepoisson tensor symplectic structure"),
+    ("drift", "recurrence drifting semiinvariant relativeinvariant"),
     ("const", "constant let static define def val var"),
 ];
 
@@ -60,7 +61,11 @@ pub(super) fn wrong_keyword<X>(cursor: &Cursor<'_>, block: &mut Block<X>) -> Opt
         block.constants.push(Constant { name, value: None });
         return Some(wrong(help));
     };
-    let shape = if kind == ClaimKind::Bracket { "{ {x,y} = …; }" } else { "= …;" };
+    let shape = match kind {
+        ClaimKind::Bracket => "{ {x,y} = …; }",
+        ClaimKind::Drift => "= … by …;",
+        ClaimKind::Integral | ClaimKind::Density => "= …;",
+    };
     let help = format!("did you mean `{keyword} {} {shape}`?", name.text);
     block.claims.push(Claim { kind, name, body: None, conditions: Vec::new() });
     Some(wrong(help))

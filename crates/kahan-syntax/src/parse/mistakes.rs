@@ -199,6 +199,7 @@ pub(super) fn after_operand<X>(cursor: &Cursor<'_>, operand: Expr<X>) -> Parsed<
         TokenKind::Punctuation('=' | '<' | '>' | '!') if cursor.end == End::Equals => Ok(operand),
         TokenKind::Punctuation(_) if cursor.end == End::Formula => Ok(operand),
         TokenKind::Identifier if token.text == "when" => Ok(operand),
+        TokenKind::Identifier if token.text == "by" && cursor.end == End::By => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) && cursor.end == End::Item => Ok(operand),
         TokenKind::Identifier if cursor.begins_item(0) => {
             let message = format!("a `;` is missing before `{}`", token.text);
