@@ -387,7 +387,7 @@ fn findings_are_told_when_they_are_proved() {
         let asked = question(json!({"ask": "discover", "degree": 2})).expect("a question");
         let Ok(Answer::Discover(found)) = e6.ask(&asked, &watch) else { panic!("a report") };
         let heard = watch.heard.into_inner().expect("no listener fails");
-        let claims = found.claims(None);
+        let claims = found.claims(&[]);
         assert!(heard.iter().all(|text| claims.contains(&text.as_str())), "{heard:?} of {claims:?}");
         // Once it is told to stop, the search says no more.
         assert_eq!(heard.len(), if stops_at_first { 1 } else { claims.len() });
@@ -440,7 +440,7 @@ fn what_is_found_can_be_claimed() {
         panic!("a report")
     };
     let claimed = found.claimed().expect("a field with its claims");
-    assert_eq!(claimed.claims.len(), found.claims(None).len());
+    assert_eq!(claimed.claims.len(), found.claims(&[]).len());
 }
 
 #[test]

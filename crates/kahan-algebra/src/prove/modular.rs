@@ -80,7 +80,9 @@ fn examine<A: Arithmetic>(
     let holds = pairs.iter().all(|pair| arithmetic.is_zero(&arithmetic.subtract(&pair.left, &pair.right)));
     let values = gradients(claim, arithmetic, &sample.here, n)?;
     let says_something = values.iter().any(|value| match claim.kind {
-        ClaimKind::Integral | ClaimKind::Drift => value.gradient.iter().any(|slope| !arithmetic.is_zero(slope)),
+        ClaimKind::Integral | ClaimKind::Drift => {
+            value.gradient.iter().any(|slope| !arithmetic.is_zero(slope))
+        }
         ClaimKind::Density | ClaimKind::Bracket => !arithmetic.is_zero(&value.value),
     });
     Some(Evidence { holds, says_something })

@@ -134,7 +134,7 @@ case             integrals written growth      densities drifts ranks          l
 /// form where this stands for a formula, and findings that are of another kind.
 fn printed(report: &Report, found: Vec<String>) -> Vec<String> {
     let mut printed: Vec<String> = report.integrals.iter().map(|formula| formula.text.clone()).collect();
-    if let Some(hamiltonian) = report.compact() {
+    for hamiltonian in report.compact() {
         let compact = format!("integral H~ = {};", hamiltonian.modified(&Text));
         match hamiltonian.place {
             ModifiedPlace::InsteadOf(index) => printed[index] = compact,
