@@ -19,7 +19,7 @@ pub(crate) struct Case {
     pub(crate) shortest: Vec<String>,
 }
 
-/// What a publication says of the map.
+/// Facts of the map that a publication states.
 #[derive(Debug)]
 pub(crate) struct Known {
     /// The number of independent integrals, exactly.

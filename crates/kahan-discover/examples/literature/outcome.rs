@@ -1,4 +1,4 @@
-//! What `discover` finds of a case, and how it differs from what is known.
+//! The findings of `discover` for a case, compared with what is known.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -14,7 +14,7 @@ use crate::case::Case;
 /// The row of a case.
 pub(crate) struct Outcome<'a> {
     case: &'a Case,
-    /// What the report counts, each in a column.
+    /// The counts of the report, each in a column.
     counts: [String; 5],
     last_finding: f64,
     total: f64,
@@ -111,7 +111,7 @@ case             integrals written growth      densities drifts ranks          l
             all += found.iter().take(wanted).sum::<usize>();
             least += shortest.iter().sum::<usize>();
             if count < wanted {
-                // What is not found has no length.
+                // A claim that is not found has no length.
                 least = 0;
                 break;
             }
