@@ -1,0 +1,254 @@
+//! Functions whose next value follows from their value alone: F(x̃) = F(x) + c, c·F(x), or a
+//! fraction that is linear in F(x) above and below.
+//!
+//! A space of polynomials that the map carries into itself up to a cofactor C has a matrix M with
+//! P(x̃) = C(x)·M·P(x), and M acts on the quotients of its elements. The spaces are found modulo a
+//! prime for each C and degree, lowest first; where one shows a function that is independent of the
+//! integrals and of the drifts before, its basis and M are reconstructed, and each function that
+//! `normal` reads off M is proved as a claim.
+
+mod cofactors;
+mod normal;
+mod spaces;
+
+use kahan_algebra::field::Field;
+use kahan_algebra::poly::{Polynomial, Variable};
+use kahan_algebra::prime_field::SplitMix64;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::{Symbol, Symbols};
+use kahan_algebra::syntax::ClaimKind;
+
+use crate::claims::{Claims, Formula};
+use crate::deadline::Deadline;
+use crate::independent::Independent;
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::reconstruct::reconstruct;
+use crate::search::quotient_gradients;
+use crate::search_field::{Sample, SampledStep, SearchField};
+use crate::space::{Form, Space, combination, over_common, tidy};
+use crate::stepping::Stepping;
+use crate::writing::{begins_negative, is_product, quotient};
+
+use cofactors::Cofactors;
+use normal::{Next, carried};
+use spaces::{Carried, Points};
+
+/// The share of the time that the search may take.
+pub(crate) const SHARE: f64 = 0.03;
+
+/// Polynomials are looked at up to this degree.
+const HIGHEST: u32 = 4;
+
+/// The products that eliminations may take in all: a fraction of a second.
+const MOST_PRODUCTS: usize = 100_000_000;
+
+/// A space of more dimensions is not reconstructed.
+const MOST_DIMENSIONS: usize = 8;
+
+/// A claim of more characters is not written.
+const MOST_CHARACTERS: usize = 1000;
+
+/// A proved drift.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Drift {
+    /// The claim's name.
+    pub name: String,
+    /// The claim as a line of the language of `kahan!`: `drift F1 = … by …;`.
+    pub text: String,
+    /// How it goes on.
+    pub kind: DriftKind,
+}
+
+/// How the value of a drift goes on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DriftKind {
+    /// F + c, with this c.
+    Sum(String),
+    /// c·F, with this c.
+    Multiple(String),
+    /// (aF + b)/(cF + d)
+    Image,
+}
+
+/// Independent drifts of a map, none of which follows from the integrals; `tell` hears of each.
+pub(crate) fn drifts(
+    searched: &SearchField,
+    field: &Field,
+    claims: &Claims<'_>,
+    integrals: &[Formula],
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+    tell: &dyn Fn(ClaimKind, &str),
+) -> Vec<Drift> {
+    let mut search = || {
+        let cofactors = Cofactors::of(field, searched)?;
+        let mut known = Independent::new(searched, random);
+        let SampledStep { sample, here, .. } = known.step()?.clone();
+        integrals.iter().for_each(|formula| known.keep(&formula.numerator, &formula.denominator));
+        let mut search =
+            Search { searched, claims, cofactors, sample, here, known, deadline, tell, found: Vec::new() };
+        let mut products = 0;
+        for degree in 1..=HIGHEST {
+            let monomials = Monomials::new(searched.dimension(), degree);
+            let all = search.cofactors.of_degree(degree);
+            products += all.len() * (2 * monomials.len()).pow(3);
+            if products > MOST_PRODUCTS || search.is_done() || deadline.passed() {
+                break;
+            }
+            if search.of_degree(&monomials, &all, random).is_none() {
+                break;
+            }
+        }
+        Some(search.found)
+    };
+    search().unwrap_or_default()
+}
+
+struct Search<'a> {
+    searched: &'a SearchField,
+    claims: &'a Claims<'a>,
+    cofactors: Cofactors,
+    sample: Sample,
+    /// Where independence is seen.
+    here: Vec<u64>,
+    /// The integrals, and the drifts so far.
+    known: Independent<'a>,
+    deadline: &'a Deadline<'a>,
+    tell: &'a dyn Fn(ClaimKind, &str),
+    found: Vec<Drift>,
+}
+
+impl Search<'_> {
+    /// Whether there are as many functions as states.
+    fn is_done(&self) -> bool {
+        self.known.rank_with(Vec::new()) == self.searched.dimension()
+    }
+
+    /// Looks at the spaces of one degree; `None` where the map has no value or the deadline passes.
+    fn of_degree(&mut self, monomials: &Monomials, all: &[Vec<i32>], random: &mut SplitMix64) -> Option<()> {
+        let modulus = *self.sample.map.modulus();
+        let points = Points::new(self.searched, &self.sample, &self.cofactors, monomials, random)?;
+        for exponents in all {
+            let pairs = points.invariant(exponents, self.deadline)?;
+            if !(2..=MOST_DIMENSIONS).contains(&pairs.len()) {
+                continue;
+            }
+            let space =
+                Space::spanned(&modulus, pairs.iter().map(|pair| pair[..monomials.len()].to_vec()).collect());
+            let gradients = quotient_gradients(&modulus, monomials, &space, &self.here);
+            let carried = Carried::of_form(&modulus, &space.form, &pairs)?;
+            let known = self.known.rank_with(Vec::new());
+            if !carried.is_scalar() && self.known.rank_with(gradients) > known {
+                self.of_space(monomials, exponents, &space.form, random);
+            }
+            if self.is_done() {
+                break;
+            }
+        }
+        Some(())
+    }
+
+    /// Reconstructs a space of this form with its matrix, and adds what it shows.
+    fn of_space(
+        &mut self,
+        monomials: &Monomials,
+        exponents: &[i32],
+        form: &Form,
+        random: &mut SplitMix64,
+    ) -> Option<()> {
+        let mut oracle = |modulus: Modulus, unknowns: &[u64], random: &mut SplitMix64| {
+            let sample = Sample { map: self.searched.at(modulus, unknowns)?, unknowns: unknowns.to_vec() };
+            let points = Points::new(self.searched, &sample, &self.cofactors, monomials, random)?;
+            let pairs = points.invariant(exponents, self.deadline)?;
+            let carried = Carried::of_form(&modulus, form, &pairs)?;
+            Some([carried.rows.concat(), carried.matrix.concat()].concat())
+        };
+        let unknowns = self.searched.unknown_variables();
+        let entries = reconstruct(&mut oracle, &unknowns, random, self.deadline)?;
+        let (width, size) = (form.support.len(), form.pivots.len());
+        let (rows, matrix) = entries.split_at(width * size);
+        let split = |entries: &[RationalFunction], width| {
+            entries.chunks(width).map(<[RationalFunction]>::to_vec).collect::<Vec<_>>()
+        };
+        let (rows, matrix) = (split(rows, width), split(matrix, size));
+        let symbols = self.searched.family().symbols();
+        let states: Vec<Variable> = (0..symbols.dimension()).map(|i| symbols.state(i)).collect();
+        // Σ vᵢPᵢ as a polynomial, and by what that is multiplied.
+        let element = |vector: &Vec<RationalFunction>| {
+            let (numerators, common) = over_common(&normal::image(vector, &rows));
+            let whole = combination(&states, monomials, &form.support, &numerators);
+            let short = tidy(symbols, &whole);
+            Some((short.clone(), RationalFunction::new(common, whole.checked_div(&short)?)?))
+        };
+        for carried in carried(&matrix, symbols.state(0)) {
+            let ((above, scale_above), (below, scale_below)) =
+                (element(&carried.above)?, element(&carried.below)?);
+            let scale = scale_above.checked_div(&scale_below)?;
+            let next = match carried.next {
+                Next::Sum(step) => Next::Sum(&step * &scale),
+                Next::Image([a, b, c, d]) => Next::Image([a, &b * &scale, c.checked_div(&scale)?, d]),
+                next @ Next::Multiple(_) => next,
+            };
+            if self.known.admits(&above, &below)
+                && let Some(drift) = self.claims.drift(symbols, self.found.len() + 1, [&above, &below], &next)
+            {
+                self.known.keep(&above, &below);
+                (self.tell)(ClaimKind::Drift, &drift.text);
+                self.found.push(drift);
+            }
+        }
+        Some(())
+    }
+}
+
+impl Claims<'_> {
+    /// The claim of the next value of above/below, if it is short and proved.
+    fn drift(
+        &self,
+        symbols: &Symbols,
+        index: usize,
+        [above, below]: [&Polynomial; 2],
+        next: &Next,
+    ) -> Option<Drift> {
+        let name = self.name("F", Some(index));
+        let value = quotient(symbols, &[above.clone()], &[below.clone()], &[]);
+        let (next, kind) = written(symbols, &name, next);
+        let text = format!("drift {name} = {value} by {next}{};", self.condition);
+        (text.len() <= MOST_CHARACTERS && self.is_proved(&text)).then_some(Drift { name, text, kind })
+    }
+}
+
+/// The next value of the drift of this name as text, and how it goes on.
+fn written(symbols: &Symbols, name: &str, next: &Next) -> (String, DriftKind) {
+    // The drift stands as the one state.
+    let own = Symbols { states: vec![name.to_owned()], parameters: symbols.parameters.clone() };
+    let moved = |polynomial: &Polynomial| {
+        polynomial.map_variables(|variable| match symbols.symbol(variable) {
+            Symbol::Parameter(k) => own.parameter(k),
+            _ => own.epsilon(),
+        })
+    };
+    let drift = Polynomial::variable(own.state(0));
+    let text =
+        |above: &Polynomial, below: &Polynomial| quotient(&own, &[above.clone()], &[below.clone()], &[]);
+    let constant = |value: &RationalFunction| text(&moved(value.numerator()), &moved(value.denominator()));
+    match next {
+        Next::Sum(step) => {
+            let is_negative = begins_negative(step.numerator());
+            let size = if is_negative { constant(&-step) } else { constant(step) };
+            let size = if is_product(&size) || !is_negative { size } else { format!("({size})") };
+            let sign = if is_negative { '-' } else { '+' };
+            (format!("{name} {sign} {size}"), DriftKind::Sum(constant(step)))
+        }
+        Next::Multiple(factor) => {
+            let above = &moved(factor.numerator()) * &drift;
+            (text(&above, &moved(factor.denominator())), DriftKind::Multiple(constant(factor)))
+        }
+        Next::Image(entries) => {
+            let (entries, _) = over_common(entries);
+            let [a, b, c, d] = [0, 1, 2, 3].map(|place| moved(&entries[place]));
+            (text(&(&(&a * &drift) + &b), &(&(&c * &drift) + &d)), DriftKind::Image)
+        }
+    }
+}
