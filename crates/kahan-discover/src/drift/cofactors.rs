@@ -19,8 +19,8 @@ const MOST_WORK: u64 = 2_000_000;
 
 /// The factors that a cofactor is made of, and the degree of the map.
 pub(super) struct Cofactors {
-    /// D
-    pub(super) denominator: Polynomial,
+    /// N₁ … Nₙ, D
+    pub(super) components: Vec<Polynomial>,
     /// Factors of the Jacobian determinant that depend on states.
     pub(super) factors: Vec<Polynomial>,
     /// Their degrees in the states, and 1 for x₀ where that is a factor, too.
@@ -33,7 +33,7 @@ impl Cofactors {
     /// `None` where the map or its Jacobian determinant is beyond the budget.
     pub(super) fn of(field: &Field, searched: &SearchField) -> Option<Self> {
         let symbols = &field.symbols;
-        let mut components = components(field, searched)?;
+        let components = components(field, searched)?;
         let jacobian = jacobian(field, &components, &mut Budget::new(MOST_TERMS, MOST_WORK))?;
         let degree = components.iter().map(|component| symbols.degree(component)).max()?;
         let found = factors(&jacobian, &mut Budget::new(MOST_TERMS, MOST_WORK)).factors;
@@ -42,7 +42,12 @@ impl Cofactors {
         let full = (field.dimension() as u32 + 1) * (degree - 1);
         let at_infinity = (symbols.degree(&jacobian) < full).then_some(1);
         let degrees = factors.iter().map(|factor| symbols.degree(factor)).chain(at_infinity).collect();
-        Some(Cofactors { denominator: components.pop()?, factors, degrees, degree })
+        Some(Cofactors { components, factors, degrees, degree })
+    }
+
+    /// D
+    pub(super) fn denominator(&self) -> &Polynomial {
+        self.components.last().expect("a map has a denominator")
     }
 
     /// The exponents of the factors in each cofactor of polynomials of degree `degree`.

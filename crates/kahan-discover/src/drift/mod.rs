@@ -10,12 +10,12 @@
 mod cofactors;
 mod normal;
 mod spaces;
+mod triangular;
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
 use kahan_algebra::prime_field::SplitMix64;
 use kahan_algebra::rational_function::RationalFunction;
-use kahan_algebra::symbols::{Symbol, Symbols};
 use kahan_algebra::syntax::ClaimKind;
 
 use crate::claims::{Claims, Formula};
@@ -28,11 +28,12 @@ use crate::search::quotient_gradients;
 use crate::search_field::{Sample, SampledStep, SearchField};
 use crate::space::{Form, Space, combination, over_common, tidy};
 use crate::stepping::Stepping;
-use crate::writing::{begins_negative, is_product, quotient};
+use crate::writing::quotient;
 
 use cofactors::Cofactors;
 use normal::{Next, carried};
 use spaces::{Carried, Points};
+use triangular::Triangle;
 
 /// The share of the time that the search may take.
 pub(crate) const SHARE: f64 = 0.03;
@@ -69,6 +70,8 @@ pub enum DriftKind {
     Multiple(String),
     /// (aF + b)/(cF + d)
     Image,
+    /// A function of F and of earlier integrals and drifts.
+    Link,
 }
 
 /// Independent drifts of a map, none of which follows from the integrals; `tell` hears of each.
@@ -86,8 +89,26 @@ pub(crate) fn drifts(
         let mut known = Independent::new(searched, random);
         let SampledStep { sample, here, .. } = known.step()?.clone();
         integrals.iter().for_each(|formula| known.keep(&formula.numerator, &formula.denominator));
-        let mut search =
-            Search { searched, claims, cofactors, sample, here, known, deadline, tell, found: Vec::new() };
+        let names = integrals.iter().filter_map(Formula::name).map(str::to_owned);
+        let names = names.chain((1..=searched.dimension()).map(|index| claims.name("F", Some(index))));
+        let triangle = Triangle::new(&field.symbols, &cofactors.components, names.collect());
+        let found = Vec::new();
+        let mut search = Search {
+            searched,
+            claims,
+            integrals,
+            cofactors,
+            sample,
+            here,
+            known,
+            triangle,
+            deadline,
+            tell,
+            found,
+        };
+        for formula in integrals {
+            search.triangle.take_integral(formula);
+        }
         let mut products = 0;
         for degree in 1..=HIGHEST {
             let monomials = Monomials::new(searched.dimension(), degree);
@@ -100,6 +121,7 @@ pub(crate) fn drifts(
                 break;
             }
         }
+        search.add_links();
         Some(search.found)
     };
     search().unwrap_or_default()
@@ -108,12 +130,14 @@ pub(crate) fn drifts(
 struct Search<'a> {
     searched: &'a SearchField,
     claims: &'a Claims<'a>,
+    integrals: &'a [Formula],
     cofactors: Cofactors,
     sample: Sample,
     /// Where independence is seen.
     here: Vec<u64>,
     /// The integrals, and the drifts so far.
     known: Independent<'a>,
+    triangle: Triangle,
     deadline: &'a Deadline<'a>,
     tell: &'a dyn Fn(ClaimKind, &str),
     found: Vec<Drift>,
@@ -181,74 +205,85 @@ impl Search<'_> {
             let short = tidy(symbols, &whole);
             Some((short.clone(), RationalFunction::new(common, whole.checked_div(&short)?)?))
         };
+        let mut candidates = Vec::new();
         for carried in carried(&matrix, symbols.state(0)) {
             let ((above, scale_above), (below, scale_below)) =
                 (element(&carried.above)?, element(&carried.below)?);
-            let scale = scale_above.checked_div(&scale_below)?;
-            let next = match carried.next {
-                Next::Sum(step) => Next::Sum(&step * &scale),
-                Next::Image([a, b, c, d]) => Next::Image([a, &b * &scale, c.checked_div(&scale)?, d]),
-                next @ Next::Multiple(_) => next,
-            };
-            if self.known.admits(&above, &below)
-                && let Some(drift) = self.claims.drift(symbols, self.found.len() + 1, [&above, &below], &next)
-            {
-                self.known.keep(&above, &below);
-                (self.tell)(ClaimKind::Drift, &drift.text);
-                self.found.push(drift);
+            let next = carried.next.scaled(&scale_above.checked_div(&scale_below)?)?;
+            // The reciprocal is carried, too.
+            let size = |side: &Polynomial| (symbols.degree(side), side.len());
+            candidates.push(match next.of_reciprocal() {
+                Some(next) if size(&below) > size(&above) => (below, above, next),
+                _ => (above, below, next),
+            });
+        }
+        let key = |(above, below, next): &(Polynomial, Polynomial, Next)| {
+            (next.rank(), symbols.degree(above) + symbols.degree(below), above.len() + below.len())
+        };
+        candidates.sort_by_key(key);
+        for (above, below, next) in candidates {
+            if self.known.admits(&above, &below) {
+                self.offer([&above, &below], &next);
             }
         }
         Some(())
     }
-}
 
-impl Claims<'_> {
-    /// The claim of the next value of above/below, if it is short and proved.
-    fn drift(
-        &self,
-        symbols: &Symbols,
-        index: usize,
-        [above, below]: [&Polynomial; 2],
-        next: &Next,
-    ) -> Option<Drift> {
-        let name = self.name("F", Some(index));
-        let value = quotient(symbols, &[above.clone()], &[below.clone()], &[]);
-        let (next, kind) = written(symbols, &name, next);
-        let text = format!("drift {name} = {value} by {next}{};", self.condition);
-        (text.len() <= MOST_CHARACTERS && self.is_proved(&text)).then_some(Drift { name, text, kind })
+    /// The name of the next drift.
+    fn name(&self) -> String {
+        self.claims.name("F", Some(self.found.len() + 1))
     }
-}
 
-/// The next value of the drift of this name as text, and how it goes on.
-fn written(symbols: &Symbols, name: &str, next: &Next) -> (String, DriftKind) {
-    // The drift stands as the one state.
-    let own = Symbols { states: vec![name.to_owned()], parameters: symbols.parameters.clone() };
-    let moved = |polynomial: &Polynomial| {
-        polynomial.map_variables(|variable| match symbols.symbol(variable) {
-            Symbol::Parameter(k) => own.parameter(k),
-            _ => own.epsilon(),
-        })
-    };
-    let drift = Polynomial::variable(own.state(0));
-    let text =
-        |above: &Polynomial, below: &Polynomial| quotient(&own, &[above.clone()], &[below.clone()], &[]);
-    let constant = |value: &RationalFunction| text(&moved(value.numerator()), &moved(value.denominator()));
-    match next {
-        Next::Sum(step) => {
-            let is_negative = begins_negative(step.numerator());
-            let size = if is_negative { constant(&-step) } else { constant(step) };
-            let size = if is_product(&size) || !is_negative { size } else { format!("({size})") };
-            let sign = if is_negative { '-' } else { '+' };
-            (format!("{name} {sign} {size}"), DriftKind::Sum(constant(step)))
+    /// Adds the drift above/below if its claim is short and proved.
+    fn offer(&mut self, [above, below]: [&Polynomial; 2], next: &Next) {
+        let name = self.name();
+        let value = quotient(self.searched.family().symbols(), &[above.clone()], &[below.clone()], &[]);
+        let Some((drift, image, kind, text)) = self.triangle.written(&name, next) else { return };
+        if self.add(name, &value, &text, kind, [above, below]) {
+            self.triangle.take(drift, [above, below], image);
         }
-        Next::Multiple(factor) => {
-            let above = &moved(factor.numerator()) * &drift;
-            (text(&above, &moved(factor.denominator())), DriftKind::Multiple(constant(factor)))
+    }
+
+    /// Adds the drifts of the states whose next value follows from the drifts before.
+    fn add_links(&mut self) -> Option<()> {
+        while !self.is_done() && !self.deadline.passed() {
+            let name = self.name();
+            let link = self.triangle.link(&name)?;
+            let [above, below] = &self.triangle.in_states(&link);
+            let is_news = self.known.admits(above, below);
+            let (value, next) = (&link.value_text, &link.next_text);
+            if !is_news || !self.add(name.clone(), value, next, DriftKind::Link, [above, below]) {
+                return None;
+            }
+            self.triangle.keep(&name, link);
         }
-        Next::Image(entries) => {
-            let (entries, _) = over_common(entries);
-            let [a, b, c, d] = [0, 1, 2, 3].map(|place| moved(&entries[place]));
-            (text(&(&(&a * &drift) + &b), &(&(&c * &drift) + &d)), DriftKind::Image)
+        Some(())
+    }
+
+    /// Adds a drift if its claim, behind the integrals and the drifts before, is short and proved;
+    /// whether it is.
+    fn add(
+        &mut self,
+        name: String,
+        value: &str,
+        next: &str,
+        kind: DriftKind,
+        [above, below]: [&Polynomial; 2],
+    ) -> bool {
+        let text = format!("drift {name} = {value} by {next}{};", self.claims.condition);
+        let earlier = self.found.iter().map(|drift| drift.text.as_str());
+        let claims: Vec<&str> =
+            self.integrals.iter().map(|formula| formula.text.as_str()).chain(earlier).collect();
+        let is_added = text.len() <= MOST_CHARACTERS
+            && self.claims.is_proved(&match kind {
+                DriftKind::Link => format!("{} {text}", claims.join(" ")),
+                _ => text.clone(),
+            });
+        if is_added {
+            self.known.keep(above, below);
+            (self.tell)(ClaimKind::Drift, &text);
+            self.found.push(Drift { name, text, kind });
         }
+        is_added
     }
 }

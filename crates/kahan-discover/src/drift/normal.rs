@@ -14,12 +14,14 @@ use kahan_algebra::rational::Rational;
 use kahan_algebra::rational_function::RationalFunction;
 use kahan_factor::factors;
 
+use crate::space::over_common;
+
 type Vector = Vec<RationalFunction>;
 type Matrix = Vec<Vector>;
 
 /// What factoring a characteristic polynomial may cost.
-const MOST_TERMS: usize = 5_000;
-const MOST_WORK: u64 = 1_000_000;
+const MOST_TERMS: usize = 20_000;
+const MOST_WORK: u64 = 4_000_000;
 
 /// The next value of F = P_w/P_v.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,6 +32,53 @@ pub(super) enum Next {
     Multiple(RationalFunction),
     /// (aF + b)/(cF + d)
     Image([RationalFunction; 4]),
+}
+
+impl Next {
+    /// Sums before multiples before images.
+    pub(super) fn rank(&self) -> u8 {
+        match self {
+            Next::Sum(_) => 0,
+            Next::Multiple(_) => 1,
+            Next::Image(_) => 2,
+        }
+    }
+
+    /// The next value of F.
+    pub(super) fn of(&self, function: &RationalFunction) -> Option<RationalFunction> {
+        match self {
+            Next::Sum(step) => Some(function + step),
+            Next::Multiple(factor) => Some(function * factor),
+            Next::Image([a, b, c, d]) => (&(a * function) + b).checked_div(&(&(c * function) + d)),
+        }
+    }
+
+    /// With other constants.
+    pub(super) fn mapped(&self, to: impl Fn(&RationalFunction) -> RationalFunction) -> Next {
+        match self {
+            Next::Sum(step) => Next::Sum(to(step)),
+            Next::Multiple(factor) => Next::Multiple(to(factor)),
+            Next::Image(entries) => Next::Image(entries.each_ref().map(to)),
+        }
+    }
+
+    /// Of s·F.
+    pub(super) fn scaled(self, scale: &RationalFunction) -> Option<Next> {
+        Some(match self {
+            Next::Sum(step) => Next::Sum(&step * scale),
+            Next::Multiple(_) => self,
+            Next::Image([a, b, c, d]) => Next::Image([a, &b * scale, c.checked_div(scale)?, d]),
+        })
+    }
+
+    /// Of 1/F; `None` where that is of another kind.
+    pub(super) fn of_reciprocal(&self) -> Option<Next> {
+        match self {
+            Next::Sum(_) => None,
+            Next::Multiple(factor) => Some(Next::Multiple(factor.recip()?)),
+            Next::Image([a, b, c, d]) => Some(Next::Image([d, c, b, a].map(Clone::clone))),
+        }
+    }
 }
 
 /// F = P_above/P_below, and its next value.
@@ -113,7 +162,7 @@ fn characteristic(matrix: &Matrix, free: Variable) -> Polynomial {
         let over = RationalFunction::constant(Rational::new(-1, k as i64));
         coefficients.push(&trace * &over);
     }
-    let (numerators, _) = crate::space::over_common(&coefficients);
+    let (numerators, _) = over_common(&coefficients);
     let lambda = Polynomial::variable(free);
     numerators.iter().fold(Polynomial::zero(), |sum, coefficient| &(&sum * &lambda) + coefficient)
 }
@@ -208,12 +257,7 @@ mod tests {
             let value = |vector: &Vector| image(vector, &point).remove(0);
             let old = value(&above).checked_div(&value(&below)).unwrap();
             let new = value(&moved_above).checked_div(&value(&moved_below)).unwrap();
-            let expected = match next {
-                Next::Sum(step) => &old + &step,
-                Next::Multiple(factor) => &old * &factor,
-                Next::Image([a, b, c, d]) => (&(&a * &old) + &b).checked_div(&(&(&c * &old) + &d)).unwrap(),
-            };
-            assert_eq!(new, expected);
+            assert_eq!(Some(new), next.of(&old));
         }
     }
 }

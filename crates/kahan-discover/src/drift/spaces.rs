@@ -37,7 +37,7 @@ impl Points {
         while values.len() < 2 * monomials.len() + SPARE {
             let point = map.point(random);
             let next = map.next(&point)?;
-            let denominator = searched.evaluate(&cofactors.denominator, sample, &point)?;
+            let denominator = searched.evaluate(cofactors.denominator(), sample, &point)?;
             let power = modulus.power(denominator, monomials.degree());
             let there = monomials.values(&modulus, &next);
             let factors = cofactors.factors.iter();
