@@ -96,5 +96,5 @@ fn what_is_fixed_stands_behind_when() {
     };
     let report = discover(&system, &options, &Unwatched).expect("there is a map");
     let found: Vec<&str> = report.drifts.iter().map(|drift| drift.text.as_str()).collect();
-    assert_eq!(found, ["drift F1 = x by 5/3*F1 when a = 1/2, eps = 1/2;"]);
+    assert_eq!(found, ["drift F1 = x by 5*F1/3 when a = 1/2, eps = 1/2;"]);
 }
