@@ -131,7 +131,8 @@ pub(crate) fn discover_within(
     let mut found = search.found(hilbert.as_ref(), None, random, &until);
     begins("functions whose next value follows from their value");
     let until_drifts = Deadline::after(work, end.left().min(drift::SHARE * options.seconds));
-    let drifts = drifts(&searched, &fixed.field, &claims, &found.integrals, random, &until_drifts, tell);
+    let drifts =
+        drifts(&searched, &fixed.field, &claims, &found.integrals, &mut random.clone(), &until_drifts, tell);
     let mut is_stopped =
         [&for_flow, &for_degrees, &for_orbits, &for_structure].iter().any(|deadline| deadline.has_stopped())
             || until.has_stopped();
@@ -203,12 +204,12 @@ pub(crate) fn discover_within(
         independent: found.independent,
         ceiling,
         bound,
+        drifts: drift::independent(drifts, &searched, &found.integrals, &mut random.clone()),
         integrals: found.integrals,
         bases: found.bases,
         densities: found.densities,
         bracket_ranks,
         brackets,
-        drifts,
         polynomial_brackets: found.polynomial_brackets,
         density_search: found.density_search,
         own_density: claims.own_density().map(str::to_owned),

@@ -42,7 +42,7 @@ pub(crate) const SHARE: f64 = 0.03;
 const HIGHEST: u32 = 4;
 
 /// The products that eliminations may take in all: a fraction of a second.
-const MOST_PRODUCTS: usize = 100_000_000;
+const MOST_PRODUCTS: usize = 20_000_000;
 
 /// A space of more dimensions is not reconstructed.
 const MOST_DIMENSIONS: usize = 8;
@@ -59,6 +59,10 @@ pub struct Drift {
     pub text: String,
     /// How it goes on.
     pub kind: DriftKind,
+    /// The numerator of F.
+    pub numerator: Polynomial,
+    /// The denominator of F.
+    pub denominator: Polynomial,
 }
 
 /// How the value of a drift goes on.
@@ -125,6 +129,25 @@ pub(crate) fn drifts(
         Some(search.found)
     };
     search().unwrap_or_default()
+}
+
+/// The drifts up to the first that follows from those before and the integrals.
+pub(crate) fn independent(
+    mut drifts: Vec<Drift>,
+    searched: &SearchField,
+    integrals: &[Formula],
+    random: &mut SplitMix64,
+) -> Vec<Drift> {
+    let mut known = Independent::new(searched, random);
+    integrals.iter().for_each(|formula| known.keep(&formula.numerator, &formula.denominator));
+    let is_news = |drift: &Drift| {
+        let is_news = known.admits(&drift.numerator, &drift.denominator);
+        known.keep(&drift.numerator, &drift.denominator);
+        is_news
+    };
+    let news = drifts.iter().map(is_news).take_while(|is_news| *is_news).count();
+    drifts.truncate(news);
+    drifts
 }
 
 struct Search<'a> {
@@ -282,7 +305,8 @@ impl Search<'_> {
         if is_added {
             self.known.keep(above, below);
             (self.tell)(ClaimKind::Drift, &text);
-            self.found.push(Drift { name, text, kind });
+            let [numerator, denominator] = [above, below].map(Clone::clone);
+            self.found.push(Drift { name, text, kind, numerator, denominator });
         }
         is_added
     }
