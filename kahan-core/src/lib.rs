@@ -39,7 +39,7 @@
 //! | what an orbit does: exponents, sections, rotation numbers, drift, extrema | [`observe`]: [`Orbit::observe`], [`Ensemble::observe`] |
 //! | derivatives, determinants | [`KahanMap::jacobian`], [`det_jacobian`](KahanMap::det_jacobian) |
 //! | one state of a point | `x[E6::X]`, a constant of the type for each state |
-//! | integrals, a density, brackets | methods of the type that the macro makes: `integrals` and each integral by its name, `density`, `bracket_NAME` |
+//! | integrals, a density, brackets, drifts | methods of the type that the macro makes: `integrals` and each integral by its name, `density`, `bracket_NAME`, `drift_NAME` |
 //! | a chain of any number of sites | a family `for i in … { … }` in [`kahan!`] makes a [`LatticeMap`], its [`at`](LatticeMap::at) a [`LatticeAt`] |
 //! | another kind of number | `f32`, `f64`, [`Dd`] with twice the digits, `BigRational` with the feature `exact` |
 //! | the cheapest setting that is accurate enough | [`Scene`] |

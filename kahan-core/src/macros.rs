@@ -25,7 +25,8 @@
 /// back.
 ///
 /// `integral NAME = expression;` claims a function that the map leaves unchanged, `density` an
-/// invariant measure, `bracket` a Poisson tensor. They are proved while compiling, and a false
+/// invariant measure, `bracket` a Poisson tensor, `drift` a function whose next value follows from
+/// its value. They are proved while compiling, and a false
 /// claim does not compile; `eps` in them is ε, **half** the time step.
 ///
 /// ```

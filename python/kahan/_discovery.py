@@ -1,4 +1,4 @@
-"""Integrals, densities and brackets that a map preserves."""
+"""Integrals, densities, brackets and drifts of a map."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ __all__ = ["Discovery"]
 
 
 class Discovery(Answer):
-    """Integrals, densities and brackets that a map preserves, by the names of ``kahan discover --json``.
+    """Integrals, densities, brackets and drifts of a map, by the names of ``kahan discover --json``.
 
-    ``integrals``, ``densities`` and ``brackets`` are formulas by name, and ``claims`` the same as lines
+    ``integrals``, ``densities``, ``brackets`` and ``drifts`` are formulas by name, and ``claims`` the same as lines
     of the language of ``kahan!``; ``claimed`` is the field that has them. Integrals whose formulas are
     too long to write are in ``bases``.
     """
@@ -35,7 +35,7 @@ class Discovery(Answer):
     """The extent of the search, and its result where something is missing."""
 
     def __init__(self, found: Mapping[str, Any], of: System) -> None:
-        kinds = ("integrals", "densities", "brackets")
+        kinds = ("integrals", "densities", "brackets", "drifts")
         super().__init__({name: value for name, value in found.items() if name not in kinds})
         self.__dict__["_names"] = (*found, "claims")
         self.__dict__["claims"] = [line for kind in kinds for line in found[kind]]
@@ -75,3 +75,8 @@ class Discovery(Answer):
     def brackets(self) -> dict[str, Formula]:
         """The invariant Poisson brackets, by name, each an antisymmetric matrix."""
         return self.claimed.brackets
+
+    @property
+    def drifts(self) -> dict[str, Formula]:
+        """Functions whose next value follows from their value, by name, each a vector of both."""
+        return self.claimed.drifts

@@ -46,7 +46,7 @@ class Formulas(Field):
     def _symbols(self) -> Symbols:
         sheet = self._sheet("text")
         constants = re.findall(r"^ *const (\w+) = (.+);$", sheet["macro"], re.MULTILINE)
-        functions = {claim["name"]: _right(claim) for claim in sheet["claims"] if claim["kind"] != "bracket"}
+        functions = {claim["name"]: _sides(claim)[0] for claim in sheet["claims"] if claim["kind"] != "bracket"}
         return Symbols(tuple(self._all_variables), self.parameters, dict(constants) | functions)
 
     @property
@@ -94,7 +94,7 @@ class Formulas(Field):
 
     def _single(self, kind: str) -> dict[str, Formula]:
         def formula(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
-            text = _right(claim)
+            (text,) = _sides(claim)
             return Formula(lambda form: text if form == "text" else sides(form)[0], self._symbols, claim["name"], claim["when"])
 
         return {name: formula(*found) for name, found in self._claims(kind).items()}
@@ -128,6 +128,21 @@ class Formulas(Field):
 
         return {name: matrix(*found) for name, found in self._claims("bracket").items()}
 
+    @property
+    def drifts(self) -> dict[str, Formula]:
+        """The claimed drifts, by name: vectors of a function and its next value, which follows from it.
+
+        >>> import kahan
+        >>> F = kahan.System("xdot = x^2; drift F = 1/x by F - 2*eps;").drifts["F"]
+        >>> str(F[0]), str(F[1]), F(["1/3"], eps="1/2").tolist()
+        ('1/x', 'F - 2*eps', [Fraction(3, 1), Fraction(2, 1)])
+        """
+        def both(claim: dict[str, Any], sides: Callable[[str], Any]) -> Formula:
+            texts = _sides(claim)
+            return Formula(lambda form: texts if form == "text" else sides(form), self._symbols, claim["name"], claim["when"])
+
+        return {name: both(*found) for name, found in self._claims("drift").items()}
+
     def _repr_latex_(self) -> str:
         """The field, its map where that is short, and the integrals that are known."""
         def lines(accent: str, formula: Formula) -> list[str]:
@@ -141,7 +156,8 @@ class Formulas(Field):
         return r"$\displaystyle \begin{aligned}" + r" \\ ".join(rows) + r"\end{aligned}$"
 
 
-def _right(claim: dict[str, Any]) -> str:
-    """The right side of a claim that is a function."""
-    text: str = claim["statement"].partition(" = ")[2].rstrip(";")
-    return text.partition(" when ")[0]
+def _sides(claim: dict[str, Any]) -> list[str]:
+    """The right side of a claim that is a function; of a drift the next value, too."""
+    text: str = claim["statement"].partition(" = ")[2].rstrip(";").partition(" when ")[0]
+    # Behind an operator `by` is a state or a parameter.
+    return re.split(r"(?<![-+*/(]) by ", text, maxsplit=1) if claim["kind"] == "drift" else [text]

@@ -61,7 +61,7 @@ pub struct Claims<'a> {
     system: &'a System,
     equations: String,
     /// ` when a = 1, eps = 1/2`, or empty.
-    condition: String,
+    pub(crate) condition: String,
     taken: Vec<String>,
 }
 
@@ -110,7 +110,7 @@ impl<'a> Claims<'a> {
 
     /// A name that nothing else in the block has, but for a density that is replaced: the stem, or
     /// with a number or more letters.
-    fn name(&self, stem: &str, index: Option<usize>) -> String {
+    pub(crate) fn name(&self, stem: &str, index: Option<usize>) -> String {
         let mut name = match index {
             Some(index) => format!("{stem}{index}"),
             None => stem.to_owned(),

@@ -54,12 +54,20 @@ impl<'a> Independent<'a> {
     /// Whether P/Q is independent of what was kept.
     #[must_use]
     pub fn admits(&self, numerator: &Polynomial, denominator: &Polynomial) -> bool {
-        let Some(step) = &self.step else { return false };
         let Some(gradient) = self.gradient(numerator, denominator) else { return false };
-        let mut rows = self.gradients.clone();
-        rows.push(gradient);
-        let wanted = rows.len();
-        Echelon::of(step.sample.map.modulus(), rows, self.searched.dimension()).rank() == wanted
+        self.step.is_some() && self.rank_with(vec![gradient]) == self.gradients.len() + 1
+    }
+
+    /// The map and the point at which gradients are taken.
+    pub(crate) fn step(&self) -> Option<&SampledStep> {
+        self.step.as_ref()
+    }
+
+    /// The rank of what was kept and of further gradients; 0 without a point.
+    pub(crate) fn rank_with(&self, further: Vec<Vec<u64>>) -> usize {
+        let Some(step) = &self.step else { return 0 };
+        let rows = [self.gradients.clone(), further].concat();
+        Echelon::of(step.sample.map.modulus(), rows, self.searched.dimension()).rank()
     }
 
     /// Keeps P/Q.

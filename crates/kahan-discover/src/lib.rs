@@ -17,7 +17,7 @@
 //! [`degrees`], [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`],
 //! [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`],
 //! [`chart`], [`constrained`], [`independent`], `reduction`, `collector`, [`integrals`];
-//! [`darboux`], `brackets`; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`];
+//! [`darboux`], `brackets`, [`drift`]; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`];
 //! `writing`, [`claims`], [`report`]; [`mod@scan`] looks for special values on a grid,
 //! [`mod@poles`] follows what the map sends to infinity or blows down.
 //!
@@ -46,6 +46,7 @@ pub mod deadline;
 pub mod degrees;
 mod densities;
 pub mod determinant;
+pub mod drift;
 mod entries;
 pub mod family;
 pub mod grading;

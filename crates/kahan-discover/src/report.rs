@@ -10,6 +10,7 @@ use crate::basis::Basis;
 use crate::ceiling::Ceiling;
 use crate::claims::Formula;
 use crate::composition::Survivors;
+use crate::drift::Drift;
 use crate::growth::GrowthVerdict;
 use crate::hamiltonian::Hamiltonian;
 use crate::hilbert::Hilbert;
@@ -188,6 +189,8 @@ pub struct Report {
     pub bracket_ranks: Vec<usize>,
     /// How many of them, the first, have polynomial entries.
     pub polynomial_brackets: usize,
+    /// Functions whose next value follows from their value, proved; independent of the integrals.
+    pub drifts: Vec<Drift>,
     /// How the search for densities ended.
     pub density_search: DensitySearch,
     /// The name of an unconditional density that the field brings along; a block takes one.

@@ -18,6 +18,7 @@ use crate::composition::{Survivors, survivors};
 use crate::deadline::{Deadline, Work};
 use crate::degrees::{DegreeLimits, degrees};
 use crate::densities::{densities, pfaffian_density};
+use crate::drift::{self, drifts};
 use crate::growth::GrowthVerdict;
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL, default_degree};
 use crate::independent::quotient_gradient;
@@ -128,6 +129,10 @@ pub(crate) fn discover_within(
     };
     let until = Until { integrals: for_integrals, densities: for_densities, end: end.clone() };
     let mut found = search.found(hilbert.as_ref(), None, random, &until);
+    begins("functions whose next value follows from their value");
+    let until_drifts = Deadline::after(work, end.left().min(drift::SHARE * options.seconds));
+    let drifts =
+        drifts(&searched, &fixed.field, &claims, &found.integrals, &mut random.clone(), &until_drifts, tell);
     let mut is_stopped =
         [&for_flow, &for_degrees, &for_orbits, &for_structure].iter().any(|deadline| deadline.has_stopped())
             || until.has_stopped();
@@ -199,6 +204,7 @@ pub(crate) fn discover_within(
         independent: found.independent,
         ceiling,
         bound,
+        drifts: drift::independent(drifts, &searched, &found.integrals, &mut random.clone()),
         integrals: found.integrals,
         bases: found.bases,
         densities: found.densities,

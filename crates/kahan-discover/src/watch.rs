@@ -70,7 +70,7 @@ impl fmt::Display for Progress<'_> {
 /// Something that a map keeps, as a claim of the language of `kahan!`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// Integral, density, or bracket.
+    /// Integral, density, bracket, or drift.
     pub kind: ClaimKind,
     /// The claim's name.
     pub name: String,

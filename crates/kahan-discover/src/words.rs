@@ -1,5 +1,6 @@
 //! Verdicts in words: each sentence says what was shown, and no more.
 
+mod drifts;
 mod structure;
 
 use kahan_algebra::render::Text;
@@ -9,6 +10,7 @@ use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL};
 use crate::reconstruct::MOST_DIGITS;
 use crate::report::{Bound, HamiltonianReport, ModifiedPlace, Report};
 
+use drifts::drifts;
 use structure::structure;
 
 /// `one integral`, `3 integrals`.
@@ -31,6 +33,7 @@ pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     sentences.extend(polynomial_brackets(report));
     sentences.push(densities(report));
     sentences.extend(own_density(report));
+    sentences.extend(drifts(report));
     sentences.extend(structure(report));
     sentences.extend(composition(report));
     sentences.extend(ceiling(report));

@@ -19,19 +19,19 @@ use crate::printing::{Answer, Prompt, Refusal, Sink};
 use crate::reading::{Source, StepLength, seconds, whole};
 
 /// Finds what the map of a field preserves, from its equations alone: integrals, invariant
-/// densities and Poisson brackets, structure, growth.
+/// densities and Poisson brackets, drifts, structure, growth.
 ///
-/// What is given (--eps, --param) is fixed, the rest generic. Integrals, densities and brackets
-/// stand last, as lines of the language of `kahan!`, each of them proved; what stands behind `when`
-/// is fixed. An integral whose formula would fill pages is given by a Hirota-Kimura basis:
+/// What is given (--eps, --param) is fixed, the rest generic. Integrals, densities, brackets and
+/// drifts (functions whose next value follows from their value) stand last, as lines of the
+/// language of `kahan!`, each of them proved; what stands behind `when` is fixed. An integral whose formula would fill pages is given by a Hirota-Kimura basis:
 /// monomials with one linear relation along every orbit, whose coefficients are integrals. Where
 /// integrals may be missing, the search goes on to higher degrees until the time is up, and a
 /// sentence says what ended it. Claims that the field brings along are not looked at.
 ///
 /// The JSON object holds hilbert, independent_integrals, degrees, growth, entropy,
-/// linear_integrals, integrals, densities, brackets, bases, hamiltonian and more. `hilbert` says
-/// how many monomials of degree at most 1, 2, ... are independent on an orbit; `found` has kind,
-/// name and expression of every integral, density, bracket and Hamiltonian.
+/// linear_integrals, integrals, densities, brackets, drifts, bases, hamiltonian and more. `hilbert`
+/// says how many monomials of degree at most 1, 2, ... are independent on an orbit; `found` has
+/// kind, name and expression of every integral, density, bracket, drift and Hamiltonian.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:

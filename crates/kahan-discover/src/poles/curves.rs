@@ -26,16 +26,9 @@ impl Curves {
     /// `None` where the map is beyond its budget.
     pub(crate) fn of(field: &Field, searched: &SearchField) -> Option<Self> {
         let symbols = &field.symbols;
-        let reduced = RationalMap::of(field)?.reduced;
-        let mut components = reduced.numerators(symbols);
-        components.push(reduced.denominator);
-        let mut components: Vec<Polynomial> =
-            components.into_iter().map(|component| searched.at_eps(component)).collect();
-        // A value of ε may bring a common factor.
-        let common = gcd_all(&components);
-        components.iter_mut().for_each(|one| *one = one.checked_div(&common).unwrap_or_default());
+        let components = components(field, searched)?;
         let mut factors = state_factors(symbols, &components[field.dimension()]);
-        let jacobian = jacobian(field, &components);
+        let jacobian = jacobian(field, &components, &mut Budget::new(MOST_TERMS, MOST_WORK));
         let has_jacobian = jacobian.is_some();
         for factor in jacobian.iter().flat_map(|jacobian| state_factors(symbols, jacobian)) {
             if !factors.contains(&factor) {
@@ -46,14 +39,26 @@ impl Curves {
     }
 }
 
+/// N₁ … Nₙ, D in lowest terms where ε may be fixed; `None` where the map is beyond its budget.
+pub(crate) fn components(field: &Field, searched: &SearchField) -> Option<Vec<Polynomial>> {
+    let reduced = RationalMap::of(field)?.reduced;
+    let mut components = reduced.numerators(&field.symbols);
+    components.push(reduced.denominator);
+    let mut components: Vec<Polynomial> =
+        components.into_iter().map(|component| searched.at_eps(component)).collect();
+    // A value of ε may bring a common factor.
+    let common = gcd_all(&components);
+    components.iter_mut().for_each(|one| *one = one.checked_div(&common).unwrap_or_default());
+    Some(components)
+}
+
 /// Dⁿ⁺¹ det ∂x̃/∂x, the determinant of the rows (∂F/∂x₁ … ∂F/∂xₙ, F) for F = N₁ … Nₙ, D; `None`
 /// beyond the budget.
-fn jacobian(field: &Field, components: &[Polynomial]) -> Option<Polynomial> {
+pub(crate) fn jacobian(field: &Field, components: &[Polynomial], budget: &mut Budget) -> Option<Polynomial> {
     let row = |component: &Polynomial| {
         let slopes = (0..field.dimension()).map(|i| component.derivative(field.symbols.state(i)));
         slopes.chain([component.clone()]).collect()
     };
     let rows: Vec<Vec<Polynomial>> = components.iter().map(row).collect();
-    let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
-    maximal_minors(&rows, &mut budget).ok()?.into_values().next()
+    maximal_minors(&rows, budget).ok()?.into_values().next()
 }

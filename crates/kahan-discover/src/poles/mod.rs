@@ -9,7 +9,7 @@
 //! Confinement alone proves nothing: Hietarinta and Viallet's map (Phys. Rev. Lett. 81, 1998)
 //! confines and is chaotic. So the growth of degrees stands beside the patterns.
 
-mod curves;
+pub(crate) mod curves;
 mod germ;
 mod implied;
 mod roots;

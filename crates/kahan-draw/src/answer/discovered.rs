@@ -19,7 +19,7 @@ pub(super) fn html(found: &Discovered) -> Markup {
     let report = &found.report;
     html! {
         @if claimed.claims.is_empty() && report.bases.is_empty() && report.compact().next().is_none() {
-            p { "No integral, density or bracket was found." }
+            p { "No integral, density, bracket or drift was found." }
         } @else if !claimed.claims.is_empty() {
             @let named = [&report.variables[..], &report.parameters[..]].concat().join(", ");
             p {

@@ -158,7 +158,8 @@ impl Discovered {
         let integrals = (0..report.integrals.len()).filter(|index| !but.contains(index));
         let integrals = integrals.map(|index| &report.integrals[index]);
         let formulas = integrals.chain(&report.densities).map(|formula| formula.text.as_str());
-        formulas.chain(report.brackets.iter().map(String::as_str)).collect()
+        let drifts = report.drifts.iter().map(|drift| drift.text.as_str());
+        formulas.chain(report.brackets.iter().map(String::as_str)).chain(drifts).collect()
     }
 
     /// The field with what is to be read as its claims: integrals that the compact forms of
@@ -246,6 +247,7 @@ struct Object<'a> {
     densities: Vec<&'a str>,
     brackets: &'a [String],
     bracket_ranks: &'a [usize],
+    drifts: Vec<&'a str>,
     found: Vec<Part>,
     bases: Vec<Relation>,
     divergence: &'a str,
@@ -377,6 +379,7 @@ impl Serialize for Discovered {
             densities: texts(&report.densities),
             brackets: &report.brackets,
             bracket_ranks: &report.bracket_ranks,
+            drifts: report.drifts.iter().map(|drift| drift.text.as_str()).collect(),
             found: self.parts().map_err(S::Error::custom)?,
             bases: report.bases.iter().map(|basis| Relation::of(basis, &report.variables)).collect(),
             divergence: &structure.divergence,

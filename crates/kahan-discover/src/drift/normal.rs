@@ -1,0 +1,263 @@
+//! Functions that a matrix over ℚ(parameters, ε) carries on: its Jordan form, as far as the
+//! eigenvalues are rational or quadratic.
+//!
+//! For a row vector v let P_v = Σ vᵢPᵢ. From P(x̃) = C(x)·M·P(x) follows P_v(x̃) = C(x)·P_{vM}(x).
+//!
+//! | v, w | F = P_w/P_v | next value |
+//! |---|---|---|
+//! | vM = λv, wM = λw + v | Jordan's chain | F + 1/λ |
+//! | vM = λv, wM = μw | eigenvectors | (μ/λ)·F |
+//! | wM = aw + bv, vM = cw + dv | invariant plane | (aF + b)/(cF + d) |
+
+use kahan_algebra::poly::{Budget, Polynomial, Variable};
+use kahan_algebra::rational::Rational;
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_factor::factors;
+
+use crate::space::over_common;
+
+type Vector = Vec<RationalFunction>;
+type Matrix = Vec<Vector>;
+
+/// What factoring a characteristic polynomial may cost.
+const MOST_TERMS: usize = 20_000;
+const MOST_WORK: u64 = 4_000_000;
+
+/// The next value of F = P_w/P_v.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Next {
+    /// F + c
+    Sum(RationalFunction),
+    /// c·F
+    Multiple(RationalFunction),
+    /// (aF + b)/(cF + d)
+    Image([RationalFunction; 4]),
+}
+
+impl Next {
+    /// Sums before multiples before images.
+    pub(super) fn rank(&self) -> u8 {
+        match self {
+            Next::Sum(_) => 0,
+            Next::Multiple(_) => 1,
+            Next::Image(_) => 2,
+        }
+    }
+
+    /// The next value of F.
+    pub(super) fn of(&self, function: &RationalFunction) -> Option<RationalFunction> {
+        match self {
+            Next::Sum(step) => Some(function + step),
+            Next::Multiple(factor) => Some(function * factor),
+            Next::Image([a, b, c, d]) => (&(a * function) + b).checked_div(&(&(c * function) + d)),
+        }
+    }
+
+    /// With other constants.
+    pub(super) fn mapped(&self, to: impl Fn(&RationalFunction) -> RationalFunction) -> Next {
+        match self {
+            Next::Sum(step) => Next::Sum(to(step)),
+            Next::Multiple(factor) => Next::Multiple(to(factor)),
+            Next::Image(entries) => Next::Image(entries.each_ref().map(to)),
+        }
+    }
+
+    /// Of s·F.
+    pub(super) fn scaled(self, scale: &RationalFunction) -> Option<Next> {
+        Some(match self {
+            Next::Sum(step) => Next::Sum(&step * scale),
+            Next::Multiple(_) => self,
+            Next::Image([a, b, c, d]) => Next::Image([a, &b * scale, c.checked_div(scale)?, d]),
+        })
+    }
+
+    /// Of 1/F; `None` where that is of another kind.
+    pub(super) fn of_reciprocal(&self) -> Option<Next> {
+        match self {
+            Next::Sum(_) => None,
+            Next::Multiple(factor) => Some(Next::Multiple(factor.recip()?)),
+            Next::Image([a, b, c, d]) => Some(Next::Image([d, c, b, a].map(Clone::clone))),
+        }
+    }
+}
+
+/// F = P_above/P_below, and its next value.
+pub(super) struct Carried {
+    pub(super) above: Vector,
+    pub(super) below: Vector,
+    pub(super) next: Next,
+}
+
+/// The functions that M shows, sums first and images last; `free` is a variable that M lacks.
+pub(super) fn carried(matrix: &Matrix, free: Variable) -> Vec<Carried> {
+    let (mut sums, mut multiples, mut images) = (Vec::new(), Vec::new(), Vec::new());
+    let mut eigenvectors: Vec<(RationalFunction, Vector)> = Vec::new();
+    let characteristic = characteristic(matrix, free);
+    for (factor, _) in factors(&characteristic, &mut Budget::new(MOST_TERMS, MOST_WORK)).factors {
+        let coefficient = |power: u32| {
+            let of_power = factor.coefficients_in(free).get(&power).cloned();
+            RationalFunction::from(of_power.unwrap_or_default())
+        };
+        match factor.degree_where(|variable| variable == free) {
+            1 => {
+                let Some(value) = (-&coefficient(0)).checked_div(&coefficient(1)) else { continue };
+                let Some(step) = value.recip() else { continue };
+                let difference = plus_multiple(matrix, &-&value);
+                let own = null_space(&transposed(&difference));
+                for above in null_space(&transposed(&product(&difference, &difference))) {
+                    let below = image(&above, &difference);
+                    if below.iter().any(|entry| !entry.is_zero()) {
+                        sums.push(Carried { above, below, next: Next::Sum(step.clone()) });
+                    }
+                }
+                for (other, below) in &eigenvectors {
+                    let quotient = value.checked_div(other).expect("no eigenvalue is 0");
+                    multiples.extend(own.iter().map(|above| Carried {
+                        above: above.clone(),
+                        below: below.clone(),
+                        next: Next::Multiple(quotient.clone()),
+                    }));
+                }
+                eigenvectors.extend(own.into_iter().map(|vector| (value.clone(), vector)));
+            }
+            2 => {
+                let [constant, linear, leading] = [0, 1, 2].map(coefficient);
+                let square = product(matrix, matrix);
+                let entries = square.iter().zip(matrix).map(|(square, own)| {
+                    let entries = square.iter().zip(own);
+                    entries.map(|(square, own)| &(square * &leading) + &(own * &linear)).collect()
+                });
+                let plane = null_space(&transposed(&plus_multiple(&entries.collect::<Matrix>(), &constant)));
+                if let [above, below] = &plane[..] {
+                    images.extend(in_plane(matrix, above, below));
+                }
+            }
+            _ => {}
+        }
+    }
+    sums.into_iter().chain(multiples).chain(images).collect()
+}
+
+/// The function of an invariant plane of M.
+fn in_plane(matrix: &Matrix, above: &Vector, below: &Vector) -> Option<Carried> {
+    // Of each basis vector of a null space one entry is 1 where that of the other is 0.
+    let place = |of: &Vector, other: &Vector| {
+        (0..of.len()).find(|&place| of[place] == RationalFunction::one() && other[place].is_zero())
+    };
+    let (first, second) = (place(above, below)?, place(below, above)?);
+    let [of_above, of_below] = [above, below].map(|vector| image(vector, matrix));
+    let next = [&of_above[first], &of_above[second], &of_below[first], &of_below[second]].map(Clone::clone);
+    Some(Carried { above: above.clone(), below: below.clone(), next: Next::Image(next) })
+}
+
+/// det(λ − M) times a factor without λ, by Faddeev and LeVerrier.
+fn characteristic(matrix: &Matrix, free: Variable) -> Polynomial {
+    let size = matrix.len();
+    let mut coefficients = vec![RationalFunction::one()];
+    let mut power: Matrix = vec![vec![RationalFunction::zero(); size]; size];
+    for k in 1..=size {
+        power = plus_multiple(&product(matrix, &power), &coefficients[k - 1]);
+        let moved = product(matrix, &power);
+        let trace = (0..size).fold(RationalFunction::zero(), |sum, i| &sum + &moved[i][i]);
+        let over = RationalFunction::constant(Rational::new(-1, k as i64));
+        coefficients.push(&trace * &over);
+    }
+    let (numerators, _) = over_common(&coefficients);
+    let lambda = Polynomial::variable(free);
+    numerators.iter().fold(Polynomial::zero(), |sum, coefficient| &(&sum * &lambda) + coefficient)
+}
+
+fn transposed(matrix: &Matrix) -> Matrix {
+    (0..matrix.len()).map(|column| matrix.iter().map(|row| row[column].clone()).collect()).collect()
+}
+
+/// v·M
+pub(super) fn image(vector: &Vector, matrix: &Matrix) -> Vector {
+    let entry = |column: usize| {
+        let terms = vector.iter().zip(matrix).filter(|(own, _)| !own.is_zero());
+        terms.fold(RationalFunction::zero(), |sum, (own, row)| &sum + &(own * &row[column]))
+    };
+    (0..matrix[0].len()).map(entry).collect()
+}
+
+fn product(left: &Matrix, right: &Matrix) -> Matrix {
+    left.iter().map(|row| image(row, right)).collect()
+}
+
+/// M + c·I
+fn plus_multiple(matrix: &Matrix, factor: &RationalFunction) -> Matrix {
+    let mut sum = matrix.clone();
+    for (i, row) in sum.iter_mut().enumerate() {
+        row[i] = &row[i] + factor;
+    }
+    sum
+}
+
+/// The vectors that a matrix sends to zero: for each column without a pivot one, with 1 there and 0
+/// in the other such columns.
+fn null_space(matrix: &Matrix) -> Vec<Vector> {
+    let columns = matrix[0].len();
+    let mut rows: Matrix = matrix.clone();
+    let mut pivots = Vec::new();
+    for column in 0..columns {
+        let done = pivots.len();
+        let Some(found) = (done..rows.len()).find(|&row| !rows[row][column].is_zero()) else { continue };
+        rows.swap(done, found);
+        let inverse = rows[done][column].recip().expect("a pivot is not zero");
+        let pivot_row: Vector = rows[done].iter().map(|entry| entry * &inverse).collect();
+        for (row, entries) in rows.iter_mut().enumerate() {
+            let factor = -&entries[column];
+            if row != done && !factor.is_zero() {
+                let pairs = entries.iter_mut().zip(&pivot_row);
+                pairs.for_each(|(entry, pivot)| *entry = &*entry + &(pivot * &factor));
+            }
+        }
+        rows[done] = pivot_row;
+        pivots.push(column);
+    }
+    let free = (0..columns).filter(|column| !pivots.contains(column));
+    free.map(|free| {
+        let mut vector = vec![RationalFunction::zero(); columns];
+        vector[free] = RationalFunction::one();
+        for (row, &pivot) in rows.iter().zip(&pivots) {
+            vector[pivot] = -&row[free];
+        }
+        vector
+    })
+    .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Entries that are integers, but for those with a name.
+    fn matrix(rows: &[&[i64]]) -> Matrix {
+        let entry = |&value: &i64| RationalFunction::constant(Rational::from(value));
+        rows.iter().map(|row| row.iter().map(entry).collect()).collect()
+    }
+
+    #[test]
+    fn every_function_is_carried_as_it_says() {
+        // Blocks: a chain of 2, the eigenvalue 3, and a rotation.
+        let of = matrix(&[
+            &[2, 0, 0, 0, 0],
+            &[5, 2, 0, 0, 0],
+            &[0, 0, 3, 0, 0],
+            &[0, 0, 0, 1, 2],
+            &[0, 0, 0, -2, 1],
+        ]);
+        let found = carried(&of, Variable(0));
+        let kinds: Vec<_> = found.iter().map(|found| std::mem::discriminant(&found.next)).collect();
+        assert_eq!(kinds.len(), 3);
+        // vM for each side, on two rows of numbers P, is C times the next value.
+        for Carried { above, below, next } in found {
+            let (moved_above, moved_below) = (image(&above, &of), image(&below, &of));
+            let point = matrix(&[&[7], &[-3], &[11], &[2], &[5]]);
+            let value = |vector: &Vector| image(vector, &point).remove(0);
+            let old = value(&above).checked_div(&value(&below)).unwrap();
+            let new = value(&moved_above).checked_div(&value(&moved_below)).unwrap();
+            assert_eq!(Some(new), next.of(&old));
+        }
+    }
+}

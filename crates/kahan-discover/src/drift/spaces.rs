@@ -1,0 +1,132 @@
+//! Spaces of polynomials that the map carries into themselves, modulo a prime.
+
+use kahan_algebra::prime_field::SplitMix64;
+
+use crate::deadline::Deadline;
+use crate::matrix::{Echelon, SPARE};
+use crate::modulus::Modulus;
+use crate::monomials::Monomials;
+use crate::search_field::{Sample, SearchField};
+use crate::space::Form;
+use crate::stepping::Stepping;
+
+use super::cofactors::Cofactors;
+
+/// Pairs of polynomials (P, Q) as coefficients, one behind the other, with P(x̃) = C(x)·Q(x).
+type Pairs = Vec<Vec<u64>>;
+
+/// Values at random points of a map.
+pub(super) struct Points {
+    modulus: Modulus,
+    /// For each point the monomials there, those at its image times D^d, and the factors there.
+    values: Vec<(Vec<u64>, Vec<u64>, Vec<u64>)>,
+}
+
+impl Points {
+    /// Enough points for polynomials on these monomials; `None` where the map has no value.
+    pub(super) fn new(
+        searched: &SearchField,
+        sample: &Sample,
+        cofactors: &Cofactors,
+        monomials: &Monomials,
+        random: &mut SplitMix64,
+    ) -> Option<Self> {
+        let map = &sample.map;
+        let modulus = *map.modulus();
+        let mut values = Vec::new();
+        while values.len() < 2 * monomials.len() + SPARE {
+            let point = map.point(random);
+            let next = map.next(&point)?;
+            let denominator = searched.evaluate(cofactors.denominator(), sample, &point)?;
+            let power = modulus.power(denominator, monomials.degree());
+            let there = monomials.values(&modulus, &next);
+            let factors = cofactors.factors.iter();
+            values.push((
+                monomials.values(&modulus, &point),
+                there.into_iter().map(|value| modulus.times(value, power)).collect(),
+                factors.map(|factor| searched.evaluate(factor, sample, &point)).collect::<Option<_>>()?,
+            ));
+        }
+        Some(Points { modulus, values })
+    }
+
+    /// The largest space that the map carries into itself with this cofactor, each element with its
+    /// image.
+    pub(super) fn invariant(&self, exponents: &[i32], deadline: &Deadline<'_>) -> Option<Pairs> {
+        let modulus = &self.modulus;
+        let rows = self.values.iter().map(|(here, there, factors)| {
+            let cofactor =
+                factors.iter().zip(exponents).fold(modulus.one(), |product, (&base, &exponent)| {
+                    modulus.times(product, modulus.power(base, exponent.unsigned_abs()))
+                });
+            let minus = modulus.opposite(cofactor);
+            let right = here.iter().map(|&value| modulus.times(minus, value));
+            there.iter().copied().chain(right).collect()
+        });
+        let count = self.values[0].0.len();
+        let mut pairs = Echelon::null_vectors(modulus, rows.collect(), 2 * count, deadline)?;
+        loop {
+            let kept = with_images_inside(modulus, &pairs, count);
+            if kept.len() == pairs.len() {
+                return Some(pairs);
+            }
+            pairs = kept;
+        }
+    }
+}
+
+/// The combinations of pairs (P, Q) for which Q is a combination of the P of all pairs.
+fn with_images_inside(modulus: &Modulus, pairs: &Pairs, count: usize) -> Pairs {
+    let space = Echelon::of(modulus, pairs.iter().map(|pair| pair[..count].to_vec()).collect(), count);
+    let outside = |image: &[u64]| {
+        let mut rest = image.to_vec();
+        for (row, &pivot) in space.rows.iter().zip(&space.pivots) {
+            let factor = image[pivot];
+            rest.iter_mut()
+                .zip(row)
+                .for_each(|(rest, &own)| *rest = modulus.minus(*rest, modulus.times(factor, own)));
+        }
+        rest
+    };
+    let rows = pairs.iter().map(|pair| [outside(&pair[count..]), pair.clone()].concat()).collect();
+    let echelon = Echelon::of(modulus, rows, 3 * count);
+    let inside = echelon.rank_of_first(count);
+    echelon.rows[inside..].iter().map(|row| row[count..].to_vec()).collect()
+}
+
+/// A basis in reduced form, and the matrix M with P(x̃) = C(x)·M·P(x).
+pub(super) struct Carried {
+    pub(super) rows: Vec<Vec<u64>>,
+    pub(super) matrix: Vec<Vec<u64>>,
+}
+
+impl Carried {
+    /// On the support of a form, if the space has it.
+    pub(super) fn of_form(modulus: &Modulus, form: &Form, pairs: &Pairs) -> Option<Self> {
+        let count = pairs.first()?.len() / 2;
+        let wide = |pair: &Vec<u64>| {
+            let both = form.support.iter().map(|&index| pair[index]);
+            both.chain(form.support.iter().map(|&index| pair[count + index])).collect()
+        };
+        let width = form.support.len();
+        let echelon = Echelon::of(modulus, pairs.iter().map(wide).collect(), 2 * width);
+        if echelon.pivots != form.pivots {
+            return None;
+        }
+        let coordinates =
+            |row: &Vec<u64>| form.pivots.iter().map(|&pivot| row[width + pivot]).collect::<Vec<u64>>();
+        Some(Carried {
+            matrix: echelon.rows.iter().map(coordinates).collect(),
+            rows: echelon.rows.iter().map(|row| row[..width].to_vec()).collect(),
+        })
+    }
+
+    /// Whether M is a number, so that all quotients of elements are integrals.
+    pub(super) fn is_scalar(&self) -> bool {
+        let first = self.matrix[0][0];
+        self.matrix
+            .iter()
+            .enumerate()
+            .all(|(i, row)| row.iter().enumerate().all(|(j, &entry)| entry == if i == j { first } else { 0 }))
+    }
+}

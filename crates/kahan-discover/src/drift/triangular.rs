@@ -1,0 +1,214 @@
+//! States whose next value follows from theirs and from earlier drifts: first-order recurrences.
+//!
+//! A drift, or an integral, of one state xᵢ that is linear in it above and below gives xᵢ as a
+//! function of itself. Where the image of another state w needs w and such states alone, w is a
+//! drift, too, its next value written in the earlier ones; and so is w times a power of an earlier
+//! one, which may be shorter.
+
+use std::slice::from_ref;
+
+use kahan_algebra::poly::{Budget, Polynomial, Variable};
+use kahan_algebra::rational_function::RationalFunction;
+use kahan_algebra::symbols::{Symbol, Symbols};
+
+use crate::claims::Formula;
+use crate::writing::{is_product, quotient};
+
+use super::DriftKind;
+use super::normal::Next;
+
+/// What composing functions may cost.
+const MOST_TERMS: usize = 2_000;
+const MOST_WORK: u64 = 200_000;
+
+/// Powers of an earlier drift by which a state may be multiplied.
+const POWERS: [i32; 5] = [0, 1, -1, 2, -2];
+
+/// States and drifts as the variables of one ring.
+pub(super) struct Triangle {
+    /// The states of the field, then the names of drifts and integrals.
+    symbols: Symbols,
+    own: Symbols,
+    /// N₁ … Nₙ, D
+    components: Vec<Polynomial>,
+    /// The states as functions of drifts, where they are known.
+    values: Vec<Option<RationalFunction>>,
+    /// Each drift: its variable, what it is in the states, and its next value in drifts.
+    steps: Vec<[RationalFunction; 3]>,
+}
+
+/// A drift to be proved.
+pub(super) struct Link {
+    state: usize,
+    pub(super) value: RationalFunction,
+    pub(super) value_text: String,
+    pub(super) next_text: String,
+    next: RationalFunction,
+    /// The state as a function of the drift and of earlier ones.
+    solved: RationalFunction,
+}
+
+impl Triangle {
+    /// For the map of these components; `names` are those that drifts and integrals may have.
+    pub(super) fn new(symbols: &Symbols, components: &[Polynomial], names: Vec<String>) -> Self {
+        let states = [symbols.states.clone(), names].concat();
+        let joint = Symbols { states, parameters: symbols.parameters.clone() };
+        let components = components.iter().map(|component| moved(component, symbols, &joint)).collect();
+        let values = vec![None; symbols.dimension()];
+        Triangle { symbols: joint, own: symbols.clone(), components, values, steps: Vec::new() }
+    }
+
+    fn variable(&self, name: &str) -> Option<Variable> {
+        self.symbols.states.iter().position(|known| known == name).map(|index| self.symbols.state(index))
+    }
+
+    /// A drift of this name, its next value, and both as they are written.
+    pub(super) fn written(
+        &self,
+        name: &str,
+        next: &Next,
+    ) -> Option<(RationalFunction, RationalFunction, DriftKind, String)> {
+        let drift = RationalFunction::variable(self.variable(name)?);
+        let next = next.mapped(|constant| self.moved(constant));
+        let image = next.of(&drift)?;
+        let (kind, text) = match &next {
+            Next::Sum(step) => (DriftKind::Sum(self.text(step)), self.sum(name, step)),
+            Next::Multiple(factor) => (DriftKind::Multiple(self.text(factor)), self.text(&image)),
+            Next::Image(_) => (DriftKind::Image, self.text(&image)),
+        };
+        Some((drift, image, kind, text))
+    }
+
+    /// `F1 - 2*eps`
+    fn sum(&self, name: &str, step: &RationalFunction) -> String {
+        let size = self.text(step);
+        match size.strip_prefix('-') {
+            Some(rest) if is_product(&size) => format!("{name} - {rest}"),
+            Some(_) => format!("{name} + ({size})"),
+            None => format!("{name} + {size}"),
+        }
+    }
+
+    fn text(&self, function: &RationalFunction) -> String {
+        quotient(&self.symbols, from_ref(function.numerator()), from_ref(function.denominator()), &[])
+    }
+
+    /// A function of the field's symbols.
+    fn moved(&self, function: &RationalFunction) -> RationalFunction {
+        let [above, below] =
+            [function.numerator(), function.denominator()].map(|side| moved(side, &self.own, &self.symbols));
+        RationalFunction::new(above, below).expect("a denominator is not zero")
+    }
+
+    /// Takes an integral, which goes on to itself.
+    pub(super) fn take_integral(&mut self, formula: &Formula) {
+        if let Some(variable) = formula.name().and_then(|name| self.variable(name)) {
+            let value = RationalFunction::variable(variable);
+            self.take(value.clone(), [&formula.numerator, &formula.denominator], value);
+        }
+    }
+
+    /// Takes a drift that is above/below in the states, with its next value; whether a state is
+    /// known now.
+    pub(super) fn take(
+        &mut self,
+        drift: RationalFunction,
+        sides: [&Polynomial; 2],
+        next: RationalFunction,
+    ) -> bool {
+        let [above, below] = sides.map(|side| moved(side, &self.own, &self.symbols));
+        let mut states = (0..self.values.len()).filter(|&i| {
+            let state = self.symbols.state(i);
+            above.contains(state) || below.contains(state)
+        });
+        let (Some(state), None) = (states.next(), states.next()) else { return false };
+        let variable = self.symbols.state(state);
+        if [&above, &below].iter().any(|side| side.degree_where(|one| one == variable) > 1) {
+            return false;
+        }
+        let part = |side: &Polynomial, power: u32| {
+            let parts = side.coefficients_in(variable);
+            RationalFunction::from(parts.get(&power).cloned().unwrap_or_default())
+        };
+        let ([a, b], [c, d]) =
+            ([1, 0].map(|power| part(&above, power)), [1, 0].map(|power| part(&below, power)));
+        // F = (a·x + b)/(c·x + d)
+        self.values[state] = (&b - &(&d * &drift)).checked_div(&(&(&c * &drift) - &a));
+        let in_states = RationalFunction::new(above, below).expect("a denominator is not zero");
+        self.steps.push([drift, in_states, next]);
+        true
+    }
+
+    /// The shortest drift of this name that another state gives.
+    pub(super) fn link(&self, name: &str) -> Option<Link> {
+        if self.steps.is_empty() {
+            return None;
+        }
+        let state = (0..self.values.len()).find(|&state| {
+            let unknown = (0..self.values.len()).filter(|&i| i != state && self.values[i].is_none());
+            let used = [&self.components[state], &self.components[self.values.len()]];
+            self.values[state].is_none()
+                && unknown.map(|i| self.symbols.state(i)).all(|i| used.iter().all(|side| !side.contains(i)))
+        })?;
+        let variable = self.variable(name)?;
+        let drift = RationalFunction::variable(variable);
+        let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+        let above = self.components[state].clone();
+        let mut image = RationalFunction::new(above, self.components[self.values.len()].clone())?;
+        for (i, value) in self.values.iter().enumerate() {
+            if let Some(value) = value {
+                image = image.compose_within(self.symbols.state(i), value, &mut budget).ok()??;
+            }
+        }
+        let own = RationalFunction::variable(self.symbols.state(state));
+        let link = |power: i32, step: Option<&[RationalFunction; 3]>| {
+            let mut budget = Budget::new(MOST_TERMS, MOST_WORK);
+            let one = RationalFunction::one();
+            let [factor, in_states, next_factor] = match step {
+                Some(parts) => parts.each_ref().map(|part| raised(part, power)),
+                None => [Some(one.clone()), Some(one.clone()), Some(one)],
+            };
+            let solved = drift.checked_div(&factor?)?;
+            let moved = image.compose_within(self.symbols.state(state), &solved, &mut budget).ok()??;
+            let next = moved.mul_within(&next_factor?, &mut budget).ok()?;
+            let value = own.mul_within(&in_states?, &mut budget).ok()?;
+            let step = &next - &drift;
+            let is_sum = [step.numerator(), step.denominator()].iter().all(|side| !side.contains(variable));
+            let next_text = if is_sum { self.sum(name, &step) } else { self.text(&next) };
+            let value_text = self.text(&value);
+            Some(Link { state, value, value_text, next_text, next, solved })
+        };
+        let others =
+            POWERS[1..].iter().flat_map(|&power| self.steps.iter().map(move |step| (power, Some(step))));
+        let links =
+            [(POWERS[0], None)].into_iter().chain(others).filter_map(|(power, step)| link(power, step));
+        links.min_by_key(|link| link.value_text.len() + link.next_text.len())
+    }
+
+    /// What a link is in the states: its numerator and denominator.
+    pub(super) fn in_states(&self, link: &Link) -> [Polynomial; 2] {
+        [link.value.numerator(), link.value.denominator()].map(|side| moved(side, &self.symbols, &self.own))
+    }
+
+    /// Takes a link that was proved under this name.
+    pub(super) fn keep(&mut self, name: &str, link: Link) {
+        let drift = self.variable(name).map(RationalFunction::variable);
+        self.values[link.state] = Some(link.solved);
+        self.steps.extend(drift.map(|drift| [drift, link.value, link.next]));
+    }
+}
+
+/// f^power
+fn raised(function: &RationalFunction, power: i32) -> Option<RationalFunction> {
+    let base = if power < 0 { function.recip()? } else { function.clone() };
+    Some((0..power.unsigned_abs()).fold(RationalFunction::one(), |product, _| &product * &base))
+}
+
+/// A polynomial in the variables of other symbols that have these names, too.
+fn moved(polynomial: &Polynomial, from: &Symbols, to: &Symbols) -> Polynomial {
+    polynomial.map_variables(|variable| match from.symbol(variable) {
+        Symbol::State(i) | Symbol::SecondState(i) => to.state(i),
+        Symbol::Parameter(k) => to.parameter(k),
+        Symbol::Epsilon => to.epsilon(),
+    })
+}

@@ -1,0 +1,42 @@
+//! What drifts say of time, and of integrals that are not rational.
+
+use crate::drift::DriftKind;
+use crate::report::Report;
+use crate::writing::is_product;
+
+/// What changes evenly, by how much at a step, and what is constant because of that.
+pub(super) fn drifts(report: &Report) -> Option<String> {
+    let even: Vec<(String, String)> = report
+        .drifts
+        .iter()
+        .filter_map(|drift| match &drift.kind {
+            DriftKind::Sum(step) => Some((drift.name.clone(), step.clone())),
+            DriftKind::Multiple(factor) => Some((format!("log({})", drift.name), format!("log({factor})"))),
+            DriftKind::Image | DriftKind::Link => None,
+        })
+        .collect();
+    let factor = |step: &String| {
+        let is_one = step.starts_with("log(") || is_product(step) && !step.contains('/');
+        if is_one { step.clone() } else { format!("({step})") }
+    };
+    let ((first, step), others) = even.split_first()?;
+    if others.is_empty() {
+        let constant = match step.strip_prefix('-') {
+            Some(size) if is_product(step) => format!("{first} + n*{size}"),
+            _ => format!("{first} - n*{}", factor(step)),
+        };
+        return Some(format!(
+            "Every step adds {step} to {first}, so {constant} is constant, n the number of steps."
+        ));
+    }
+    let all: Vec<String> = even.iter().map(|(drift, step)| format!("{step} to {drift}")).collect();
+    let constants: Vec<String> = others
+        .iter()
+        .map(|(drift, own)| format!("{first}/{} - {drift}/{}", factor(step), factor(own)))
+        .collect();
+    Some(format!(
+        "Every step adds {}: along orbits {} is constant.",
+        all.join(" and "),
+        constants.join(" and ")
+    ))
+}

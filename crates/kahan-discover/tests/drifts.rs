@@ -1,0 +1,100 @@
+//! Functions whose next value follows from their value: found in fields where they are known, and
+//! nowhere where integrals say all.
+
+use kahan_algebra::{lexer, read};
+use kahan_discover::hilbert::default_degree;
+use kahan_discover::{Options, Report, Unwatched, discover};
+
+mod support;
+use support::*;
+
+fn report(text: &str, degree: Option<u32>) -> Report {
+    let system = system(text);
+    let degree = degree.or(Some(default_degree(system.field.dimension())));
+    let options = Options { degree, iterates: 8, iterate_degree: 100, ..Options::default() };
+    discover(&system, &options, &Unwatched).expect("there is a map")
+}
+
+/// The lines of a report's drifts, which compile behind its other claims.
+fn drifts(text: &str, report: &Report) -> Vec<String> {
+    let block = format!("{text} {}", claims(report).join(" "));
+    let reading = read(&lexer::lex(&block).tokens);
+    assert_eq!(reading.diagnostics(), [], "{block}");
+    report.drifts.iter().map(|drift| drift.text.clone()).collect()
+}
+
+#[test]
+fn drifts_are_found_where_they_are_known() {
+    let cases: [(&str, &[&str]); 10] = [
+        ("xdot = x^2;", &["drift F1 = 1/x by F1 - 2*eps;"]),
+        ("xdot = a*x;", &["drift F1 = x by F1*(1 + eps*a)/(1 - eps*a);"]),
+        // Quadratic eigenvalues: the map itself.
+        ("xdot = 1 + x^2;", &["drift F1 = x by (F1 + 2*eps)/(1 - 2*eps*F1);"]),
+        ("xdot = x^2 - 1;", &["drift F1 = (1 - x)/(1 + x) by F1*(1 + 2*eps)/(1 - 2*eps);"]),
+        // Jordan's chain.
+        (
+            "xdot = x + y; ydot = y;",
+            &[
+                "drift F1 = x/y by F1 + 2*eps/((1 + eps)*(1 - eps));",
+                "drift F2 = y by F2*(1 + eps)/(1 - eps);",
+            ],
+        ),
+        // One drift beside the integral says how the orbit runs through its circle.
+        ("xdot = x^2 - y^2; ydot = 2*x*y;", &["drift F1 = x/(x^2 + y^2) by F1 - 2*eps;"]),
+        // An integral may stand in the next value.
+        ("xdot = 0; ydot = x*y;", &["drift F1 = y by F1*(1 + eps*H1)/(1 - eps*H1);"]),
+        // Two first integrals and nothing besides, and none at all.
+        ("xdot = -x*z; ydot = -y*z; zdot = x^2 + y^2;", &[]),
+        ("xdot = y; ydot = 6*x^2 - a;", &[]),
+        ("xdot = x*(1 - y); ydot = y*(x - 1);", &[]),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(drifts(text, &report(text, None)), expected, "{text}");
+    }
+}
+
+#[test]
+fn first_order_recurrences_are_found() {
+    // E8, and E7: with F1 = 2εN these are the recurrences of the paper, section 6.
+    let e8 = "xdot = -x^2; ydot = -x*(x + y); zdot = 2*y*(x + y) + x*z;";
+    let found = drifts(e8, &report(e8, Some(2)));
+    assert_eq!(found[..2], ["drift F1 = 1/x by F1 + 2*eps;", "drift F2 = y/x by F2 - 2*eps/(F1 + eps);"]);
+    assert_eq!(found.len(), 3);
+    let e7 = "struct E7 { xi } xdot = -x^2; ydot = -xi*x*y; zdot = 2*xi*y^2 + x*z;";
+    let found = drifts(e7, &report(e7, Some(2)));
+    assert_eq!(
+        found[..2],
+        ["drift F1 = 1/x by F1 + 2*eps;", "drift F2 = y/x by F2*(F1 + 2*eps - eps*xi)/(F1 + eps*xi);"]
+    );
+    assert_eq!(found.len(), 3);
+}
+
+#[test]
+fn what_grows_evenly_is_said_in_words() {
+    let words = |text: &str| {
+        let sentences = report(text, None).sentences;
+        sentences.into_iter().find(|sentence| sentence.starts_with("Every step adds")).expect(text)
+    };
+    assert_eq!(
+        words("xdot = x^2;"),
+        "Every step adds -2*eps to F1, so F1 + n*2*eps is constant, n the number of steps."
+    );
+    assert!(words("xdot = a*x; ydot = b*y;").ends_with(
+        "along orbits log(F1)/log((1 + eps*b)/(1 - eps*b)) - log(F2)/log((1 + eps*a)/(1 - eps*a)) is constant."
+    ));
+}
+
+#[test]
+fn what_is_fixed_stands_behind_when() {
+    let system = system("struct S { a } xdot = a*x;");
+    let half = kahan_algebra::rational::Rational::new(1, 2);
+    let options = Options {
+        parameters: vec![("a".to_owned(), half.clone())],
+        eps: Some(half),
+        degree: Some(2),
+        ..Options::default()
+    };
+    let report = discover(&system, &options, &Unwatched).expect("there is a map");
+    let found: Vec<&str> = report.drifts.iter().map(|drift| drift.text.as_str()).collect();
+    assert_eq!(found, ["drift F1 = x by 5*F1/3 when a = 1/2, eps = 1/2;"]);
+}
