@@ -9,7 +9,7 @@ use kahan_syntax::syntax::ClaimKind;
 use crate::field::{Component, Field};
 use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
-use crate::poly::{Polynomial, Variable};
+use crate::poly::{Polynomial, Variable, gcd};
 use crate::rational_function::RationalFunction;
 use crate::relations::{Obstacle, Relations};
 use crate::symbols::{Symbol, Symbols};
@@ -61,6 +61,24 @@ impl System {
         let field = Field { symbols, components };
         let kept = kept.unwrap_or_else(|| Kept::of(&field)).into();
         System { kept, field: field.into(), claims, ..self.clone() }
+    }
+
+    /// The system at ε = 0, without claims: the field that the map approximates.
+    #[must_use]
+    pub fn at_eps_zero(&self) -> System {
+        let Field { symbols, components } = &*self.field;
+        let at_zero = |of: &Polynomial| of.substitute(symbols.epsilon(), &Rational::ZERO);
+        let component = |component: &Component| {
+            let [numerator, denominator] = [&component.numerator, &component.denominator].map(at_zero);
+            let common = gcd(&numerator, &denominator);
+            let [numerator, denominator] =
+                [numerator, denominator].map(|of| of.checked_div(&common).expect("a common divisor divides"));
+            Component { numerator, denominator }
+        };
+        let components: Vec<_> = components.iter().map(component).collect();
+        let field = Field { symbols: symbols.clone(), components };
+        let kept = self.kept.at_eps_zero(symbols);
+        System { field: field.into(), kept: kept.into(), claims: Vec::new(), ..self.clone() }
     }
 
     /// The system where these relations between parameters hold, without claims: the parameters

@@ -97,9 +97,29 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Where the field divides by zero at these parameters, for exact scalars.
     fn prepare(&self, eps: &T) -> Self::Prepared;
 
-    /// A(x,ε) = I − εf′(x), the matrix of the linear system A(x,ε)·x̃ = b(x,ε).
+    /// Whether coefficients of the field depend on ε. Then [`field_at`](Self::field_at),
+    /// [`field_jacobian_at`](Self::field_jacobian_at) and [`rhs`](Self::rhs) are written for it.
+    const HAS_COEFFICIENTS_OF_EPS: bool = false;
+
+    /// f(x) with the coefficients that the map has at ε: the increment of a step is
+    /// 2ε·A(x,ε)⁻¹f(x). It is [`field`](QuadraticField::field) unless coefficients depend on ε.
+    #[inline(always)]
+    fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        let _ = eps;
+        self.field(x)
+    }
+
+    /// f′(x) with the coefficients that the map has at ε.
+    #[inline(always)]
+    fn field_jacobian_at(&self, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
+        let _ = eps;
+        self.field_jacobian(x)
+    }
+
+    /// A(x,ε) = I − εf′(x), the matrix of the linear system A(x,ε)·x̃ = b(x,ε). Coefficients of f
+    /// that depend on ε are those at this ε.
     fn matrix(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
-        let slopes = self.field_jacobian(x);
+        let slopes = self.field_jacobian_at(x, &eps);
         SMatrix::from_fn(|i, j| {
             let entry = -(eps.clone() * slopes[(i, j)].clone());
             if i == j { T::one() + entry } else { entry }

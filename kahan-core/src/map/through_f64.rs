@@ -224,6 +224,20 @@ where
         }
     }
 
+    const HAS_COEFFICIENTS_OF_EPS: bool = M::HAS_COEFFICIENTS_OF_EPS;
+
+    fn field_at(&self, x: &SVector<f32, N>, eps: &f32) -> SVector<f32, N> {
+        self.0.field_at(x, eps)
+    }
+
+    fn field_jacobian_at(&self, x: &SVector<f32, N>, eps: &f32) -> SMatrix<f32, N, N> {
+        self.0.field_jacobian_at(x, eps)
+    }
+
+    fn rhs(&self, x: &SVector<f32, N>, eps: f32) -> SVector<f32, N> {
+        self.0.rhs(x, eps)
+    }
+
     fn jacobian(&self, x: &SVector<f32, N>, eps: f32) -> SMatrix<f32, N, N> {
         self.wide().jacobian(&widened(x), f64::from(eps)).map(|entry| entry as f32)
     }

@@ -43,6 +43,19 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Some(jacobian)
     }
 
+    /// An object that is a vector.
+    fn vector_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        self.run(self.engine.known_line(object), x.as_slice(), eps, |results| vector(results.iter()))
+    }
+
+    /// An object that is a matrix.
+    fn slopes_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
+        let own = self.variables().len();
+        self.run(self.engine.known_line(object), x.as_slice(), eps, |entries| {
+            SMatrix::from_fn(|i, j| if i.max(j) < own { entries.get(i * own + j) } else { T::zero() })
+        })
+    }
+
     /// An object of two points that is a vector.
     fn vector_of_two(&self, object: Object, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
         let own = self.variables().len();
@@ -54,16 +67,11 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
 
 impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        self.run(self.engine.known_line(Object::Field), x.as_slice(), &T::zero(), |results| {
-            vector(results.iter())
-        })
+        self.vector_of(Object::Field, x, &T::zero())
     }
 
     fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        let own = self.variables().len();
-        self.run(self.engine.known_line(Object::FieldJacobian), x.as_slice(), &T::zero(), |entries| {
-            SMatrix::from_fn(|i, j| if i.max(j) < own { entries.get(i * own + j) } else { T::zero() })
-        })
+        self.slopes_of(Object::FieldJacobian, x, &T::zero())
     }
 
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {

@@ -338,7 +338,7 @@ impl Orbit {
         let eps = in_scalar("eps", "eps", &self.eps)?;
         let map = study.map()?;
         // What differs exactly may be one number in the scalar.
-        if !map.field().derived().is_defined_at(arithmetic, &parameters) {
+        if !map.field().derived().is_defined_at(arithmetic, &parameters, &eps) {
             return Err(study.undefined_field());
         }
         let named = study.parameters().iter().cloned();
