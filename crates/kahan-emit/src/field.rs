@@ -52,18 +52,20 @@ pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStr
         Some(couplings) => emit_coupled_field(context, couplings, &quote!(eps.clone())),
         None => (emit_vector(context, derived.field()), emit_matrix(context, derived.field_jacobian())),
     };
-    let rhs = emit_vector(context, derived.rhs());
+    let polarized = emit_vector(context, derived.polarized());
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     Some(quote! {
-        const HAS_COEFFICIENTS_OF_EPS: __kahan::bool = true;
+        fn has_coefficients_of_eps(&self) -> __kahan::bool {
+            true
+        }
         fn field_at(&self, x: &#vector, eps: &#scalar) -> #vector {
             #value
         }
         fn field_jacobian_at(&self, x: &#vector, eps: &#scalar) -> #matrix {
             #slope
         }
-        fn rhs(&self, x: &#vector, eps: #scalar) -> #vector {
-            #rhs
+        fn polarized_at(&self, x: &#vector, y: &#vector, eps: &#scalar) -> #vector {
+            #polarized
         }
     })
 }

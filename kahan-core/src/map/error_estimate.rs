@@ -71,7 +71,7 @@ where
     let error: SVector<T, N> = vector(from_fn(|i| {
         two_thirds.clone() * turned[i].clone().subtract_product(four.clone(), bent[i].clone())
     }));
-    if !M::HAS_COEFFICIENTS_OF_EPS {
+    if !map.has_coefficients_of_eps() {
         return error;
     }
     let moved = times_eps(map.field_at(x, eps));

@@ -224,7 +224,9 @@ where
         }
     }
 
-    const HAS_COEFFICIENTS_OF_EPS: bool = M::HAS_COEFFICIENTS_OF_EPS;
+    fn has_coefficients_of_eps(&self) -> bool {
+        self.0.has_coefficients_of_eps()
+    }
 
     fn field_at(&self, x: &SVector<f32, N>, eps: &f32) -> SVector<f32, N> {
         self.0.field_at(x, eps)
@@ -234,8 +236,8 @@ where
         self.0.field_jacobian_at(x, eps)
     }
 
-    fn rhs(&self, x: &SVector<f32, N>, eps: f32) -> SVector<f32, N> {
-        self.0.rhs(x, eps)
+    fn polarized_at(&self, x: &SVector<f32, N>, y: &SVector<f32, N>, eps: &f32) -> SVector<f32, N> {
+        self.0.polarized_at(x, y, eps)
     }
 
     fn jacobian(&self, x: &SVector<f32, N>, eps: f32) -> SMatrix<f32, N, N> {

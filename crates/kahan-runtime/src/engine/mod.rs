@@ -61,6 +61,8 @@ pub enum Object {
     FieldAtEps,
     /// f′(x) with the coefficients that the map has at ε.
     FieldJacobianAtEps,
+    /// Q(x,y) + ½B(x+y) + c with the coefficients that the map has at ε.
+    PolarizedAtEps,
     /// A(x,ε), row by row.
     Matrix,
     /// ∂x̃/∂x, row by row.
@@ -95,7 +97,8 @@ impl Object {
             Object::ReducedMap => (10, derived.reduced_map.as_ref()),
             Object::FieldAtEps => (11, Some(derived.field())),
             Object::FieldJacobianAtEps => (12, Some(derived.field_jacobian())),
-            Object::Bracket(index) => (13 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
+            Object::PolarizedAtEps => (13, Some(derived.polarized())),
+            Object::Bracket(index) => (14 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
         }
     }
 }
@@ -171,11 +174,13 @@ impl Engine {
         engine
     }
 
-    /// f or f′ with the coefficients that the map has at ε.
+    /// An object of the field with the coefficients that the map has at ε.
     pub(crate) fn at_eps(&self, object: Object) -> Object {
         match object {
-            Object::Field if self.derived.system.field.depends_on_eps() => Object::FieldAtEps,
-            Object::FieldJacobian if self.derived.system.field.depends_on_eps() => Object::FieldJacobianAtEps,
+            _ if !self.derived.system.field.depends_on_eps() => object,
+            Object::Field => Object::FieldAtEps,
+            Object::FieldJacobian => Object::FieldJacobianAtEps,
+            Object::Polarized => Object::PolarizedAtEps,
             _ => object,
         }
     }
