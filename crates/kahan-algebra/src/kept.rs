@@ -325,11 +325,11 @@ impl Kept {
         !polynomials.all(|polynomial| polynomial.is_even_in(*epsilon))
     }
 
-    /// The field at ε = 0.
-    pub(crate) fn at_eps_zero(&self, symbols: &Symbols) -> Self {
+    /// The field with coefficients at this ε, at which it divides by nothing that is 0.
+    pub(crate) fn at_eps(&self, symbols: &Symbols, eps: &Rational) -> Self {
         let mut values = Values::of(symbols);
         let put = |variable| match variable == symbols.epsilon() {
-            true => Polynomial::zero(),
+            true => Polynomial::constant(eps.clone()),
             false => Polynomial::variable(variable),
         };
         let components = self.with(&mut values, put);

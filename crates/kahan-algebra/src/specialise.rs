@@ -9,7 +9,7 @@ use kahan_syntax::syntax::ClaimKind;
 use crate::field::{Component, Field};
 use crate::kept::{Kept, Values};
 use crate::plan::PlanBuilder;
-use crate::poly::{Polynomial, Variable, gcd};
+use crate::poly::{Polynomial, Variable};
 use crate::rational_function::RationalFunction;
 use crate::relations::{Obstacle, Relations};
 use crate::symbols::{Symbol, Symbols};
@@ -63,22 +63,22 @@ impl System {
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
-    /// The system at ε = 0, without claims: the field that the map approximates.
+    /// The system whose coefficients are those at this ε, without claims: at 0 the field that the
+    /// map approximates. `None` where the field then divides by zero, which it does not at 0.
     #[must_use]
-    pub fn at_eps_zero(&self) -> System {
+    pub fn at_eps(&self, eps: &Rational) -> Option<System> {
         let Field { symbols, components } = &*self.field;
-        let at_zero = |of: &Polynomial| of.substitute(symbols.epsilon(), &Rational::ZERO);
-        let component = |component: &Component| {
-            let [numerator, denominator] = [&component.numerator, &component.denominator].map(at_zero);
-            let common = gcd(&numerator, &denominator);
-            let [numerator, denominator] =
-                [numerator, denominator].map(|of| of.checked_div(&common).expect("a common divisor divides"));
-            Component { numerator, denominator }
+        let component = |Component { numerator, denominator }: &Component| {
+            let [above, below] = [numerator, denominator].map(|of| of.substitute(symbols.epsilon(), eps));
+            let quotient = RationalFunction::new(above, below)?;
+            let [numerator, denominator] = [quotient.numerator(), quotient.denominator()].map(Clone::clone);
+            Some(Component { numerator, denominator })
         };
-        let components: Vec<_> = components.iter().map(component).collect();
+        let components = components.iter().map(component).collect::<Option<Vec<_>>>()?;
         let field = Field { symbols: symbols.clone(), components };
-        let kept = self.kept.at_eps_zero(symbols);
-        System { field: field.into(), kept: kept.into(), claims: Vec::new(), ..self.clone() }
+        let kept = self.kept.at_eps(symbols, eps);
+        let (field, kept, written) = (field.into(), kept.into(), Arc::default());
+        Some(System { field, kept, written, claims: Vec::new(), ..self.clone() })
     }
 
     /// The system where these relations between parameters hold, without claims: the parameters

@@ -163,7 +163,10 @@ impl Derived {
     /// depend on ε.
     pub fn at_eps_zero(&self) -> &Derived {
         match self.system.field.depends_on_eps() {
-            true => self.at_eps_zero.get_or_init(|| derive(&self.system.at_eps_zero()).into()),
+            true => self.at_eps_zero.get_or_init(|| {
+                let system = self.system.at_eps(&Rational::ZERO);
+                derive(&system.expect("a checked field has a value at eps = 0")).into()
+            }),
             false => self,
         }
     }
