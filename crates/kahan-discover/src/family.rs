@@ -57,6 +57,13 @@ impl Family {
         &self.symbols
     }
 
+    /// Whether a coefficient depends on ε.
+    #[must_use]
+    pub fn depends_on_eps(&self) -> bool {
+        let coefficients = self.terms.iter().map(|term| &term.coefficient);
+        coefficients.chain(&self.divisors).any(|of| of.contains(self.symbols.epsilon()))
+    }
+
     /// The map at these parameters and ε (half the time step); `None` where the field then divides
     /// by zero.
     ///
