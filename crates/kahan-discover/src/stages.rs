@@ -513,6 +513,7 @@ fn structure(
         chosen.map(|polynomial| Text.polynomial(symbols, polynomial)).collect()
     };
     StructureReport {
+        depends_on_eps: system.field.depends_on_eps(),
         divergence: text(symbols, &divergence(&system.field)),
         is_even: is_even(searched, random),
         linear_integrals: written(1),
