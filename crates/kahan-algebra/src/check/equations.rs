@@ -72,7 +72,7 @@ fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope
     } else if !numerator.is_even_in(eps) || !denominator.is_even_in(eps) {
         (
             "`eps` stands in odd powers: the map would not be reversible",
-            "write even powers, as in `c*eps^2*x`; a step of another length is another `eps` of the map",
+            "write even powers of it, as in `c*eps^2*x`",
         )
     } else if at_zero().is_zero() {
         (
