@@ -179,10 +179,11 @@ where
 #[test]
 fn a_map_read_at_run_time_has_the_bits_of_the_macro() {
     let (a, b) = (q("3/2"), q("-2/3"));
-    agree_everywhere(ADVANCE, &[a.clone()], &Advance { a: a.clone() });
+    let one = [a.clone()];
+    agree_everywhere(ADVANCE, &one, &Advance { a: a.clone() });
     agree_everywhere(CURVED, &[a.clone(), b.clone()], &Curved { a: a.clone(), b });
     agree_everywhere(REDUCED, &[], &Reduced);
-    agree_everywhere(CHAIN, &[a.clone()], &Chain { a });
+    agree_everywhere(CHAIN, &one, &Chain { a });
 }
 
 #[test]
