@@ -9,7 +9,7 @@ pub use core;
 pub use core::clone::Clone;
 pub use core::ops::Fn;
 pub use core::option::Option::{self, None, Some};
-pub use core::primitive::{f32, f64, str, usize};
+pub use core::primitive::{bool, f32, f64, str, usize};
 pub use core::result::Result;
 
 pub use kahan_derive;

@@ -53,7 +53,8 @@ class Discovery(Answer):
         """
         searched: System = self.__dict__["_searched"]
         text, is_name, sites, given = searched._call
-        field = searched._of(text, is_name, sites, {}, searched._lifting)._sheet("text")["field"]
+        sheet = searched._of(text, is_name, sites, {}, searched._lifting)._sheet("text")
+        field = sheet.get("field_at_eps", sheet["field"])
         equations = "\n".join(f"{name}dot = {right};" for name, right in zip(self.variables, field))
         names = set(re.findall(r"\w+", equations))
         of_text = searched.parameters.items()

@@ -51,12 +51,12 @@ class Formulas(Field):
 
     @property
     def field(self) -> Formula:
-        """f(x), a vector."""
+        """f(x), a vector: where coefficients depend on eps, the one at eps = 0."""
         return self._formula("field")
 
     @property
     def field_jacobian(self) -> Formula:
-        """f'(x), a matrix."""
+        """f'(x), a matrix: where coefficients depend on eps, the one at eps = 0."""
         return self._formula("field_jacobian")
 
     @property

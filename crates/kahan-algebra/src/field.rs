@@ -1,18 +1,27 @@
 //! The checked quadratic field: from here on nothing can be wrong.
 //!
-//! ẋᵢ = pᵢ/qᵢ with pᵢ of degree at most two in the states and qᵢ free of them, reduced. Everything
+//! ẋᵢ = pᵢ/qᵢ with pᵢ of degree at most two in the states and qᵢ free of them, reduced. Coefficients
+//! may depend on ε²; the field that the map approximates is the one at ε = 0. Everything
 //! that the map needs (f′, the bilinear form, A, b) is derived in [`crate::kahan`].
 
-use crate::poly::{Monomial, Polynomial};
+use crate::poly::{Monomial, Polynomial, Variable};
 use crate::symbols::Symbols;
 
 /// One component p/q of a field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Component {
-    /// p: a polynomial in states and parameters, of degree at most two in the states.
+    /// p: a polynomial in states, parameters and ε², of degree at most two in the states.
     pub numerator: Polynomial,
-    /// q: a polynomial in parameters, not zero, coprime to p.
+    /// q: a polynomial in parameters and ε², not zero at ε = 0, coprime to p.
     pub denominator: Polynomial,
+}
+
+impl Component {
+    /// Whether it depends on this variable.
+    #[must_use]
+    pub fn contains(&self, variable: Variable) -> bool {
+        self.numerator.contains(variable) || self.denominator.contains(variable)
+    }
 }
 
 /// A quadratic vector field ẋ = Q(x) + Bx + c with exact coefficients.
@@ -29,6 +38,13 @@ impl Field {
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.components.len()
+    }
+
+    /// Whether a coefficient depends on ε.
+    #[must_use]
+    pub fn depends_on_eps(&self) -> bool {
+        let eps = self.symbols.epsilon();
+        self.components.iter().any(|component| component.contains(eps))
     }
 
     /// The numerator's part of degree `degree` (0, 1 or 2) in the states.

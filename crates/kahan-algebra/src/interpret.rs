@@ -82,7 +82,7 @@ impl Interpreter {
         point: &Point<A::Value>,
     ) -> Result<Evaluation<A::Value>, UndefinedField> {
         let derived = &self.derived;
-        if !derived.is_defined_at(arithmetic, &point.parameters) {
+        if !derived.is_defined_at(arithmetic, &point.parameters, &point.eps) {
             return Err(UndefinedField);
         }
         let vector = |plan: &Plan| self.run(arithmetic, plan, point, None).ok_or(UndefinedField);
@@ -99,8 +99,8 @@ impl Interpreter {
         let det_jacobian = jacobian.as_ref().and_then(|jacobian| determinant(arithmetic, jacobian));
         let integrals = self.run_partly(arithmetic, &derived.integrals, point, None);
         Ok(Evaluation {
-            field: vector(derived.field())?,
-            field_jacobian: rows(vector(derived.field_jacobian())?),
+            field: vector(derived.at_eps_zero().field())?,
+            field_jacobian: rows(vector(derived.at_eps_zero().field_jacobian())?),
             matrix,
             rhs: vector(derived.rhs())?,
             det_matrix: det_matrix.ok_or(UndefinedField)?,
@@ -120,7 +120,7 @@ impl Interpreter {
         x: &Point<A::Value>,
         y: &[A::Value],
     ) -> Option<Vec<A::Value>> {
-        self.run(arithmetic, self.derived.bilinear(), x, Some(y))
+        self.run(arithmetic, self.derived.at_eps_zero().bilinear(), x, Some(y))
     }
 
     /// Q(x,y) + ½B(x+y) + c.
@@ -130,7 +130,7 @@ impl Interpreter {
         x: &Point<A::Value>,
         y: &[A::Value],
     ) -> Option<Vec<A::Value>> {
-        self.run(arithmetic, self.derived.polarized(), x, Some(y))
+        self.run(arithmetic, self.derived.at_eps_zero().polarized(), x, Some(y))
     }
 
     /// A(x,ε), row by row.

@@ -40,6 +40,7 @@ pub(crate) enum Value {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Values {
     first: usize,
+    epsilon: Variable,
     pub(crate) values: Numbered<Value>,
 }
 
@@ -82,7 +83,44 @@ impl Value {
 impl Values {
     /// None yet.
     pub(crate) fn of(symbols: &Symbols) -> Self {
-        Values { first: symbols.count(), values: Numbered::default() }
+        Values { first: symbols.count(), epsilon: symbols.epsilon(), values: Numbered::default() }
+    }
+
+    /// These values and `components` with ε² as the first value, where ε stands in even powers only:
+    /// so ε² is a parameter of the field of which a step is planned.
+    fn over_square(self, components: Vec<Polynomial>) -> (Self, Vec<Polynomial>) {
+        let mut polynomials = self.values.iter().map(Value::polynomial).chain(&components);
+        let has_eps = polynomials.clone().any(|of| of.contains(self.epsilon));
+        if !has_eps || !polynomials.all(|of| of.is_even_in(self.epsilon)) {
+            return (self, components);
+        }
+        let square = Value::Sum(Polynomial::term(Monomial::power(self.epsilon, 2), Rational::ONE));
+        let mut over = Values { values: Numbered::default(), ..self };
+        let own = over.intern(square.clone()).expect("it is the first");
+        let mut renamed: Vec<Variable> = Vec::with_capacity(self.values.len());
+        let halved = |polynomial: &Polynomial, renamed: &[Variable]| {
+            Polynomial::from_terms(polynomial.terms().map(|(monomial, coefficient)| {
+                let mut term = Monomial::one();
+                for &(variable, exponent) in monomial.powers() {
+                    match self.place(variable) {
+                        Some(place) => term.multiply_by(renamed[place], exponent),
+                        None if variable == self.epsilon => term.multiply_by(own, exponent / 2),
+                        None => term.multiply_by(variable, exponent),
+                    }
+                }
+                (term, coefficient.clone())
+            }))
+        };
+        for value in self.values.iter() {
+            let value = match value {
+                value if *value == square => square.clone(),
+                Value::Sum(sum) => Value::Sum(halved(sum, &renamed)),
+                Value::Reciprocal(divisor) => Value::Reciprocal(halved(divisor, &renamed)),
+            };
+            renamed.push(over.intern(value).expect("values are fewer than 16 bits can number"));
+        }
+        let components = components.iter().map(|component| halved(component, &renamed)).collect();
+        (over, components)
     }
 
     /// The index of the value that this variable stands for.
@@ -237,10 +275,11 @@ impl Gradient {
 impl Kept {
     /// These components over values, of which those that none needs are left out.
     pub(crate) fn new(values: Values, components: Vec<Polynomial>) -> Self {
+        let (values, components) = values.over_square(components);
         if values.values.is_empty() {
             return Kept { values, components };
         }
-        let mut kept = Values { first: values.first, values: Numbered::default() };
+        let mut kept = Values { values: Numbered::default(), ..values };
         let mut renamed: Vec<Option<Variable>> = vec![None; values.values.len()];
         let mut is_needed = vec![false; values.values.len()];
         let mark = |is_needed: &mut Vec<bool>, polynomial: &Polynomial| {
@@ -276,7 +315,25 @@ impl Kept {
             if reciprocal.is_one() { component.numerator.clone() } else { &component.numerator * &reciprocal }
         });
         let components = components.collect();
-        Kept { values, components }
+        Kept::new(values, components)
+    }
+
+    /// Whether ε stands in it otherwise than as ε².
+    pub(crate) fn has_odd_powers_of_eps(&self) -> bool {
+        let Values { epsilon, values, .. } = &self.values;
+        let mut polynomials = values.iter().map(Value::polynomial).chain(&self.components);
+        !polynomials.all(|polynomial| polynomial.is_even_in(*epsilon))
+    }
+
+    /// The field with coefficients at this ε, at which it divides by nothing that is 0.
+    pub(crate) fn at_eps(&self, symbols: &Symbols, eps: &Rational) -> Self {
+        let mut values = Values::of(symbols);
+        let put = |variable| match variable == symbols.epsilon() {
+            true => Polynomial::constant(eps.clone()),
+            false => Polynomial::variable(variable),
+        };
+        let components = self.with(&mut values, put);
+        Kept::new(values, components)
     }
 
     /// The field with a vector of derivatives for each entry of `by`, over values. Its symbols are
@@ -310,20 +367,18 @@ impl Kept {
         Kept::new(Values::of(tangent).with(renamed), components)
     }
 
-    /// ∂f/∂a over the values for what a is: for ε, f itself, which 1/ε multiplies.
+    /// ∂f/∂a over the values for what a is; for ε it is f + ε ∂f/∂ε, which 1/ε multiplies.
     fn sources(&self, symbols: &Symbols, values: &mut Values, by: By) -> Vec<Polynomial> {
-        let By::Parameter(k) = by else {
-            let of_eps = |component: &Polynomial| {
-                if by == By::Epsilon { component.clone() } else { Polynomial::zero() }
-            };
-            return self.components.iter().map(of_eps).collect();
+        let name = match by {
+            By::Start => return vec![Polynomial::zero(); self.components.len()],
+            By::Parameter(k) => symbols.parameter(k),
+            By::Epsilon => symbols.epsilon(),
         };
-        let parameter = symbols.parameter(k);
         let mut of_values = Vec::new();
         let source = |component: &Polynomial| {
-            let Gradient(slopes) =
-                values.gradient(component, &|variable| variable == parameter, &mut of_values);
-            slopes.into_iter().next().map_or_else(Polynomial::zero, |(_, slope)| slope)
+            let Gradient(slopes) = values.gradient(component, &|variable| variable == name, &mut of_values);
+            let slope = slopes.into_iter().next().map_or_else(Polynomial::zero, |(_, slope)| slope);
+            if by == By::Epsilon { component + &(&slope * &Polynomial::variable(name)) } else { slope }
         };
         self.components.iter().map(source).collect()
     }

@@ -194,6 +194,11 @@ impl Polynomial {
     pub fn contains(&self, variable: Variable) -> bool {
         self.terms.iter().any(|(monomial, _)| monomial.exponent(variable) > 0)
     }
+
+    /// Whether every power of `variable` has an even exponent.
+    pub fn is_even_in(&self, variable: Variable) -> bool {
+        self.terms.iter().all(|(monomial, _)| monomial.exponent(variable).is_multiple_of(2))
+    }
 }
 
 /// Whether these are in order, none twice.

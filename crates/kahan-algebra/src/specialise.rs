@@ -63,6 +63,24 @@ impl System {
         System { kept, field: field.into(), claims, ..self.clone() }
     }
 
+    /// The system whose coefficients are those at this ε, without claims: at 0 the field that the
+    /// map approximates. `None` where the field then divides by zero, which it does not at 0.
+    #[must_use]
+    pub fn at_eps(&self, eps: &Rational) -> Option<System> {
+        let Field { symbols, components } = &*self.field;
+        let component = |Component { numerator, denominator }: &Component| {
+            let [above, below] = [numerator, denominator].map(|of| of.substitute(symbols.epsilon(), eps));
+            let quotient = RationalFunction::new(above, below)?;
+            let [numerator, denominator] = [quotient.numerator(), quotient.denominator()].map(Clone::clone);
+            Some(Component { numerator, denominator })
+        };
+        let components = components.iter().map(component).collect::<Option<Vec<_>>>()?;
+        let field = Field { symbols: symbols.clone(), components };
+        let kept = self.kept.at_eps(symbols, eps);
+        let (field, kept, written) = (field.into(), kept.into(), Arc::default());
+        Some(System { field, kept, written, claims: Vec::new(), ..self.clone() })
+    }
+
     /// The system where these relations between parameters hold, without claims: the parameters
     /// that they are solved for are gone. `None` where the field then divides by zero, or is too
     /// large.

@@ -1,7 +1,8 @@
 //! The variational field: a field and tangent vectors that it carries along.
 //!
 //! In: ẋ = f(x). Out: ẋ = f(x), v̇ = f′(x)·v + ∂f/∂a, which is quadratic, too. Its Kahan
-//! map is x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarising and differentiating commute.
+//! map is x ↦ x̃, v ↦ (∂x̃/∂x)·v + ∂x̃/∂a, since polarising and differentiating commute. For a = ε the
+//! source is f/ε + ∂f/∂ε.
 
 use std::sync::Arc;
 
@@ -43,20 +44,25 @@ impl System {
             let slopes: Vec<Polynomial> = slopes.collect();
             let mut sum = Polynomial::sum_of(slopes.iter().map(|slope| (false, slope)));
             let mut divisor = denominator.clone();
-            match by {
-                By::Start => {}
+            let source = match by {
+                By::Start => None,
                 By::Parameter(k) => {
-                    let parameter = field.symbols.parameter(k);
-                    let [above, below] = [numerator, denominator].map(|of| of.derivative(parameter));
-                    sum = &sum + &renamed(&above);
-                    if !below.is_zero() {
-                        sum = &(&sum * &renamed(denominator)) - &renamed(&(numerator * &below));
-                        divisor = denominator * denominator;
-                    }
+                    let slope = |of: &Polynomial| of.derivative(field.symbols.parameter(k));
+                    Some((slope(numerator), slope(denominator), Polynomial::one()))
                 }
                 By::Epsilon => {
+                    let eps = field.symbols.epsilon();
+                    let slope = |of: &Polynomial| &of.derivative(eps) * &Polynomial::variable(eps);
                     let inverse = Polynomial::variable(symbols.parameter(symbols.parameters.len() - 1));
-                    sum = &sum + &(&renamed(numerator) * &inverse);
+                    Some((numerator + &slope(numerator), slope(denominator), inverse))
+                }
+            };
+            if let Some((above, below, factor)) = source {
+                sum = &sum + &(&renamed(&above) * &factor);
+                if !below.is_zero() {
+                    let bent = &renamed(&(numerator * &below)) * &factor;
+                    sum = &(&sum * &renamed(denominator)) - &bent;
+                    divisor = denominator * denominator;
                 }
             }
             let denominator = renamed(&divisor);

@@ -57,8 +57,8 @@ const WORK: usize = 100_000_000;
 const TRIALS_A_SAMPLE: usize = 40;
 
 /// The lowest ceiling that was found in so many `trials` at most, the search being over with the
-/// first that is `enough` or lower; `None` where no zero was found, where ε is fixed, or in more
-/// than 24 variables.
+/// first that is `enough` or lower; `None` where no zero was found, where ε is fixed or λ depends on
+/// it, or in more than 24 variables.
 pub fn ceiling(
     searched: &SearchField,
     enough: usize,
@@ -67,7 +67,7 @@ pub fn ceiling(
     deadline: &Deadline<'_>,
 ) -> Option<Ceiling> {
     let n = searched.dimension();
-    if searched.eps().is_some() || n > MOST_VARIABLES {
+    if searched.eps().is_some() || searched.family().depends_on_eps() || n > MOST_VARIABLES {
         return None;
     }
     let mut lowest: Option<Ceiling> = None;
@@ -312,6 +312,8 @@ mod tests {
         let dense = "xdot = x^2 - 3*x*y + 2*y*z + w^2 - x + 2*y + 1; ydot = 2*x^2 + x*y - 5*y*z + z*w + 3;
             zdot = x*z - 4*y^2 + 7*x - y + 2*w; wdot = w*x - 3*y*z + z^2 - 5;";
         assert_eq!(of(dense, None), Some(0));
+        // μ₁ = μ₂² for λ₁ = 2/(1 + ε²), λ₂ = 1, whose squares differ.
+        assert_eq!(of("xdot = 2*x/(1 + eps^2); ydot = y;", None), None);
         // At one ε there may be more: Lotka and Volterra's map at ε = 1.
         assert_eq!(of("xdot = 2*x; ydot = -3*y;", Some(kahan_algebra::rational::Rational::one())), None);
     }

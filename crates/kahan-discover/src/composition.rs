@@ -55,9 +55,10 @@ pub fn survivors(
     let modulus = Modulus::mersenne_61();
     let sample = searched.sample(modulus, random)?;
     let eps = sample.map.eps();
-    let scaled = |factor: u64| sample.map.with_eps(modulus.times(factor, eps));
+    let parameters = &sample.unknowns[..searched.family().symbols().parameters.len()];
+    let scaled = |factor: u64| searched.family().at(modulus, parameters, modulus.times(factor, eps));
     let (outer, inner) = (modulus.sample(random), modulus.sample(random));
-    let composed = Composed { outer: scaled(outer), inner: scaled(inner) };
+    let composed = Composed { outer: scaled(outer)?, inner: scaled(inner)? };
     let monomials = Monomials::new(searched.dimension(), degree);
     let relations = random_relations(&composed, &monomials, random, deadline)?;
     let hilbert = Hilbert::from_relations(&relations, &modulus, &monomials);

@@ -1,5 +1,5 @@
-//! A field with its coefficients as polynomials in the parameters, from which it comes modulo a
-//! prime at values of them.
+//! A field with its coefficients as polynomials in the parameters and ε, from which it comes modulo
+//! a prime at values of them.
 
 use kahan_algebra::field::Field;
 use kahan_algebra::poly::{Polynomial, Variable};
@@ -57,6 +57,13 @@ impl Family {
         &self.symbols
     }
 
+    /// Whether a coefficient depends on ε.
+    #[must_use]
+    pub fn depends_on_eps(&self) -> bool {
+        let coefficients = self.terms.iter().map(|term| &term.coefficient);
+        coefficients.chain(&self.divisors).any(|of| of.contains(self.symbols.epsilon()))
+    }
+
     /// The map at these parameters and ε (half the time step); `None` where the field then divides
     /// by zero.
     ///
@@ -66,7 +73,8 @@ impl Family {
     pub fn at(&self, modulus: Modulus, parameters: &[u64], eps: u64) -> Option<ModularMap> {
         let value = |variable: Variable| match self.symbols.symbol(variable) {
             Symbol::Parameter(k) => parameters[k],
-            // Coefficients of a field contain parameters only.
+            Symbol::Epsilon => eps,
+            // Coefficients are free of states.
             _ => 0,
         };
         let mut inverses = Vec::with_capacity(self.dimension);

@@ -67,7 +67,7 @@ impl ModularMap {
         self.eps
     }
 
-    /// The map with another ε.
+    /// The map with another ε and these coefficients: −ε for the way back.
     #[must_use]
     pub fn with_eps(&self, eps: u64) -> Self {
         ModularMap { eps, ..self.clone() }

@@ -52,6 +52,8 @@ impl Default for Options {
 /// The structure of the field.
 #[derive(Clone, Debug, Default)]
 pub struct StructureReport {
+    /// Whether coefficients depend on ε: then the flow is that of the field at any one ε.
+    pub depends_on_eps: bool,
     /// div f.
     pub divergence: String,
     /// Whether det(I − t f′(x)) is even in t.

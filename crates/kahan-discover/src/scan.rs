@@ -149,8 +149,9 @@ fn look(
         values.iter().filter(|(name, _)| name != "eps").cloned().collect();
     parameters.extend(options.parameters.iter().filter(|(name, _)| !is_scanned(name)).cloned());
     let eps = values.iter().find(|(name, _)| name == "eps").map(|(_, value)| value.clone());
-    let fixed = specialised(system, &parameters)?;
-    let searched = SearchField::new(&fixed.field, eps.or_else(|| options.eps.clone()));
+    let eps = eps.or_else(|| options.eps.clone());
+    let fixed = specialised(system, &parameters, eps.as_ref())?;
+    let searched = SearchField::new(&fixed.field, eps);
     let mut random = SplitMix64::from_bytes(format!("{values:?}").as_bytes());
     let sample = searched.sample(Modulus::mersenne_61(), &mut random).ok_or(DiscoverError::NoMap)?;
     if searched.eps().is_some() && !searched.is_invertible(&mut random) {

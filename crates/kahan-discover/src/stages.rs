@@ -69,7 +69,7 @@ pub(crate) fn discover_within(
     let [for_flow, for_degrees, for_orbits, for_structure, for_integrals, for_densities, end] =
         [0.1, 0.25, 0.42, 0.5, 0.85, 0.95, 1.0].map(|share| Deadline::after(work, options.seconds * share));
     let begins = |stage: &str| work.show(&Progress::stage(stage));
-    let fixed = specialised(system, &options.parameters)?;
+    let fixed = specialised(system, &options.parameters, options.eps.as_ref())?;
     let symbols = &fixed.field.symbols;
     if options.eps.as_ref().is_some_and(Rational::is_zero) {
         return Err(DiscoverError::ZeroStep);
@@ -488,6 +488,7 @@ impl Search<'_> {
 pub(crate) fn specialised(
     system: &System,
     parameters: &[(String, Rational)],
+    eps: Option<&Rational>,
 ) -> Result<System, DiscoverError> {
     let n = system.field.dimension();
     if n > MOST_VARIABLES {
@@ -499,7 +500,11 @@ pub(crate) fn specialised(
         values.push((place.ok_or_else(|| DiscoverError::UnknownParameter(name.clone()))?, value.clone()));
     }
     let bare = System { claims: Vec::new(), ..system.clone() };
-    bare.specialise(&values).ok_or(DiscoverError::UndefinedField)
+    let fixed = bare.specialise(&values).ok_or(DiscoverError::UndefinedField)?;
+    match eps {
+        Some(eps) if fixed.field.depends_on_eps() => fixed.at_eps(eps).ok_or(DiscoverError::UndefinedField),
+        _ => Ok(fixed),
+    }
 }
 
 fn structure(
@@ -514,6 +519,7 @@ fn structure(
         chosen.map(|polynomial| Text.polynomial(symbols, polynomial)).collect()
     };
     StructureReport {
+        depends_on_eps: system.field.depends_on_eps(),
         divergence: text(symbols, &divergence(&system.field)),
         is_even: is_even(searched, random),
         linear_integrals: written(1),

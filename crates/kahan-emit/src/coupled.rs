@@ -68,18 +68,27 @@ pub(super) struct Sizes {
 impl Sizes {
     pub(super) fn of(context: &Context<'_>, couplings: &Couplings) -> Self {
         let [parameters, slopes, places] =
-            [context.system.field.symbols.parameters.len(), couplings.places.len(), couplings.columns.len()]
+            [parameters(context), couplings.places.len(), couplings.columns.len()]
                 .map(Literal::usize_unsuffixed);
         Sizes { parameters, slopes, places }
     }
 }
 
-/// Expands to the parameters in order, `[self.mu.clone()]`.
-pub(super) fn emit_parameters(context: &Context<'_>) -> TokenStream {
+/// The number of parameters; ε is the last of them where coefficients depend on it.
+fn parameters(context: &Context<'_>) -> usize {
+    let field = &context.system.field;
+    field.symbols.parameters.len() + usize::from(field.depends_on_eps())
+}
+
+/// Expands to the parameters in order, `[self.mu.clone()]`; the last is `eps` where coefficients
+/// depend on it.
+pub(super) fn emit_parameters(context: &Context<'_>, eps: &TokenStream) -> TokenStream {
+    let eps = context.system.field.depends_on_eps().then_some(eps);
     let parameters = context.system.field.symbols.parameters.iter().map(|parameter| {
         let field = identifier(parameter, Span::call_site());
         quote!(self.#field.clone())
     });
+    let parameters = parameters.chain(eps.cloned());
     quote!([#(#parameters),*])
 }
 
@@ -94,7 +103,7 @@ fn emit_entries(context: &Context<'_>, plan: &Plan) -> TokenStream {
         return quote! { #bindings [#(#results),*] };
     }
     let (scalar, dimension) = (&context.this.scalar, &context.dimension);
-    let parameters = Literal::usize_unsuffixed(context.system.field.symbols.parameters.len());
+    let parameters = Literal::usize_unsuffixed(parameters(context));
     let count = Literal::usize_unsuffixed(plan.outputs.len());
     let parts = plan.operations.len().div_ceil(MOST_OPERATIONS);
     let results = plan.outputs.len().div_ceil(parts);
@@ -133,7 +142,9 @@ fn emit_part(context: &Context<'_>, plan: &Plan) -> (TokenStream, Vec<TokenStrea
     let inputs = plan.inputs();
     let states = emit_pattern(&inputs, symbols, Symbol::State, symbols.dimension());
     let states = states.map(|states| quote! { let #states = x; });
-    let parameters = emit_pattern(&inputs, symbols, Symbol::Parameter, symbols.parameters.len());
+    let own = symbols.parameters.len();
+    let parameter = |k| if k < own { Symbol::Parameter(k) } else { Symbol::Epsilon };
+    let parameters = emit_pattern(&inputs, symbols, parameter, parameters(context));
     let parameters = parameters.map(|parameters| quote! { let #parameters = __parameters; });
     let Emitted { bindings, results } = emit_plan(plan, symbols, &context.this.scalar);
     (quote! { #states #parameters #bindings }, results)

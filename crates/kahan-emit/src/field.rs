@@ -12,9 +12,9 @@ use super::plan::{Emitted, emit_plan};
 
 /// Expands to `impl<T: Scalar> QuadraticField<T, 3> for E6 { … }`.
 pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
-    let derived = context.derived;
-    let (value, slope) = match derived.couplings() {
-        Some(couplings) => emit_coupled_field(context, couplings),
+    let derived = context.derived.at_eps_zero();
+    let (value, slope) = match context.derived.couplings() {
+        Some(couplings) => emit_coupled_field(context, couplings, &quote!(__kahan::integer(0))),
         None => (emit_vector(context, derived.field()), emit_matrix(context, derived.field_jacobian())),
     };
     let bilinear = emit_vector(context, derived.bilinear());
@@ -44,9 +44,40 @@ pub(super) fn emit_field(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// The bodies of `field` and `field_jacobian` in many variables.
-fn emit_coupled_field(context: &Context<'_>, couplings: &Couplings) -> (TokenStream, TokenStream) {
-    let (scalar, dimension, own) = (&context.this.scalar, &context.dimension, emit_parameters(context));
+/// Expands to what a map has besides whose coefficients depend on ε; to nothing for other maps.
+pub(super) fn emit_coefficients_of_eps(context: &Context<'_>) -> Option<TokenStream> {
+    let derived = context.derived;
+    let (value, slope) = match derived.couplings() {
+        _ if !context.system.field.depends_on_eps() => return None,
+        Some(couplings) => emit_coupled_field(context, couplings, &quote!(eps.clone())),
+        None => (emit_vector(context, derived.field()), emit_matrix(context, derived.field_jacobian())),
+    };
+    let polarized = emit_vector(context, derived.polarized());
+    let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
+    Some(quote! {
+        fn has_coefficients_of_eps(&self) -> __kahan::bool {
+            true
+        }
+        fn field_at(&self, x: &#vector, eps: &#scalar) -> #vector {
+            #value
+        }
+        fn field_jacobian_at(&self, x: &#vector, eps: &#scalar) -> #matrix {
+            #slope
+        }
+        fn polarized_at(&self, x: &#vector, y: &#vector, eps: &#scalar) -> #vector {
+            #polarized
+        }
+    })
+}
+
+/// The bodies of a function for f and of one for f′ in many variables, with coefficients at `eps`.
+fn emit_coupled_field(
+    context: &Context<'_>,
+    couplings: &Couplings,
+    eps: &TokenStream,
+) -> (TokenStream, TokenStream) {
+    let (scalar, dimension) = (&context.this.scalar, &context.dimension);
+    let own = emit_parameters(context, eps);
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
     let field = quote!(__kahan::CoupledField<#dimension, #parameters, #slopes, #places>);
     let value = quote! {

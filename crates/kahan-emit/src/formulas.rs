@@ -71,7 +71,12 @@ impl PostfixWriter<'_> {
                     let k = index(k);
                     quote!(Parameter(#k))
                 }
-                Symbol::Epsilon | Symbol::SecondState(_) => unreachable!("a field has no such variable"),
+                // Behind the parameters, where coefficients depend on it.
+                Symbol::Epsilon => {
+                    let k = index(self.symbols.parameters.len());
+                    quote!(Parameter(#k))
+                }
+                Symbol::SecondState(_) => unreachable!("a field has no such variable"),
             },
             Operation::Constant(ref value) => {
                 let value = emit_exact(value);

@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 
 use super::Context;
 use super::coupled::{Sizes, emit_coupled, emit_parameters};
-use super::field::emit_body;
+use super::field::{emit_body, emit_coefficients_of_eps};
 use super::inputs::{emit_bound_parameters, emit_pattern};
 use super::items::identifier;
 use super::plan::{Emitted, emit_kernel};
@@ -33,6 +33,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
         quote!(__kahan::stable_step(self, prepared, x, eps))
     };
     let closed_forms = emit_closed_forms(context);
+    let coefficients = emit_coefficients_of_eps(context);
     let (stable_step, extension) = (emit_stable_step(context, &promise), emit_extension(context));
     quote! {
         #items
@@ -40,6 +41,7 @@ pub(super) fn emit_map(context: &Context<'_>) -> TokenStream {
             #prepared
             #stable_step
             #closed_forms
+            #coefficients
         }
         #extension
     }
@@ -84,7 +86,7 @@ fn emit_stable_step(context: &Context<'_>, promise: &TokenStream) -> TokenStream
 fn emit_coupled_step(context: &Context<'_>, couplings: &Couplings) -> TokenStream {
     let (scalar, vector, matrix) = (&context.this.scalar, context.vector(), context.matrix());
     let Sizes { parameters, slopes, places } = Sizes::of(context, couplings);
-    let own = emit_parameters(context);
+    let own = emit_parameters(context, &quote!(eps.clone()));
     quote! {
         type Prepared = __kahan::CoupledStep<__Coupled, #scalar, #parameters, #slopes, #places>;
         fn prepare(&self, eps: &#scalar) -> Self::Prepared {

@@ -164,6 +164,11 @@ impl Reader {
     }
 
     fn name(&self, name: &str, span: Span) -> Read<Laurent> {
+        if matches!(name, "eps" | "ε") {
+            let help =
+                "write a parameter for the coefficient; a quadratic field without a lift may have `eps^2`";
+            return refuse(span, "the equations of a lift are free of `eps`", help);
+        }
         if let Some(state) = self.states.iter().position(|known| known == name) {
             return Ok(Laurent::coordinate(state));
         }

@@ -95,7 +95,7 @@ impl Field {
         &self.system().field.symbols.parameters
     }
 
-    /// Whether the field divides by something that depends on parameters.
+    /// Whether the field divides by something that depends on parameters or ε.
     pub(crate) fn has_divisors(&self) -> bool {
         self.system().field.components.iter().any(|component| !component.denominator.is_one())
     }

@@ -124,7 +124,7 @@ where
     let values = in_order(names, given, |name, value| {
         value.to_rational().ok_or_else(|| ParameterError::NotFinite(name.to_owned()))
     })?;
-    if derived.is_defined_at(&Exact, &values) {
+    if derived.at_eps_zero().is_defined_at(&Exact, &values, &Rational::ZERO) {
         Ok(values)
     } else {
         Err(ParameterError::Undefined(names.iter().cloned().zip(values).collect()))

@@ -86,6 +86,11 @@ pub enum StudyError {
         /// The values.
         parameters: Vec<(String, Rational)>,
     },
+    /// Coefficients are wanted as numbers, and they depend on ε.
+    CoefficientsOfEps {
+        /// The field.
+        system: String,
+    },
     /// A number that is to be above 0, and within the range of doubles, is not.
     NotPositive {
         /// What it is, by its name in the question.
@@ -328,6 +333,10 @@ impl fmt::Display for StudyError {
             ),
             Self::NoClock => f.write_str("the question measures times, which takes a clock"),
             Self::Trade { system, why } => write!(f, "{system}: {why}"),
+            Self::CoefficientsOfEps { system } => write!(
+                f,
+                "the coefficients of {system} depend on eps, and arrays hold numbers; write the field as text"
+            ),
             Self::UndefinedField { system, parameters } => write!(
                 f,
                 "the field of {system} divides by zero at {}; choose other values",

@@ -277,10 +277,10 @@ fn length(system: &System, parameters: &[Rational], eps: Option<&Rational>) -> f
 /// The largest coefficient of this degree in the variables, in size.
 fn coefficient(field: &Field, parameters: &[Rational], degree: u32) -> f64 {
     let at = |polynomial: &Polynomial| {
+        let at_zero = polynomial.substitute(field.symbols.epsilon(), &Rational::ZERO);
         let places = parameters.iter().enumerate();
-        places.fold(polynomial.clone(), |polynomial, (k, value)| {
-            polynomial.substitute(field.symbols.parameter(k), value)
-        })
+        places
+            .fold(at_zero, |polynomial, (k, value)| polynomial.substitute(field.symbols.parameter(k), value))
     };
     let sizes = field.components.iter().enumerate().flat_map(|(i, component)| {
         let below = at(&component.denominator).as_constant().unwrap_or_default();

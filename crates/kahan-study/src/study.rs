@@ -341,10 +341,13 @@ impl Study {
     /// The coefficients of the field at the values of its parameters.
     ///
     /// # Errors
-    /// A parameter without a value, and a field that divides by zero.
+    /// A parameter without a value, a field that divides by zero, and coefficients that depend on ε.
     pub fn coefficients(&self) -> Result<Vec<Coefficient>, StudyError> {
         let values = self.values()?;
         let system = self.at(values.into_iter().map(Some).collect()).specialised()?;
+        if system.field.depends_on_eps() {
+            return Err(StudyError::CoefficientsOfEps { system: self.name().to_owned() });
+        }
         system.coefficients().ok_or_else(|| self.undefined_field())
     }
 
@@ -480,6 +483,13 @@ impl Study {
 
     pub(crate) fn undefined_field(&self) -> StudyError {
         StudyError::UndefinedField { system: self.name().to_owned(), parameters: self.fixed() }
+    }
+
+    /// The error of a field that divides by zero at this ε.
+    pub(crate) fn undefined_field_at(&self, eps: &Rational) -> StudyError {
+        let eps = self.system().field.depends_on_eps().then(|| ("eps".to_owned(), eps.clone()));
+        let parameters = self.fixed().into_iter().chain(eps).collect();
+        StudyError::UndefinedField { system: self.name().to_owned(), parameters }
     }
 }
 

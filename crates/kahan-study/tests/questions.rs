@@ -199,6 +199,11 @@ fn questions_that_do_not_fit_say_so() {
         error(nowhere, json!({"ask": "evaluate", "eps": 1, "at": [1]})),
         StudyError::UndefinedField { .. }
     ));
+    let nowhere = Subject::text("xdot = x/(1 - eps^2);");
+    for ask in ["evaluate", "orbit", "heights"] {
+        let mistake = error(nowhere.clone(), json!({"ask": ask, "eps": 1, "at": [1], "steps": 1}));
+        assert!(mistake.to_string().contains("divides by zero at eps = 1;"), "{mistake}");
+    }
     let trade = json!({"ask": "trade", "at": [1, 1], "horizon": 1});
     assert!(matches!(error(Subject::named("lv"), trade.clone()), StudyError::NoClock));
     let negative = json!({"ask": "trade", "at": [1, 1], "horizon": -1});

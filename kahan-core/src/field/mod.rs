@@ -2,6 +2,7 @@
 //!
 //! In: a state. Out: f, f′, and the two symmetric forms whose diagonal is Q and f. An
 //! implementation is free of ε: what depends on the step belongs to [`KahanMap`](crate::KahanMap).
+//! Where coefficients depend on ε, the field is the one at ε = 0, which the map approximates.
 
 pub(crate) mod couplings;
 pub(crate) mod linear;

@@ -35,7 +35,7 @@ where
         // No determinant can be told either.
         return Err(SingularStep::new(f64::NAN, eps.approximate()));
     }
-    let increment = increment_by_elimination(matrix, map.field(x), eps).ok_or_else(singular)?;
+    let increment = increment_by_elimination(matrix, map.field_at(x, eps), eps).ok_or_else(singular)?;
     let next = advance(x, &increment);
     if is_finite(&next) { Ok(next) } else { Err(singular()) }
 }
@@ -60,7 +60,7 @@ where
     let pivot_overflows = || !can_eliminate(&map.matrix(x, eps.clone()));
     zeros > 0
         && (zeros == N || denominator_overflows() || pivot_overflows())
-        && !map.field(x).iter().all(T::is_zero)
+        && !map.field_at(x, eps).iter().all(T::is_zero)
 }
 
 /// x + increment.

@@ -71,7 +71,7 @@ where
     #[inline]
     fn quotients(&self, x: &SVector<T, N>) -> Option<Quotients<T, N>> {
         let Self { map, eps } = self;
-        let increment = increment_by_elimination(map.matrix(x, eps.clone()), map.field(x), eps)?;
+        let increment = increment_by_elimination(map.matrix(x, eps.clone()), map.field_at(x, eps), eps)?;
         let [increments] = increment.data.0;
         Some(Quotients::whole(increments))
     }

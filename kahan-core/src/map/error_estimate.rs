@@ -23,7 +23,8 @@ where
     /// f″(f,f)/6] + O(h⁴).
     ///
     /// With f″(f,f) = 2Q(f,f) it is (2ε³/3)·[f′f′f − 4Q(f,f)], all at x: no linear system is solved
-    /// and nothing has a pole. Subtracting it from x̃ raises the order to 3 and gives up the
+    /// and nothing has a pole. Coefficients that depend on ε add 2ε times the difference that they
+    /// make to f. Subtracting it from x̃ raises the order to 3 and gives up the
     /// structure of the map.
     ///
     /// Cost: f, f′ and Q once, and two products with f′.
@@ -48,7 +49,8 @@ where
     }
 }
 
-/// (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf.
+/// (2/3)·[(εf′)(εf′)g − 4εQ(g,g)] with g = εf, and for coefficients that depend on ε the difference
+/// 2ε(f at ε − f) besides.
 fn local_error<M, T, const N: usize>(map: &M, eps: &T, x: &SVector<T, N>) -> SVector<T, N>
 where
     M: KahanMap<T, N>,
@@ -66,8 +68,16 @@ where
     let bent = times_eps(map.bilinear(&g, &g));
     let turned = along(&along(&g));
     let (four, two_thirds) = (T::constant(&Constant::integer(4)), T::constant(&Constant::ratio(2, 3)));
-    vector(from_fn(|i| {
+    let error: SVector<T, N> = vector(from_fn(|i| {
         two_thirds.clone() * turned[i].clone().subtract_product(four.clone(), bent[i].clone())
+    }));
+    if !map.has_coefficients_of_eps() {
+        return error;
+    }
+    let moved = times_eps(map.field_at(x, eps));
+    vector(from_fn(|i| {
+        let difference = moved[i].clone() - g[i].clone();
+        error[i].clone() + difference.clone() + difference
     }))
 }
 

@@ -97,9 +97,41 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     /// Where the field divides by zero at these parameters, for exact scalars.
     fn prepare(&self, eps: &T) -> Self::Prepared;
 
-    /// A(x,ε) = I − εf′(x), the matrix of the linear system A(x,ε)·x̃ = b(x,ε).
+    /// Whether coefficients of the field depend on ε. Then [`field_at`](Self::field_at),
+    /// [`field_jacobian_at`](Self::field_jacobian_at) and [`polarized_at`](Self::polarized_at) are
+    /// written for it; else they are the objects of the field.
+    #[inline(always)]
+    fn has_coefficients_of_eps(&self) -> bool {
+        false
+    }
+
+    /// f(x) with the coefficients that the map has at ε: the increment of a step is
+    /// 2ε·A(x,ε)⁻¹f(x).
+    #[inline(always)]
+    fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        let _ = eps;
+        self.field(x)
+    }
+
+    /// f′(x) with the coefficients that the map has at ε.
+    #[inline(always)]
+    fn field_jacobian_at(&self, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
+        let _ = eps;
+        self.field_jacobian(x)
+    }
+
+    /// Q(x,y) + ½B(x+y) + c with the coefficients that the map has at ε: at (x,x̃) the increment of
+    /// a step over 2ε.
+    #[inline(always)]
+    fn polarized_at(&self, x: &SVector<T, N>, y: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        let _ = eps;
+        self.polarized(x, y)
+    }
+
+    /// A(x,ε) = I − εf′(x), the matrix of the linear system A(x,ε)·x̃ = b(x,ε). Coefficients of f
+    /// that depend on ε are those at this ε.
     fn matrix(&self, x: &SVector<T, N>, eps: T) -> SMatrix<T, N, N> {
-        let slopes = self.field_jacobian(x);
+        let slopes = self.field_jacobian_at(x, &eps);
         SMatrix::from_fn(|i, j| {
             let entry = -(eps.clone() * slopes[(i, j)].clone());
             if i == j { T::one() + entry } else { entry }
@@ -110,7 +142,7 @@ pub trait KahanMap<T: Scalar, const N: usize>: QuadraticField<T, N> + Clone {
     fn rhs(&self, x: &SVector<T, N>, eps: T) -> SVector<T, N> {
         let origin = SVector::from_fn(|_, _| T::zero());
         // ½Bx + c
-        let affine = self.polarized(x, &origin);
+        let affine = self.polarized_at(x, &origin, &eps);
         let dt = eps.clone() + eps;
         SVector::from_fn(|i, _| x[i].clone() + dt.clone() * affine[i].clone())
     }

@@ -224,6 +224,22 @@ where
         }
     }
 
+    fn has_coefficients_of_eps(&self) -> bool {
+        self.0.has_coefficients_of_eps()
+    }
+
+    fn field_at(&self, x: &SVector<f32, N>, eps: &f32) -> SVector<f32, N> {
+        self.0.field_at(x, eps)
+    }
+
+    fn field_jacobian_at(&self, x: &SVector<f32, N>, eps: &f32) -> SMatrix<f32, N, N> {
+        self.0.field_jacobian_at(x, eps)
+    }
+
+    fn polarized_at(&self, x: &SVector<f32, N>, y: &SVector<f32, N>, eps: &f32) -> SVector<f32, N> {
+        self.0.polarized_at(x, y, eps)
+    }
+
     fn jacobian(&self, x: &SVector<f32, N>, eps: f32) -> SMatrix<f32, N, N> {
         self.wide().jacobian(&widened(x), f64::from(eps)).map(|entry| entry as f32)
     }

@@ -2,7 +2,8 @@
 
 use rustc_hash::FxHashSet;
 
-use kahan_syntax::diagnostics::{Diagnostic, Diagnostics};
+use kahan_syntax::diagnostics::{Diagnostic, Diagnostics, Kind};
+use kahan_syntax::rational::Rational;
 use kahan_syntax::syntax::{Block, Expr, ExprKind};
 use kahan_syntax::token::Span;
 
@@ -12,7 +13,7 @@ use crate::poly::Monomial;
 use crate::render::{Notation, Text};
 
 use super::expand::{Expansion, expand, expand_unkept, is_spent, too_high};
-use super::names::Scope;
+use super::names::{Scope, is_epsilon};
 
 /// Expands every equation, and keeps what is written of it; a broken one becomes zero.
 pub(super) fn expand_all(
@@ -31,6 +32,9 @@ pub(super) fn expand_all(
         let expansion = sound.filter(|_| !is_spent(scope)).and_then(|value| {
             let expansion = expand(value, scope, &mut values);
             let expansion = expansion.and_then(|expansion| check_degree(value, expansion, scope));
+            let expansion = expansion.and_then(|expansion| {
+                check_eps(value, &expansion, block.family.is_some(), scope).map(|()| expansion)
+            });
             expansion.map_err(|diagnostic| diagnostics.push(diagnostic)).ok()
         });
         let expansion = expansion.unwrap_or_else(Expansion::zero);
@@ -51,6 +55,65 @@ fn check_degree(value: &Expr, expansion: Expansion, scope: &Scope) -> Result<Exp
         }
         _ => Ok(expansion),
     }
+}
+
+/// Coefficients may depend on ε², and have a value at ε = 0; those of a family are free of ε.
+fn check_eps(value: &Expr, expansion: &Expansion, in_family: bool, scope: &Scope) -> Result<(), Diagnostic> {
+    let eps = scope.symbols.epsilon();
+    let Expansion { numerator, denominator, .. } = expansion;
+    let at_zero = || denominator.substitute(eps, &Rational::ZERO);
+    let (message, help) = if !numerator.contains(eps) && !denominator.contains(eps) {
+        return Ok(());
+    } else if in_family {
+        (
+            "the coefficients of a family are free of `eps`",
+            "write the equations of each site, or declare a parameter for the coefficient",
+        )
+    } else if !numerator.is_even_in(eps) || !denominator.is_even_in(eps) {
+        (
+            "`eps` stands in odd powers: the map would not be reversible",
+            "write even powers of it, as in `c*eps^2*x`",
+        )
+    } else if at_zero().is_zero() {
+        (
+            "this divides by a power of `eps`: the field has no value at `eps = 0`",
+            "divide by what is not 0 at `eps = 0`, as in `x/(1 + c*eps^2)`",
+        )
+    } else {
+        return Ok(());
+    };
+    Err(Diagnostic::new(Kind::Name, place_of_eps(value, scope), message, help))
+}
+
+/// The `eps` at which coefficients go wrong: the first in the first term with odd powers, where
+/// there is one.
+fn place_of_eps(expr: &Expr, scope: &Scope) -> Span {
+    let is_odd = |expr: &Expr| {
+        let eps = scope.symbols.epsilon();
+        expand_unkept(expr, scope)
+            .is_ok_and(|of| !of.numerator.is_even_in(eps) || !of.denominator.is_even_in(eps))
+    };
+    match &expr.kind {
+        ExprKind::Negation(inner) => return place_of_eps(inner, scope),
+        ExprKind::Sum(terms) => {
+            if let Some(term) = terms.iter().find(|term| is_odd(&term.expr)) {
+                return place_of_eps(&term.expr, scope);
+            }
+        }
+        ExprKind::Product(factors) => {
+            if let Some(factor) = factors.iter().find(|factor| is_odd(&factor.expr)) {
+                return place_of_eps(&factor.expr, scope);
+            }
+        }
+        ExprKind::Power(..) | ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Special(_) => {}
+    }
+    let mut place = None;
+    expr.visit_names(&mut |name, span| {
+        if is_epsilon(&name.key()) {
+            place = place.or(Some(span));
+        }
+    });
+    place.unwrap_or(expr.span)
 }
 
 /// The term in words, parameters left out, and a product of two states that divides it.

@@ -191,9 +191,7 @@ fn sum(
 
 fn density(written: &Expr, scope: &Scope) -> Result<Component, Diagnostic> {
     let component = expand_in_claim(&summand(written)?, scope)?.component();
-    if component.numerator.contains(scope.symbols.epsilon())
-        || component.denominator.contains(scope.symbols.epsilon())
-    {
+    if component.contains(scope.symbols.epsilon()) {
         return Err(Diagnostic::new(
             Kind::Claim,
             written.span,

@@ -24,6 +24,7 @@ use kahan_syntax::token::Span;
 
 use crate::family::Family;
 use crate::field::Field;
+use crate::kept::Kept;
 use crate::system::System;
 
 use names::Scope;
@@ -175,6 +176,8 @@ pub(crate) fn check_system(block: Block, diagnostics: &mut Diagnostics) -> (Stan
         && !block.equations.is_empty()
         && block.equations.iter().all(|equation| equation.value.is_some());
     let field = Field { symbols: scope.symbols.clone(), components };
+    // A product that was written with odd powers of ε stands as it is expanded.
+    let kept = if kept.has_odd_powers_of_eps() { Kept::of(&field) } else { kept };
     let mut stand_in = StandIn::of_type(block.header.clone());
     stand_in.symbols = scope.symbols.clone();
     // Without a field there is nothing to claim of it.

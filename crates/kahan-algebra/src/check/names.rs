@@ -104,15 +104,6 @@ impl Scope {
             let (Reference::Name(base) | Reference::Site { array: base, .. }) = reference;
             if self.is_poisoned(name) || self.is_poisoned(base) {
                 sound = false;
-            } else if is_epsilon(name) && !in_claim {
-                sound = false;
-                diagnostics.report(
-                    Kind::Name,
-                    span,
-                    format!("`{name}` is the half time step and belongs to the map, not to the field"),
-                    "rename the parameter",
-                );
-                self.poison(name);
             } else if self.meaning(name).is_none()
                 && !(in_claim && self.claims.iter().any(|claim| claim == name))
             {
@@ -154,7 +145,7 @@ impl Scope {
             return;
         }
         let help = if name == "ϵ" {
-            "for half the time step write `eps` (in claims)".to_owned()
+            "for half the time step write `eps`".to_owned()
         } else if let Reference::Site { array, .. } = reference {
             format!(
                 "give it an equation `{array}[i]dot = …;`, or declare it as a parameter: `struct Name {{ {array} }}`"

@@ -63,6 +63,7 @@ pub struct Derived {
     /// the values of the names that are solved for.
     pub conditional: Vec<Plan>,
     planned: OnceLock<Planned>,
+    at_eps_zero: OnceLock<Box<Derived>>,
     dense: OnceLock<Option<DenseField>>,
     field: OnceLock<Plan>,
     coefficients: OnceLock<Option<Plan>>,
@@ -95,6 +96,7 @@ pub fn derive(system: &System) -> Derived {
         reduced_map: planned.as_ref().and_then(Planned::reduced_map),
         map,
         planned: planned.map_or_else(OnceLock::new, OnceLock::from),
+        at_eps_zero: OnceLock::new(),
         dense: OnceLock::new(),
         field: OnceLock::new(),
         coefficients: OnceLock::new(),
@@ -131,9 +133,13 @@ impl Planned {
         let Some(map) = map.filter(|_| !with.is_plain()) else {
             return Planned { with_constants: with, map: map.cloned() };
         };
-        match RationalMap::of(&with.field)
-            .filter(|own| own.reduced.is_as_short(&with.field.symbols, &map.reduced, &system.field.symbols))
-        {
+        // ε² in coefficients is a parameter of the field with constants.
+        let counts_eps = !system.field.depends_on_eps();
+        let is_as_short = |own: &RationalMap| {
+            let (symbols, others) = (&with.field.symbols, &system.field.symbols);
+            own.reduced.is_as_short(symbols, &map.reduced, others, counts_eps)
+        };
+        match RationalMap::of(&with.field).filter(is_as_short) {
             Some(own) => Planned { with_constants: with, map: Some(own) },
             None => Planned { with_constants: WithConstants::plain(&system.field), map: Some(map.clone()) },
         }
@@ -153,7 +159,19 @@ impl Planned {
 }
 
 impl Derived {
-    /// f(x), one result for each component.
+    /// The plans of the field at ε = 0, which the map approximates: these, unless coefficients
+    /// depend on ε.
+    pub fn at_eps_zero(&self) -> &Derived {
+        match self.system.field.depends_on_eps() {
+            true => self.at_eps_zero.get_or_init(|| {
+                let system = self.system.at_eps(&Rational::ZERO);
+                derive(&system.expect("a checked field has a value at eps = 0")).into()
+            }),
+            false => self,
+        }
+    }
+
+    /// f(x), one result for each component; where coefficients depend on ε, at this ε.
     pub fn field(&self) -> &Plan {
         self.field.get_or_init(|| match self.dense() {
             Some(dense) => dense.field(),
@@ -291,12 +309,19 @@ impl Derived {
         self.carry.get_or_init(planned).as_ref().map(|(symbols, plan)| (symbols, plan))
     }
 
-    /// Whether the field divides by nothing that is zero at these parameters, in their order.
-    pub fn is_defined_at<A: Arithmetic>(&self, arithmetic: &A, parameters: &[A::Value]) -> bool {
+    /// Whether the field divides by nothing that is zero at these parameters, in their order, and at
+    /// this ε.
+    pub fn is_defined_at<A: Arithmetic>(
+        &self,
+        arithmetic: &A,
+        parameters: &[A::Value],
+        eps: &A::Value,
+    ) -> bool {
         let symbols = &self.system.field.symbols;
         let divisors = self.divisors.evaluate(arithmetic, |variable| match symbols.symbol(variable) {
             Symbol::Parameter(k) => parameters[k].clone(),
-            _ => unreachable!("divisors are free of everything else"),
+            Symbol::Epsilon => eps.clone(),
+            _ => unreachable!("divisors are free of states"),
         });
         divisors.iter().all(|value| value.as_ref().is_some_and(|value| !arithmetic.is_zero(value)))
     }
@@ -313,10 +338,10 @@ impl Derived {
         let constants = |step: &StepPlan| step.constants.clone();
         let next = |step: &StepPlan| step.next(symbols);
         let mut functions = vec![
-            some("field f", self.field()),
-            some("f'(x)", self.field_jacobian()),
-            some("Q(x,x')", self.bilinear()),
-            some("polarised field", self.polarized()),
+            some("field f", self.at_eps_zero().field()),
+            some("f'(x)", self.at_eps_zero().field_jacobian()),
+            some("Q(x,x')", self.at_eps_zero().bilinear()),
+            some("polarised field", self.at_eps_zero().polarized()),
             ("prepared constants".to_owned(), step.map(constants)),
             ("step".to_owned(), step.map(next)),
         ];

@@ -88,12 +88,18 @@ impl Reduced {
         self.denominator.len() + self.increments.iter().map(Polynomial::len).sum::<usize>()
     }
 
-    /// Whether this has no degree in ε and the states that the `other` form of the same map has
-    /// not: as many factors were divided out. Each has symbols of its own.
+    /// Whether this has no degree in the states, and in ε where `counts_eps`, that the `other` form
+    /// of the same map has not: as many factors were divided out. Each has symbols of its own.
     #[must_use]
-    pub(crate) fn is_as_short(&self, symbols: &Symbols, other: &Reduced, others: &Symbols) -> bool {
+    pub(crate) fn is_as_short(
+        &self,
+        symbols: &Symbols,
+        other: &Reduced,
+        others: &Symbols,
+        counts_eps: bool,
+    ) -> bool {
         let degrees = |reduced: &Reduced, symbols: &Symbols| -> Vec<u32> {
-            let varies = |v: Variable| symbols.is_state(v) || v == symbols.epsilon();
+            let varies = |v: Variable| symbols.is_state(v) || (counts_eps && v == symbols.epsilon());
             let all = reduced.increments.iter().chain([&reduced.denominator]);
             all.map(|polynomial| polynomial.degree_where(varies)).collect()
         };

@@ -109,7 +109,7 @@ pub fn poles(
     let [for_degrees, deadline] =
         [FOR_DEGREES, 1.0].map(|share| Deadline::after(work, options.seconds * share));
     work.show(&Progress::stage("degrees of iterates"));
-    let field = specialised(system, &options.parameters)?.field;
+    let field = specialised(system, &options.parameters, options.eps.as_ref())?.field;
     if options.eps.as_ref().is_some_and(Rational::is_zero) {
         return Err(DiscoverError::ZeroStep);
     }

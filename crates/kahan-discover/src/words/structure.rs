@@ -53,14 +53,15 @@ fn flow(report: &Report) -> String {
     let structure = &report.structure;
     let (linear, quadratic) = (structure.linear_integrals.len(), structure.quadratic_integrals.len());
     let found = linear + quadratic;
+    let of_flow = if structure.depends_on_eps { "The flow of the field at any one eps" } else { "The flow" };
     match structure.flow_degree {
         0 => "Linear and quadratic integrals of the flow were not reached.".to_owned(),
-        1 if linear == 0 => "The flow has no linear integral; quadratic ones were not reached.".to_owned(),
+        1 if linear == 0 => format!("{of_flow} has no linear integral; quadratic ones were not reached."),
         1 => format!(
-            "The flow has {}, which the map keeps; quadratic ones were not reached.",
+            "{of_flow} has {}, which the map keeps; quadratic ones were not reached.",
             counted(linear, "independent linear integral")
         ),
-        _ if found == 0 => "The flow has no linear integral and no quadratic one.".to_owned(),
+        _ if found == 0 => format!("{of_flow} has no linear integral and no quadratic one."),
         _ => {
             let of = match (linear, quadratic) {
                 (0, quadratic) => counted(quadratic, "independent quadratic integral"),
@@ -74,7 +75,7 @@ fn flow(report: &Report) -> String {
                 kept if kept == found => "which the map keeps as they stand".to_owned(),
                 kept => format!("of which the map keeps {kept} as they stand"),
             };
-            format!("The flow has {of}, {kept}.")
+            format!("{of_flow} has {of}, {kept}.")
         }
     }
 }

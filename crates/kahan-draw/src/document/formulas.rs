@@ -23,7 +23,7 @@ pub fn formulas(sheet: &Sheet) -> Markup {
     };
     html! {
         h4 { "Field" }
-        (displays(&equations("dot", &sheet.field), LINE))
+        (displays(&equations("dot", sheet.field_at_eps.as_ref().unwrap_or(&sheet.field)), LINE))
         h4 { "Matrix" }
         (display(&format!("A(x,\\varepsilon) = {}", matrix(&sheet.matrix)), LINE))
         @if sheet.rhs != states {

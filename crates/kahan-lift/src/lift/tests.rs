@@ -295,6 +295,7 @@ fn what_cannot_be_lifted_is_refused_with_its_reason() {
         ("x' = x^100", "too large"),
         ("x' = 1/(x - x)", "divides by zero"),
         ("x' = sin(x); x' = y; y' = 1", "two equations"),
+        ("x' = eps^2*sin(x)", "free of `eps`"),
     ] {
         let mistake = lifted(text, &Options::default()).expect_err(text);
         assert!(mistake.contains(reason), "{mistake}");

@@ -80,7 +80,8 @@ impl<T: MachineFloat> MapAt<T> {
                 None => self.engine().interpret_columns(&mut columns, self.composition, steps, kind),
             }
         }
-        if !are_own && self.map.field().has_divisors() {
+        let field = &self.map.field().system().field;
+        if (!are_own || field.depends_on_eps()) && self.map.field().has_divisors() {
             self.forget_undefined(&mut columns);
         }
     }
@@ -101,14 +102,15 @@ impl<T: MachineFloat> MapAt<T> {
         with_scratch(T::single(), |scratch| scratch.given = x);
     }
 
-    /// Where the field divides by zero at a trajectory's parameters there is no map; its code,
+    /// Where the field divides by zero at a trajectory's parameters and ε there is no map; its code,
     /// which has no such divisor any more, does not notice.
-    fn forget_undefined(&self, Columns { columns, parameters, .. }: &mut Columns<'_, '_, T>) {
+    fn forget_undefined(&self, Columns { columns, eps, parameters }: &mut Columns<'_, '_, T>) {
         let trajectories = columns.first().map_or(0, |column| column.len());
         for k in 0..trajectories {
             let values = parameters.iter().flat_map(|values| given(values, &(k..k + 1)));
             let values: Vec<f64> = values.map(Scalar::approximate).collect();
-            if !self.map.field().derived().is_defined_at(&Float64, &values) {
+            let eps = given(eps, &(k..k + 1))[0].approximate();
+            if !self.map.field().derived().is_defined_at(&Float64, &values, &eps) {
                 columns.iter_mut().for_each(|column| column[k] = nothing());
             }
         }

@@ -57,6 +57,12 @@ pub enum Object {
     Density,
     /// The entries above the diagonal of the bracket with this index.
     Bracket(usize),
+    /// f(x) with the coefficients that the map has at ε.
+    FieldAtEps,
+    /// f′(x) with the coefficients that the map has at ε.
+    FieldJacobianAtEps,
+    /// Q(x,y) + ½B(x+y) + c with the coefficients that the map has at ε.
+    PolarizedAtEps,
     /// A(x,ε), row by row.
     Matrix,
     /// ∂x̃/∂x, row by row.
@@ -78,18 +84,21 @@ impl Object {
     /// where the field has none, and for what is computed from others.
     pub(crate) fn entry(self, derived: &Derived) -> (usize, Option<&Plan>) {
         match self {
-            Object::Field => (0, Some(derived.field())),
-            Object::FieldJacobian => (1, Some(derived.field_jacobian())),
+            Object::Field => (0, Some(derived.at_eps_zero().field())),
+            Object::FieldJacobian => (1, Some(derived.at_eps_zero().field_jacobian())),
             Object::Integrals => (2, Some(&derived.integrals)),
             Object::Density => (3, derived.density.as_ref()),
             Object::Matrix => (4, None),
             Object::Jacobian => (5, None),
-            Object::Bilinear => (6, Some(derived.bilinear())),
-            Object::Polarized => (7, Some(derived.polarized())),
+            Object::Bilinear => (6, Some(derived.at_eps_zero().bilinear())),
+            Object::Polarized => (7, Some(derived.at_eps_zero().polarized())),
             Object::DetMatrix => (8, derived.det_matrix.as_ref()),
             Object::RationalMap => (9, derived.rational_map.as_ref()),
             Object::ReducedMap => (10, derived.reduced_map.as_ref()),
-            Object::Bracket(index) => (11 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
+            Object::FieldAtEps => (11, Some(derived.field())),
+            Object::FieldJacobianAtEps => (12, Some(derived.field_jacobian())),
+            Object::PolarizedAtEps => (13, Some(derived.polarized())),
+            Object::Bracket(index) => (14 + index, derived.brackets.get(index).map(|(_, plan)| plan)),
         }
     }
 }
@@ -163,6 +172,17 @@ impl Engine {
         let engine = Arc::new(Engine::new(&self.derived.system.sensitivities(by)));
         known.push((by.to_vec(), Arc::clone(&engine)));
         engine
+    }
+
+    /// An object of the field with the coefficients that the map has at ε.
+    pub(crate) fn at_eps(&self, object: Object) -> Object {
+        match object {
+            _ if !self.derived.system.field.depends_on_eps() => object,
+            Object::Field => Object::FieldAtEps,
+            Object::FieldJacobian => Object::FieldJacobianAtEps,
+            Object::Polarized => Object::PolarizedAtEps,
+            _ => object,
+        }
     }
 
     /// The forms of the step.
@@ -274,7 +294,7 @@ impl Engine {
         match object {
             Object::Jacobian => self.jacobian(constants, state, out),
             Object::Matrix => {
-                self.evaluate(Object::FieldJacobian, constants, state, out);
+                self.evaluate(self.at_eps(Object::FieldJacobian), constants, state, out);
                 into_matrix(out, split(constants).1, state.len());
             }
             _ => with_scratch(T::single(), |scratch| {

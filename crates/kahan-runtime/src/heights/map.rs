@@ -76,7 +76,7 @@ impl ProjectiveMap {
     ) -> Result<Self, UndefinedField> {
         let field = &system.field;
         assert_eq!(parameters.len(), field.symbols.parameters.len(), "one value a parameter");
-        let is_scaled = field.is_homogeneous() && !eps.is_zero();
+        let is_scaled = field.is_homogeneous() && !field.depends_on_eps() && !eps.is_zero();
         let unit = eps.recip().filter(|_| is_scaled).unwrap_or_else(Rational::one);
         let at = |eps: Rational| Values { field, parameters, eps };
         let ahead = at(if is_scaled { Rational::one() } else { eps.clone() });
@@ -101,7 +101,7 @@ impl ProjectiveMap {
         Ok(ProjectiveMap { dimension: field.dimension(), unit, formula })
     }
 
-    /// σ of xᵢ = σXᵢ/W: 1/ε for homogeneous fields, else 1.
+    /// σ of xᵢ = σXᵢ/W: 1/ε for homogeneous fields with coefficients free of ε, else 1.
     #[must_use]
     pub fn unit(&self) -> &Rational {
         &self.unit

@@ -43,35 +43,43 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
         Some(jacobian)
     }
 
-    /// An object of two points that is a vector.
-    fn vector_of_two(&self, object: Object, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
+    /// An object that is a vector.
+    fn vector_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        self.run(self.engine.known_line(object), x.as_slice(), eps, |results| vector(results.iter()))
+    }
+
+    /// An object that is a matrix.
+    fn slopes_of(&self, object: Object, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
         let own = self.variables().len();
-        let mut points: SmallVec<[T; 16]> = SmallVec::new();
-        [x, y].into_iter().for_each(|point| points.extend(point.iter().take(own).cloned()));
-        self.run(self.engine.known_line(object), &points, &T::zero(), |results| vector(results.iter()))
+        self.run(self.engine.known_line(object), x.as_slice(), eps, |entries| {
+            SMatrix::from_fn(|i, j| if i.max(j) < own { entries.get(i * own + j) } else { T::zero() })
+        })
+    }
+
+    /// An object of two points that is a vector.
+    fn vector_of_two(&self, object: Object, points: [&SVector<T, N>; 2], eps: &T) -> SVector<T, N> {
+        let own = self.variables().len();
+        let mut entries: SmallVec<[T; 16]> = SmallVec::new();
+        points.into_iter().for_each(|point| entries.extend(point.iter().take(own).cloned()));
+        self.run(self.engine.known_line(object), &entries, eps, |results| vector(results.iter()))
     }
 }
 
 impl<T: Scalar, const N: usize> QuadraticField<T, N> for Interpreted<T, N> {
     fn field(&self, x: &SVector<T, N>) -> SVector<T, N> {
-        self.run(self.engine.known_line(Object::Field), x.as_slice(), &T::zero(), |results| {
-            vector(results.iter())
-        })
+        self.vector_of(Object::Field, x, &T::zero())
     }
 
     fn field_jacobian(&self, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        let own = self.variables().len();
-        self.run(self.engine.known_line(Object::FieldJacobian), x.as_slice(), &T::zero(), |entries| {
-            SMatrix::from_fn(|i, j| if i.max(j) < own { entries.get(i * own + j) } else { T::zero() })
-        })
+        self.slopes_of(Object::FieldJacobian, x, &T::zero())
     }
 
     fn bilinear(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        self.vector_of_two(Object::Bilinear, x, y)
+        self.vector_of_two(Object::Bilinear, [x, y], &T::zero())
     }
 
     fn polarized(&self, x: &SVector<T, N>, y: &SVector<T, N>) -> SVector<T, N> {
-        self.vector_of_two(Object::Polarized, x, y)
+        self.vector_of_two(Object::Polarized, [x, y], &T::zero())
     }
 }
 
@@ -80,6 +88,22 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Interpreted<T, N> {
 
     fn prepare(&self, eps: &T) -> Self::Prepared {
         InterpretedStep::new(self.clone(), eps.clone())
+    }
+
+    fn has_coefficients_of_eps(&self) -> bool {
+        self.engine.derived.system.field.depends_on_eps()
+    }
+
+    fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        self.vector_of(self.engine.at_eps(Object::Field), x, eps)
+    }
+
+    fn field_jacobian_at(&self, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
+        self.slopes_of(self.engine.at_eps(Object::FieldJacobian), x, eps)
+    }
+
+    fn polarized_at(&self, x: &SVector<T, N>, y: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        self.vector_of_two(self.engine.at_eps(Object::Polarized), [x, y], eps)
     }
 
     fn try_prepared(

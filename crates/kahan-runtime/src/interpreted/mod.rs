@@ -122,7 +122,7 @@ impl<T: Scalar, const N: usize> Interpreted<T, N> {
     /// x̃ − x along the couplings; `None` where there are none, and where a pivot is too small.
     fn along_couplings(&self, state: &[T], eps: &T) -> Option<Vec<T>> {
         let (tables, mut factors) = self.factors(state, eps)?;
-        let mut velocity = self.list(self.engine.known_line(Object::Field), state, eps);
+        let mut velocity = self.list(self.engine.known_line(self.engine.at_eps(Object::Field)), state, eps);
         tables.solve(&mut factors, &mut velocity, 1, 0);
         let time_step = eps.clone() + eps.clone();
         Some(velocity.into_iter().map(|entry| time_step.clone() * entry).collect())

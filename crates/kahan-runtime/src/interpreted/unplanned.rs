@@ -34,4 +34,16 @@ impl<T: Scalar, const N: usize> KahanMap<T, N> for Unplanned<T, N> {
     fn prepare(&self, eps: &T) -> Self::Prepared {
         Elimination::new(self.clone(), eps.clone())
     }
+
+    fn field_at(&self, x: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        self.0.field_at(x, eps)
+    }
+
+    fn field_jacobian_at(&self, x: &SVector<T, N>, eps: &T) -> SMatrix<T, N, N> {
+        self.0.field_jacobian_at(x, eps)
+    }
+
+    fn polarized_at(&self, x: &SVector<T, N>, y: &SVector<T, N>, eps: &T) -> SVector<T, N> {
+        self.0.polarized_at(x, y, eps)
+    }
 }

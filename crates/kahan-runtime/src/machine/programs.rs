@@ -143,7 +143,8 @@ pub(super) fn object<T: Coded>(object: Object, engine: &Engine) -> Option<Progra
         let (state, constants) = (Traced::<T>::states(0..n), constants(engine));
         match object {
             Object::Matrix => {
-                let mut slopes = results(engine.line(Object::FieldJacobian)?, &constants, &state);
+                let mut slopes =
+                    results(engine.line(engine.at_eps(Object::FieldJacobian))?, &constants, &state);
                 into_matrix(&mut slopes, constants[constants.len() - 1], n);
                 Some(slopes)
             }

@@ -110,7 +110,7 @@ impl Evaluate {
             eps: A::round(&self.eps),
         };
         let evaluated = study.interpreter().evaluate(arithmetic, &point);
-        let values = evaluated.map_err(|_| study.undefined_field())?;
+        let values = evaluated.map_err(|_| study.undefined_field_at(&self.eps))?;
         let next = values.next.filter(|next| next.iter().all(A::is_finite));
         let has_next = next.is_some();
         let is_singular = arithmetic.is_zero(&values.det_matrix);

@@ -71,7 +71,8 @@ impl Heights {
         let system = study.proved()?;
         let (start, parameters) = (study.point(&self.at)?, study.values()?);
         let orbit = HeightsOrbit::new(system, &parameters, &self.eps, &start);
-        let mut orbit = orbit.map_err(|_| study.undefined_field())?.within_digits(self.max_digits);
+        let mut orbit =
+            orbit.map_err(|_| study.undefined_field_at(&self.eps))?.within_digits(self.max_digits);
         let clock = || Some(watch.now()?.saturating_sub(begun?));
         let survey = Survey::within(&mut orbit, self.steps, self.seconds, &clock, |heights| {
             watch.look(&Progress { what: "steps", done: heights.step as u64, of: Some(self.steps) })

@@ -338,8 +338,8 @@ impl Orbit {
         let eps = in_scalar("eps", "eps", &self.eps)?;
         let map = study.map()?;
         // What differs exactly may be one number in the scalar.
-        if !map.field().derived().is_defined_at(arithmetic, &parameters) {
-            return Err(study.undefined_field());
+        if !map.field().derived().is_defined_at(arithmetic, &parameters, &eps) {
+            return Err(study.undefined_field_at(&self.eps));
         }
         let named = study.parameters().iter().cloned();
         let numbers: Names<Number> = named.zip(parameters.iter().map(A::number)).collect();

@@ -3,6 +3,7 @@
 mod plan;
 
 use kahan_algebra::kahan::RationalMap;
+use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{
     Formulas, MatrixText, Notation, Text, claim_statement, claim_text, condition_note, condition_statement,
     condition_text, macro_block,
@@ -80,7 +81,10 @@ pub struct Sheet {
     pub variables: Vec<String>,
     /// The parameters that are not put in.
     pub parameters: Vec<String>,
-    /// f(x)
+    /// f(x) with the coefficients that the map has at ε, where these depend on ε.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field_at_eps: Option<Vec<String>>,
+    /// f(x), at ε = 0 as all that the field has without its map.
     pub field: Vec<String>,
     /// f′(x), row by row.
     pub field_jacobian: MatrixText,
@@ -163,6 +167,9 @@ impl Show {
         system.claims.iter_mut().for_each(|claim| claim.put_values(&system.constants));
         let map = RationalMap::of(&system.field);
         let formulas = Formulas { field: &system.field, map: map.as_ref(), notation };
+        let at_zero = system.field.depends_on_eps().then(|| system.at_eps(&Rational::ZERO)).flatten();
+        let flow = at_zero.as_ref().map_or(&system.field, |at_zero| &at_zero.field);
+        let of_flow = Formulas { field: flow, map: None, notation };
         let of_claims = Some(notation).filter(|_| self.form != Form::Text);
         let claims = system.claims.iter().map(|claim| ClaimShown {
             source: study.source(&claim.name.text),
@@ -173,11 +180,12 @@ impl Show {
             title: study.title(),
             variables: system.field.symbols.states.clone(),
             parameters: system.field.symbols.parameters.clone(),
-            field: formulas.field(),
-            field_jacobian: formulas.field_jacobian(),
+            field_at_eps: at_zero.is_some().then(|| formulas.field()),
+            field: of_flow.field(),
+            field_jacobian: of_flow.field_jacobian(),
             matrix: formulas.matrix(),
             rhs: formulas.rhs(),
-            bilinear: formulas.bilinear(),
+            bilinear: of_flow.bilinear(),
             determinant: formulas.determinant(),
             map: formulas.map(),
             jacobian: if self.jacobian { formulas.jacobian() } else { None },

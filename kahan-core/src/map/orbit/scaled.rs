@@ -59,7 +59,7 @@ where
         let is_zero = |entry: &T| entry.is_zero();
         let is_homogeneous =
             map.field(&origin).iter().all(is_zero) && map.field_jacobian(&origin).iter().all(is_zero);
-        if !is_homogeneous {
+        if map.has_coefficients_of_eps() || !is_homogeneous {
             return None;
         }
         let eps = *eps;

@@ -11,8 +11,6 @@ use nalgebra::SVector;
 use num_traits::Zero;
 
 #[cfg(feature = "std")]
-use crate::QuadraticField;
-#[cfg(feature = "std")]
 use crate::field::linear::increment_by_elimination;
 use crate::field::linear::vector;
 use crate::scalar::Wide;
@@ -252,7 +250,7 @@ where
 {
     let long = |number: &T| Long::new(number.widen(), capacity);
     let (map, state, eps) = (map.extend_scalars(long), SVector::from_fn(|i, _| long(&x[i])), long(eps));
-    let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field(&state));
+    let (mut matrix, mut velocity) = (map.matrix(&state, eps.clone()), map.field_at(&state, &eps));
     for i in 0..N {
         level_row(matrix.row_mut(i).iter_mut(), &mut velocity[i]);
     }

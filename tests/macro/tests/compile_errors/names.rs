@@ -52,10 +52,16 @@ kahan! {
     epsdot = -eps;
 }
 
-// A field does not know the step.
+// Coefficients have even powers of the half step, and a value where it is 0.
 kahan! {
-    pub struct HalfStepInAField;
-    xdot = eps*x;
+    pub struct OddPowersOfTheHalfStep;
+    xdot = y - eps^2*x;
+    ydot = eps^2*y - x*(1 + eps^3*y);
+}
+
+kahan! {
+    pub struct DivisionByTheHalfStep;
+    xdot = x/eps^2;
 }
 
 // Keywords are no parameters.

@@ -20,11 +20,18 @@ pub(super) fn text(sheet: &Sheet) -> String {
         let states = sheet.variables.iter().zip(right);
         states.map(|(state, value)| format!("{state}{mark} = {value}")).collect::<Vec<_>>()
     };
-    page.section("field", equations("dot", &sheet.field));
-    page.section("f'(x)", matrix(&sheet.field_jacobian, '[', ']'));
+    let at_zero = match &sheet.field_at_eps {
+        Some(at_eps) => {
+            page.section("field, with the coefficients of the map at eps", equations("dot", at_eps));
+            " at eps = 0"
+        }
+        None => "",
+    };
+    page.section(&format!("field{at_zero}"), equations("dot", &sheet.field));
+    page.section(&format!("f'(x){at_zero}"), matrix(&sheet.field_jacobian, '[', ']'));
     page.section("A(x,eps) = I - eps f'(x)", matrix(&sheet.matrix, '[', ']'));
     page.section("b(x,eps) = x + eps B x + 2 eps c, and A(x,eps) x~ = b(x,eps)", column(&sheet.rhs));
-    page.section("bilinear form Q(x,x')", column(&sheet.bilinear));
+    page.section(&format!("bilinear form Q(x,x'){at_zero}"), column(&sheet.bilinear));
     match &sheet.determinant {
         Some(determinant) => page.section("D = det A(x,eps)", [determinant]),
         None => page.section(
@@ -69,6 +76,10 @@ pub(super) fn latex(sheet: &Sheet) -> String {
     };
     let mut page = Page::default();
     page.line(&format!("% {}", sheet.system));
+    if let Some(at_eps) = &sheet.field_at_eps {
+        page.line("% the field with the coefficients of the map, and f, f' and Q at eps = 0:");
+        page.display(&equations("\\dot", at_eps));
+    }
     page.display(&equations("\\dot", &sheet.field));
     page.display(&matrix_latex("f'(x)", "pmatrix", &sheet.field_jacobian));
     let matrix = "A(x,\\varepsilon) = I - \\varepsilon f'(x)";

@@ -17,7 +17,8 @@ const LARGEST_GROWTH: f64 = 1024.0;
 pub(super) struct Back<'a, T: RuntimeFloat> {
     /// Kahan's map at γε, and γ, for each distinct γ of the composition.
     distinct: Vec<(MapAt<T>, T)>,
-    terms: Terms<T>,
+    /// `None` where coefficients depend on ε: then derivatives are those of the step.
+    terms: Option<Terms<T>>,
     solver: Transposed<'a, T>,
     /// The entries of f′ at the points before and behind a stage.
     slopes: [Vec<T>; 2],
@@ -35,7 +36,8 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
             (kahan.at_constants(at.map.clone(), constants.into_iter(), eps), T::constant(gamma))
         });
         let solver = at.engine().transposed();
-        let terms = Terms::of(&at.map, solver.entries().len(), solver.places());
+        let terms = || Terms::of(&at.map, solver.entries().len(), solver.places());
+        let terms = (!at.map.field().system().field.depends_on_eps()).then(terms);
         let slopes = [(); 2].map(|()| vec![T::zero(); solver.entries().len()]);
         Back { distinct: distinct.collect(), terms, solver, slopes, room: Vec::new() }
     }
@@ -51,7 +53,9 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
 
     /// Begins the sweep at the last state of the orbit.
     pub(super) fn begin(&mut self, x: &[T]) {
-        self.terms.slopes(x, &mut self.slopes[1]);
+        if let Some(terms) = &self.terms {
+            terms.slopes(x, &mut self.slopes[1]);
+        }
     }
 
     /// Appends the states that the stages of a step lead to.
@@ -77,6 +81,7 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
 
     fn take_stage(&mut self, stage: usize, [x, next]: [&[T]; 2], gradient: &mut Gradient<T>) {
         let Back { distinct, terms, solver, slopes: [before, behind], room: mu } = self;
+        let Some(terms) = terms else { return self.take_by_duals(stage, x, gradient) };
         let (map, gamma) = &distinct[stage];
         let eps = map.eps();
         terms.slopes(x, before);
@@ -100,7 +105,8 @@ impl<'a, T: RuntimeFloat> Back<'a, T> {
         self.slopes.swap(0, 1);
     }
 
-    /// Takes the cotangent back near a zero of det A, by derivatives of the reduced map.
+    /// Takes the cotangent back near a zero of det A, or where coefficients depend on ε, by
+    /// derivatives of the reduced map.
     fn take_by_duals(&mut self, stage: usize, x: &[T], gradient: &mut Gradient<T>) {
         let (map, gamma) = &self.distinct[stage];
         let n = x.len();

@@ -79,4 +79,12 @@ kahan! {
     for i in periodic { x[i]dot = x[i+1] }
 }
 
+// Coefficients of a family are free of the half step.
+kahan! {
+    pub struct HalfStepInAFamily;
+    for i in periodic {
+        x[i]dot = x[i+1] - eps^2*x[i];
+    }
+}
+
 fn main() {}
