@@ -194,7 +194,7 @@ fn formulas(report: &Report) -> Vec<String> {
     match &alone[..] {
         [] => {}
         [one] => {
-            sentences.push(format!("One more integral, {}, is given in its compact form.", modified(&[one])))
+            sentences.push(format!("One more integral, {}, is given in its compact form.", modified(&[one])));
         }
         several => sentences.push(format!(
             "{} more integrals, {}, are given in their compact forms.",
