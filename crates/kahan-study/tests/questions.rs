@@ -200,8 +200,12 @@ fn questions_that_do_not_fit_say_so() {
         StudyError::UndefinedField { .. }
     ));
     let nowhere = Subject::text("xdot = x/(1 - eps^2);");
-    for ask in ["evaluate", "orbit", "heights"] {
-        let mistake = error(nowhere.clone(), json!({"ask": ask, "eps": 1, "at": [1], "steps": 1}));
+    for question in [
+        json!({"ask": "evaluate", "eps": 1, "at": [1]}),
+        json!({"ask": "orbit", "eps": 1, "at": [1], "steps": 1}),
+        json!({"ask": "heights", "eps": 1, "at": [1], "steps": 1}),
+    ] {
+        let mistake = error(nowhere.clone(), question);
         assert!(mistake.to_string().contains("divides by zero at eps = 1;"), "{mistake}");
     }
     let trade = json!({"ask": "trade", "at": [1, 1], "horizon": 1});
