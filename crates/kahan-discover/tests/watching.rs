@@ -41,6 +41,7 @@ fn a_watch_hears_of_each_claim_of_the_report_once_and_of_each_stage() {
             "invariant Poisson brackets",
             "invariant densities",
             "what survives composition",
+            "functions whose next value follows from their value",
         ];
         assert_eq!(stages, all, "{text}");
         assert_eq!(watch.looks().len(), all.len() + findings.len(), "{text}");

@@ -124,9 +124,13 @@ fn proved(field: &str, claims: &[String]) -> Result<System, String> {
             diagnostics => Err(format!("{diagnostics:?}")),
         }
     };
-    // One by one, as claims may have equal names.
+    // One by one, as claims may have equal names; a drift may name those before it.
+    let mut drifts = String::new();
     for claim in claims {
-        read(&format!("{field} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;
+        read(&format!("{field} {drifts} {claim}")).map_err(|why| format!("{claim} is not proved: {why}"))?;
+        if claim.starts_with("drift ") {
+            drifts += claim;
+        }
     }
     read(field)
 }

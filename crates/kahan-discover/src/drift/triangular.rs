@@ -72,7 +72,7 @@ impl Triangle {
         let next = next.mapped(|constant| self.moved(constant));
         let image = next.of(&drift)?;
         let (kind, text) = match &next {
-            Next::Sum(step) => (DriftKind::Sum(self.text(step)), self.sum(name, step)),
+            Next::Sum(step) => (DriftKind::Sum(self.text(step)), self.sum(name.to_owned(), step)),
             Next::Multiple(factor) => (DriftKind::Multiple(self.text(factor)), self.text(&image)),
             Next::Image(_) => (DriftKind::Image, self.text(&image)),
         };
@@ -80,13 +80,25 @@ impl Triangle {
     }
 
     /// `F1 - 2*eps`
-    fn sum(&self, name: &str, step: &RationalFunction) -> String {
+    fn sum(&self, first: String, step: &RationalFunction) -> String {
         let size = self.text(step);
         match size.strip_prefix('-') {
-            Some(rest) if is_product(&size) => format!("{name} - {rest}"),
-            Some(_) => format!("{name} + ({size})"),
-            None => format!("{name} + {size}"),
+            _ if step.is_zero() => first,
+            Some(rest) if is_product(&size) => format!("{first} - {rest}"),
+            Some(_) => format!("{first} + ({size})"),
+            None => format!("{first} + {size}"),
         }
+    }
+
+    /// a·F + b, where the next value of the drift F is of that form.
+    fn affine(&self, next: &RationalFunction, drift: Variable) -> Option<String> {
+        let (above, below) = (next.numerator(), next.denominator());
+        let is_affine = above.degree_where(|one| one == drift) == 1 && !below.contains(drift);
+        let parts = above.coefficients_in(drift);
+        let [free, linear] = [0, 1].map(|power| parts.get(&power).cloned().unwrap_or_default());
+        let over = |part: Polynomial| RationalFunction::new(part, below.clone()).filter(|_| is_affine);
+        let multiple = self.text(&over(&linear * &Polynomial::variable(drift))?);
+        Some(self.sum(multiple, &over(free)?))
     }
 
     fn text(&self, function: &RationalFunction) -> String {
@@ -172,9 +184,8 @@ impl Triangle {
             let moved = image.compose_within(self.symbols.state(state), &solved, &mut budget).ok()??;
             let next = moved.mul_within(&next_factor?, &mut budget).ok()?;
             let value = own.mul_within(&in_states?, &mut budget).ok()?;
-            let step = &next - &drift;
-            let is_sum = [step.numerator(), step.denominator()].iter().all(|side| !side.contains(variable));
-            let next_text = if is_sum { self.sum(name, &step) } else { self.text(&next) };
+            let texts = [self.affine(&next, variable), Some(self.text(&next))];
+            let next_text = texts.into_iter().flatten().min_by_key(String::len)?;
             let value_text = self.text(&value);
             Some(Link { state, value, value_text, next_text, next, solved })
         };
