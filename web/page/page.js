@@ -243,7 +243,7 @@ function search() {
     const lines = [...answer.integrals, ...answer.densities, ...answer.brackets]
     list.textContent = lines.join('\n')
     list.hidden = $('copies-found').hidden = !lines.length
-    $('search-stage').textContent = `${answer.independent_integrals} independent integrals; growth of degrees: ${answer.growth}. Found in ${answer.seconds.toFixed(1)} s.`
+    $('search-stage').textContent = `${answer.independent_integrals} independent integrals; growth of degrees: ${answer.growth}${answer.growth_proved ? ', proved' : ''}. Found in ${answer.seconds.toFixed(1)} s.`
     const sheet = await workers.search.ask(asked, { ask: 'show' })
     if (!sheet?.answer || searched?.subject !== asked) return
     const equations = sheet.answer.variables.map((name, k) => `${name}dot = ${sheet.answer.field[k]};`)

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::plane::GrowthProof;
+
 /// How the degrees grow with the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
@@ -27,6 +29,8 @@ pub struct GrowthVerdict {
     pub growth: Growth,
     /// What was seen, as a sentence.
     pub evidence: String,
+    /// A proof that growth is exponential; without it the class is an observation.
+    pub proof: Option<GrowthProof>,
 }
 
 impl Growth {
@@ -77,7 +81,7 @@ impl GrowthVerdict {
     pub fn of(degrees: &[usize]) -> Self {
         let values: Vec<i128> = degrees.iter().map(|&degree| degree as i128).collect();
         let count = values.len();
-        let verdict = |growth, evidence: String| GrowthVerdict { growth, evidence };
+        let verdict = |growth, evidence: String| GrowthVerdict { growth, evidence, proof: None };
         for (order, what) in [(1, "differences"), (2, "second differences")] {
             if let Some((period, difference, confirmed)) = settled(&values, order) {
                 let growth = match (order, difference) {

@@ -14,7 +14,7 @@
 //! Modules in reading order: [`modulus`], [`matrix`], [`monomials`], [`deadline`],
 //! [`watch`] (the tools);
 //! [`stepping`], [`family`], [`map`], [`search_field`] (the maps looked at); [`thiele`],
-//! [`degrees`], [`growth`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`],
+//! [`degrees`], [`growth`], [`plane`]; [`relations`], [`hilbert`], [`ceiling`], [`basis`]; [`reconstruct`],
 //! [`weights`], [`grading`], [`space`] (back to ℚ); [`parity`], [`pencil`], [`search`], [`leaf`],
 //! [`chart`], [`constrained`], [`independent`], `reduction`, `collector`, [`integrals`];
 //! [`darboux`], `brackets`, [`drift`]; [`structure`], [`determinant`], [`hamiltonian`]; [`composition`];
@@ -64,6 +64,7 @@ pub mod modulus;
 pub mod monomials;
 pub mod parity;
 pub mod pencil;
+pub mod plane;
 pub mod poles;
 mod products;
 pub mod reconstruct;

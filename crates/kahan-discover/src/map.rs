@@ -124,6 +124,11 @@ impl ModularMap {
         (values, slopes)
     }
 
+    /// The terms of f.
+    pub(crate) fn terms(&self) -> &[Term] {
+        &self.terms
+    }
+
     /// The terms of f, component by component.
     pub(crate) fn components(&self) -> Vec<Vec<Term>> {
         let mut components = vec![Vec::new(); self.dimension];

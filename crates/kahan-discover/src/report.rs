@@ -134,6 +134,11 @@ pub enum Bound {
     Orbits,
     /// No more are possible by the [`Ceiling`].
     Ceiling,
+    /// None exists: the map is one of the plane, and growth is proved exponential.
+    Growth,
+    /// None exists if growth is linear, as it was seen to be: a drift shows the only pencil of
+    /// curves that the map of the plane permutes, which it does with infinite order.
+    Linear,
     /// The degree that was asked for.
     Degree,
     /// The time.
@@ -149,12 +154,37 @@ impl Bound {
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
-            Bound::Orbits | Bound::Ceiling => "complete",
+            Bound::Orbits | Bound::Ceiling | Bound::Growth => "complete",
+            Bound::Linear => "growth",
             Bound::Degree => "degree",
             Bound::Time => "time",
             Bound::Size => "size",
             Bound::Poles => "poles",
         }
+    }
+
+    /// Why no more integrals are possible than are known; `None` where more may exist.
+    pub(crate) fn complete(
+        hilbert: &Hilbert,
+        n: usize,
+        known: usize,
+        ceiling: Option<&Ceiling>,
+        growth: &GrowthVerdict,
+        linear: Option<usize>,
+    ) -> Option<Self> {
+        // With n independent integrals an orbit is a finite set. Where ε is generic it is none: the
+        // map would have a finite order N, but its N-th iterate is x + 2Nε f(x) + O(ε²).
+        let most = if hilbert.period.is_some() { n } else { n - 1 };
+        if known >= most {
+            return Some(Bound::Orbits);
+        }
+        if known == 0 && growth.proof.is_some() {
+            return Some(Bound::Growth);
+        }
+        if known == 0 && linear.is_some() {
+            return Some(Bound::Linear);
+        }
+        ceiling.filter(|ceiling| known >= ceiling.integrals).map(|_| Bound::Ceiling)
     }
 }
 
@@ -169,6 +199,9 @@ pub struct Report {
     pub degrees: Vec<usize>,
     /// Their growth.
     pub growth: GrowthVerdict,
+    /// The number of iterates over which growth in the plane was seen to be linear, where that
+    /// excludes integrals: a drift shows that no curve of the only pencil is kept.
+    pub linear_iterates: Option<usize>,
     /// The Hilbert function of a generic orbit; absent where every orbit ended at a pole.
     pub hilbert: Option<Hilbert>,
     /// The number of independent algebraic integrals that orbits show or that are proved: the

@@ -19,7 +19,6 @@ use crate::deadline::{Deadline, Work};
 use crate::degrees::{DegreeLimits, degrees};
 use crate::densities::{densities, pfaffian_density};
 use crate::drift::{self, drifts};
-use crate::growth::GrowthVerdict;
 use crate::hilbert::{Hilbert, MOST_MONOMIALS_AT_ALL, default_degree};
 use crate::independent::quotient_gradient;
 use crate::integrals::{Aims, integrals};
@@ -27,6 +26,7 @@ use crate::matrix::Echelon;
 use crate::modified::{Gradients, Modified, add_modified};
 use crate::modulus::Modulus;
 use crate::monomials::Monomials;
+use crate::plane;
 use crate::relations::Relations;
 use crate::report::{
     Bound, DensitySearch, DiscoverError, HamiltonianReport, MOST_VARIABLES, ModifiedPlace, Options, Report,
@@ -95,6 +95,7 @@ pub(crate) fn discover_within(
     let limits =
         DegreeLimits { iterates: options.iterates, degree: options.iterate_degree, deadline: &for_degrees };
     let degrees = degrees(&sample.map, random, limits);
+    let growth = plane::growth(&searched, &sample.map, &degrees, &mut random.clone(), &for_degrees);
 
     begins("relations on orbits");
     let usual = default_degree(searched.dimension());
@@ -138,7 +139,12 @@ pub(crate) fn discover_within(
             || until.has_stopped();
 
     let n = searched.dimension();
-    let is_open = |hilbert: &Hilbert| complete(hilbert, n, found.independent, None).is_none();
+    let linear =
+        plane::linear(&searched, &place.sample.map, &growth, &drifts, &mut random.clone(), &for_structure);
+    let complete = |hilbert: &Hilbert, known, ceiling: Option<&Ceiling>| {
+        Bound::complete(hilbert, n, known, ceiling, &growth, linear)
+    };
+    let is_open = |hilbert: &Hilbert| complete(hilbert, found.independent, None).is_none();
     let trials = if options.degree.is_some() { FEW_TRIALS } else { MANY_TRIALS };
     let ceiling = hilbert
         .as_ref()
@@ -148,7 +154,7 @@ pub(crate) fn discover_within(
         let Some(known) = &hilbert else {
             break if is_stopped { Bound::Time } else { Bound::Poles };
         };
-        if let Some(complete) = complete(known, n, found.independent, ceiling.as_ref()) {
+        if let Some(complete) = complete(known, found.independent, ceiling.as_ref()) {
             break complete;
         }
         if options.degree.is_some() {
@@ -198,7 +204,8 @@ pub(crate) fn discover_within(
     let mut report = Report {
         variables: symbols.states.clone(),
         parameters: symbols.parameters.clone(),
-        growth: GrowthVerdict::of(&degrees),
+        growth,
+        linear_iterates: linear,
         degrees,
         hilbert,
         independent: found.independent,
@@ -220,17 +227,6 @@ pub(crate) fn discover_within(
     };
     report.sentences = sentences(&report, is_stopped);
     Ok(report)
-}
-
-/// Whether no more integrals are possible than are known, and why.
-fn complete(hilbert: &Hilbert, n: usize, known: usize, ceiling: Option<&Ceiling>) -> Option<Bound> {
-    // With n independent integrals an orbit is a finite set. Where ε is generic it is none: the map
-    // would have a finite order N, but its N-th iterate is x + 2Nε f(x) + O(ε²).
-    let most = if hilbert.period.is_some() { n } else { n - 1 };
-    if known >= most {
-        return Some(Bound::Orbits);
-    }
-    ceiling.filter(|ceiling| known >= ceiling.integrals).map(|_| Bound::Ceiling)
 }
 
 /// Until when the stages that look for formulas may go on.

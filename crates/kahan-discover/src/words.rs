@@ -1,6 +1,7 @@
 //! Verdicts in words: each sentence says what was shown, and no more.
 
 mod drifts;
+mod plane;
 mod structure;
 
 use kahan_algebra::render::Text;
@@ -36,6 +37,7 @@ pub(crate) fn sentences(report: &Report, is_stopped: bool) -> Vec<String> {
     sentences.extend(drifts(report));
     sentences.extend(structure(report));
     sentences.extend(composition(report));
+    sentences.extend(plane::quadratic(report));
     sentences.extend(ceiling(report));
     sentences.extend(bound(report, is_stopped));
     if is_stopped {
@@ -50,11 +52,17 @@ fn degrees(report: &Report) -> String {
         return "No iterate of the map has a value on a random line.".to_owned();
     }
     let growth = &report.growth;
+    if let Some(proof) = growth.proof {
+        return plane::growth(proof, growth.growth.entropy());
+    }
     let entropy = match growth.growth.entropy() {
         0.0 => String::new(),
         entropy => format!(", algebraic entropy about {entropy:.4}"),
     };
-    format!("The degrees of the iterates grow as follows: {}{entropy} ({}).", growth.growth, growth.evidence)
+    format!(
+        "The degrees of the iterates grow as follows: {}{entropy} (observed: {}).",
+        growth.growth, growth.evidence
+    )
 }
 
 /// What the fixed points say of the number of integrals.
@@ -101,7 +109,11 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
                 count => format!("at most {}", counted(count, "independent integral")),
             }
         )),
-        Bound::Ceiling => Some("So nothing can be missing, and the search ended.".to_owned()),
+        Bound::Ceiling => Some(
+            "So nothing can be missing (Ziglin's lemma at a fixed point), and the search ended.".to_owned(),
+        ),
+        Bound::Growth => Some(plane::GROWTH_ENDS.to_owned()),
+        Bound::Linear => plane::linear_ends(report),
         Bound::Degree => Some(format!(
             "The degree that was given, {degree}, ended the search: higher ones may show more integrals."
         )),
@@ -114,7 +126,12 @@ fn bound(report: &Report, is_stopped: bool) -> Option<String> {
             "The size ended the search: relations of degree {} would take more than {MOST_MONOMIALS_AT_ALL} monomials.",
             degree + 1
         )),
-        Bound::Poles => None,
+        // Without any orbit the first sentences say it.
+        Bound::Poles => report.hilbert.as_ref().map(|_| {
+            format!(
+                "Poles ended the search beyond degree {degree}: no orbit of a random point was long enough."
+            )
+        }),
     }
 }
 
@@ -147,7 +164,7 @@ fn orbits(report: &Report) -> Vec<String> {
             "No algebraic integral shows: none of degree ≤ {degree}, {from}.{}",
             match report.bound {
                 // That there is none is proved then.
-                Bound::Orbits | Bound::Ceiling if report.independent == 0 => "",
+                Bound::Orbits | Bound::Ceiling | Bound::Growth if report.independent == 0 => "",
                 _ => " This bounds the degree and does not prove that there is none.",
             }
         )

@@ -28,9 +28,10 @@ use crate::reading::{Source, StepLength, seconds, whole};
 /// integrals may be missing, the search goes on to higher degrees until the time is up, and a
 /// sentence says what ended it. Claims that the field brings along are not looked at.
 ///
-/// The JSON object holds hilbert, independent_integrals, degrees, growth, entropy,
+/// The JSON object holds hilbert, independent_integrals, degrees, growth, growth_proved, entropy,
 /// linear_integrals, integrals, densities, brackets, drifts, bases, hamiltonian and more. `hilbert`
-/// says how many monomials of degree at most 1, 2, ... are independent on an orbit; `found` has
+/// says how many monomials of degree at most 1, 2, ... are independent on an orbit; `growth_proved`
+/// whether growth is proved exponential, by which a map of the plane has no integral; `found` has
 /// kind, name and expression of every integral, density, bracket, drift and Hamiltonian.
 #[derive(Args, Debug)]
 #[command(after_help = "\

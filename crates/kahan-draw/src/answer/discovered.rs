@@ -76,7 +76,11 @@ pub fn numbers(found: &Discovered) -> Table {
         rows.push(["fixed".to_owned(), fixed.join(", ")]);
     }
     rows.push(["degrees of iterates".to_owned(), listing(&report.degrees)]);
-    if let Some(hilbert) = &report.hilbert {
+    // Without relations the monomials of each degree are all independent: the degree says all.
+    let hilbert = report.hilbert.as_ref();
+    if let Some(hilbert) = hilbert.filter(|hilbert| hilbert.is_full()) {
+        rows.push(["relations on an orbit".to_owned(), format!("none of degree ≤ {}", hilbert.degree())]);
+    } else if let Some(hilbert) = hilbert {
         let degrees: Vec<usize> = (1..=hilbert.values.len()).collect();
         rows.push(["monomials of degree".to_owned(), format!("≤ {}", listing(&degrees))]);
         rows.push(["  on an orbit".to_owned(), listing(&hilbert.values)]);

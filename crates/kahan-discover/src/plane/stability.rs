@@ -1,0 +1,212 @@
+//! Algebraic stability on ℙ², proved modulo a prime.
+//!
+//! A birational map φ of ℙ² is *algebraically stable* if no iterate of it sends a curve to a point
+//! of indeterminacy; then deg φᵏ = (deg φ)ᵏ (Fornæss and Sibony 1995; Diller and Favre 2001, theorem
+//! 1.14): a factor that all forms of Φᵏ share, and those of Φᵏ⁻¹ do not, is a curve whose image
+//! under φᵏ⁻¹ is a point of indeterminacy.
+//!
+//! Kahan's map has the inverse with −ε, in forms Ψ, and Ψ∘Φ = κ·(X, Y, Z) with a cubic form κ. Its
+//! curves are those that φ contracts: outside of them Ψ∘Φ tells points apart, and on them Φ has
+//! values where Ψ vanishes. Modulo a prime at which κ is a product of linear forms these are lines
+//! ℓᵢ with images qᵢ. The orbit of qᵢ either meets a point of indeterminacy, or comes to one of the
+//! lines, ℓⱼ, and goes on as that of qⱼ: it cannot avoid both, as φ is injective outside the lines
+//! and has no qᵢ as a value there. So a finite walk from each qᵢ decides stability over the closure
+//! of 𝔽ₚ. If the reduced map has deg φᵏ = 2ᵏ then so has φ: a factor that the forms of Φᵏ share
+//! would remain one modulo the prime.
+
+use kahan_algebra::prime_field::{PrimeField, SplitMix64};
+
+use crate::deadline::Deadline;
+use crate::map::{ModularMap, Term};
+use crate::modulus::Modulus;
+use crate::search_field::SearchField;
+use crate::stepping::Stepping;
+
+/// Primes are sampled from these on, as many more; a walk takes about a third of the prime in
+/// steps, and ends at a point of indeterminacy by chance once in as many walks.
+const LEAST: u64 = 211;
+const SPREAD: u64 = 1000;
+
+/// The number of samples that are looked at: where the lines are conjugate, one in six shows all.
+const MOST_SAMPLES: usize = 64;
+
+type Point = [u64; 3];
+
+/// A prime modulo which the map is algebraically stable of degree 2, at values of the unknowns that
+/// are sampled.
+pub(super) fn prime_of_stability(
+    searched: &SearchField,
+    random: &mut SplitMix64,
+    deadline: &Deadline<'_>,
+) -> Option<u64> {
+    (0..MOST_SAMPLES).find_map(|_| {
+        if deadline.passed() {
+            return None;
+        }
+        let prime = (LEAST + random.below(SPREAD)..).find_map(PrimeField::new)?;
+        let modulus = Modulus::of(prime);
+        let unknowns: Vec<u64> = (0..searched.unknowns()).map(|_| modulus.sample(random)).collect();
+        let plane = Forms { map: searched.at(modulus, &unknowns)? };
+        plane.is_stable(random).then_some(modulus.prime())
+    })
+}
+
+/// A map in homogeneous coordinates.
+struct Forms {
+    map: ModularMap,
+}
+
+impl Forms {
+    /// Whether the map has degree 2, three contracted lines (counted with multiplicity) that are
+    /// found, and is stable. Where it has no degree 2, a line on which Φ vanishes divides κ.
+    fn is_stable(&self, random: &mut SplitMix64) -> bool {
+        let Some(lines) = self.contracted_lines(random) else { return false };
+        // A quadratic form with three zeros on a line vanishes on it.
+        let image =
+            |line: &Point| (0..3).map(|t| self.image(self.on(line, t))).find(|image| *image != [0; 3]);
+        lines.iter().all(|line| image(line).is_some_and(|start| self.walk_is_stable(start)))
+    }
+
+    /// Whether the orbit comes to a contracted line before a point of indeterminacy.
+    fn walk_is_stable(&self, start: Point) -> bool {
+        let mut point = start;
+        // A walk ends within the number of points.
+        for _ in 0..100 * self.modulus().prime() {
+            let next = self.image(point);
+            if next == [0; 3] {
+                return false;
+            }
+            if self.cubic(point) == 0 {
+                return true;
+            }
+            point = next;
+        }
+        false
+    }
+
+    /// The lines whose product with multiplicities is κ up to a factor, if all are rational.
+    fn contracted_lines(&self, random: &mut SplitMix64) -> Option<Vec<Point>> {
+        let sampled = |random: &mut SplitMix64| [(); 3].map(|()| self.modulus().sample(random));
+        let [first, second] = [(); 2].map(|()| [sampled(random), sampled(random)]);
+        let (first, second) = (self.zeros_between(first)?, self.zeros_between(second)?);
+        let mut lines: Vec<Point> = Vec::new();
+        for (&a, &b) in first.iter().flat_map(|a| second.iter().map(move |b| (a, b))) {
+            let line = self.normalised(self.cross(a, b));
+            // A cubic form with four zeros on a line vanishes on it.
+            let is_zero = line != [0; 3] && (0..4).all(|t| self.cubic(self.on(&line, t)) == 0);
+            if is_zero && !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+        let powers: &[&[u32]] = match lines.len() {
+            1 => &[&[3]],
+            2 => &[&[2, 1], &[1, 2]],
+            3 => &[&[1, 1, 1]],
+            _ => return None,
+        };
+        powers.iter().any(|powers| self.is_product(&lines, powers)).then_some(lines)
+    }
+
+    /// Whether κ is the product of powers of lines, of degree 3, up to a factor that is not 0. Two
+    /// cubic forms are equal if they are at the ten points (i, j, k) with i + j + k = 3.
+    fn is_product(&self, lines: &[Point], powers: &[u32]) -> bool {
+        let modulus = self.modulus();
+        let places = (0..=3).flat_map(|i| (0..=3 - i).map(move |j| [i, j, 3 - i - j]));
+        let values = places.map(|place| {
+            let point = place.map(|entry| modulus.integer(entry));
+            let factors = lines.iter().zip(powers);
+            let product = factors.fold(modulus.one(), |product, (line, &power)| {
+                modulus.times(product, modulus.power(modulus.dot(line, &point), power))
+            });
+            (self.cubic(point), product)
+        });
+        let values: Vec<(u64, u64)> = values.collect();
+        let Some(&(left, right)) = values.iter().find(|(left, _)| *left != 0) else { return false };
+        right != 0 && values.iter().all(|&(a, b)| modulus.times(a, right) == modulus.times(b, left))
+    }
+
+    /// The zeros of κ on the line through two points, but for the first of them; `None` where it
+    /// vanishes on all of the line.
+    fn zeros_between(&self, [infinity, base]: [Point; 2]) -> Option<Vec<Point>> {
+        let modulus = self.modulus();
+        let mut point = base;
+        let mut zeros = Vec::new();
+        for _ in 0..modulus.prime() {
+            if self.cubic(point) == 0 {
+                zeros.push(point);
+            }
+            point = std::array::from_fn(|i| modulus.plus(point[i], infinity[i]));
+        }
+        (zeros.len() <= 3).then_some(zeros)
+    }
+
+    /// The point with the number t on a line, for small t different ones.
+    fn on(&self, line: &Point, t: u64) -> Point {
+        let modulus = self.modulus();
+        let [a, b] = match line.iter().position(|&entry| entry != 0) {
+            Some(0) => [[line[1], modulus.opposite(line[0]), 0], [line[2], 0, modulus.opposite(line[0])]],
+            Some(1) => [[modulus.one(), 0, 0], [0, line[2], modulus.opposite(line[1])]],
+            _ => [[modulus.one(), 0, 0], [0, modulus.one(), 0]],
+        };
+        let t = modulus.integer(t);
+        std::array::from_fn(|i| modulus.plus(a[i], modulus.times(t, b[i])))
+    }
+
+    fn cross(&self, a: Point, b: Point) -> Point {
+        let modulus = self.modulus();
+        [(1, 2), (2, 0), (0, 1)]
+            .map(|(i, j)| modulus.minus(modulus.times(a[i], b[j]), modulus.times(a[j], b[i])))
+    }
+
+    /// The multiple whose first entry that is not 0 is 1.
+    fn normalised(&self, point: Point) -> Point {
+        let first = point.iter().copied().find(|&entry| entry != 0);
+        let inverse = first.and_then(|first| self.modulus().inverse(first)).unwrap_or(0);
+        point.map(|entry| self.modulus().times(entry, inverse))
+    }
+
+    /// κ
+    fn cubic(&self, point: Point) -> u64 {
+        let back = self.forms(self.image(point), self.modulus().opposite(self.map.eps()));
+        let quotients = back.iter().zip(point);
+        let mut quotients =
+            quotients.filter_map(|(&above, below)| Some((above, self.modulus().inverse(below)?)));
+        quotients.next().map_or(0, |(above, inverse)| self.modulus().times(above, inverse))
+    }
+
+    /// Φ
+    fn image(&self, point: Point) -> Point {
+        self.forms(point, self.map.eps())
+    }
+
+    /// (adj A · b, det A) with A = Z − ε f′ and b = x + ε Bx + 2ε cZ, homogeneous, where f has the
+    /// linear part B and the constants c: A x̃ = b.
+    fn forms(&self, point: Point, eps: u64) -> Point {
+        let modulus = self.modulus();
+        let mut matrix = [[point[2], 0], [0, point[2]]];
+        let mut right = [point[0], point[1]];
+        for &Term { component, coefficient, first, second } in self.map.terms() {
+            let scaled = modulus.times(eps, coefficient);
+            let product = |place: usize| modulus.times(scaled, point[place]);
+            let (row, entry) = (&mut matrix[component], &mut right[component]);
+            match (first, second) {
+                (Some(j), Some(k)) => {
+                    row[j] = modulus.minus(row[j], product(k));
+                    row[k] = modulus.minus(row[k], product(j));
+                }
+                (Some(j), None) => {
+                    row[j] = modulus.minus(row[j], product(2));
+                    *entry = modulus.plus(*entry, product(j));
+                }
+                _ => *entry = modulus.plus(*entry, modulus.plus(product(2), product(2))),
+            }
+        }
+        let [[a, b], [c, d]] = matrix;
+        let difference = |a, b, c, d| modulus.minus(modulus.times(a, b), modulus.times(c, d));
+        [difference(d, right[0], b, right[1]), difference(a, right[1], c, right[0]), difference(a, d, b, c)]
+    }
+
+    fn modulus(&self) -> &Modulus {
+        self.map.modulus()
+    }
+}
