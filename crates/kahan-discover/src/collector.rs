@@ -1,21 +1,27 @@
 //! Integrals as they are found: made simpler, proved, and kept where they are independent of those
 //! before.
 
+use std::slice::from_ref;
+
 use kahan_algebra::poly::Polynomial;
 
 use crate::claims::{Claims, Formula};
 use crate::independent::{Independent, quotient_gradient};
 use crate::leaf::Leaf;
 use crate::limit::with_a_limit;
+use crate::members::special_members;
 use crate::monomials::Monomials;
 use crate::reduction::reduced;
 use crate::search_field::{Sample, SampledStep, SearchField};
 use crate::space::tidy;
-use crate::writing::factors_of;
+use crate::writing::{factors_of, quotient};
 
 /// The most coefficients of P and Q together in a degree that is searched before an integral of
 /// higher degree is taken that is known already.
 const MOST_AHEAD: usize = 150;
+
+/// Of an integral of more characters other members of its pencil are looked at.
+const SHORT: usize = 60;
 
 pub(crate) struct Collector<'a> {
     pub(crate) searched: &'a SearchField,
@@ -82,13 +88,46 @@ impl Collector<'_> {
         let (numerator, denominator) = self.simplified(numerator, denominator);
         let numerator = with_a_limit(symbols, numerator, &denominator);
         let index = self.formulas.len() + 1;
-        let formula =
-            self.claims.integral(symbols, index, &numerator, &denominator, &factors_of(&self.formulas));
-        if let Some(formula) = formula {
-            self.independent.keep(&numerator, &denominator);
+        let by = factors_of(&self.formulas);
+        let proved = |(above, below): &(Polynomial, Polynomial)| {
+            self.claims.integral(symbols, index, above, below, &by)
+        };
+        let own = (numerator, denominator);
+        if let Some(formula) = proved(&self.shortest(&own, &by)).or_else(|| proved(&own)) {
+            self.independent.keep(&formula.numerator, &formula.denominator);
             (self.tell)(&formula);
             self.formulas.push(formula);
         }
+    }
+
+    /// The quotient of the two members of the pencil of P and Q that is shortest to write, with a
+    /// limit at ε = 0; P/Q where that is short.
+    fn shortest(
+        &self,
+        (numerator, denominator): &(Polynomial, Polynomial),
+        by: &[Polynomial],
+    ) -> (Polynomial, Polynomial) {
+        let symbols = self.searched.family().symbols();
+        let own = (numerator.clone(), denominator.clone());
+        let len = |(above, below): &(Polynomial, Polynomial)| {
+            quotient(symbols, from_ref(above), from_ref(below), by).len()
+        };
+        let short = len(&own);
+        if short <= SHORT {
+            return own;
+        }
+        let special = special_members(self.searched, numerator, denominator);
+        let members: Vec<Polynomial> = [vec![numerator.clone(), denominator.clone()], special].concat();
+        let pairs = members.iter().flat_map(|above| members.iter().map(move |below| (above, below)));
+        let has_limit = |(above, below): &(&Polynomial, &Polynomial)| {
+            above != below && with_a_limit(symbols, (*above).clone(), below) == **above
+        };
+        let pairs = pairs.filter(has_limit).map(|(above, below)| (above.clone(), below.clone()));
+        pairs
+            .map(|pair| (len(&pair), pair))
+            .filter(|(len, _)| *len < short)
+            .min_by_key(|(len, _)| *len)
+            .map_or(own, |(_, pair)| pair)
     }
 
     /// The integral combined with those known so that factors of its denominator cancel.

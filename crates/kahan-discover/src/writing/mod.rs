@@ -5,6 +5,7 @@
 //! variable v that the digits dₖ do not contain. The catalog's Lagrange top is such a case, and it
 //! is written so where that is shorter.
 
+mod grouped;
 mod powers;
 #[cfg(test)]
 mod tests;
@@ -13,10 +14,11 @@ use kahan_algebra::poly::{Budget, Monomial, Polynomial};
 use kahan_algebra::rational::Rational;
 use kahan_algebra::render::{Notation, Text};
 use kahan_algebra::symbols::Symbols;
-use kahan_factor::factors;
+use kahan_factor::{Factors, factors};
 
 use crate::claims::Formula;
 
+use grouped::grouped;
 pub(crate) use powers::in_powers;
 use powers::{Scale, by_powers};
 
@@ -95,6 +97,16 @@ enum Sum {
 
 impl Product {
     fn of(polynomials: &[Polynomial]) -> Self {
+        let each = || Budget::new(MOST_TERMS, MOST_WORK);
+        Self::factored(polynomials, |polynomial| factors(polynomial, &mut each()))
+    }
+
+    /// The same, all within one budget.
+    fn within(polynomials: &[Polynomial], budget: &mut Budget) -> Self {
+        Self::factored(polynomials, |polynomial| factors(polynomial, budget))
+    }
+
+    fn factored(polynomials: &[Polynomial], mut factored: impl FnMut(&Polynomial) -> Factors) -> Self {
         let mut product = Product {
             content: Rational::one(),
             front: Monomial::one(),
@@ -102,7 +114,7 @@ impl Product {
             sums: Vec::new(),
         };
         for polynomial in polynomials {
-            let found = factors(polynomial, &mut Budget::new(MOST_TERMS, MOST_WORK));
+            let found = factored(polynomial);
             product.content = &product.content * &found.content;
             for (factor, exponent) in found.factors {
                 product.take(factor, exponent);
@@ -127,21 +139,23 @@ impl Product {
         }
     }
 
-    /// Writes long factors by powers of shorter polynomials where that is shorter.
+    /// Writes factors in groups, and long ones by powers of shorter polynomials, where that is
+    /// shorter.
     fn shorten(&mut self, symbols: &Symbols, by: &[Polynomial]) {
         for (sum, exponent) in &mut self.sums {
             let Sum::Plain(polynomial) = &*sum else { continue };
-            if polynomial.len() < FEW_TERMS {
-                continue;
-            }
-            let mut best = Text.polynomial(symbols, polynomial);
+            let mut best = grouped(symbols, polynomial);
+            let mut shortest = best.len();
             let mut scale = None;
+            let by = if polynomial.len() < FEW_TERMS { &[] } else { by };
             for base in by.iter().filter(|base| base.len() < polynomial.len()) {
                 for variable in base.variables().into_iter().filter(|&v| symbols.is_state(v)) {
-                    if let Some((text, own)) = by_powers(symbols, polynomial, base, variable)
-                        && text.len() < best.len()
-                    {
-                        (best, scale) = (text, Some(own));
+                    if let Some((text, own)) = by_powers(symbols, polynomial, base, variable) {
+                        // A divisor stands above and, in its way, below.
+                        let len = text.len() + 8 * own.front_below.degree() as usize;
+                        if len < shortest {
+                            (best, shortest, scale) = (text, len, Some(own));
+                        }
                     }
                 }
             }
@@ -150,8 +164,8 @@ impl Product {
                     &self.content * &content.pow(*exponent as i32).expect("the exponent is not negative");
                 self.front = self.front.mul(&front.pow(*exponent));
                 self.front_below = self.front_below.mul(&front_below.pow(*exponent));
-                *sum = Sum::Written(best);
             }
+            *sum = Sum::Written(best);
         }
     }
 }
